@@ -1,0 +1,1 @@
+//! From a look to one WGSL module.

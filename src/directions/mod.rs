@@ -1,0 +1,1 @@
+//! Weights of keys on the sphere of directions.

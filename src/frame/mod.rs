@@ -1,0 +1,1 @@
+//! From a scene at a time to a frame plan.

@@ -1,0 +1,1 @@
+//! Meshes: import, tangents, own shapes.

@@ -1,0 +1,1 @@
+//! An interpreter over naga IR, in f64 or f32.

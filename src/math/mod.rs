@@ -1,0 +1,1 @@
+//! Small mathematics shared by all floors.

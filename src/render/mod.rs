@@ -1,0 +1,1 @@
+//! Executes frame plans on wgpu.

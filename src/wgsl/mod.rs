@@ -1,0 +1,1 @@
+//! WGSL sources: imports, top-level declarations, validation and spans.
