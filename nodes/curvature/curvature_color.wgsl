@@ -1,0 +1,15 @@
+import chiaro::types;
+
+/// Convex/concave color
+///
+/// One colour for what bulges, another for what is hollow.
+///
+/// @param convexity "Convexity" default=0.5 min=0 max=1 : From a Curvature transition.
+/// @param convex "Convex" default=1,1,1,1 : Straight RGBA.
+/// @param concave "Concave" default=1,1,1,1 : Straight RGBA.
+/// @return color "Color" : Between the two, component by component (D7).
+/// @bypass convex when convex = concave : both colours are the same
+/// @source BADF eq. 7
+fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
+    return concave + convexity * (convex - concave);
+}

@@ -1,0 +1,14 @@
+import chiaro::curvature;
+
+/// Curvature transition
+///
+/// From concave (0) over flat (0.5) to convex (1), by a slope of your choice.
+///
+/// @param kappa "Curvature" from=kappa : In 1/viewport-height, convex positive.
+/// @param slope "Slope" default=0.05 : How fast flat becomes convex; 0 is 0.5 everywhere.
+/// @return convexity "Convexity" : From 0 (concave) to 1 (convex).
+/// @bypass 0.5 when slope = 0 : its slope is 0, which is flat everywhere
+/// @source BADF eq. 7
+fn transition(kappa: f32, slope: f32) -> f32 {
+    return 0.5 + 0.5 * curvature_signed(kappa, slope);
+}

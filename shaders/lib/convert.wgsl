@@ -1,0 +1,28 @@
+// What the compiler calls where a wire changes type.
+import chiaro::types;
+import chiaro::numeric;
+import chiaro::angle;
+
+/// Straight to premultiplied.
+fn premultiplied(color: Color) -> Composite {
+    return vec4f(color.xyz * color.w, color.w);
+}
+
+/// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
+/// transparency is not lost.
+fn straight(composite: Composite) -> Color {
+    if composite.w <= 0.0 {
+        return composite;
+    }
+    return vec4f(composite.xyz / composite.w, composite.w);
+}
+
+/// Relative luminance by the Rec. 709 weights, of the numbers as they stand.
+fn luminance(color: Color) -> f32 {
+    return dot(color.xyz, vec3f(0.2126, 0.7152, 0.0722));
+}
+
+/// The nearest whole number, within +-2^24; 0 where x is not finite.
+fn int_of(x: f32) -> i32 {
+    return i32(round(clamp(finite_or(x, 0.0), -16777216.0, 16777216.0)));
+}

@@ -1,0 +1,24 @@
+// Concave to convex (BADF eq. 7, 8) as a logistic, because (e^2x - 1) / (e^2x + 1) is inf / inf from x = 45 on (D6).
+import chiaro::types;
+import chiaro::numeric;
+
+/// kappa fit for use: 0 where it is NaN, within +-1e4.
+fn kappa_safe(kappa: f32) -> f32 {
+    // An infinite curvature keeps its sign; only NaN has none.
+    let is_nan = (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u;
+    return select(clamp(kappa, -1e4, 1e4), 0.0, is_nan);
+}
+
+/// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
+fn curvature_signed(kappa: f32, slope: f32) -> f32 {
+    let a = kappa_safe(kappa) * clamp(finite_or(slope, 0.0), -1e30, 1e30);
+    let magnitude = min(abs(a), 50.0);
+    if magnitude < 0.0625 {
+        // 1 - z cancels for small a; the series does not.
+        let a2 = a * a;
+        return a * (1.0 - a2 * (0.33333334 - a2 * (0.13333334 - a2 * 0.053968254)));
+    }
+    let z = exp2_stable(-2.0 * LOG2_E * magnitude);
+    let t = (1.0 - z) / (1.0 + z);
+    return select(-t, t, a >= 0.0);
+}

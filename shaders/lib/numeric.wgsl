@@ -1,0 +1,100 @@
+// Arithmetic that gives a documented, finite result for every input.
+//
+// WGSL promises little of exp2, log2, sin, cos and division; where an angle or a profile must be exact, what stands
+// here is built from sums and products alone, which every implementation rounds correctly.
+
+const PI: f32 = 3.14159265358979;
+const HALF_PI: f32 = 1.57079632679490;
+const LN_2: f32 = 0.693147180559945;
+const LOG2_E: f32 = 1.44269504088896;
+
+/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN never happens.
+fn is_finite(x: f32) -> bool {
+    return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
+}
+
+/// x, or `otherwise` where x is NaN or infinite.
+fn finite_or(x: f32, otherwise: f32) -> f32 {
+    return select(otherwise, x, is_finite(x));
+}
+
+/// Each component as it is, or 0 where it is NaN or infinite.
+fn finite_vec3(v: vec3f) -> vec3f {
+    return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
+}
+
+/// Each component as it is, or 0 where it is NaN or infinite.
+fn finite_vec4(v: vec4f) -> vec4f {
+    return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
+}
+
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction. Scaled by the largest
+/// component first, so that neither tiny nor huge vectors under- or overflow.
+fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
+    let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    if !(largest > 1e-30 && largest < 1e30) {
+        return otherwise;
+    }
+    let scaled = v * (1.0 / largest);
+    return scaled * (1.0 / sqrt(dot(scaled, scaled)));
+}
+
+/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of two. 0 below -149,
+/// the largest finite number above 128.
+fn exp2_stable(x: f32) -> f32 {
+    let clamped = clamp(x, -150.0, 127.999992);
+    let whole = round(clamped);
+    let f = (clamped - whole) * LN_2;
+    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.16666667 + f * (0.041666668 + f * (0.008333334 + f * (0.0013888889 + f * 0.00019841270))))));
+    // Two steps, because 2^-150 is no normal number.
+    let half_whole = i32(whole) / 2;
+    return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
+}
+
+/// 2^n for n in [-126, 127], by its bits.
+fn power_of_two(n: i32) -> f32 {
+    return bitcast<f32>(u32(n + 127) << 23u);
+}
+
+/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative error below 1e-7).
+fn log_stable(x: f32) -> f32 {
+    let bits = bitcast<u32>(x);
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
+    let shift = i32((bits - 0x3f3504f3u) >> 23u);
+    let exponent = select(shift, shift - 512, shift >= 256);
+    let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
+    let z = (mantissa - 1.0) / (mantissa + 1.0);
+    let z2 = z * z;
+    let series = 2.0 * z * (1.0 + z2 * (0.33333334 + z2 * (0.2 + z2 * (0.14285715 + z2 * 0.11111111))));
+    return f32(exponent) * LN_2 + series;
+}
+
+/// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
+fn log1p_negative(y: f32) -> f32 {
+    if y < 0.25 {
+        let z = y / (2.0 - y);
+        let z2 = z * z;
+        return -2.0 * z * (1.0 + z2 * (0.33333334 + z2 * (0.2 + z2 * (0.14285715 + z2 * 0.11111111))));
+    }
+    return log_stable(max(1.0 - y, 1.17549435e-38));
+}
+
+/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows 4.9e-4.
+fn sin_cos_quarter(x: f32) -> vec2f {
+    // Halved to |h| <= pi/4, where short series suffice, then doubled.
+    let h = 0.5 * x;
+    let h2 = h * h;
+    let s = h * (1.0 + h2 * (-0.16666667 + h2 * (0.008333334 + h2 * (-0.00019841270 + h2 * 0.0000027557319))));
+    let one_minus_c = h2 * (0.5 + h2 * (-0.041666668 + h2 * (0.0013888889 + h2 * (-0.000024801588 + h2 * 2.7557319e-7))));
+    let c = 1.0 - one_minus_c;
+    return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
+}
+
+/// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a quarter turn.
+fn sin_cos(x: f32) -> vec2f {
+    let turns = round(x * 0.318309886);
+    // Cody and Waite: pi in three parts, so that the reduced angle keeps its digits.
+    let r = ((x - turns * 3.140625) - turns * 0.0009670257568359375) - turns * 6.2771141529083252e-7;
+    let sign = 1.0 - 2.0 * abs(turns - 2.0 * trunc(turns * 0.5));
+    return sign * sin_cos_quarter(clamp(r, -HALF_PI, HALF_PI));
+}

@@ -1,0 +1,135 @@
+// The profile alpha(u) of BADF eq. 5 in the form of math.md 2.3: no inverse trigonometry, no cancellation, and an
+// exponent that may grow without bound.
+import chiaro::types;
+import chiaro::numeric;
+import chiaro::angle;
+
+/// What a profile needs of its offset, fall-off and cut-off; made once, in f64 wherever they are known before the
+/// fragment.
+struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
+    half_cos_offset: f32,
+    half_sin_offset: f32,
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
+    scale: f32,
+    /// gamma of BADF eq. 11.
+    exponent: f32,
+    /// tau, the step's place, in radians.
+    offset: f32,
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
+    edge_mean: f32,
+    edge_deviation: f32,
+    /// 0: soft; 1: a step at tau; 2: ambient, 1 everywhere.
+    kind: u32,
+}
+
+const PROFILE_SOFT: u32 = 0u;
+const PROFILE_STEP: u32 = 1u;
+const PROFILE_AMBIENT: u32 = 2u;
+
+/// Sanitises offset, fall-off and cut-off (D2) and makes the shape (BADF eq. 10, 11; math.md 2.1 to 2.3). An offset
+/// within 1e-5 of pi is ambient: pi has no exact f32, and people write 3.14159.
+fn profile_shape(offset: f32, falloff: f32, cutoff: f32) -> ProfileShape {
+    let tau = clamp(offset, 0.0, PI);
+    let c = clamp(cutoff, tau, PI) - tau;
+    let f = clamp(falloff, tau, tau + c) - tau;
+    let half_tau = sin_cos_quarter(0.5 * tau);
+    var shape = ProfileShape(half_tau.y, half_tau.x, 0.0, 1.0, tau, 0.0, 0.0, PROFILE_STEP);
+    if tau >= PI - 1e-5 {
+        shape.kind = PROFILE_AMBIENT;
+        return shape;
+    }
+    let sin_c = sin_cos_quarter(0.5 * c).x;
+    let sin_f = sin_cos_quarter(0.5 * f).x;
+    if sin_c <= 0.0 || sin_f < 1e-9 {
+        return shape;
+    }
+    shape.kind = PROFILE_SOFT;
+    shape.scale = 1.0 / sin_c;
+    shape.exponent = profile_exponent(f, c);
+    return profile_edge(shape, c);
+}
+
+/// gamma(f, c) of BADF eq. 11 by half-angles: 1 exactly at f = c, also at the corner f = c = pi (D5).
+fn profile_exponent(f: f32, c: f32) -> f32 {
+    // sin((c + f) / 2) by the addition theorem: (c + f) / 2 may exceed a quarter turn.
+    let half_c = sin_cos_quarter(0.5 * c);
+    let half_f = sin_cos_quarter(0.5 * f);
+    let sum = half_c.x * half_f.y + half_c.y * half_f.x;
+    let difference = sin_cos_quarter(0.5 * (c - f)).x;
+    let sin_f = 2.0 * half_f.x * half_f.y;
+    if c - f <= 0.0 || sin_f <= 1e-7 * f {
+        return 1.0;
+    }
+    return (sum * sum + difference * difference) / (sin_f * sin_f);
+}
+
+/// Mean and standard deviation of -eta' over [0, c], by the trapezoid rule on eta: how wide the soft edge looks.
+fn profile_edge(shape: ProfileShape, c: f32) -> ProfileShape {
+    let steps = 64;
+    let h = c / f32(steps);
+    var area = 0.5;
+    var moment = 0.0;
+    for (var i = 1; i < steps; i++) {
+        let x = f32(i) * h;
+        let q = min(sin_cos_quarter(0.5 * x).x * shape.scale, 1.0);
+        let eta = profile_power(q, shape.exponent);
+        area += eta;
+        moment += x * eta;
+    }
+    var result = shape;
+    // By parts: the mean of -eta' is the area under eta, the mean square twice the area under x eta.
+    result.edge_mean = area * h;
+    result.edge_deviation = sqrt(max(2.0 * moment * h - area * area * h * h, 0.0));
+    return result;
+}
+
+/// alpha at one angle, without antialiasing; `u` is warped already.
+fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
+    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
+    if s <= 0.0 || shape.kind == PROFILE_AMBIENT {
+        return 1.0;
+    }
+    if shape.kind == PROFILE_STEP {
+        // Inclusive (D4), also where rounding puts u = tau on the far side.
+        return select(0.0, 1.0, s <= 4e-7);
+    }
+    let q = s * shape.scale;
+    return profile_power(q, shape.exponent);
+}
+
+/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
+fn profile_power(q: f32, exponent: f32) -> f32 {
+    if q >= 1.0 {
+        return 0.0;
+    }
+    var log_base = 0.0;
+    if q < 0.5 {
+        log_base = log1p_negative(q * q);
+    } else {
+        log_base = log_stable((1.0 - q) * (1.0 + q));
+    }
+    return clamp(exp2_stable(exponent * LOG2_E * log_base), 0.0, 1.0);
+}
+
+/// alpha averaged over a footprint of `w` radians (math.md 2.4): the hard step where w is 0, a ramp of the gradient's
+/// width where the edge is narrower than a pixel, three-point Gauss quadrature where it is narrow, the point value
+/// where it is wide.
+fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let point = profile_point(u, shape);
+    if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
+        return point;
+    }
+    let is_narrow = w >= 3.46410162 * shape.edge_deviation;
+    if is_narrow {
+        let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+        return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
+    }
+    if w < 0.1 * shape.edge_deviation {
+        return point;
+    }
+    let reach = 0.387298335 * w;
+    let before = profile_point(angle_shifted(u, reach), shape);
+    let after = profile_point(angle_shifted(u, -reach), shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
+}

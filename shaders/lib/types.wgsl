@@ -1,0 +1,28 @@
+// The types that wires carry beside numbers and vectors. Their names are read from signatures: an alias says what
+// the numbers mean, and the compiler converts where the meaning differs.
+
+/// Straight RGBA.
+alias Color = vec4f;
+
+/// Premultiplied RGBA: the stack of layers below, as blends pass it on.
+alias Composite = vec4f;
+
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and near pi.
+struct Angle {
+    /// sin(u/2), 0 or more.
+    half_sin: f32,
+    /// cos(u/2), 0 or more.
+    half_cos: f32,
+}
+
+/// A light as it arrives at a point of the surface.
+struct Light {
+    /// Unit, toward the light, in world space.
+    direction: vec3f,
+    /// Unit, toward the light, in the light's own frame.
+    own_direction: vec3f,
+    /// Straight RGB.
+    color: vec3f,
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
+    intensity: f32,
+}

@@ -1,0 +1,143 @@
+//! What a node may ask of its surroundings: the surface, the camera, the clock and the lights.
+
+/// When a value is known.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Rate {
+    /// When the look is compiled.
+    #[default]
+    Constant,
+    /// Once a frame.
+    Frame,
+    /// Once an object.
+    Object,
+    /// At each vertex.
+    Vertex,
+    /// At each fragment.
+    Fragment,
+}
+
+/// A value from the surroundings; the word after `from=` in a node's `@param`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Context {
+    /// Unit surface normal, world space, toward the side that is seen.
+    Normal,
+    /// Unit, from the surface to the eye, world space.
+    View,
+    /// World space.
+    Position,
+    /// The object's own space.
+    PositionObject,
+    /// Camera axes: x right, y up, z toward the viewer, from the eye.
+    PositionCamera,
+    /// Texture coordinates; v up.
+    Uv,
+    /// Straight RGBA of the vertices; white where the mesh has none.
+    VertexColor,
+    /// Unit, along u, world space, orthogonal to the normal.
+    Tangent,
+    /// Unit, along v, world space.
+    Bitangent,
+    /// Distance in front of the eye along the viewing axis, scene units.
+    Depth,
+    /// Signed curvature of the surface in 1/viewport-height, convex positive.
+    Kappa,
+    /// The same, of the normal that the Output node is given.
+    KappaDetail,
+    /// The rotation from world to camera axes.
+    CameraFromWorld,
+    /// Counts objects from 0.
+    ObjectId,
+    /// Seconds.
+    Time,
+    /// Frames since the start of the time range.
+    Frame,
+    /// Width and height in pixels.
+    Viewport,
+    /// A field of the light that the node names.
+    Light(LightField),
+}
+
+/// A field of a light, in world space and ready for use.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum LightField {
+    /// Unit, toward a directional light, world space.
+    Direction,
+    /// Unit, toward a directional light, as the artist gave it.
+    OwnDirection,
+    /// World space.
+    Position,
+    /// Unit, from a spot light outward, world space.
+    Aim,
+    /// The rotation from world space to the light's own frame.
+    OwnFromWorld,
+    /// Straight RGB.
+    Color,
+    /// 0 or more.
+    Intensity,
+    /// The cosines of a spot light's inner and outer half-angles.
+    Cone,
+    /// Half distance and range.
+    Fading,
+}
+
+/// Every context with the word that node files use, its WGSL type and its rate.
+const TABLE: &[(Context, &str, &str, Rate)] = &[
+    (Context::Normal, "normal", "vec3f", Rate::Fragment),
+    (Context::View, "view", "vec3f", Rate::Fragment),
+    (Context::Position, "position", "vec3f", Rate::Fragment),
+    (Context::PositionObject, "position_object", "vec3f", Rate::Fragment),
+    (Context::PositionCamera, "position_camera", "vec3f", Rate::Fragment),
+    (Context::Uv, "uv", "vec2f", Rate::Fragment),
+    (Context::VertexColor, "vertex_color", "Color", Rate::Fragment),
+    (Context::Tangent, "tangent", "vec3f", Rate::Fragment),
+    (Context::Bitangent, "bitangent", "vec3f", Rate::Fragment),
+    (Context::Depth, "depth", "f32", Rate::Fragment),
+    (Context::Kappa, "kappa", "f32", Rate::Fragment),
+    (Context::KappaDetail, "kappa_detail", "f32", Rate::Fragment),
+    (Context::CameraFromWorld, "camera_from_world", "mat3x3f", Rate::Frame),
+    (Context::ObjectId, "object_id", "f32", Rate::Object),
+    (Context::Time, "time", "f32", Rate::Frame),
+    (Context::Frame, "frame", "f32", Rate::Frame),
+    (Context::Viewport, "viewport", "vec2f", Rate::Frame),
+    (Context::Light(LightField::Direction), "light.direction", "vec3f", Rate::Object),
+    (Context::Light(LightField::OwnDirection), "light.own_direction", "vec3f", Rate::Object),
+    (Context::Light(LightField::Position), "light.position", "vec3f", Rate::Object),
+    (Context::Light(LightField::Aim), "light.aim", "vec3f", Rate::Object),
+    (Context::Light(LightField::OwnFromWorld), "light.own_from_world", "mat3x3f", Rate::Object),
+    (Context::Light(LightField::Color), "light.color", "vec3f", Rate::Object),
+    (Context::Light(LightField::Intensity), "light.intensity", "f32", Rate::Object),
+    (Context::Light(LightField::Cone), "light.cone", "vec2f", Rate::Object),
+    (Context::Light(LightField::Fading), "light.fading", "vec2f", Rate::Object),
+];
+
+impl Context {
+    /// All of them, with their words.
+    pub fn all() -> impl Iterator<Item = (Self, &'static str)> {
+        TABLE.iter().map(|row| (row.0, row.1))
+    }
+
+    /// The context that a node file's `from=` names.
+    pub fn from_word(word: &str) -> Option<Self> {
+        TABLE.iter().find(|row| row.1 == word).map(|row| row.0)
+    }
+
+    fn row(self) -> &'static (Self, &'static str, &'static str, Rate) {
+        TABLE.iter().find(|row| row.0 == self).expect("the table holds every context")
+    }
+
+    /// The word that node files use; also the variable's name in generated source.
+    pub fn word(self) -> &'static str {
+        self.row().1
+    }
+
+    /// Its WGSL type.
+    pub fn wgsl_type(self) -> &'static str {
+        self.row().2
+    }
+
+    /// When it is known. Lights are of object rate, because a direction key may turn them for each object.
+    pub fn rate(self) -> Rate {
+        self.row().3
+    }
+}

@@ -1,0 +1,201 @@
+//! The types of ports, and which of them convert into which.
+
+use std::fmt;
+
+/// The type of a port.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Type {
+    /// `f32`
+    Float,
+    /// `i32`
+    Int,
+    /// `bool`
+    Bool,
+    /// `vec2f`
+    Vec2,
+    /// `vec3f`
+    Vec3,
+    /// `vec4f`
+    Vec4,
+    /// `Color`: straight RGBA.
+    Color,
+    /// `Composite`: premultiplied RGBA, the stack of layers below.
+    Composite,
+    /// `mat3x3f`
+    Mat3,
+    /// `Angle`: u in [0, pi] by its half's sine and cosine.
+    Angle,
+    /// `Light`: a light as it arrives at a point.
+    Light,
+    /// `Curve`: a free function of one number.
+    Curve,
+    /// `Ramp`: a colour along one number.
+    Ramp,
+    /// `texture_2d<f32>` with a sampler.
+    Image,
+    /// One of a few words, known when the look is compiled.
+    Choice,
+    /// The id of a light of the look.
+    LightName,
+    /// A text: the source of a custom node.
+    Text,
+    /// A struct of a node file's own, made by its `prepare`.
+    Prepared(String),
+}
+
+impl Type {
+    /// The type that a signature's text names; any other name is a struct of the file.
+    pub fn from_wgsl(text: &str) -> Self {
+        match text {
+            "f32" => Self::Float,
+            "i32" => Self::Int,
+            "bool" => Self::Bool,
+            "vec2f" | "vec2<f32>" => Self::Vec2,
+            "vec3f" | "vec3<f32>" => Self::Vec3,
+            "vec4f" | "vec4<f32>" => Self::Vec4,
+            "Color" => Self::Color,
+            "Composite" => Self::Composite,
+            "mat3x3f" | "mat3x3<f32>" => Self::Mat3,
+            "Angle" => Self::Angle,
+            "Light" => Self::Light,
+            "Curve" => Self::Curve,
+            "Ramp" => Self::Ramp,
+            "texture_2d<f32>" => Self::Image,
+            other => Self::Prepared(other.to_owned()),
+        }
+    }
+
+    /// How WGSL writes it; empty for what never reaches WGSL.
+    pub fn wgsl(&self) -> &str {
+        match self {
+            Self::Float => "f32",
+            Self::Int => "i32",
+            Self::Bool => "bool",
+            Self::Vec2 => "vec2f",
+            Self::Vec3 => "vec3f",
+            Self::Vec4 | Self::Color | Self::Composite => "vec4f",
+            Self::Mat3 => "mat3x3f",
+            Self::Angle => "Angle",
+            Self::Light => "Light",
+            Self::Curve => "Curve",
+            Self::Ramp => "Ramp",
+            Self::Image => "texture_2d<f32>",
+            Self::Choice | Self::LightName | Self::Text => "",
+            Self::Prepared(name) => name,
+        }
+    }
+
+    /// How many numbers it has, for the types that are numbers.
+    pub fn width(&self) -> Option<usize> {
+        Some(match self {
+            Self::Float | Self::Int | Self::Bool => 1,
+            Self::Vec2 => 2,
+            Self::Vec3 => 3,
+            Self::Vec4 | Self::Color | Self::Composite => 4,
+            _ => return None,
+        })
+    }
+
+    /// Whether it can only be a value known when the look is compiled, and never a wire.
+    pub fn is_setting(&self) -> bool {
+        matches!(self, Self::Choice | Self::LightName | Self::Text | Self::Image)
+    }
+
+    /// How a value of this type becomes one of type `to`; `None` where it cannot.
+    pub fn convert_to(&self, to: &Self) -> Option<Conversion> {
+        use Type::{Angle, Bool, Color, Composite, Float, Int, Vec2, Vec3, Vec4};
+        if self == to {
+            return Some(Conversion::None);
+        }
+        let template = match (self, to) {
+            (Int, Float) => "f32($)",
+            (Bool, Float) => "select(0.0, 1.0, $)",
+            (Float, Int) => "int_of($)",
+            (Float, Bool) => "($ > 0.5)",
+            (Bool, Int) => "select(0, 1, $)",
+            (Float, Vec2) => "vec2f($)",
+            (Float, Vec3) => "vec3f($)",
+            (Float, Vec4) => "vec4f($)",
+            (Float, Color | Composite) => "vec4f(vec3f($), 1.0)",
+            (Vec2, Vec3) => "vec3f($, 0.0)",
+            (Vec2, Vec4) => "vec4f($, 0.0, 0.0)",
+            (Vec2, Color | Composite) => "vec4f($, 0.0, 1.0)",
+            (Vec3 | Vec4, Vec2) => "$.xy",
+            (Vec3, Vec4) => "vec4f($, 0.0)",
+            (Vec3, Color | Composite) => "vec4f($, 1.0)",
+            (Vec4 | Color, Vec3) => "$.xyz",
+            (Color, Vec2) => "$.xy",
+            (Vec4, Color) | (Color, Vec4) => "$",
+            (Color | Vec4, Composite) => "premultiplied($)",
+            (Composite, Color | Vec4) => "straight($)",
+            (Composite, Vec3) => "straight($).xyz",
+            (Color, Float) => "luminance($)",
+            (Composite, Float) => "luminance(straight($))",
+            (Angle, Float) => "angle_radians($)",
+            (Float, Angle) => "angle_of($)",
+            _ => return None,
+        };
+        Some(Conversion::Template(template))
+    }
+
+    /// Whether converting keeps everything.
+    pub fn converts_without_loss(&self, to: &Self) -> bool {
+        use Type::{Angle, Bool, Color, Composite, Float, Int, Vec2, Vec3, Vec4};
+        self == to
+            || matches!(
+                (self, to),
+                (Int | Bool, Float)
+                    | (Float | Int | Bool, Vec2 | Vec3 | Vec4 | Color | Composite | Angle)
+                    | (Vec2, Vec3 | Vec4 | Color)
+                    | (Vec3, Vec4 | Color | Composite)
+                    | (Vec4, Color | Composite)
+                    | (Color, Vec4 | Composite)
+                    | (Composite, Color | Vec4)
+                    | (Angle, Float)
+            )
+    }
+}
+
+impl fmt::Display for Type {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Float => "float",
+            Self::Int => "integer",
+            Self::Bool => "switch",
+            Self::Vec2 => "vec2",
+            Self::Vec3 => "vec3",
+            Self::Vec4 => "vec4",
+            Self::Color => "color",
+            Self::Composite => "composite",
+            Self::Mat3 => "matrix",
+            Self::Angle => "angle",
+            Self::Light => "light",
+            Self::Curve => "curve",
+            Self::Ramp => "ramp",
+            Self::Image => "image",
+            Self::Choice => "choice",
+            Self::LightName => "light's id",
+            Self::Text => "text",
+            Self::Prepared(name) => name,
+        })
+    }
+}
+
+/// How a value is written as another type.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Conversion {
+    /// As it stands.
+    None,
+    /// The WGSL expression, with `$` for the value. Functions in it come from `shaders/lib/convert.wgsl`.
+    Template(&'static str),
+}
+
+impl Conversion {
+    /// The WGSL expression for `value` converted.
+    pub fn apply(self, value: &str) -> String {
+        match self {
+            Self::None => value.to_owned(),
+            Self::Template(template) => template.replace('$', value),
+        }
+    }
+}

@@ -1,0 +1,397 @@
+//! A scanner over WGSL text: top-level declarations with their docs, signatures and the names they use.
+//!
+//! naga drops argument comments, alias names and the spans of whole declarations, and a node's ports are read from
+//! exactly these. The scanner knows tokens and brackets, not grammar: naga validates the same text afterwards.
+
+use std::ops::Range;
+
+/// What a top-level declaration is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DeclarationKind {
+    /// `fn`
+    Function,
+    /// `struct`
+    Struct,
+    /// `const` or `override`
+    Constant,
+    /// `alias`
+    Alias,
+    /// `var`
+    Variable,
+}
+
+/// A function's parameter or a struct's member, with its type as written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Field {
+    /// Its name.
+    pub name: String,
+    /// Its type as written, without spaces: `vec3f`, `texture_2d<f32>`.
+    pub ty: String,
+    /// The lines of its own doc comment (struct members only).
+    pub doc: Vec<String>,
+}
+
+/// A top-level declaration.
+#[derive(Clone, Debug)]
+pub struct Declaration {
+    /// What it is.
+    pub kind: DeclarationKind,
+    /// Its name.
+    pub name: String,
+    /// Its bytes in the source, from the first doc line to the closing brace or semicolon.
+    pub span: Range<usize>,
+    /// Its bytes without the docs.
+    pub body: Range<usize>,
+    /// The lines of its doc comment, without `///` and one space.
+    pub doc: Vec<String>,
+    /// Parameters or members.
+    pub fields: Vec<Field>,
+    /// A function's result type as written.
+    pub result: Option<String>,
+    /// Every identifier in it but its own name; a superset of the declarations it uses.
+    pub uses: Vec<String>,
+}
+
+/// An `import chiaro::name;` line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Import {
+    /// The path as written, without spaces: `chiaro::profile`.
+    pub path: String,
+    /// Its bytes in the source.
+    pub span: Range<usize>,
+}
+
+/// A scanned source.
+#[derive(Clone, Debug, Default)]
+pub struct Scan {
+    /// The lines of the `//!` comment at the top.
+    pub doc: Vec<String>,
+    /// In order.
+    pub imports: Vec<Import>,
+    /// In order.
+    pub declarations: Vec<Declaration>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum TokenKind {
+    Word,
+    Number,
+    Symbol,
+    Doc,
+    ModuleDoc,
+}
+
+#[derive(Clone, Debug)]
+struct Token {
+    kind: TokenKind,
+    span: Range<usize>,
+}
+
+/// Splits `source` into tokens; comments other than docs are dropped.
+fn tokenize(source: &str) -> Vec<Token> {
+    let bytes = source.as_bytes();
+    let mut tokens = Vec::with_capacity(bytes.len() / 4);
+    let mut at = 0;
+    while at < bytes.len() {
+        let start = at;
+        let byte = bytes[at];
+        if byte.is_ascii_whitespace() {
+            at += 1;
+            continue;
+        }
+        let kind = if source[at..].starts_with("//") {
+            at = bytes[at..].iter().position(|&b| b == b'\n').map_or(bytes.len(), |end| start + end);
+            let line = &source[start..at];
+            if line.starts_with("///") && !line.starts_with("////") {
+                TokenKind::Doc
+            } else if line.starts_with("//!") {
+                TokenKind::ModuleDoc
+            } else {
+                continue;
+            }
+        } else if source[at..].starts_with("/*") {
+            at = end_of_block_comment(bytes, at);
+            continue;
+        } else if byte.is_ascii_digit() {
+            while at < bytes.len() && (bytes[at].is_ascii_alphanumeric() || bytes[at] == b'.') {
+                at += 1;
+            }
+            TokenKind::Number
+        } else if byte.is_ascii_alphabetic() || byte == b'_' || byte >= 0x80 {
+            while at < bytes.len() && (bytes[at].is_ascii_alphanumeric() || bytes[at] == b'_' || bytes[at] >= 0x80) {
+                at += 1;
+            }
+            TokenKind::Word
+        } else {
+            at += 1;
+            TokenKind::Symbol
+        };
+        tokens.push(Token { kind, span: start..at });
+    }
+    tokens
+}
+
+fn end_of_block_comment(bytes: &[u8], start: usize) -> usize {
+    let mut depth = 0usize;
+    let mut at = start;
+    while at + 1 < bytes.len() {
+        match &bytes[at..at + 2] {
+            b"/*" => {
+                depth += 1;
+                at += 2;
+            }
+            b"*/" => {
+                depth -= 1;
+                at += 2;
+                if depth == 0 {
+                    return at;
+                }
+            }
+            _ => at += 1,
+        }
+    }
+    bytes.len()
+}
+
+/// Scans a whole source. Text that is no WGSL gives whatever declarations can be made out; naga reports the rest.
+pub fn scan(source: &str) -> Scan {
+    let tokens = tokenize(source);
+    let mut scanner = Scanner { source, tokens: &tokens, at: 0 };
+    let mut scan = Scan::default();
+    while let Some(token) = scanner.peek() {
+        match token.kind {
+            TokenKind::ModuleDoc => {
+                scan.doc.push(doc_line(source, token));
+                scanner.at += 1;
+            }
+            _ => scanner.item(&mut scan),
+        }
+    }
+    scan
+}
+
+fn doc_line(source: &str, token: &Token) -> String {
+    let text = &source[token.span.start + 3..token.span.end];
+    text.strip_prefix(' ').unwrap_or(text).trim_end().to_owned()
+}
+
+struct Scanner<'a> {
+    source: &'a str,
+    tokens: &'a [Token],
+    at: usize,
+}
+
+impl<'a> Scanner<'a> {
+    fn peek(&self) -> Option<&'a Token> {
+        self.tokens.get(self.at)
+    }
+
+    fn text(&self, token: &Token) -> &'a str {
+        &self.source[token.span.clone()]
+    }
+
+    fn peek_text(&self) -> &'a str {
+        self.peek().map_or("", |token| self.text(token))
+    }
+
+    /// One top-level item: docs, attributes, then everything to its closing `}` or `;`.
+    fn item(&mut self, scan: &mut Scan) {
+        let first = self.at;
+        let mut doc = Vec::new();
+        while let Some(token) = self.peek().filter(|token| matches!(token.kind, TokenKind::Doc | TokenKind::ModuleDoc)) {
+            doc.push(doc_line(self.source, token));
+            self.at += 1;
+        }
+        let body_first = self.at;
+        self.skip_attributes();
+        let keyword = self.peek_text();
+        let start = self.at;
+        self.skip_item(keyword);
+        let item = &self.tokens[start..self.at];
+        let Some(last) = item.last() else { return };
+        let end = last.span.end;
+        if keyword == "import" {
+            let words = item.iter().skip(1).take_while(|token| self.text(token) != ";");
+            let path = words.map(|token| self.text(token)).collect();
+            scan.imports.push(Import { path, span: self.tokens[start].span.start..end });
+            return;
+        }
+        let Some(kind) = declaration_kind(keyword) else { return };
+        let Some(name_at) = self.name_index(start, kind) else { return };
+        let name = self.text(&self.tokens[name_at]).to_owned();
+        let (fields, result) = self.signature(kind, name_at + 1, start + item.len());
+        let uses = self.tokens[body_first..self.at]
+            .iter()
+            .filter(|token| token.kind == TokenKind::Word)
+            .map(|token| self.text(token))
+            .filter(|word| *word != name)
+            .map(str::to_owned)
+            .collect();
+        scan.declarations.push(Declaration {
+            kind,
+            name,
+            span: self.tokens[first].span.start..end,
+            body: self.tokens[body_first].span.start..end,
+            doc,
+            fields,
+            result,
+            uses,
+        });
+    }
+
+    fn skip_attributes(&mut self) {
+        while self.peek_text() == "@" {
+            self.at += 2;
+            if self.peek_text() == "(" {
+                self.skip_brackets("(", ")");
+            }
+        }
+    }
+
+    fn skip_brackets(&mut self, open: &str, close: &str) {
+        let mut depth = 0usize;
+        while let Some(token) = self.peek() {
+            self.at += 1;
+            let text = self.text(token);
+            if text == open {
+                depth += 1;
+            } else if text == close {
+                depth = depth.saturating_sub(1);
+                if depth == 0 {
+                    return;
+                }
+            }
+        }
+    }
+
+    fn skip_item(&mut self, keyword: &str) {
+        let ends_with_braces = matches!(keyword, "fn" | "struct");
+        while let Some(token) = self.peek() {
+            match self.text(token) {
+                "{" => {
+                    self.skip_brackets("{", "}");
+                    if ends_with_braces {
+                        return;
+                    }
+                }
+                ";" => {
+                    self.at += 1;
+                    return;
+                }
+                _ => self.at += 1,
+            }
+        }
+    }
+
+    fn name_index(&self, start: usize, kind: DeclarationKind) -> Option<usize> {
+        let mut at = start + 1;
+        if kind == DeclarationKind::Variable && self.tokens.get(at).is_some_and(|token| self.text(token) == "<") {
+            while self.tokens.get(at).is_some_and(|token| self.text(token) != ">") {
+                at += 1;
+            }
+            at += 1;
+        }
+        self.tokens.get(at).filter(|token| token.kind == TokenKind::Word).map(|_| at)
+    }
+
+    fn signature(&self, kind: DeclarationKind, from: usize, to: usize) -> (Vec<Field>, Option<String>) {
+        let (open, close) = match kind {
+            DeclarationKind::Function => ("(", ")"),
+            DeclarationKind::Struct => ("{", "}"),
+            _ => return (Vec::new(), None),
+        };
+        let tokens = &self.tokens[from..to.max(from)];
+        let Some(first) = tokens.iter().position(|token| self.text(token) == open) else { return (Vec::new(), None) };
+        let mut depth = 0usize;
+        let mut last = tokens.len();
+        let mut fields = Vec::new();
+        let mut field: Vec<&Token> = Vec::new();
+        for (index, token) in tokens.iter().enumerate().skip(first) {
+            let text = self.text(token);
+            match text {
+                "(" | "{" | "<" | "[" => depth += 1,
+                ")" | "}" | ">" | "]" => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            let is_end = depth == 0 && text == close;
+            if is_end || (depth == 1 && text == ",") {
+                fields.extend(self.field(&field));
+                field.clear();
+            } else if index > first {
+                field.push(token);
+            }
+            if is_end {
+                last = index;
+                break;
+            }
+        }
+        let result = tokens.get(last + 1..).unwrap_or_default();
+        let result = match result {
+            [dash, angle, rest @ ..] if self.text(dash) == "-" && self.text(angle) == ">" => {
+                Some(rest.iter().map(|token| self.text(token)).take_while(|text| *text != "{").collect())
+            }
+            _ => None,
+        };
+        (fields, if kind == DeclarationKind::Function { result } else { None })
+    }
+
+    /// `@attr(..) name : type`
+    fn field(&self, tokens: &[&Token]) -> Option<Field> {
+        let doc = tokens
+            .iter()
+            .filter(|token| token.kind == TokenKind::Doc)
+            .map(|token| doc_line(self.source, token))
+            .collect();
+        let tokens: Vec<_> = tokens.iter().filter(|token| token.kind != TokenKind::Doc).collect();
+        let colon = tokens.iter().position(|token| self.text(token) == ":")?;
+        let name = self.text(tokens.get(colon.checked_sub(1)?)?).to_owned();
+        let ty = tokens[colon + 1..].iter().map(|token| self.text(token)).collect();
+        Some(Field { name, ty, doc })
+    }
+}
+
+fn declaration_kind(keyword: &str) -> Option<DeclarationKind> {
+    Some(match keyword {
+        "fn" => DeclarationKind::Function,
+        "struct" => DeclarationKind::Struct,
+        "const" | "override" => DeclarationKind::Constant,
+        "alias" => DeclarationKind::Alias,
+        "var" => DeclarationKind::Variable,
+        _ => return None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn declarations_are_found_with_docs_and_signatures() {
+        let source = "//! Top.\nimport chiaro::types;\n/// A node.\n/// @param a \"A\"\nfn node(a: vec3f, t: texture_2d<f32>) -> array<f32, 3> { if (a.x > 0.0) { return b(a); } }\n\
+            /* gone /* nested */ */ @group(0) @binding(1) var<uniform> look: Look;\nconst C: f32 = 1.0;\n\
+            struct S {\n  /// First.\n  @size(16) x: f32,\n  y: vec2<f32>,\n}\nalias Color = vec4f;";
+        let scan = scan(source);
+        assert_eq!(scan.doc, ["Top."]);
+        assert_eq!(scan.imports[0].path, "chiaro::types");
+        let names: Vec<_> = scan.declarations.iter().map(|d| (d.kind, d.name.as_str())).collect();
+        use DeclarationKind::*;
+        assert_eq!(names, [(Function, "node"), (Variable, "look"), (Constant, "C"), (Struct, "S"), (Alias, "Color")]);
+        let node = &scan.declarations[0];
+        assert_eq!(node.doc, ["A node.", "@param a \"A\""]);
+        assert_eq!(node.fields[1].ty, "texture_2d<f32>");
+        assert_eq!(node.result.as_deref(), Some("array<f32,3>"));
+        assert!(node.uses.contains(&"b".to_owned()));
+        assert!(source[node.body.clone()].starts_with("fn node") && source[node.span.clone()].starts_with("/// A"));
+        assert_eq!(scan.declarations[3].fields[0].doc, ["First."]);
+        assert_eq!(scan.declarations[3].fields[1].ty, "vec2<f32>");
+    }
+
+    #[test]
+    fn broken_text_never_panics() {
+        let source = "fn f(a: vec3f) -> f32 { return g(a, 1.0e-3); } struct S { x: f32 } /* λ */ var<private> p: S;";
+        for end in (0..=source.len()).filter(|&end| source.is_char_boundary(end)) {
+            scan(&source[..end]);
+            scan(&source[end..]);
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! naga's front end and validator, called from here only.
+
+use std::ops::Range;
+
+use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
+
+/// A module that naga accepts, with what its validator learnt.
+#[derive(Debug)]
+pub struct Valid {
+    /// The IR.
+    pub module: naga::Module,
+    /// The validator's side tables.
+    pub info: ModuleInfo,
+}
+
+/// Why naga refuses a text.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{message}")]
+pub struct WgslError {
+    /// What is wrong, in naga's words.
+    pub message: String,
+    /// The bytes it speaks of, where naga says.
+    pub span: Option<Range<usize>>,
+}
+
+/// Parses and validates `source`.
+///
+/// # Errors
+/// What naga says, with the place.
+pub fn parse(source: &str) -> Result<Valid, WgslError> {
+    #[expect(clippy::disallowed_methods, reason = "the one place that calls naga's front end")]
+    let module = naga::front::wgsl::parse_str(source).map_err(|error| WgslError {
+        message: error.message().to_owned(),
+        span: error.labels().next().and_then(|(span, _)| span.to_range()),
+    })?;
+    validate(module)
+}
+
+/// Validates a module.
+///
+/// # Errors
+/// What naga says, with the place and every cause below it.
+pub fn validate(module: naga::Module) -> Result<Valid, WgslError> {
+    #[expect(clippy::disallowed_methods, reason = "the one place that calls naga's validator")]
+    let mut validator = Validator::new(ValidationFlags::all(), Capabilities::empty());
+    match validator.validate(&module) {
+        Ok(info) => Ok(Valid { module, info }),
+        Err(error) => {
+            let span = error.spans().next().and_then(|(span, _)| span.to_range());
+            let mut message = error.as_inner().to_string();
+            let mut cause = std::error::Error::source(error.as_inner());
+            while let Some(inner) = cause {
+                message += &format!(": {inner}");
+                cause = inner.source();
+            }
+            Err(WgslError { message, span })
+        }
+    }
+}
