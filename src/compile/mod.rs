@@ -1,1 +1,133 @@
 //! From a look to one WGSL module.
+//!
+//! [`check`] inlines groups and types every value; [`specialize`] folds, merges and removes, each removal with its
+//! reason; [`emit`] writes the WGSL, which naga then validates. Each step has its own type, so none can be left out.
+
+mod check;
+mod emit;
+mod flatten;
+mod host;
+mod items;
+mod names;
+mod specialize;
+mod value;
+
+use std::collections::HashSet;
+use std::sync::Arc;
+
+use crate::diag::{Diagnostic, has_errors};
+use crate::document::Look;
+use crate::ids::{NodePath, PortName};
+use crate::library::Library;
+use crate::wgsl::{self, Valid};
+
+pub use check::{TypedGraph, check};
+pub use emit::{Attribute, Binding, BindingKind, ImageBinding, SpanMap};
+pub use flatten::{MAX_FLAT_NODES, Param, ParamId};
+pub use host::{HostInputs, HostProgram, LightValues};
+pub use specialize::{Needs, Removal};
+pub use value::{document_value, typed_value};
+
+/// Which values stay uniforms, so that changing them compiles nothing.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Live {
+    /// Only what keys move; all else is folded. For a look at rest.
+    #[default]
+    Keyed,
+    /// Also exposed parameters. For export and for scenes that set them.
+    Exposed,
+    /// Also these inputs. For a long look that is being edited.
+    Touched(HashSet<(NodePath, PortName)>),
+    /// Every value. For a look that is being edited.
+    All,
+}
+
+/// What the module is for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Stage {
+    /// Draws meshes with the look.
+    #[default]
+    Draw,
+    /// Draws the look's detail normal, for the curvature pass.
+    Normals,
+    /// Evaluates the look at given surface samples.
+    Eval,
+}
+
+/// How a look is compiled.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Options {
+    /// Which values stay uniforms.
+    pub live: Live,
+    /// What the module is for.
+    pub stage: Stage,
+    /// The output to show in place of the look's own.
+    pub root: Option<(NodePath, PortName)>,
+    /// Whether nothing is folded, merged or removed: what pruning is held against.
+    pub unspecialized: bool,
+}
+
+/// A look as a validated WGSL module, with all that a renderer must feed it.
+#[derive(Debug)]
+pub struct CompiledShader {
+    /// The source.
+    pub wgsl: String,
+    /// naga's view of it.
+    pub valid: Valid,
+    /// What the module is for.
+    pub stage: Stage,
+    /// What it asks of meshes and passes.
+    pub needs: Needs,
+    /// Its bindings, all in group 0.
+    pub bindings: Vec<Binding>,
+    /// What computes the `Look` uniform's members.
+    pub host: HostProgram,
+    /// The inputs whose values it reads from uniforms, in the order of [`HostInputs::params`].
+    pub params: Arc<[Param]>,
+    /// Which bytes came from which node.
+    pub spans: SpanMap,
+    /// What was left out, and why.
+    pub removed: Vec<Removal>,
+    /// What is odd, but stopped nothing.
+    pub warnings: Vec<Diagnostic>,
+    /// The names of everything shown at the root: the type that the output has.
+    pub root_type: crate::library::Type,
+}
+
+/// Compiles a look.
+///
+/// # Errors
+/// Everything that is wrong with it; nodes that do not reach the output only warn.
+pub fn compile(look: &Look, library: &Library, options: &Options) -> Result<CompiledShader, Vec<Diagnostic>> {
+    let (typed, warnings) = check(look, library, options.root.as_ref())?;
+    compile_typed(&typed, options, warnings)
+}
+
+/// Compiles a look that was checked.
+///
+/// # Errors
+/// What the interpreter refuses to fold, or a mistake of our own that naga found.
+pub fn compile_typed(
+    typed: &TypedGraph,
+    options: &Options,
+    warnings: Vec<Diagnostic>,
+) -> Result<CompiledShader, Vec<Diagnostic>> {
+    let specialized = specialize::specialize(typed, options)?;
+    let emitted = emit::emit(typed, &specialized, options);
+    let valid = wgsl::parse(&emitted.text).map_err(|error| vec![emitted.refused(&error)])?;
+    debug_assert!(!has_errors(&warnings), "errors do not come this far");
+    let host = emitted.host.with_layout(&valid.module);
+    Ok(CompiledShader {
+        wgsl: emitted.text,
+        valid,
+        stage: options.stage,
+        needs: emitted.needs,
+        bindings: emitted.bindings,
+        host,
+        params: typed.params.clone(),
+        spans: emitted.spans,
+        removed: specialized.removed,
+        warnings,
+        root_type: emitted.root_type,
+    })
+}

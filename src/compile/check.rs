@@ -1,0 +1,582 @@
+//! Types every node of a look: which function it is, what its inputs are bound to, and in which order they run.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use indexmap::IndexMap;
+use petgraph::graph::{DiGraph, NodeIndex};
+
+use super::flatten::{FlatGraph, FlatInput, FlatNode, Param, ParamId, flatten};
+use super::value::{describe, typed_value};
+use crate::diag::{Diagnostic, Severity, has_errors};
+use crate::document::{ColorSpace, Exposed, Light, Look, Target, Tier, Value};
+use crate::ids::{LightId, NodePath, PortName};
+use crate::library::{Context, Conversion, Fallback, Input, Library, NodeDef, Parameter, Special, Type, Variant};
+
+/// A look in which every value has a type and every problem was reported.
+#[derive(Clone, Debug)]
+pub struct TypedGraph {
+    /// Library nodes.
+    pub nodes: Vec<TypedNode>,
+    /// Indices of `nodes`, each after all that it depends on.
+    pub order: Vec<usize>,
+    /// Every value that may be edited.
+    pub params: Arc<[Param]>,
+    /// What is shown: a node and the index of its output.
+    pub root: (usize, usize),
+    /// The look's lights.
+    pub lights: IndexMap<LightId, Light>,
+    /// What may be set by name.
+    pub exposed: Vec<Exposed>,
+    /// What direction and time keys move.
+    pub keyed: Vec<Target>,
+    /// What the colours mean.
+    pub color_space: ColorSpace,
+    /// The look's name.
+    pub name: String,
+}
+
+/// A node with its function chosen.
+#[derive(Clone, Debug)]
+pub struct TypedNode {
+    /// Through the groups it lies in.
+    pub path: NodePath,
+    /// What the artist calls it.
+    pub name: String,
+    /// What it is.
+    pub def: Arc<NodeDef>,
+    /// Which of its functions, by index.
+    pub variant: usize,
+    /// In the order of the definition's inputs; `None` for inputs that the function does not take.
+    pub inputs: Vec<Option<TypedInput>>,
+    /// The words of its choices, by input.
+    pub choices: HashMap<usize, String>,
+    /// The light that it names.
+    pub light: Option<LightId>,
+    /// What it is drawn within.
+    pub region: Option<Arc<str>>,
+}
+
+/// What an input is bound to, and as what type it is taken.
+#[derive(Clone, Debug)]
+pub struct TypedInput {
+    /// Where it comes from.
+    pub source: TypedSource,
+    /// What the function takes.
+    pub ty: Type,
+    /// How the source becomes that.
+    pub conversion: Conversion,
+}
+
+/// Where a value comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum TypedSource {
+    /// An output of a node.
+    Wire {
+        /// The node's index.
+        node: usize,
+        /// The output's index.
+        output: usize,
+    },
+    /// A value that may be edited, with what it is now.
+    Param(ParamId, Value),
+    /// The surroundings.
+    Context(Context),
+}
+
+impl TypedNode {
+    /// Its function.
+    pub fn variant(&self) -> &Variant {
+        &self.def.variants[self.variant]
+    }
+
+    /// The type of an output.
+    pub fn output_type(&self, output: usize) -> Type {
+        output_type(&self.def, self.variant, output)
+    }
+}
+
+fn output_type(def: &NodeDef, variant: usize, output: usize) -> Type {
+    let variant = &def.variants[variant];
+    if variant.result_is_struct { def.outputs[output].ty.clone() } else { variant.result.clone() }
+}
+
+/// Types `look`; `root` shows another output than the look's own. Also returns warnings.
+///
+/// # Errors
+/// Everything that is wrong. What is wrong with a node that does not reach the root is a warning, so that a look stays
+/// alive while something is being built beside it.
+pub fn check(
+    look: &Look,
+    library: &Library,
+    root: Option<&(NodePath, PortName)>,
+) -> Result<(TypedGraph, Vec<Diagnostic>), Vec<Diagnostic>> {
+    let mut problems = Vec::new();
+    let flat = flatten(look, library, &mut problems);
+    let order = match order(&flat) {
+        Ok(order) => order,
+        Err(cycles) => {
+            problems.extend(cycles);
+            return Err(problems);
+        }
+    };
+    let root = find_root(&flat, root, &mut problems);
+    let reached = root.map_or_else(|| vec![true; flat.nodes.len()], |(node, _)| reach(&flat, node));
+    let mut typer = Typer { look, flat: &flat, variants: vec![None; flat.nodes.len()], problems: Vec::new() };
+    let mut nodes: Vec<Option<TypedNode>> = vec![None; flat.nodes.len()];
+    for &index in &order {
+        let before = typer.problems.len();
+        nodes[index] = typer.node(index);
+        if !reached[index] {
+            typer.problems[before..].iter_mut().for_each(|problem| problem.severity = Severity::Warning);
+        }
+    }
+    problems.append(&mut typer.problems);
+    let Some(root) = root.filter(|_| !has_errors(&problems)) else { return Err(problems) };
+    let order: Vec<usize> = order.into_iter().filter(|&index| reached[index] || nodes[index].is_some()).collect();
+    let keyed = keyed_targets(look);
+    let graph = TypedGraph {
+        order: order.iter().copied().filter(|&index| nodes[index].is_some()).collect(),
+        // A node that could not be typed reaches nothing; a stand-in keeps the indices.
+        nodes: nodes.into_iter().zip(&flat.nodes).map(|(node, flat)| node.unwrap_or_else(|| stand_in(flat))).collect(),
+        params: flat.params.into(),
+        root,
+        lights: look.lights.clone(),
+        exposed: look.exposed.clone(),
+        keyed,
+        color_space: look.color_space,
+        name: look.name.clone(),
+    };
+    check_targets(&graph, look, &mut problems);
+    if has_errors(&problems) { Err(problems) } else { Ok((graph, problems)) }
+}
+
+fn stand_in(flat: &FlatNode) -> TypedNode {
+    TypedNode {
+        path: flat.path.clone(),
+        name: flat.name.clone(),
+        def: flat.def.clone(),
+        variant: 0,
+        inputs: Vec::new(),
+        choices: HashMap::new(),
+        light: None,
+        region: None,
+    }
+}
+
+fn keyed_targets(look: &Look) -> Vec<Target> {
+    let by_direction = look.direction_keys.iter().flat_map(|set| &set.keys).flat_map(|key| key.values.keys());
+    let mut targets: Vec<Target> = by_direction.chain(look.time_keys.iter().map(|track| &track.target)).cloned().collect();
+    targets.sort_by_cached_key(ToString::to_string);
+    targets.dedup();
+    targets
+}
+
+/// Every node after what it depends on.
+fn order(flat: &FlatGraph) -> Result<Vec<usize>, Vec<Diagnostic>> {
+    let wires = flat.nodes.iter().map(|node| node.inputs.len()).sum();
+    let mut graph = DiGraph::<(), (), u32>::with_capacity(flat.nodes.len(), wires);
+    for _ in &flat.nodes {
+        graph.add_node(());
+    }
+    for (index, node) in flat.nodes.iter().enumerate() {
+        for input in &node.inputs {
+            if let FlatInput::Wire { node: from, .. } = input {
+                graph.add_edge(NodeIndex::new(*from), NodeIndex::new(index), ());
+            }
+        }
+    }
+    if let Ok(order) = petgraph::algo::toposort(&graph, None) {
+        return Ok(order.into_iter().map(NodeIndex::index).collect());
+    }
+    let is_cycle = |component: &Vec<NodeIndex>| component.len() > 1 || graph.contains_edge(component[0], component[0]);
+    let cycles = petgraph::algo::kosaraju_scc(&graph).into_iter().filter(is_cycle);
+    Err(cycles.map(|cycle| cycle_problem(flat, &cycle)).collect())
+}
+
+fn cycle_problem(flat: &FlatGraph, cycle: &[NodeIndex]) -> Diagnostic {
+    let mut paths: Vec<_> = cycle.iter().map(|index| flat.nodes[index.index()].path.clone()).collect();
+    paths.sort();
+    let names: Vec<_> = paths.iter().map(|path| format!("`{path}`")).collect();
+    Diagnostic::error("cycle", format!("these nodes feed one another in a ring: {}", names.join(", ")))
+        .node(paths[0].clone())
+        .hint("remove one wire of the ring")
+}
+
+fn find_root(
+    flat: &FlatGraph,
+    root: Option<&(NodePath, PortName)>,
+    problems: &mut Vec<Diagnostic>,
+) -> Option<(usize, usize)> {
+    if let Some((path, port)) = root {
+        let Some(&node) = flat.by_path.get(path) else {
+            let known: Vec<_> = flat.nodes.iter().map(|node| node.path.to_string()).collect();
+            let problem = Diagnostic::error("unknown-node", format!("there is no node `{path}`"));
+            problems.push(problem.suggest(&path.to_string(), known.iter().map(String::as_str)));
+            return None;
+        };
+        let def = &flat.nodes[node].def;
+        let Some(output) = def.output(port.as_str()) else {
+            let problem = Diagnostic::error("unknown-port", format!("the node `{path}` has no output `{port}`"));
+            let known = def.outputs.iter().map(|output| output.name.as_str());
+            problems.push(problem.node(path.clone()).suggest(port.as_str(), known));
+            return None;
+        };
+        return Some((node, output));
+    }
+    let outputs: Vec<_> =
+        flat.nodes.iter().enumerate().filter(|(_, node)| node.def.special == Special::Output).collect();
+    match outputs.as_slice() {
+        [] => {
+            let problem = Diagnostic::error("no-output", "the look has no Output node, so it shows nothing");
+            problems.push(problem.hint("add a node of kind `output` and wire its `color`"));
+            None
+        }
+        [(index, _)] => Some((*index, 0)),
+        [_, (_, second), ..] => {
+            let problem = Diagnostic::error("many-outputs", "the look has more than one Output node");
+            problems.push(problem.node(second.path.clone()).hint("keep one and remove the others"));
+            None
+        }
+    }
+}
+
+/// Which nodes the root depends on.
+fn reach(flat: &FlatGraph, root: usize) -> Vec<bool> {
+    let mut reached = vec![false; flat.nodes.len()];
+    let mut open = vec![root];
+    while let Some(index) = open.pop() {
+        if std::mem::replace(&mut reached[index], true) {
+            continue;
+        }
+        open.extend(flat.nodes[index].inputs.iter().filter_map(|input| match input {
+            FlatInput::Wire { node, .. } => Some(*node),
+            _ => None,
+        }));
+    }
+    reached
+}
+
+/// Exposed parameters and keys must name values that there are.
+fn check_targets(graph: &TypedGraph, look: &Look, problems: &mut Vec<Diagnostic>) {
+    let exposed = look.exposed.iter().enumerate().map(|(i, e)| (&e.target, format!("exposed[{i}].target")));
+    let timed = look.time_keys.iter().enumerate().map(|(i, track)| (&track.target, format!("time_keys[{i}].target")));
+    let directed = look.direction_keys.iter().enumerate().flat_map(|(i, set)| {
+        set.keys.iter().enumerate().flat_map(move |(k, key)| {
+            key.values.keys().map(move |target| (target, format!("direction_keys[{i}].keys[{k}].values.{target}")))
+        })
+    });
+    let known: HashMap<_, _> = graph.params.iter().map(|param| ((&param.path, &param.port), ())).collect();
+    for (target, json_path) in exposed.chain(timed).chain(directed) {
+        let problem = match target {
+            Target::Input { node, port } if known.contains_key(&(node, port)) => continue,
+            Target::Light { light, field } => match light_target_problem(look, light, field) {
+                None => continue,
+                Some(problem) => problem,
+            },
+            Target::Input { .. } => {
+                let names: Vec<_> = graph.params.iter().map(|p| format!("{}.{}", p.path, p.port)).collect();
+                Diagnostic::error("unknown-target", format!("there is no unwired input `{target}`"))
+                    .suggest(&target.to_string(), names.iter().map(String::as_str))
+                    .hint("a target is `node.port` of an input that no wire feeds, or `lights.id.field`")
+            }
+        };
+        problems.push(problem.json_path(json_path));
+    }
+}
+
+/// The fields of a light that keys and exposed parameters may set.
+pub(super) const LIGHT_FIELDS: [&str; 9] =
+    ["direction", "position", "aim", "color", "intensity", "inner", "outer", "half_distance", "range"];
+
+fn light_target_problem(look: &Look, light: &LightId, field: &str) -> Option<Diagnostic> {
+    if !look.lights.contains_key(light) {
+        let problem = Diagnostic::error("unknown-light", format!("there is no light `{light}`"));
+        return Some(problem.suggest(light.as_str(), look.lights.keys().map(AsRef::as_ref)));
+    }
+    (!LIGHT_FIELDS.contains(&field)).then(|| {
+        Diagnostic::error("unknown-target", format!("a light has no field `{field}` that can be set"))
+            .suggest(field, LIGHT_FIELDS)
+    })
+}
+
+struct Typer<'a> {
+    look: &'a Look,
+    flat: &'a FlatGraph,
+    /// The chosen functions of the nodes that were typed.
+    variants: Vec<Option<usize>>,
+    problems: Vec<Diagnostic>,
+}
+
+impl Typer<'_> {
+    fn problem(&mut self, node: &FlatNode, port: Option<&Input>, problem: Diagnostic) {
+        let problem = problem.node(node.path.clone());
+        self.problems.push(match port {
+            Some(input) => problem.port(input.name.clone()),
+            None => problem,
+        });
+    }
+
+    fn node(&mut self, index: usize) -> Option<TypedNode> {
+        let flat = &self.flat.nodes[index];
+        let before = self.problems.len();
+        let mut choices = HashMap::new();
+        for (i, input) in flat.def.inputs.iter().enumerate().filter(|(_, input)| input.ty == Type::Choice) {
+            if let Some(word) = self.choice(flat, i, input) {
+                choices.insert(i, word);
+            }
+        }
+        let light = if flat.def.inputs.iter().any(|input| input.ty == Type::LightName) { self.light(flat) } else { None };
+        if self.problems[before..].iter().any(Diagnostic::is_error) {
+            return None;
+        }
+        let variant = self.variant(flat, &choices, light.as_ref())?;
+        let mut inputs = vec![None; flat.def.inputs.len()];
+        for (i, ty) in taken_inputs(&flat.def, variant) {
+            inputs[i] = self.input(flat, i, ty);
+        }
+        if self.problems[before..].iter().any(Diagnostic::is_error) {
+            return None;
+        }
+        self.variants[index] = Some(variant);
+        Some(TypedNode {
+            path: flat.path.clone(),
+            name: flat.name.clone(),
+            def: flat.def.clone(),
+            variant,
+            inputs,
+            choices,
+            light,
+            region: flat.region.clone(),
+        })
+    }
+
+    fn value_text(&mut self, flat: &FlatNode, index: usize, input: &Input) -> Option<String> {
+        let fallback = match &input.fallback {
+            Fallback::Value(Value::Text(text)) => text.clone(),
+            _ => String::new(),
+        };
+        match &flat.inputs[index] {
+            FlatInput::Broken => None,
+            FlatInput::Wire { .. } => {
+                let problem = Diagnostic::error("not-wirable", format!("`{}` takes no wire: {}", input.name, input.ty));
+                self.problem(flat, Some(input), problem.hint("remove the wire and set the value on the node"));
+                None
+            }
+            FlatInput::Param(param) => match &self.flat.params[*param].value {
+                None => Some(fallback),
+                Some(Value::Text(text)) => Some(text.clone()),
+                Some(other) => {
+                    let message = format!("expected a text for `{}`, found {}", input.name, describe(other));
+                    self.problem(flat, Some(input), Diagnostic::error("wrong-type", message));
+                    None
+                }
+            },
+        }
+    }
+
+    fn choice(&mut self, flat: &FlatNode, index: usize, input: &Input) -> Option<String> {
+        let word = self.value_text(flat, index, input)?;
+        let words: Vec<&str> = input.options.iter().map(|option| option.0.as_str()).collect();
+        if words.contains(&word.as_str()) {
+            return Some(word);
+        }
+        let problem = Diagnostic::error("unknown-choice", format!("`{}` cannot be `{word}`", input.name))
+            .suggest(&word, words.iter().copied())
+            .hint(format!("it is one of {}", words.join(", ")));
+        self.problem(flat, Some(input), problem);
+        None
+    }
+
+    fn light(&mut self, flat: &FlatNode) -> Option<LightId> {
+        let index = flat.def.inputs.iter().position(|input| input.ty == Type::LightName)?;
+        let input = &flat.def.inputs[index];
+        let id = self.value_text(flat, index, input)?;
+        let found = if id.is_empty() { self.look.lights.keys().next() } else { self.look.lights.get_key_value(id.as_str()).map(|l| l.0) };
+        if let Some(id) = found {
+            return Some(id.clone());
+        }
+        let message = if id.is_empty() { "the look has no lights".to_owned() } else { format!("there is no light `{id}`") };
+        let problem = Diagnostic::error("unknown-light", message)
+            .suggest(&id, self.look.lights.keys().map(AsRef::as_ref))
+            .hint(r#"add it to the look: "lights": {"key": {"direction": [-0.5, 0.7, 0.5]}}"#);
+        self.problem(flat, Some(input), problem);
+        None
+    }
+
+    /// The function that fits the node's choices, tier and wires best.
+    fn variant(&mut self, flat: &FlatNode, choices: &HashMap<usize, String>, light: Option<&LightId>) -> Option<usize> {
+        let def = &flat.def;
+        let light_kind = light.map(|id| match self.look.lights[id].kind {
+            crate::document::LightKind::Directional => "directional",
+            crate::document::LightKind::Point => "point",
+            crate::document::LightKind::Spot => "spot",
+        });
+        let fits = |variant: &Variant| match (&variant.choice, def.special) {
+            (Some((_, word)), Special::Light) => light_kind == Some(word),
+            (Some(_), Special::Output) => false,
+            (Some((input, word)), _) => choices.get(input) == Some(word),
+            (None, _) => true,
+        };
+        let candidates: Vec<usize> = (0..def.variants.len()).filter(|&i| fits(&def.variants[i])).collect();
+        // The cheapest tier that is still as accurate as asked.
+        let best_tier = candidates.iter().map(|&i| def.variants[i].tier).filter(|tier| *tier <= flat.tier).max();
+        let tier = best_tier.unwrap_or(Tier::Exact);
+        let candidates = candidates.into_iter().filter(|&i| def.variants[i].tier == tier);
+        let chosen = candidates.min_by_key(|&i| self.misfit(flat, i));
+        if chosen.is_none() {
+            let problem = Diagnostic::error("bad-node-file", "no function of this node fits its choices");
+            self.problem(flat, None, problem.in_file(def.file.clone()));
+        }
+        chosen
+    }
+
+    /// How badly the wired inputs fit a function: lossy conversions first, then conversions of any kind.
+    fn misfit(&self, flat: &FlatNode, variant: usize) -> (usize, usize, usize) {
+        let (mut impossible, mut lossy, mut converted) = (0, 0, 0);
+        for (i, ty) in taken_inputs(&flat.def, variant) {
+            let Some(from) = self.source_type(flat, i) else { continue };
+            impossible += usize::from(from.convert_to(&ty).is_none());
+            lossy += usize::from(!from.converts_without_loss(&ty));
+            converted += usize::from(from != ty);
+        }
+        (impossible, lossy, converted)
+    }
+
+    /// The type of what feeds an input; for values, what their numbers say.
+    fn source_type(&self, flat: &FlatNode, input: usize) -> Option<Type> {
+        match &flat.inputs[input] {
+            FlatInput::Wire { node, output } => {
+                self.variants[*node].map(|variant| output_type(&self.flat.nodes[*node].def, variant, *output))
+            }
+            FlatInput::Param(param) => match self.flat.params[*param].value.as_ref()? {
+                Value::Vector(v) => Some(match v.len() {
+                    2 => Type::Vec2,
+                    3 => Type::Vec3,
+                    _ => Type::Vec4,
+                }),
+                _ => None,
+            },
+            FlatInput::Broken => None,
+        }
+    }
+
+    fn input(&mut self, flat: &FlatNode, index: usize, ty: Type) -> Option<TypedInput> {
+        let input = &flat.def.inputs[index];
+        let (source, from) = match &flat.inputs[index] {
+            FlatInput::Broken => return None,
+            FlatInput::Wire { node, output } => {
+                if ty.is_setting() {
+                    let problem = Diagnostic::error("not-wirable", format!("`{}` takes no wire: {}", input.name, input.ty));
+                    self.problem(flat, Some(input), problem.hint("remove the wire and set the value on the node"));
+                    return None;
+                }
+                // What feeds it could not be typed, which was reported there.
+                let from = self.source_type(flat, index)?;
+                (TypedSource::Wire { node: *node, output: *output }, from)
+            }
+            FlatInput::Param(param) => self.param(flat, index, *param, &ty)?,
+        };
+        let Some(conversion) = from.convert_to(&ty) else {
+            let message = format!("`{}` takes {ty}, and is wired to {from}", input.name);
+            self.problem(flat, Some(input), Diagnostic::error("wrong-type", message).hint(conversion_hint(&from, &ty)));
+            return None;
+        };
+        Some(TypedInput { source, ty, conversion })
+    }
+
+    fn param(&mut self, flat: &FlatNode, index: usize, param: ParamId, ty: &Type) -> Option<(TypedSource, Type)> {
+        let input = &flat.def.inputs[index];
+        let explicit = self.flat.params[param].value.as_ref();
+        let value = match (explicit, &input.fallback) {
+            (Some(value), _) => value.clone(),
+            (None, Fallback::Value(value)) => value.clone(),
+            (None, Fallback::Context(context)) => {
+                return Some((TypedSource::Context(*context), Type::from_wgsl(context.wgsl_type())));
+            }
+            (None, Fallback::Wire) => {
+                let problem = Diagnostic::error("unwired", format!("`{}` must be wired", input.name));
+                self.problem(flat, Some(input), problem.hint(format!("wire it to an output of type {ty}")));
+                return None;
+            }
+        };
+        if *ty == Type::Image {
+            return match value {
+                Value::Text(_) => Some((TypedSource::Param(param, value), Type::Image)),
+                other => {
+                    let message = format!("expected the path of an image, found {}", describe(&other));
+                    self.problem(flat, Some(input), Diagnostic::error("wrong-type", message));
+                    None
+                }
+            };
+        }
+        if let Err(message) = typed_value(&value, ty) {
+            self.problem(flat, Some(input), Diagnostic::error("wrong-type", format!("`{}`: {message}", input.name)));
+            return None;
+        }
+        if explicit.is_some() {
+            self.range(flat, input, &value);
+        }
+        Some((TypedSource::Param(param, value), ty.clone()))
+    }
+
+    /// Values beyond a port's range still have a meaning, because every node is total; they are worth a word.
+    fn range(&mut self, flat: &FlatNode, input: &Input, value: &Value) {
+        let numbers = match value {
+            Value::Number(x) => std::slice::from_ref(x),
+            Value::Vector(v) => v.as_slice(),
+            _ => return,
+        };
+        // Files hold rounded numbers: 3.1416 is meant to be pi.
+        let slack = 1e-4;
+        let below = input.min.filter(|min| numbers.iter().any(|x| *x < min - slack));
+        let above = input.max.filter(|max| numbers.iter().any(|x| *x > max + slack));
+        if below.is_none() && above.is_none() {
+            return;
+        }
+        let range = match (input.min, input.max) {
+            (Some(min), Some(max)) => format!("between {min} and {max}"),
+            (Some(min), None) => format!("at least {min}"),
+            (None, Some(max)) => format!("at most {max}"),
+            (None, None) => return,
+        };
+        let message = format!("`{}` is {}, outside its range", input.name, describe(value));
+        let problem = Diagnostic::warning("out-of-range", message).hint(format!("use a value {range}"));
+        self.problem(flat, Some(input), problem);
+    }
+}
+
+fn conversion_hint(from: &Type, to: &Type) -> &'static str {
+    match (from, to) {
+        (Type::Light, _) => "a Parametrization turns a light into an angle; Light parts gives its direction and colour",
+        (Type::Angle, _) => "a Profile turns an angle into a tone",
+        (_, Type::Light) => "wire a Light node",
+        (_, Type::Angle) => "wire a Parametrization",
+        (Type::Vec2 | Type::Vec3 | Type::Vec4, Type::Float) => "take one number with Separate vector, or its Length",
+        _ => "put a node between them that turns the one into the other",
+    }
+}
+
+/// The inputs that a function and the node's `prepare` take, with their types.
+fn taken_inputs(def: &NodeDef, variant: usize) -> Vec<(usize, Type)> {
+    let mut taken = Vec::new();
+    for parameter in &def.variants[variant].parameters {
+        match parameter {
+            Parameter::Input(index, ty) => taken.push((*index, ty.clone())),
+            Parameter::Prepared => {
+                taken.extend(def.prepare.iter().flat_map(|prepare| prepare.parameters.iter().cloned()));
+            }
+            Parameter::Sampler(_) => {}
+        }
+    }
+    if def.special == Special::Output {
+        // The other roots' inputs, for the passes that they feed.
+        for root in def.variants.iter().filter(|root| root.choice.is_some()) {
+            taken.extend(root.parameters.iter().filter_map(|parameter| match parameter {
+                Parameter::Input(index, ty) => Some((*index, ty.clone())),
+                _ => None,
+            }));
+        }
+    }
+    taken
+}

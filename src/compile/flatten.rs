@@ -1,0 +1,481 @@
+//! Inlines groups: a flat list of library nodes, each input bound to an output, a value or its fallback.
+//!
+//! Nothing recurses over the graph. Scopes (the look's graph and each use of a definition) come from a work list, and an
+//! input is resolved by a loop that walks through groups and reroutes.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use crate::diag::Diagnostic;
+use crate::document::{Definition, Graph, Look, Node, Tier, Value, Wire};
+use crate::ids::{GROUP_INPUTS, GROUP_OUTPUTS, NodeId, NodePath, PortName};
+use crate::library::{Library, NodeDef, Special, load_node};
+
+/// As many nodes as a look may have once its groups are inlined.
+pub const MAX_FLAT_NODES: usize = 1_000_000;
+
+/// The kind of a node whose WGSL is a value of its own.
+pub const CUSTOM_KIND: &str = "wgsl";
+/// The value that holds it.
+const CODE: &str = "code";
+
+/// An index into [`FlatGraph::params`].
+pub type ParamId = usize;
+
+/// A value that the artist may edit: an unwired input, at the outermost node that holds it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Param {
+    /// The node.
+    pub path: NodePath,
+    /// Its input.
+    pub port: PortName,
+    /// What the document says; `None` for the default.
+    pub value: Option<Value>,
+}
+
+/// What an input is bound to.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FlatInput {
+    /// An output of a node.
+    Wire {
+        /// The node's index.
+        node: usize,
+        /// The output's index.
+        output: usize,
+    },
+    /// A value, or the port's fallback where the parameter has none.
+    Param(ParamId),
+    /// Something that was reported already.
+    Broken,
+}
+
+/// A library node with its place in the document.
+#[derive(Clone, Debug)]
+pub struct FlatNode {
+    /// Through the groups it lies in.
+    pub path: NodePath,
+    /// What the artist calls it, with the names of the groups around it.
+    pub name: String,
+    /// What it is.
+    pub def: Arc<NodeDef>,
+    /// Which implementation is asked for.
+    pub tier: Tier,
+    /// In the order of the definition's inputs.
+    pub inputs: Vec<FlatInput>,
+    /// What it is drawn within: the outermost group, else the frame; functions are split there.
+    pub region: Option<Arc<str>>,
+}
+
+/// A look without groups.
+#[derive(Clone, Debug, Default)]
+pub struct FlatGraph {
+    /// In document order, groups in place.
+    pub nodes: Vec<FlatNode>,
+    /// Every value, in the order of first use.
+    pub params: Vec<Param>,
+    /// By path.
+    pub by_path: HashMap<NodePath, usize>,
+}
+
+enum Slot {
+    Flat(usize),
+    Group(usize),
+    Missing,
+}
+
+struct Scope<'a> {
+    graph: &'a Graph,
+    definition: Option<(&'a str, &'a Definition)>,
+    path: Option<NodePath>,
+    name: String,
+    region: Option<Arc<str>>,
+    parent: Option<(usize, &'a NodeId)>,
+    slots: HashMap<&'a str, Slot>,
+    wires: HashMap<(&'a str, &'a str), &'a Wire>,
+}
+
+struct Flattener<'a> {
+    look: &'a Look,
+    library: &'a Library,
+    scopes: Vec<Scope<'a>>,
+    /// For each flat node, its scope and document node.
+    origins: Vec<(usize, &'a NodeId, &'a Node)>,
+    flat: FlatGraph,
+    param_ids: HashMap<(usize, &'a str, PortName), ParamId>,
+    problems: Vec<Diagnostic>,
+}
+
+/// Inlines the groups of `look`. Problems are added to `problems`; what can be made out is returned.
+pub fn flatten(look: &Look, library: &Library, problems: &mut Vec<Diagnostic>) -> FlatGraph {
+    let mut flattener = Flattener {
+        look,
+        library,
+        scopes: Vec::new(),
+        origins: Vec::new(),
+        flat: FlatGraph::default(),
+        param_ids: HashMap::new(),
+        problems: Vec::new(),
+    };
+    flattener.open_scopes();
+    flattener.check_wires();
+    flattener.bind_inputs();
+    problems.append(&mut flattener.problems);
+    flattener.flat
+}
+
+impl<'a> Flattener<'a> {
+    fn definition(&self, kind: &str) -> Option<(&'a str, &'a Definition)> {
+        if let Some((id, definition)) = self.look.definitions.get_key_value(kind) {
+            return Some((id.as_str(), definition));
+        }
+        self.library.groups.get_key_value(kind).map(|(id, group)| (id.as_str(), &group.definition))
+    }
+
+    fn open_scopes(&mut self) {
+        self.push_scope(&self.look.graph, None, None, None, String::new(), None);
+        let mut next = 0;
+        while next < self.scopes.len() {
+            self.fill_scope(next);
+            next += 1;
+            if self.flat.nodes.len() + self.scopes.len() > MAX_FLAT_NODES {
+                self.problems.push(
+                    Diagnostic::error("too-many-nodes", format!("the look has more than {MAX_FLAT_NODES} nodes"))
+                        .hint("groups within groups multiply: use fewer copies"),
+                );
+                return;
+            }
+        }
+    }
+
+    fn push_scope(
+        &mut self,
+        graph: &'a Graph,
+        definition: Option<(&'a str, &'a Definition)>,
+        path: Option<NodePath>,
+        parent: Option<(usize, &'a NodeId)>,
+        name: String,
+        region: Option<Arc<str>>,
+    ) -> usize {
+        let mut wires = HashMap::with_capacity(graph.wires.len());
+        for wire in &graph.wires {
+            // Two wires into one input were reported when the document was read; the first one holds.
+            wires.entry((wire.to.node.as_str(), wire.to.port.as_str())).or_insert(wire);
+        }
+        let slots = HashMap::with_capacity(graph.nodes.len());
+        self.scopes.push(Scope { graph, definition, path, name, region, parent, slots, wires });
+        self.scopes.len() - 1
+    }
+
+    fn fill_scope(&mut self, scope: usize) {
+        let graph = self.scopes[scope].graph;
+        let mut framed: HashMap<&NodeId, Arc<str>> = HashMap::new();
+        for (id, frame) in &graph.frames {
+            let title: Arc<str> = if frame.title.is_empty() { id.as_str().into() } else { frame.title.as_str().into() };
+            framed.extend(frame.nodes.iter().map(|node| (node, title.clone())));
+        }
+        for (id, node) in &graph.nodes {
+            let path = self.path_of(scope, id);
+            let slot = if let Some((kind, definition)) = self.definition(&node.kind) {
+                self.open_group(scope, id, node, (kind, definition), path, framed.get(id).cloned())
+            } else {
+                match self.node_def(node, &path) {
+                    Some(def) => {
+                        let region = self.scopes[scope].region.clone().or_else(|| framed.get(id).cloned());
+                        Slot::Flat(self.push_node(scope, id, node, def, path, region))
+                    }
+                    None => Slot::Missing,
+                }
+            };
+            self.scopes[scope].slots.insert(id.as_str(), slot);
+        }
+    }
+
+    fn path_of(&self, scope: usize, id: &NodeId) -> NodePath {
+        self.scopes[scope].path.as_ref().map_or_else(|| NodePath::root(id.clone()), |path| path.join(id.clone()))
+    }
+
+    fn open_group(
+        &mut self,
+        scope: usize,
+        id: &'a NodeId,
+        node: &'a Node,
+        (kind, definition): (&'a str, &'a Definition),
+        path: NodePath,
+        frame: Option<Arc<str>>,
+    ) -> Slot {
+        let mut around = Some(scope);
+        while let Some(index) = around {
+            if self.scopes[index].definition.is_some_and(|(open, _)| open == kind) {
+                self.problems.push(
+                    Diagnostic::error("recursive-group", format!("the group `{kind}` contains itself"))
+                        .node(path)
+                        .hint("remove this node, or make a group of its own for what it holds"),
+                );
+                return Slot::Missing;
+            }
+            around = self.scopes[index].parent.map(|(parent, _)| parent);
+        }
+        let label = if definition.label.is_empty() { kind } else { &definition.label };
+        let own = if node.name.is_empty() { readable(id, label) } else { node.name.clone() };
+        let name = join_names(&self.scopes[scope].name, &own);
+        let region = self.scopes[scope].region.clone().or(frame).unwrap_or_else(|| own.as_str().into());
+        self.unknown_values(node, &path, definition.inputs.iter().map(|port| port.name.as_str()));
+        Slot::Group(self.push_scope(
+            &definition.graph,
+            Some((kind, definition)),
+            Some(path),
+            Some((scope, id)),
+            name,
+            Some(region),
+        ))
+    }
+
+    fn node_def(&mut self, node: &Node, path: &NodePath) -> Option<Arc<NodeDef>> {
+        if node.kind == CUSTOM_KIND {
+            return self.custom_def(node, path);
+        }
+        if let Some(def) = self.library.nodes.get(&node.kind) {
+            return Some(def.clone());
+        }
+        let broken = self.library.problems.iter().find(|problem| {
+            let stem = problem.place.file.as_deref().and_then(|file| file.rsplit(['/', '\\']).next());
+            stem.is_some_and(|stem| stem.split('.').next() == Some(&node.kind))
+        });
+        self.problems.push(match broken {
+            Some(problem) => Diagnostic { severity: crate::diag::Severity::Error, ..problem.clone() }.node(path.clone()),
+            None => {
+                let known = self.library.kinds().chain(self.look.definitions.keys().map(AsRef::as_ref)).chain([CUSTOM_KIND]);
+                Diagnostic::error("unknown-kind", format!("there is no node of kind `{}`", node.kind))
+                    .node(path.clone())
+                    .suggest(&node.kind, known)
+                    .hint("`chiaro nodes` lists every kind")
+            }
+        });
+        None
+    }
+
+    fn custom_def(&mut self, node: &Node, path: &NodePath) -> Option<Arc<NodeDef>> {
+        let code = match node.values.get(CODE) {
+            Some(Value::Text(code)) => code.as_str(),
+            _ => {
+                let problem = Diagnostic::error("missing-code", "this WGSL node has no code");
+                let hint = "give it a function: `fn tint(color: Color) -> Color { return color; }`";
+                self.problems.push(problem.node(path.clone()).port(CODE.into()).hint(hint));
+                return None;
+            }
+        };
+        match load_node(&format!("{path}.wgsl"), code, Some(CUSTOM_KIND)) {
+            Ok(def) => Some(Arc::new(def)),
+            Err(problems) => {
+                let on_node = |problem: Diagnostic| problem.node(path.clone()).port(CODE.into());
+                self.problems.extend(problems.into_iter().map(on_node));
+                None
+            }
+        }
+    }
+
+    fn push_node(
+        &mut self,
+        scope: usize,
+        id: &'a NodeId,
+        node: &'a Node,
+        def: Arc<NodeDef>,
+        path: NodePath,
+        region: Option<Arc<str>>,
+    ) -> usize {
+        let own = if node.name.is_empty() { readable(id, &def.label) } else { node.name.clone() };
+        let name = join_names(&self.scopes[scope].name, &own);
+        let known = def.visible_inputs().map(|input| input.name.as_str());
+        let code = (node.kind == CUSTOM_KIND).then_some(CODE);
+        self.unknown_values(node, &path, known.chain(code));
+        let index = self.flat.nodes.len();
+        self.flat.by_path.insert(path.clone(), index);
+        self.flat.nodes.push(FlatNode { path, name, def, tier: node.tier, inputs: Vec::new(), region });
+        self.origins.push((scope, id, node));
+        index
+    }
+
+    fn unknown_values<'n>(&mut self, node: &Node, path: &NodePath, known: impl Iterator<Item = &'n str> + Clone) {
+        for port in node.values.keys() {
+            if !known.clone().any(|name| name == port.as_str()) {
+                self.problems.push(unknown_input(&node.kind, path, port, known.clone()));
+            }
+        }
+    }
+
+    /// Wires to and from ports that there are not.
+    fn check_wires(&mut self) {
+        for scope in 0..self.scopes.len() {
+            for wire in &self.scopes[scope].graph.wires {
+                let problems = [self.bad_target(scope, wire), self.bad_source(scope, wire)];
+                self.problems.extend(problems.into_iter().flatten());
+            }
+        }
+    }
+
+    fn bad_target(&self, scope: usize, wire: &Wire) -> Option<Diagnostic> {
+        let (id, port) = (&wire.to.node, &wire.to.port);
+        let here = &self.scopes[scope];
+        let path = self.path_of(scope, id);
+        if let (GROUP_OUTPUTS, Some((kind, definition))) = (id.as_str(), here.definition) {
+            let mut known = definition.outputs.iter().map(|port| port.name.as_str());
+            return (!known.clone().any(|name| name == port.as_str()))
+                .then(|| unknown_input(kind, &path, port, &mut known));
+        }
+        let kind = here.graph.nodes.get(id).map_or("", |node| node.kind.as_str());
+        match here.slots.get(id.as_str())? {
+            Slot::Flat(index) => {
+                let known = self.flat.nodes[*index].def.visible_inputs().map(|input| input.name.as_str());
+                (!known.clone().any(|name| name == port.as_str())).then(|| unknown_input(kind, &path, port, known))
+            }
+            Slot::Group(child) => {
+                let (_, definition) = self.scopes[*child].definition?;
+                let known = definition.inputs.iter().map(|port| port.name.as_str());
+                (!known.clone().any(|name| name == port.as_str())).then(|| unknown_input(kind, &path, port, known))
+            }
+            Slot::Missing => None,
+        }
+    }
+
+    fn bad_source(&self, scope: usize, wire: &Wire) -> Option<Diagnostic> {
+        let (id, port) = (&wire.from.node, &wire.from.port);
+        let here = &self.scopes[scope];
+        let known: Vec<&str> = if let (GROUP_INPUTS, Some((_, definition))) = (id.as_str(), here.definition) {
+            definition.inputs.iter().map(|port| port.name.as_str()).collect()
+        } else {
+            match here.slots.get(id.as_str())? {
+                Slot::Flat(index) => self.flat.nodes[*index].def.outputs.iter().map(|o| o.name.as_str()).collect(),
+                Slot::Group(child) => self.scopes[*child].definition?.1.outputs.iter().map(|o| o.name.as_str()).collect(),
+                Slot::Missing => return None,
+            }
+        };
+        if known.contains(&port.as_str()) || (port.as_str().is_empty() && !known.is_empty()) {
+            return None;
+        }
+        let message = format!("the node `{id}` has no output `{port}`");
+        let problem = Diagnostic::error("unknown-port", message).node(self.path_of(scope, id)).port(port.clone());
+        Some(problem.suggest(port.as_str(), known.iter().copied()).hint(list_of("its outputs are", &known)))
+    }
+
+    fn bind_inputs(&mut self) {
+        for index in 0..self.flat.nodes.len() {
+            let (scope, id, _) = self.origins[index];
+            let def = self.flat.nodes[index].def.clone();
+            let inputs = def.inputs.iter().map(|input| self.resolve(scope, id, &input.name)).collect();
+            self.flat.nodes[index].inputs = inputs;
+        }
+    }
+
+    /// Walks from an input through groups and reroutes to the output or value that feeds it.
+    fn resolve(&mut self, scope: usize, id: &'a NodeId, port: &PortName) -> FlatInput {
+        let mut at = (scope, id);
+        let mut port = port.clone();
+        let mut default: Option<&'a Value> = None;
+        // More steps than there are wires means a ring of reroutes or groups.
+        let most = 16 + 2 * self.scopes.iter().map(|scope| scope.graph.wires.len()).sum::<usize>();
+        for _ in 0..most {
+            let (scope, id) = at;
+            let Some(&wire) = self.scopes[scope].wires.get(&(id.as_str(), port.as_str())) else {
+                return self.bind_value(scope, id, &port, default);
+            };
+            let Some(next) = self.follow(scope, wire) else { return FlatInput::Broken };
+            match next {
+                Source::Output { node, output } => return FlatInput::Wire { node, output },
+                Source::Input { scope, id, port: next_port, default: interface } => {
+                    at = (scope, id);
+                    port = next_port;
+                    default = interface.or(default);
+                }
+            }
+        }
+        let problem = Diagnostic::error("cycle", "this input is fed by a ring of reroutes or groups, and by no node");
+        self.problems.push(problem.node(self.path_of(scope, id)).hint("remove one wire of the ring"));
+        FlatInput::Broken
+    }
+
+    /// Where a wire really comes from.
+    fn follow(&self, scope: usize, wire: &'a Wire) -> Option<Source<'a>> {
+        let mut scope = scope;
+        let mut from = &wire.from;
+        for _ in 0..=self.scopes.len() {
+            let here = &self.scopes[scope];
+            if let (GROUP_INPUTS, Some((_, definition)), Some((parent, id))) =
+                (from.node.as_str(), here.definition, here.parent)
+            {
+                let interface = definition.inputs.iter().find(|port| port.name == from.port);
+                let default = interface.and_then(|port| port.default.as_ref());
+                return Some(Source::Input { scope: parent, id, port: from.port.clone(), default });
+            }
+            match here.slots.get(from.node.as_str())? {
+                Slot::Missing => return None,
+                Slot::Flat(node) => {
+                    let def = &self.flat.nodes[*node].def;
+                    if def.special == Special::Reroute {
+                        let (_, id, _) = self.origins[*node];
+                        return Some(Source::Input { scope, id, port: def.inputs.first()?.name.clone(), default: None });
+                    }
+                    return Some(Source::Output { node: *node, output: def.output(from.port.as_str())? });
+                }
+                Slot::Group(child) => {
+                    let (_, definition) = self.scopes[*child].definition?;
+                    let first = definition.outputs.first().map_or("", |port| port.name.as_str());
+                    let port = if from.port.as_str().is_empty() { first } else { from.port.as_str() };
+                    from = &self.scopes[*child].wires.get(&(GROUP_OUTPUTS, port))?.from;
+                    scope = *child;
+                }
+            }
+        }
+        None
+    }
+
+    fn bind_value(&mut self, scope: usize, id: &'a NodeId, port: &PortName, default: Option<&'a Value>) -> FlatInput {
+        let graph = self.scopes[scope].graph;
+        let node = graph.nodes.get(id);
+        let explicit = node.and_then(|node| node.values.get(port));
+        let interface = node.and_then(|node| self.definition(&node.kind)).and_then(|(_, definition)| {
+            let port = definition.inputs.iter().find(|interface| interface.name == *port)?;
+            port.default.as_ref()
+        });
+        let value = explicit.or(interface).or(default);
+        let param = Param { path: self.path_of(scope, id), port: port.clone(), value: value.cloned() };
+        let next = self.flat.params.len();
+        let index = *self.param_ids.entry((scope, id.as_str(), port.clone())).or_insert(next);
+        if index == next {
+            self.flat.params.push(param);
+        }
+        FlatInput::Param(index)
+    }
+}
+
+enum Source<'a> {
+    Output { node: usize, output: usize },
+    Input { scope: usize, id: &'a NodeId, port: PortName, default: Option<&'a Value> },
+}
+
+fn unknown_input<'n>(
+    kind: &str,
+    path: &NodePath,
+    port: &PortName,
+    known: impl Iterator<Item = &'n str>,
+) -> Diagnostic {
+    let known: Vec<&str> = known.collect();
+    Diagnostic::error("unknown-port", format!("a node of kind `{kind}` has no input `{port}`"))
+        .node(path.clone())
+        .port(port.clone())
+        .suggest(port.as_str(), known.iter().copied())
+        .hint(list_of("its inputs are", &known))
+}
+
+fn list_of(start: &str, names: &[&str]) -> String {
+    if names.is_empty() { "it has none".to_owned() } else { format!("{start} {}", names.join(", ")) }
+}
+
+/// An id that says something is a better name than the kind's label, of which there may be twenty.
+fn readable(id: &NodeId, label: &str) -> String {
+    let slug = crate::ids::make_slug(label, |_| false);
+    if id.as_str().starts_with(&slug) { label.to_owned() } else { id.as_str().to_owned() }
+}
+
+fn join_names(outer: &str, inner: &str) -> String {
+    if outer.is_empty() { inner.to_owned() } else { format!("{outer} {inner}") }
+}

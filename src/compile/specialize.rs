@@ -1,0 +1,567 @@
+//! From nodes to values: folds what is known, merges what is equal, removes what cannot change the picture.
+//!
+//! Every value knows its rate. Constants are folded by the interpreter in f64; values of frame and object rate become
+//! steps of a host program, whose results the fragment reads from uniforms; the rest is emitted as WGSL. A value is
+//! made once: asking for the same operation on the same values again gives the same value.
+
+use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
+
+use super::check::{TypedGraph, TypedInput, TypedNode, TypedSource};
+use super::flatten::ParamId;
+use super::host::conversion_program;
+use super::value::typed_value;
+use super::{Live, Options, Stage};
+use crate::diag::Diagnostic;
+use crate::document::{Target, Value};
+use crate::ids::{LightId, NodePath, PortName};
+use crate::interp;
+use crate::library::{BypassResult, Condition, Context, Conversion, NodeModule, Parameter, Rate, Special, Test, Type};
+
+/// An index into [`SpecializedGraph::values`].
+pub(super) type ValueId = usize;
+
+/// A function of a node file.
+#[derive(Clone, Debug)]
+pub(super) struct Function {
+    pub(super) module: Arc<NodeModule>,
+    pub(super) name: Arc<str>,
+}
+
+/// An argument of a call.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Argument {
+    Value(ValueId),
+    Image(usize),
+    Sampler(usize),
+}
+
+/// How a value comes about.
+#[derive(Clone, Debug)]
+pub(super) enum Operation {
+    Constant(interp::Value),
+    Param { id: ParamId, value: interp::Value },
+    Context(Context, Option<LightId>),
+    Call { function: Function, arguments: Vec<Argument> },
+    Member { value: ValueId, index: usize, name: PortName },
+    Convert { template: &'static str, value: ValueId },
+}
+
+/// One value.
+#[derive(Clone, Debug)]
+pub(super) struct Computed {
+    pub(super) operation: Operation,
+    pub(super) ty: Type,
+    pub(super) rate: Rate,
+    /// The node that asked for it first.
+    pub(super) node: usize,
+    /// What it is of that node, where that is not the node's result: a port, or `shape`.
+    pub(super) part: Option<String>,
+    /// Whether all its numbers are known to lie in [0, 1].
+    pub(super) unit: bool,
+}
+
+/// An image that a node reads, with how it is sampled.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct ImageUse {
+    /// The path, as in the document.
+    pub path: String,
+    /// The choices of the node that begin with `wrap`, `filter` and `encoding`.
+    pub wrap: String,
+    /// `linear` or `nearest`.
+    pub filter: String,
+    /// `color` or `data`.
+    pub encoding: String,
+    /// The first node that reads it.
+    pub node: NodePath,
+}
+
+/// Something that was left out.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Removal {
+    /// The node.
+    #[serde(serialize_with = "path_text")]
+    pub path: NodePath,
+    /// Why nothing is lost: the end of a sentence that begins with the node.
+    pub reason: String,
+}
+
+fn path_text<S: serde::Serializer>(path: &NodePath, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(path)
+}
+
+/// What a module asks of meshes and passes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Needs {
+    /// The surroundings that its fragments read.
+    pub contexts: Vec<Context>,
+    /// The images that it reads.
+    pub images: Vec<ImageUse>,
+}
+
+impl Needs {
+    /// Whether any fragment reads this.
+    pub fn context(&self, context: Context) -> bool {
+        self.contexts.contains(&context)
+    }
+}
+
+/// A look as values, ready to be written down.
+#[derive(Clone, Debug)]
+pub(super) struct SpecializedGraph {
+    pub(super) values: Vec<Computed>,
+    pub(super) root: ValueId,
+    /// The alpha below which a fragment is not drawn, if any can be.
+    pub(super) cutoff: Option<ValueId>,
+    pub(super) images: Vec<ImageUse>,
+    pub(super) removed: Vec<Removal>,
+}
+
+/// Turns a checked look into values.
+///
+/// # Errors
+/// A node that runs without end when it is folded.
+pub(super) fn specialize(graph: &TypedGraph, options: &Options) -> Result<SpecializedGraph, Vec<Diagnostic>> {
+    let mut builder = Builder::new(graph, options);
+    for &index in &graph.order {
+        builder.node(index);
+    }
+    if !builder.problems.is_empty() {
+        return Err(builder.problems);
+    }
+    Ok(builder.finish())
+}
+
+#[derive(PartialEq, Eq, Hash)]
+enum Key {
+    Constant(Type, Vec<u64>),
+    Param(ParamId, Type),
+    Context(Context, Option<LightId>),
+    Call(usize, Arc<str>, Vec<Argument>),
+    Member(ValueId, usize),
+    Convert(&'static str, Type, ValueId),
+}
+
+struct Builder<'a> {
+    graph: &'a TypedGraph,
+    options: &'a Options,
+    live: HashSet<ParamId>,
+    values: Vec<Computed>,
+    known: HashMap<Key, ValueId>,
+    /// The outputs of each node; empty until it was built.
+    outputs: Vec<Vec<ValueId>>,
+    /// The values of the Output node's other roots.
+    extra_roots: HashMap<String, ValueId>,
+    images: Vec<ImageUse>,
+    removed: Vec<Removal>,
+    problems: Vec<Diagnostic>,
+}
+
+impl<'a> Builder<'a> {
+    fn new(graph: &'a TypedGraph, options: &'a Options) -> Self {
+        Self {
+            graph,
+            options,
+            live: live_params(graph, &options.live),
+            values: Vec::with_capacity(graph.nodes.len() * 2),
+            known: HashMap::new(),
+            outputs: vec![Vec::new(); graph.nodes.len()],
+            extra_roots: HashMap::new(),
+            images: Vec::new(),
+            removed: Vec::new(),
+            problems: Vec::new(),
+        }
+    }
+
+    fn node(&mut self, index: usize) {
+        let graph = self.graph;
+        let node = &graph.nodes[index];
+        let inputs: Vec<Option<ValueId>> =
+            node.inputs.iter().map(|input| input.as_ref().and_then(|input| self.input(index, node, input))).collect();
+        if let Some((value, reason)) = self.bypass(index, node, &inputs) {
+            self.outputs[index] = vec![value];
+            self.removed.push(Removal { path: node.path.clone(), reason });
+            return;
+        }
+        let variant = node.variant();
+        let result = self.call(index, node, &variant.function, &variant.parameters, variant.result.clone(), &inputs);
+        self.values[result].unit |= self.is_unit(node, &inputs);
+        self.outputs[index] = if variant.result_is_struct {
+            node.def
+                .outputs
+                .iter()
+                .enumerate()
+                .map(|(i, output)| self.member(index, result, i, &output.name, &output.ty))
+                .collect()
+        } else {
+            vec![result]
+        };
+        if node.def.special == Special::Output {
+            self.output_roots(index, node, &inputs);
+        }
+    }
+
+    fn output_roots(&mut self, index: usize, node: &TypedNode, inputs: &[Option<ValueId>]) {
+        for root in node.def.variants.iter() {
+            if let Some((_, word)) = &root.choice {
+                let value = self.call(index, node, &root.function, &root.parameters, root.result.clone(), inputs);
+                self.extra_roots.insert(word.clone(), value);
+            }
+        }
+    }
+
+    fn input(&mut self, index: usize, node: &TypedNode, input: &TypedInput) -> Option<ValueId> {
+        let value = match &input.source {
+            TypedSource::Wire { node, output } => *self.outputs[*node].get(*output)?,
+            TypedSource::Context(context) => {
+                let light = matches!(context, Context::Light(_)).then(|| node.light.clone()).flatten();
+                let ty = Type::from_wgsl(context.wgsl_type());
+                let rate = context.rate();
+                self.value(Key::Context(*context, light.clone()), index, ty, rate, Operation::Context(*context, light))
+            }
+            TypedSource::Param(_, _) if input.ty == Type::Image => return None,
+            TypedSource::Param(id, value) => self.param(index, *id, value, &input.ty),
+        };
+        Some(match input.conversion {
+            Conversion::None => value,
+            Conversion::Template(template) => self.convert(index, value, template, &input.ty),
+        })
+    }
+
+    fn param(&mut self, index: usize, id: ParamId, value: &Value, ty: &Type) -> ValueId {
+        // The checker converted it once already, so it cannot fail here; 0 keeps the type if it did.
+        let value = typed_value(value, ty).unwrap_or(interp::Value::Float(0.0));
+        if !self.live.contains(&id) {
+            return self.constant(index, ty.clone(), value);
+        }
+        let part = self.graph.params[id].port.to_string();
+        let made = self.values.len();
+        let id = self.value(Key::Param(id, ty.clone()), index, ty.clone(), Rate::Object, Operation::Param { id, value });
+        if id == made {
+            self.values[id].part = Some(part);
+        }
+        id
+    }
+
+    fn constant(&mut self, index: usize, ty: Type, value: interp::Value) -> ValueId {
+        let mut bits = Vec::new();
+        push_bits(&value, &mut bits);
+        let unit = value.components().is_some_and(|numbers| numbers.iter().all(|x| (0.0..=1.0).contains(x)));
+        let id = self.value(Key::Constant(ty.clone(), bits), index, ty, Rate::Constant, Operation::Constant(value));
+        self.values[id].unit = unit;
+        id
+    }
+
+    fn member(&mut self, index: usize, value: ValueId, member: usize, name: &PortName, ty: &Type) -> ValueId {
+        if let Operation::Constant(interp::Value::Struct(parts)) = &self.values[value].operation {
+            let part = parts[member].clone();
+            return self.constant(index, ty.clone(), part);
+        }
+        let rate = self.values[value].rate;
+        let operation = Operation::Member { value, index: member, name: name.clone() };
+        let made = self.values.len();
+        let id = self.value(Key::Member(value, member), index, ty.clone(), rate, operation);
+        if id == made {
+            self.values[id].part = Some(name.to_string());
+        }
+        id
+    }
+
+    fn convert(&mut self, index: usize, value: ValueId, template: &'static str, ty: &Type) -> ValueId {
+        let from = self.values[value].ty.clone();
+        if let (Operation::Constant(constant), false) = (&self.values[value].operation, self.options.unspecialized) {
+            let program = conversion_program(&from, ty);
+            let converted = program.and_then(|program| program.call(std::slice::from_ref(constant), interp::Precision::F64).ok());
+            if let Some(converted) = converted.filter(is_finite) {
+                return self.constant(index, ty.clone(), converted);
+            }
+        }
+        let (rate, unit) = (self.values[value].rate, self.values[value].unit);
+        let rate = if self.options.unspecialized { Rate::Fragment } else { rate };
+        let key = Key::Convert(template, ty.clone(), value);
+        let id = self.value(key, index, ty.clone(), rate, Operation::Convert { template, value });
+        // Widening and the two ways of alpha keep numbers within [0, 1].
+        self.values[id].unit |= unit && ty.width().is_some();
+        id
+    }
+
+    fn call(
+        &mut self,
+        index: usize,
+        node: &TypedNode,
+        function: &str,
+        parameters: &[Parameter],
+        ty: Type,
+        inputs: &[Option<ValueId>],
+    ) -> ValueId {
+        let mut arguments = Vec::with_capacity(parameters.len());
+        let mut prepared = None;
+        for parameter in parameters {
+            let argument = match parameter {
+                Parameter::Input(input, Type::Image) => Some(Argument::Image(self.image(node, *input))),
+                Parameter::Sampler(input) => Some(Argument::Sampler(self.image(node, *input))),
+                Parameter::Input(input, _) => inputs[*input].map(Argument::Value),
+                Parameter::Prepared => {
+                    prepared = prepared.or_else(|| self.prepared(index, node, inputs));
+                    prepared.map(Argument::Value)
+                }
+            };
+            // Only a node that was reported lacks an argument, and then nothing is emitted.
+            arguments.extend(argument);
+        }
+        self.call_function(index, node, function, arguments, ty, None)
+    }
+
+    fn prepared(&mut self, index: usize, node: &TypedNode, inputs: &[Option<ValueId>]) -> Option<ValueId> {
+        let prepare = node.def.prepare.as_ref()?;
+        let arguments = prepare.parameters.iter().filter_map(|(input, _)| inputs[*input].map(Argument::Value)).collect();
+        let part = Some("shape".to_owned());
+        Some(self.call_function(index, node, &prepare.function, arguments, prepare.result.clone(), part))
+    }
+
+    fn call_function(
+        &mut self,
+        index: usize,
+        node: &TypedNode,
+        function: &str,
+        arguments: Vec<Argument>,
+        ty: Type,
+        part: Option<String>,
+    ) -> ValueId {
+        let name: Arc<str> = function.into();
+        let module = node.def.module.clone();
+        let mut rate = self.call_rate(&module, function, &arguments);
+        if rate == Rate::Constant && !self.options.unspecialized {
+            match self.fold(&module, function, &arguments) {
+                Ok(Some(value)) => return self.constant(index, ty, value),
+                Ok(None) => rate = Rate::Fragment,
+                Err(problem) => self.problems.push(problem.node(node.path.clone())),
+            }
+        }
+        if self.options.unspecialized {
+            rate = Rate::Fragment;
+        }
+        let key = Key::Call(Arc::as_ptr(&module) as usize, name.clone(), arguments.clone());
+        let operation = Operation::Call { function: Function { module, name }, arguments };
+        let made = self.values.len();
+        let id = self.value(key, index, ty, rate, operation);
+        if id == made {
+            self.values[id].part = part;
+        } else if self.values[id].node != index && part.is_none() {
+            let other = &self.graph.nodes[self.values[id].node].path;
+            self.removed.push(Removal { path: node.path.clone(), reason: format!("it is the same as `{other}`") });
+        }
+        id
+    }
+
+    fn call_rate(&self, module: &NodeModule, function: &str, arguments: &[Argument]) -> Rate {
+        let mut rate = Rate::Constant;
+        for argument in arguments {
+            rate = rate.max(match argument {
+                Argument::Value(value) => self.values[*value].rate,
+                Argument::Image(_) | Argument::Sampler(_) => Rate::Fragment,
+            });
+        }
+        // What the interpreter cannot run must run in the fragment.
+        if rate < Rate::Fragment && module.program(function).is_err() { Rate::Fragment } else { rate }
+    }
+
+    /// The value of a call whose arguments are known; `None` where it is not finite and so cannot be written down.
+    fn fold(
+        &self,
+        module: &NodeModule,
+        function: &str,
+        arguments: &[Argument],
+    ) -> Result<Option<interp::Value>, Diagnostic> {
+        let mut values = Vec::with_capacity(arguments.len());
+        for argument in arguments {
+            let Argument::Value(id) = argument else { return Ok(None) };
+            let Operation::Constant(value) = &self.values[*id].operation else { return Ok(None) };
+            values.push(value.clone());
+        }
+        let value = module.program(function)?.call(&values, interp::Precision::F64)?;
+        Ok(Some(value).filter(is_finite))
+    }
+
+    fn image(&mut self, node: &TypedNode, input: usize) -> usize {
+        let path = match node.inputs[input].as_ref().map(|input| &input.source) {
+            Some(TypedSource::Param(_, Value::Text(path))) => path.clone(),
+            _ => String::new(),
+        };
+        let setting = |name: &str, default: &str| {
+            let choice = node.def.input(name).and_then(|index| node.choices.get(&index));
+            choice.map_or_else(|| default.to_owned(), Clone::clone)
+        };
+        let image = ImageUse {
+            path,
+            wrap: setting("wrap", "repeat"),
+            filter: setting("filter", "linear"),
+            encoding: setting("encoding", "color"),
+            node: node.path.clone(),
+        };
+        let same = |other: &ImageUse| {
+            (&other.path, &other.wrap, &other.filter, &other.encoding)
+                == (&image.path, &image.wrap, &image.filter, &image.encoding)
+        };
+        self.images.iter().position(same).unwrap_or_else(|| {
+            self.images.push(image);
+            self.images.len() - 1
+        })
+    }
+
+    fn value(&mut self, key: Key, node: usize, ty: Type, rate: Rate, operation: Operation) -> ValueId {
+        let made = self.values.len();
+        // Merging is a part of pruning; only what is no work of its own is shared without it.
+        let is_work = matches!(operation, Operation::Call { .. } | Operation::Convert { .. });
+        if !(self.options.unspecialized && is_work) {
+            let id = *self.known.entry(key).or_insert(made);
+            if id != made {
+                return id;
+            }
+        }
+        self.values.push(Computed { operation, ty, rate, node, part: None, unit: false });
+        made
+    }
+
+    fn bypass(&mut self, index: usize, node: &TypedNode, inputs: &[Option<ValueId>]) -> Option<(ValueId, String)> {
+        if self.options.unspecialized || node.variant().result_is_struct {
+            return None;
+        }
+        let bypass = node.def.bypasses.iter().find(|bypass| self.all_hold(node, inputs, &bypass.conditions))?;
+        let ty = node.variant().result.clone();
+        let value = match bypass.result {
+            BypassResult::Input(input) => inputs[input].filter(|&id| self.values[id].ty == ty)?,
+            BypassResult::Number(number) => {
+                let value = typed_value(&Value::Number(number), &ty).ok()?;
+                self.constant(index, ty, value)
+            }
+        };
+        let reason = if bypass.reason.is_empty() { "it changes nothing".to_owned() } else { bypass.reason.clone() };
+        Some((value, reason))
+    }
+
+    fn is_unit(&self, node: &TypedNode, inputs: &[Option<ValueId>]) -> bool {
+        node.def.unit_when.as_ref().is_some_and(|conditions| self.all_hold(node, inputs, conditions))
+    }
+
+    fn all_hold(&self, node: &TypedNode, inputs: &[Option<ValueId>], conditions: &[Condition]) -> bool {
+        conditions.iter().all(|condition| {
+            if let Test::Word(words) = &condition.test {
+                return node.choices.get(&condition.input).is_some_and(|word| words.contains(word));
+            }
+            let Some(id) = inputs[condition.input] else { return false };
+            let numbers = match &self.values[id].operation {
+                Operation::Constant(value) => value.components(),
+                _ => None,
+            };
+            match &condition.test {
+                Test::Is(wanted) => numbers.is_some_and(|numbers| numbers.iter().all(|x| x == wanted)),
+                Test::Black => numbers.is_some_and(|numbers| numbers.iter().take(3).all(|x| *x == 0.0)),
+                Test::Same(other) => inputs[*other] == Some(id),
+                Test::Unit => self.values[id].unit,
+                Test::Word(_) => false,
+            }
+        })
+    }
+
+    fn finish(mut self) -> SpecializedGraph {
+        let (node, output) = self.graph.root;
+        let is_own_root = self.graph.nodes[node].def.special == Special::Output;
+        let root = match self.options.stage {
+            Stage::Normals => self.extra_roots.get("normal").copied(),
+            Stage::Draw | Stage::Eval => None,
+        };
+        let root = root.unwrap_or(self.outputs[node][output]);
+        let zero = |value: &Computed| matches!(&value.operation, Operation::Constant(v) if v.as_f64() <= Some(0.0));
+        let cutoff = self.extra_roots.get("cutoff").copied().filter(|&id| !zero(&self.values[id]));
+        let cutoff = cutoff.filter(|_| is_own_root && self.options.stage == Stage::Draw);
+        self.explain_unused(&[Some(root), cutoff]);
+        SpecializedGraph { values: self.values, root, cutoff, images: self.images, removed: self.removed }
+    }
+
+    /// Adds a reason for every node of which nothing is left.
+    fn explain_unused(&mut self, roots: &[Option<ValueId>]) {
+        let reached = reachable(&self.values, roots.iter().flatten().copied());
+        let explained: HashSet<NodePath> = self.removed.iter().map(|removal| removal.path.clone()).collect();
+        let mut seen: HashSet<usize> = HashSet::new();
+        for (id, value) in self.values.iter().enumerate() {
+            if reached[id] {
+                seen.insert(value.node);
+            }
+        }
+        for &index in &self.graph.order {
+            let node = &self.graph.nodes[index];
+            if seen.contains(&index) || explained.contains(&node.path) || index == self.graph.root.0 {
+                continue;
+            }
+            let outputs = &self.outputs[index];
+            let is_constant = |&id: &ValueId| matches!(self.values[id].operation, Operation::Constant(_));
+            let reason = if !outputs.is_empty() && outputs.iter().all(is_constant) {
+                "its value is known before drawing"
+            } else {
+                "nothing that reaches the output uses it"
+            };
+            self.removed.push(Removal { path: node.path.clone(), reason: reason.to_owned() });
+        }
+    }
+}
+
+/// Which values the roots depend on.
+pub(super) fn reachable(values: &[Computed], roots: impl Iterator<Item = ValueId>) -> Vec<bool> {
+    let mut reached = vec![false; values.len()];
+    let mut open: Vec<ValueId> = roots.collect();
+    while let Some(id) = open.pop() {
+        if !std::mem::replace(&mut reached[id], true) {
+            open.extend(operands(&values[id].operation));
+        }
+    }
+    reached
+}
+
+/// The values that an operation reads.
+pub(super) fn operands(operation: &Operation) -> impl DoubleEndedIterator<Item = ValueId> + '_ {
+    let (single, arguments): (Option<ValueId>, &[Argument]) = match operation {
+        Operation::Constant(_) | Operation::Param { .. } | Operation::Context(..) => (None, &[]),
+        Operation::Call { arguments, .. } => (None, arguments),
+        Operation::Member { value, .. } | Operation::Convert { value, .. } => (Some(*value), &[]),
+    };
+    let of_arguments = arguments.iter().filter_map(|argument| match argument {
+        Argument::Value(id) => Some(*id),
+        _ => None,
+    });
+    single.into_iter().chain(of_arguments)
+}
+
+fn live_params(graph: &TypedGraph, live: &Live) -> HashSet<ParamId> {
+    let by_place: HashMap<_, _> =
+        graph.params.iter().enumerate().map(|(id, param)| ((&param.path, &param.port), id)).collect();
+    let of_target = |target: &Target| match target {
+        Target::Input { node, port } => by_place.get(&(node, port)).copied(),
+        Target::Light { .. } => None,
+    };
+    let mut ids: HashSet<ParamId> = graph.keyed.iter().filter_map(of_target).collect();
+    if *live != Live::Keyed {
+        ids.extend(graph.exposed.iter().filter_map(|exposed| of_target(&exposed.target)));
+    }
+    match live {
+        Live::Keyed | Live::Exposed => {}
+        Live::Touched(touched) => ids.extend(touched.iter().filter_map(|(path, port)| by_place.get(&(path, port)))),
+        Live::All => ids.extend(0..graph.params.len()),
+    }
+    ids
+}
+
+fn is_finite(value: &interp::Value) -> bool {
+    match (value.components(), value.parts()) {
+        (Some(numbers), _) => numbers.iter().all(|x| x.is_finite() && x.abs() <= f64::from(f32::MAX)),
+        (None, Some(parts)) => parts.iter().all(is_finite),
+        (None, None) => true,
+    }
+}
+
+fn push_bits(value: &interp::Value, bits: &mut Vec<u64>) {
+    match value.parts() {
+        Some(parts) => parts.iter().for_each(|part| push_bits(part, bits)),
+        None => bits.extend(value.components().unwrap_or_default().iter().map(|x| x.to_bits())),
+    }
+}
