@@ -181,6 +181,17 @@ fn a_mesh_that_is_too_coarse_gives_way_to_the_closed_form() {
 }
 
 #[test]
+fn a_mesh_may_have_a_key_at_every_vertex() {
+    let (short, long) = (1.0, 0.5 * (1.0 + 5f64.sqrt()));
+    let corners = [(short, long), (-short, long), (short, -long), (-short, -long)];
+    let directions: Vec<DVec3> =
+        corners.iter().flat_map(|&(s, l)| [[0.0, s, l], [s, l, 0.0], [l, 0.0, s]].map(DVec3::from)).collect();
+    let (full, problems) = KeyWeights::tessellated(&directions, Tessellation { level: 0, area_weighted: false });
+    assert!(problems.iter().all(|d| d.code == "keys-near-mesh-size"), "{problems:?}");
+    check(&full, &directions, 1e-12);
+}
+
+#[test]
 fn many_keys_are_fine_and_too_many_are_reported() {
     let directions: Vec<DVec3> = spread(MAX_KEYS).collect();
     for scheme in CLOSED {
