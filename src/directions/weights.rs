@@ -1,0 +1,201 @@
+//! [`KeyWeights`]: from a direction to one weight per key.
+
+use glam::DVec3;
+
+use super::closed_form::{ClosedForm, inverse_distance_into};
+use super::icosphere::Icosphere;
+use super::kernel::Kernel;
+use super::keys::{KeySet, NO_GROUP, unit};
+use super::tessellated::{Tessellated, Tessellation};
+use crate::diag::Diagnostic;
+use crate::document::KeyScheme;
+
+/// The weights of keys as a function of direction. Made once for a set of keys, asked for every object and frame.
+///
+/// ```
+/// use chiaro::directions::KeyWeights;
+/// use chiaro::document::KeyScheme;
+/// use glam::DVec3;
+///
+/// let (keys, problems) = KeyWeights::new(&[DVec3::Z, DVec3::NEG_Z], KeyScheme::Biharmonic);
+/// assert!(problems.is_empty());
+/// assert_eq!(keys.weights(DVec3::Z), [1.0, 0.0]);
+/// assert!((keys.weights(DVec3::X)[0] - 0.5).abs() < 1e-12);
+/// ```
+#[derive(Clone, Debug)]
+pub struct KeyWeights {
+    set: KeySet,
+    field: Field,
+}
+
+/// What gives raw weights to the groups of keys.
+#[derive(Clone, Debug)]
+enum Field {
+    /// One group, or none: all weight is its own.
+    Whole,
+    Closed(ClosedForm),
+    Mesh(Box<Tessellated>),
+    InverseDistance,
+}
+
+impl KeyWeights {
+    /// Solves for the weights of keys at `directions` (of any length).
+    ///
+    /// Keys closer than [`MERGE_ANGLE`](super::MERGE_ANGLE) share one weight equally, so that a duplicate changes
+    /// nothing. Keys without a direction, and keys past [`MAX_KEYS`](super::MAX_KEYS), have weight 0. All of these are
+    /// reported, as are keys closer than [`CLOSE_ANGLE`](super::CLOSE_ANGLE); a diagnostic's JSON path starts at the
+    /// list, `keys[3].direction`. Should a solve fail, that is reported and simpler weights stand in.
+    pub fn new(directions: &[DVec3], scheme: KeyScheme) -> (Self, Vec<Diagnostic>) {
+        let (set, mut diagnostics) = KeySet::gather(directions);
+        let field = match scheme {
+            _ if set.centers.len() < 2 => Field::Whole,
+            KeyScheme::Biharmonic => closed(Kernel::Biharmonic, &set, &mut diagnostics),
+            KeyScheme::AppendixB => closed(Kernel::AppendixB, &set, &mut diagnostics),
+            KeyScheme::Tessellated => meshed(Tessellation::default(), &set, &mut diagnostics),
+        };
+        (Self { set, field }, diagnostics)
+    }
+
+    /// As [`KeyWeights::new`] with [`KeyScheme::Tessellated`], on a mesh of one's choice.
+    pub fn tessellated(directions: &[DVec3], tessellation: Tessellation) -> (Self, Vec<Diagnostic>) {
+        let (set, mut diagnostics) = KeySet::gather(directions);
+        let field = if set.centers.len() < 2 { Field::Whole } else { meshed(tessellation, &set, &mut diagnostics) };
+        (Self { set, field }, diagnostics)
+    }
+
+    /// The number of keys it was made of, and of weights it gives.
+    pub fn len(&self) -> usize {
+        self.set.group_of.len()
+    }
+
+    /// Whether there are no keys.
+    pub fn is_empty(&self) -> bool {
+        self.set.group_of.is_empty()
+    }
+
+    /// Whether any key has a direction. If none has, all weights are 0 and a look's own values hold.
+    pub fn has_weight(&self) -> bool {
+        !self.set.centers.is_empty()
+    }
+
+    /// The smooth weights before clamping, one per key: they sum to 1, but may leave [0, 1].
+    pub fn raw(&self, direction: DVec3) -> Vec<f64> {
+        let mut weights = vec![0.0; self.len()];
+        self.raw_into(direction, &mut weights);
+        weights
+    }
+
+    /// The weights, one per key: from 0 to 1, of sum 1, C1 in the direction, 1 at a key and 0 at the others.
+    ///
+    /// The direction may be of any length. One that is zero or not finite, such as that to an eye at the object's
+    /// centre, favours no key: all weights are equal.
+    pub fn weights(&self, direction: DVec3) -> Vec<f64> {
+        let mut weights = vec![0.0; self.len()];
+        self.weights_into(direction, &mut weights);
+        weights
+    }
+
+    /// As [`KeyWeights::raw`], without allocating.
+    ///
+    /// # Panics
+    /// If `out` does not hold [`KeyWeights::len`] numbers.
+    pub fn raw_into(&self, direction: DVec3, out: &mut [f64]) {
+        self.group_raw_into(direction, out);
+        self.share_within_groups(out);
+    }
+
+    /// As [`KeyWeights::weights`], without allocating.
+    ///
+    /// # Panics
+    /// If `out` does not hold [`KeyWeights::len`] numbers.
+    pub fn weights_into(&self, direction: DVec3, out: &mut [f64]) {
+        self.group_raw_into(direction, out);
+        let groups = &mut out[..self.set.centers.len()];
+        let mut sum = 0.0;
+        for weight in groups.iter_mut() {
+            *weight = smoothstep(*weight);
+            sum += *weight;
+        }
+        // Raw weights sum to 1, so with K of them this sum is at least (3K - 2) / K^2.
+        groups.iter_mut().for_each(|weight| *weight /= sum);
+        self.share_within_groups(out);
+    }
+
+    /// Fills the beginning of `out` with the raw weights of the groups.
+    fn group_raw_into(&self, direction: DVec3, out: &mut [f64]) {
+        assert_eq!(out.len(), self.len(), "one weight per key");
+        let count = self.set.centers.len();
+        let groups = &mut out[..count];
+        let Some(direction) = unit(direction) else {
+            groups.fill(1.0 / count as f64);
+            return;
+        };
+        match &self.field {
+            Field::Whole => groups.fill(1.0),
+            Field::Closed(closed) => closed.raw_into(direction, groups),
+            Field::Mesh(mesh) => mesh.raw_into(direction, groups),
+            Field::InverseDistance => inverse_distance_into(&self.set.centers, direction, groups),
+        }
+    }
+
+    /// Replaces the weights of groups by those of keys, in place: a group never comes after its keys, so going
+    /// backward no group's weight is overwritten before it is read.
+    fn share_within_groups(&self, out: &mut [f64]) {
+        for (key, &group) in self.set.group_of.iter().enumerate().rev() {
+            out[key] = match group {
+                NO_GROUP => 0.0,
+                group => out[group as usize] / f64::from(self.set.sizes[group as usize]),
+            };
+        }
+    }
+}
+
+/// The smoothstep of `x` clamped to [0, 1].
+fn smoothstep(x: f64) -> f64 {
+    let x = x.clamp(0.0, 1.0);
+    x * x * (3.0 - 2.0 * x)
+}
+
+fn closed(kernel: Kernel, set: &KeySet, diagnostics: &mut Vec<Diagnostic>) -> Field {
+    if let Some(closed) = ClosedForm::solve(kernel, &set.centers) {
+        return Field::Closed(closed);
+    }
+    let problem = "the smooth weights of these direction keys cannot be computed";
+    diagnostics.push(
+        Diagnostic::warning("unsolvable-keys", problem)
+            .json_path("keys")
+            .hint("weights by distance stand in for them; move keys that are close to each other apart"),
+    );
+    Field::InverseDistance
+}
+
+fn meshed(tessellation: Tessellation, set: &KeySet, diagnostics: &mut Vec<Diagnostic>) -> Field {
+    let level = tessellation.level.min(Tessellation::MAX_LEVEL);
+    match Tessellated::solve(tessellation, &set.centers) {
+        Ok(mesh) => {
+            diagnostics.extend(coarse(level, set));
+            Field::Mesh(Box::new(mesh))
+        }
+        Err(why) => {
+            let problem = format!("the tessellation of level {level} is too coarse for these keys: {why}");
+            diagnostics.push(
+                Diagnostic::warning("tessellation-too-coarse", problem)
+                    .json_path("keys")
+                    .hint("the closed form of the same energy (`appendix-b`) stands in for it"),
+            );
+            closed(Kernel::AppendixB, set, diagnostics)
+        }
+    }
+}
+
+/// A mesh shows the shape of weights between two keys only if there are some edges between.
+fn coarse(level: u32, set: &KeySet) -> Option<Diagnostic> {
+    let resolved = 5.0 * Icosphere::edge_angle(level);
+    let (a, b, angle) = set.closest_pair().filter(|(_, _, angle)| *angle < resolved)?;
+    let (degrees, resolved) = (angle.to_degrees(), resolved.to_degrees());
+    let problem = format!(
+        "`keys[{a}]` and `keys[{b}]` are {degrees:.1} degrees apart, \
+         and a tessellation of level {level} is accurate from {resolved:.0}"
+    );
+    Some(Diagnostic::note("keys-near-mesh-size", problem).json_path("keys").hint("`appendix-b` has no such limit"))
+}
