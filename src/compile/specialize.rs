@@ -111,6 +111,8 @@ impl Needs {
 pub(super) struct SpecializedGraph {
     pub(super) values: Vec<Computed>,
     pub(super) root: ValueId,
+    /// The look's color, where the root is something else.
+    pub(super) color: Option<ValueId>,
     /// The alpha below which a fragment is not drawn, if any can be.
     pub(super) cutoff: Option<ValueId>,
     pub(super) images: Vec<ImageUse>,
@@ -471,12 +473,13 @@ impl<'a> Builder<'a> {
             Stage::Normals => self.extra_roots.get("normal").copied(),
             Stage::Draw | Stage::Eval => None,
         };
-        let root = root.unwrap_or(self.outputs[node][output]);
+        let color = self.outputs[node][output];
+        let root = root.unwrap_or(color);
         let zero = |value: &Computed| matches!(&value.operation, Operation::Constant(v) if v.as_f64() <= Some(0.0));
         let cutoff = self.extra_roots.get("cutoff").copied().filter(|&id| !zero(&self.values[id]));
-        let cutoff = cutoff.filter(|_| is_own_root && self.options.stage == Stage::Draw);
-        self.explain_unused(&[Some(root), cutoff]);
-        SpecializedGraph { values: self.values, root, cutoff, images: self.images, removed: self.removed }
+        let cutoff = cutoff.filter(|_| is_own_root && self.options.stage != Stage::Eval);
+        self.explain_unused(&[Some(root), cutoff.and(Some(color)), cutoff]);
+        SpecializedGraph { values: self.values, root, color: Some(color), cutoff, images: self.images, removed: self.removed }
     }
 
     /// Adds a reason for every node of which nothing is left.

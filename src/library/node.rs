@@ -9,7 +9,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Tier, Value};
 use crate::ids::PortName;
 use crate::interp::{Derivatives, Options, Program};
-use crate::wgsl::{Linked, Scan, Valid};
+use crate::wgsl::{Declaration, Linked, Scan, Valid};
 
 /// A kind of node.
 #[derive(Clone, Debug)]
@@ -234,13 +234,20 @@ pub struct NodeModule {
     pub scan: Scan,
     /// naga's view of it.
     pub valid: Valid,
+    by_name: HashMap<String, usize>,
     programs: Mutex<HashMap<String, Result<Arc<Program>, Diagnostic>>>,
 }
 
 impl NodeModule {
     /// Wraps validated text.
     pub fn new(linked: Linked, scan: Scan, valid: Valid) -> Self {
-        Self { linked, scan, valid, programs: Mutex::default() }
+        let by_name = scan.declarations.iter().enumerate().map(|(i, d)| (d.name.clone(), i)).collect();
+        Self { linked, scan, valid, by_name, programs: Mutex::default() }
+    }
+
+    /// A top-level declaration by name.
+    pub fn declaration(&self, name: &str) -> Option<&Declaration> {
+        self.by_name.get(name).map(|&index| &self.scan.declarations[index])
     }
 
     /// A function, ready to run on the CPU; compiled on the first call. Derivatives are 0 in it, because whatever

@@ -11,5 +11,5 @@ mod validate;
 
 pub use embedded::{NODES, PASSES, SHADER_LIBRARY};
 pub use link::{Linked, Source, link};
-pub use scan::{Declaration, DeclarationKind, Field, Import, Scan, scan};
+pub use scan::{Declaration, DeclarationKind, Field, Import, Scan, identifiers, rename_identifiers, scan};
 pub use validate::{Valid, WgslError, parse, validate};

@@ -170,6 +170,32 @@ pub fn scan(source: &str) -> Scan {
     scan
 }
 
+/// The identifiers of `text`, in order.
+pub fn identifiers(text: &str) -> Vec<String> {
+    let words = tokenize(text).into_iter().filter(|token| token.kind == TokenKind::Word);
+    words.map(|token| text[token.span].to_owned()).collect()
+}
+
+/// `text` with every identifier that `renamed` knows replaced. Members after a `.` are left alone.
+pub fn rename_identifiers(text: &str, renamed: impl Fn(&str) -> Option<String>) -> String {
+    let mut result = String::with_capacity(text.len());
+    let mut at = 0;
+    let mut after_dot = false;
+    for token in tokenize(text) {
+        let word = &text[token.span.clone()];
+        if token.kind == TokenKind::Word && !after_dot {
+            if let Some(name) = renamed(word).filter(|name| name != word) {
+                result.push_str(&text[at..token.span.start]);
+                result.push_str(&name);
+                at = token.span.end;
+            }
+        }
+        after_dot = word == ".";
+    }
+    result.push_str(&text[at..]);
+    result
+}
+
 fn doc_line(source: &str, token: &Token) -> String {
     let text = &source[token.span.start + 3..token.span.end];
     text.strip_prefix(' ').unwrap_or(text).trim_end().to_owned()
@@ -384,6 +410,14 @@ mod tests {
         assert!(source[node.body.clone()].starts_with("fn node") && source[node.span.clone()].starts_with("/// A"));
         assert_eq!(scan.declarations[3].fields[0].doc, ["First."]);
         assert_eq!(scan.declarations[3].fields[1].ty, "vec2<f32>");
+    }
+
+    #[test]
+    fn identifiers_are_renamed_but_members_are_not() {
+        let renamed = |name: &str| (name == "tint").then(|| "tint_2".to_owned());
+        let text = "fn tint(x: f32) -> f32 { /* tint */ return tint(a.tint) + tinted; }";
+        let expected = "fn tint_2(x: f32) -> f32 { /* tint */ return tint_2(a.tint) + tinted; }";
+        assert_eq!(rename_identifiers(text, renamed), expected);
     }
 
     #[test]

@@ -1,0 +1,133 @@
+//! Values as WGSL expressions and literals.
+
+use super::Emitter;
+use crate::compile::specialize::{Argument, Operation, ValueId};
+use crate::interp::{Scalar, Value};
+use crate::library::{Conversion, Rate, Type};
+
+impl Emitter<'_> {
+    /// How a value is read where fragments are shaded.
+    pub(super) fn expression(&self, id: ValueId) -> String {
+        let value = &self.special.values[id];
+        if matches!(value.rate, Rate::Frame | Rate::Object) {
+            let name = self.value_names.get(&id).cloned().unwrap_or_default();
+            // A uniform holds no bool.
+            return if value.ty == Type::Bool { format!("({name} != 0u)") } else { name };
+        }
+        match &value.operation {
+            Operation::Constant(constant) => match self.value_names.get(&id) {
+                Some(name) => name.clone(),
+                None => self.literal(constant, &value.ty, value.node),
+            },
+            Operation::Context(context, _) => self.context_expression(*context),
+            Operation::Call { .. } => self.value_names.get(&id).cloned().unwrap_or_default(),
+            Operation::Member { value, name, .. } => format!("{}.{name}", self.expression(*value)),
+            Operation::Convert { template, value } => Conversion::Template(template).apply(&self.expression(*value)),
+            // Parameters that stay live are of object rate.
+            Operation::Param { value: constant, .. } => self.literal(constant, &value.ty, value.node),
+        }
+    }
+
+    /// A call with its arguments.
+    pub(super) fn call(&self, id: ValueId) -> String {
+        let Operation::Call { function, arguments } = &self.special.values[id].operation else { return String::new() };
+        let arguments: Vec<String> = arguments
+            .iter()
+            .map(|argument| match argument {
+                Argument::Value(id) => self.expression(*id),
+                Argument::Image(image) => self.image_name(*image),
+                Argument::Sampler(image) => format!("{}_sampler", self.image_name(*image)),
+            })
+            .collect();
+        format!("{}({})", self.collected.name(&function.module, &function.name), arguments.join(", "))
+    }
+
+    /// A constant as WGSL writes it; `node` says whose structs are meant.
+    pub(super) fn literal(&self, value: &Value, ty: &Type, node: usize) -> String {
+        let module = &self.graph.nodes[node].def.module;
+        match value {
+            Value::Struct(parts) => {
+                let declaration = module.declaration(ty.wgsl());
+                let parts: Vec<String> = parts
+                    .iter()
+                    .enumerate()
+                    .map(|(i, part)| {
+                        let ty = declaration.and_then(|d| d.fields.get(i)).map(|field| Type::from_wgsl(&field.ty));
+                        self.literal(part, &ty.unwrap_or(Type::Float), node)
+                    })
+                    .collect();
+                format!("{}({})", self.type_name(ty, node), parts.join(", "))
+            }
+            // `array(...)` takes its type from the elements, all of which are vectors.
+            Value::Array(parts) => {
+                let element = if parts.first().and_then(Value::components).is_some_and(|c| c.len() == 4) { Type::Vec4 } else { Type::Float };
+                let parts: Vec<String> = parts.iter().map(|part| self.literal(part, &element, node)).collect();
+                format!("array({})", parts.join(", "))
+            }
+            Value::Vector(scalars) => vector_literal(scalars),
+            Value::Matrix { columns, components } => {
+                let rows = components.len() / columns;
+                let numbers: Vec<String> = components.iter().map(|x| float_literal(*x)).collect();
+                format!("mat{columns}x{rows}f({})", numbers.join(", "))
+            }
+            Value::Bool(b) => b.to_string(),
+            Value::I32(i) => format!("{i}i"),
+            Value::U32(u) => format!("{u}u"),
+            Value::Float(x) => float_literal(*x),
+        }
+    }
+
+    /// A type's name in this module, where a project's own struct may have been renamed.
+    pub(super) fn type_name(&self, ty: &Type, node: usize) -> String {
+        let module = &self.graph.nodes[node].def.module;
+        match ty {
+            Type::Prepared(name) => self.collected.name(module, name).to_owned(),
+            other => other.wgsl().to_owned(),
+        }
+    }
+}
+
+fn vector_literal(scalars: &[Scalar]) -> String {
+    let kind = match scalars.first() {
+        Some(Scalar::Float(_)) | None => "f",
+        Some(Scalar::I32(_)) => "i",
+        Some(Scalar::U32(_)) => "u",
+        Some(Scalar::Bool(_)) => "<bool>",
+    };
+    let texts: Vec<String> = scalars
+        .iter()
+        .map(|scalar| match scalar {
+            Scalar::Float(x) => float_literal(*x),
+            other => other.to_string(),
+        })
+        .collect();
+    let all_same = texts.iter().all(|text| *text == texts[0]);
+    let inside = if all_same { texts[0].clone() } else { texts.join(", ") };
+    format!("vec{}{kind}({inside})", scalars.len())
+}
+
+/// The shortest decimal that reads back as the same f32.
+fn float_literal(x: f64) -> String {
+    let x = x as f32;
+    if x.is_finite() {
+        format!("{x:?}")
+    } else {
+        // Folding keeps what is not finite from coming here; WGSL has no literal for it.
+        "0.0".to_owned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn literals_read_back_exactly() {
+        for x in [0.1f32, 1e-30, -3.4e38, 16_777_216.0, std::f32::consts::PI] {
+            assert_eq!(float_literal(f64::from(x)).parse::<f32>(), Ok(x));
+        }
+        assert_eq!(float_literal(1.0), "1.0");
+        assert_eq!(vector_literal(&[Scalar::Float(0.5); 3]), "vec3f(0.5)");
+        assert_eq!(vector_literal(&[Scalar::Float(0.5), Scalar::Float(1.0)]), "vec2f(0.5, 1.0)");
+    }
+}

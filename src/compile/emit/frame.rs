@@ -1,0 +1,366 @@
+//! What stands around a look: structs, bindings and entry points.
+
+use std::fmt::Write as _;
+
+use super::{Binding, BindingKind, Emitter};
+use crate::compile::Stage;
+use crate::library::{Context, Type};
+
+/// Names that the frame uses, kept from the artist's.
+pub(super) const RESERVED: &[&str] = &[
+    "View", "Object", "Look", "Surface", "Sample", "Vertex", "Varyings", "Shaded", "Fragment", "view", "object", "look",
+    "surface", "samples", "curvature_map", "curvature_detail_map", "shade", "vs_main", "fs_main", "SAMPLES_PER_ROW",
+];
+
+/// How many samples lie beside one another in an evaluation's target; each takes two by two pixels.
+pub const SAMPLES_PER_ROW: u32 = 256;
+
+/// A vertex attribute.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Attribute {
+    /// Object space, `vec3f`, location 0.
+    Position,
+    /// Unit, object space, `vec3f`, location 1.
+    Normal,
+    /// Unit with handedness, object space, `vec4f`, location 2.
+    Tangent,
+    /// `vec2f`, location 3.
+    Uv,
+    /// Straight RGBA, `vec4f`, location 4.
+    Color,
+}
+
+impl Attribute {
+    /// All of them, by location.
+    pub const ALL: [Self; 5] = [Self::Position, Self::Normal, Self::Tangent, Self::Uv, Self::Color];
+
+    /// Its location, the same in every module.
+    pub fn location(self) -> u32 {
+        self as u32
+    }
+
+    /// Its name in WGSL.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Position => "position",
+            Self::Normal => "normal",
+            Self::Tangent => "tangent",
+            Self::Uv => "uv",
+            Self::Color => "color",
+        }
+    }
+
+    /// Its WGSL type.
+    pub fn wgsl_type(self) -> &'static str {
+        match self {
+            Self::Position | Self::Normal => "vec3f",
+            Self::Tangent | Self::Color => "vec4f",
+            Self::Uv => "vec2f",
+        }
+    }
+}
+
+impl super::Needs {
+    /// The vertex attributes that a module with these needs reads.
+    pub fn attributes(&self) -> Vec<Attribute> {
+        let mut attributes = vec![Attribute::Position];
+        for context in &self.contexts {
+            match context {
+                Context::Normal => attributes.push(Attribute::Normal),
+                Context::Tangent | Context::Bitangent => attributes.extend([Attribute::Normal, Attribute::Tangent]),
+                Context::Uv => attributes.push(Attribute::Uv),
+                Context::VertexColor => attributes.push(Attribute::Color),
+                _ => {}
+            }
+        }
+        attributes.sort_unstable();
+        attributes.dedup();
+        attributes
+    }
+}
+
+const VIEW: &str = "\
+struct View {
+    clip_from_world: mat4x4f,
+    camera_from_world: mat4x4f,
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
+    eye: vec4f,
+}
+
+struct Object {
+    world_from_object: mat4x4f,
+    /// The inverse transpose, for normals.
+    world_from_normal: mat3x3f,
+    id: f32,
+}
+";
+
+impl Emitter<'_> {
+    /// Whether the frame calls this function of the library.
+    pub(super) fn frame_uses(&self, function: &str) -> bool {
+        let is_mesh = self.options.stage != Stage::Eval;
+        match function {
+            "normalize_or" => is_mesh,
+            "straight" => is_mesh && self.special.values[self.special.root].ty == Type::Composite,
+            "angle_radians" => is_mesh && self.special.values[self.special.root].ty == Type::Angle,
+            "finite_vec4" => is_mesh,
+            _ => false,
+        }
+    }
+
+    pub(super) fn write_structs(&mut self) {
+        let is_eval = self.options.stage == Stage::Eval;
+        if !is_eval {
+            self.out.push_str(VIEW);
+            self.out.push('\n');
+        }
+        if !self.host.members.is_empty() {
+            self.out.push_str("/// What is known before the fragment.\nstruct Look {\n");
+            let members: Vec<String> = self.host.members.iter().map(|member| self.member_line(member)).collect();
+            self.out.push_str(&members.concat());
+            self.out.push_str("}\n\n");
+        }
+        if self.has_surface() {
+            self.out.push_str("/// The surface under the fragment, in world space.\nstruct Surface {\n");
+            for context in &self.needs.contexts {
+                let ty = Type::from_wgsl(context.wgsl_type());
+                let _ = writeln!(self.out, "    {}: {},", context.word(), ty.wgsl());
+            }
+            self.out.push_str("}\n\n");
+        }
+        if is_eval {
+            self.out.push_str("struct Sample {\n");
+            if self.has_surface() {
+                self.out.push_str("    surface: Surface,\n");
+            }
+            if !self.host.members.is_empty() {
+                self.out.push_str("    look: Look,\n");
+            }
+            // A struct may not be empty.
+            self.out.push_str("    padding: vec4f,\n}\n\n");
+        }
+    }
+
+    fn member_line(&self, member: &crate::compile::host::UniformMember) -> String {
+        let node = self.host_steps.iter().find(|(_, step)| **step == member.step).map_or(0, |(id, _)| self.special.values[*id].node);
+        let ty = if member.ty == Type::Bool { "u32".to_owned() } else { self.type_name(&member.ty, node) };
+        format!("    {}: {ty},\n", member.name)
+    }
+
+    pub(super) fn image_name(&self, image: usize) -> String {
+        format!("image_{}", image + 1)
+    }
+
+    pub(super) fn write_bindings(&mut self) -> Vec<Binding> {
+        let mut bindings: Vec<(BindingKind, String, String)> = Vec::new();
+        let texture = "texture_2d<f32>";
+        let mut push = |kind, name: &str, declaration: String| bindings.push((kind, name.to_owned(), declaration));
+        if self.options.stage == Stage::Eval {
+            push(BindingKind::Samples, "samples", "var<storage, read> samples: array<Sample>;".to_owned());
+        } else {
+            push(BindingKind::View, "view", "var<uniform> view: View;".to_owned());
+            push(BindingKind::Object, "object", "var<uniform> object: Object;".to_owned());
+            if !self.host.members.is_empty() {
+                push(BindingKind::Look, "look", "var<uniform> look: Look;".to_owned());
+            }
+            if self.needs.context(Context::Kappa) {
+                push(BindingKind::Curvature, "curvature_map", format!("var curvature_map: {texture};"));
+            }
+            if self.needs.context(Context::KappaDetail) {
+                push(BindingKind::CurvatureDetail, "curvature_detail_map", format!("var curvature_detail_map: {texture};"));
+            }
+        }
+        for image in 0..self.needs.images.len() {
+            if self.image_is_used(image) {
+                let name = self.image_name(image);
+                push(BindingKind::Image(image), &name, format!("var {name}: {texture};"));
+                push(BindingKind::Sampler(image), &format!("{name}_sampler"), format!("var {name}_sampler: sampler;"));
+            }
+        }
+        let mut numbered = Vec::new();
+        for (binding, (kind, name, declaration)) in (0u32..).zip(bindings) {
+            let _ = writeln!(self.out, "@group(0) @binding({binding}) {declaration}");
+            numbered.push(Binding { binding, name, kind });
+        }
+        if self.options.stage == Stage::Eval && !self.host.members.is_empty() {
+            self.out.push_str("/// Each sample has values of its own.\nvar<private> look: Look;\n");
+        }
+        self.out.push('\n');
+        numbered
+    }
+
+    pub(super) fn write_entry_points(&mut self) {
+        if self.options.stage == Stage::Eval {
+            self.write_eval();
+        } else {
+            self.write_vertex();
+            self.write_fragment();
+        }
+    }
+
+    fn write_vertex(&mut self) {
+        let attributes = self.needs.attributes();
+        let out = &mut self.out;
+        out.push_str("\nstruct Vertex {\n");
+        for attribute in &attributes {
+            let (location, name) = (attribute.location(), attribute.name());
+            let _ = writeln!(out, "    @location({location}) {name}: {},", attribute.wgsl_type());
+        }
+        out.push_str("}\n\nstruct Varyings {\n    @builtin(position) clip: vec4f,\n");
+        let varyings = self.varyings(&attributes);
+        let out = &mut self.out;
+        for (location, (name, ty, _)) in varyings.iter().enumerate() {
+            let _ = writeln!(out, "    @location({location}) {name}: {ty},");
+        }
+        out.push_str("}\n\n@vertex\nfn vs_main(vertex: Vertex) -> Varyings {\n");
+        out.push_str("    let world = object.world_from_object * vec4f(vertex.position, 1.0);\n    var out: Varyings;\n");
+        out.push_str("    out.clip = view.clip_from_world * world;\n");
+        for (name, _, value) in &varyings {
+            let _ = writeln!(out, "    out.{name} = {value};");
+        }
+        out.push_str("    return out;\n}\n");
+    }
+
+    /// Name, type and value of each varying.
+    fn varyings(&self, attributes: &[Attribute]) -> Vec<(&'static str, &'static str, &'static str)> {
+        let mut varyings = Vec::new();
+        let position = [Context::Position, Context::PositionCamera, Context::View, Context::Depth];
+        if self.options.stage == Stage::Normals || position.iter().any(|&context| self.needs.context(context)) {
+            varyings.push(("position", "vec3f", "world.xyz"));
+        }
+        for attribute in attributes {
+            varyings.extend(match attribute {
+                Attribute::Position => self.needs.context(Context::PositionObject).then_some(("position_object", "vec3f", "vertex.position")),
+                Attribute::Normal => Some(("normal", "vec3f", "object.world_from_normal * vertex.normal")),
+                Attribute::Tangent => Some((
+                    "tangent",
+                    "vec4f",
+                    "vec4f((object.world_from_object * vec4f(vertex.tangent.xyz, 0.0)).xyz, vertex.tangent.w)",
+                )),
+                Attribute::Uv => Some(("uv", "vec2f", "vertex.uv")),
+                Attribute::Color => Some(("color", "vec4f", "vertex.color")),
+            });
+        }
+        varyings
+    }
+
+    fn write_fragment(&mut self) {
+        let is_normals = self.options.stage == Stage::Normals;
+        if is_normals {
+            self.out.push_str(
+                "\nstruct Fragment {\n    /// The normal in camera axes, and the object's number plus 1.\n    \
+                 @location(0) normal: vec4f,\n    /// The distance in front of the eye.\n    @location(1) depth: f32,\n}\n",
+            );
+        }
+        let result = if is_normals { "Fragment" } else { "@location(0) vec4f" };
+        let uses_front = self.needs.contexts.iter().any(|c| matches!(c, Context::Normal | Context::Tangent | Context::Bitangent));
+        let front = if uses_front { ", @builtin(front_facing) is_front: bool" } else { "" };
+        let _ = write!(self.out, "\n@fragment\nfn fs_main(in: Varyings{front}) -> {result} {{\n");
+        if uses_front {
+            self.out.push_str(
+                "    let facing = normalize_or(in.normal, vec3f(0.0, 0.0, 1.0));\n    let normal = select(-facing, facing, is_front);\n",
+            );
+        }
+        let arguments = if self.has_surface() {
+            self.out.push_str("    var surface: Surface;\n");
+            for index in 0..self.needs.contexts.len() {
+                let context = self.needs.contexts[index];
+                let _ = writeln!(self.out, "    surface.{} = {};", context.word(), surface_value(context));
+            }
+            "surface"
+        } else {
+            ""
+        };
+        let _ = writeln!(self.out, "    let shaded = shade({arguments});");
+        let value = if self.special.cutoff.is_some() {
+            self.out.push_str("    if shaded.color.w < shaded.cutoff {\n        discard;\n    }\n");
+            "shaded.value"
+        } else {
+            "shaded"
+        };
+        let _ = if is_normals {
+            writeln!(
+                self.out,
+                "    let seen = (view.camera_from_world * vec4f({value}, 0.0)).xyz;\n    \
+                 let depth = -(view.camera_from_world * vec4f(in.position, 1.0)).z;\n    \
+                 return Fragment(vec4f(seen, object.id + 1.0), depth);\n}}"
+            )
+        } else {
+            writeln!(self.out, "    return {};\n}}", shown(&self.special.values[self.special.root].ty, value))
+        };
+    }
+
+    fn write_eval(&mut self) {
+        let _ = writeln!(
+            self.out,
+            "\nconst SAMPLES_PER_ROW = {SAMPLES_PER_ROW}u;\n\n@vertex\nfn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {{\n    \
+             // One triangle that covers the target.\n    \
+             return vec4f(f32(index & 1u) * 4.0 - 1.0, f32(index >> 1u) * 4.0 - 1.0, 0.0, 1.0);\n}}\n\n\
+             @fragment\nfn fs_main(@builtin(position) at: vec4f) -> @location(0) vec4f {{\n    \
+             // Two by two pixels a sample: every derivative is 0.\n    \
+             let index = (u32(at.y) / 2u) * SAMPLES_PER_ROW + u32(at.x) / 2u;\n    \
+             let place = min(index, arrayLength(&samples) - 1u);"
+        );
+        if !self.host.members.is_empty() {
+            self.out.push_str("    look = samples[place].look;\n");
+        }
+        let arguments = if self.has_surface() { "samples[place].surface" } else { "" };
+        let root = &self.special.values[self.special.root].ty;
+        let _ = writeln!(self.out, "    let value = shade({arguments});\n    return {};\n}}", raw(root, "value"));
+    }
+}
+
+/// How a fragment's surroundings are found where a mesh is drawn.
+fn surface_value(context: Context) -> &'static str {
+    match context {
+        Context::Normal => "normal",
+        Context::View => "normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, vec3f(0.0, 0.0, 1.0)))",
+        Context::Position => "in.position",
+        Context::PositionObject => "in.position_object",
+        Context::PositionCamera => "(view.camera_from_world * vec4f(in.position, 1.0)).xyz",
+        Context::Uv => "in.uv",
+        Context::VertexColor => "in.color",
+        Context::Tangent => "normalize_or(in.tangent.xyz - normal * dot(normal, in.tangent.xyz), in.tangent.xyz)",
+        Context::Bitangent => "cross(normal, normalize_or(in.tangent.xyz - normal * dot(normal, in.tangent.xyz), in.tangent.xyz)) * in.tangent.w",
+        Context::Depth => "-(view.camera_from_world * vec4f(in.position, 1.0)).z",
+        Context::Kappa => "textureLoad(curvature_map, vec2i(in.clip.xy), 0).x",
+        Context::KappaDetail => "textureLoad(curvature_detail_map, vec2i(in.clip.xy), 0).x",
+        // Known before the fragment.
+        Context::CameraFromWorld
+        | Context::ObjectId
+        | Context::Time
+        | Context::Frame
+        | Context::Viewport
+        | Context::Light(_) => "",
+    }
+}
+
+/// A value of any type as a pixel.
+fn shown(ty: &Type, value: &str) -> String {
+    let pixel = match ty {
+        Type::Float | Type::Int => format!("vec4f(vec3f(f32({value})), 1.0)"),
+        Type::Bool => format!("vec4f(vec3f(select(0.0, 1.0, {value})), 1.0)"),
+        Type::Vec2 => format!("vec4f({value}, 0.0, 1.0)"),
+        Type::Vec3 => format!("vec4f({value}, 1.0)"),
+        Type::Composite => format!("straight({value})"),
+        Type::Angle => format!("vec4f(vec3f(angle_radians({value}) / 3.14159265), 1.0)"),
+        Type::Light => format!("vec4f({value}.color * {value}.intensity, 1.0)"),
+        Type::Mat3 => format!("vec4f({value}[0], 1.0)"),
+        _ => value.to_owned(),
+    };
+    format!("finite_vec4({pixel})")
+}
+
+/// A value of any type as four numbers to read back.
+fn raw(ty: &Type, value: &str) -> String {
+    match ty {
+        Type::Float | Type::Int => format!("vec4f(f32({value}), 0.0, 0.0, 0.0)"),
+        Type::Bool => format!("vec4f(select(0.0, 1.0, {value}), 0.0, 0.0, 0.0)"),
+        Type::Vec2 => format!("vec4f({value}, 0.0, 0.0)"),
+        Type::Vec3 => format!("vec4f({value}, 0.0)"),
+        Type::Angle => format!("vec4f({value}.half_sin, {value}.half_cos, 0.0, 0.0)"),
+        Type::Light => format!("vec4f({value}.direction, {value}.intensity)"),
+        Type::Mat3 => format!("vec4f({value}[0], 0.0)"),
+        _ => value.to_owned(),
+    }
+}

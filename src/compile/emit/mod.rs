@@ -1,0 +1,433 @@
+//! Writes a specialized look as WGSL.
+//!
+//! The module is: a header, the structs and bindings of the frame around it, the library's declarations that are used,
+//! then the look itself as `shade` and, for long looks, functions of bounded length that it calls, and last the entry
+//! points. Values known before the fragment stand in the `Look` uniform or as literals.
+
+mod expression;
+mod frame;
+mod parts;
+
+use std::collections::HashMap;
+use std::fmt::Write as _;
+use std::ops::Range;
+
+use super::check::TypedGraph;
+use super::host::{HostProgram, Step, UniformMember, conversion_program};
+use super::items::{Collected, Items};
+use super::names::Names;
+use super::specialize::{Argument, Needs, Operation, SpecializedGraph, ValueId, operands, reachable};
+use super::{Options, Stage};
+use crate::diag::Diagnostic;
+use crate::ids::NodePath;
+use crate::library::{Context, Library, Rate, Type};
+use crate::wgsl::WgslError;
+
+pub use frame::Attribute;
+
+/// A binding of the module, in group 0.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Binding {
+    /// Its number.
+    pub binding: u32,
+    /// The variable's name.
+    pub name: String,
+    /// What it holds.
+    pub kind: BindingKind,
+}
+
+/// What a binding holds.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum BindingKind {
+    /// The `View` uniform.
+    View,
+    /// The `Object` uniform.
+    Object,
+    /// The `Look` uniform.
+    Look,
+    /// An image, by index into [`Needs::images`].
+    Image(ImageBinding),
+    /// An image's sampler, by index into [`Needs::images`].
+    Sampler(ImageBinding),
+    /// The curvature of the surface, one texel a pixel.
+    Curvature,
+    /// The curvature with the look's detail normal.
+    CurvatureDetail,
+    /// The samples of an evaluation.
+    Samples,
+}
+
+/// An index into [`Needs::images`].
+pub type ImageBinding = usize;
+
+/// Which bytes of the source came from which node.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SpanMap {
+    spans: Vec<(Range<usize>, NodePath)>,
+}
+
+impl SpanMap {
+    /// The node that a byte came from.
+    pub fn node_at(&self, offset: usize) -> Option<&NodePath> {
+        let after = self.spans.partition_point(|(span, _)| span.start <= offset);
+        let (span, path) = self.spans[..after].last()?;
+        span.contains(&offset).then_some(path)
+    }
+
+    /// The bytes that came from a node, or from the nodes inside a group.
+    pub fn spans_of<'m>(&'m self, path: &'m NodePath) -> impl Iterator<Item = Range<usize>> + 'm {
+        let is_of = move |found: &NodePath| found.ids().starts_with(path.ids());
+        self.spans.iter().filter(move |(_, found)| is_of(found)).map(|(span, _)| span.clone())
+    }
+}
+
+/// What was written, before naga has seen it.
+#[derive(Debug)]
+pub(super) struct Emitted {
+    pub(super) text: String,
+    pub(super) host: HostProgram,
+    pub(super) needs: Needs,
+    pub(super) bindings: Vec<Binding>,
+    pub(super) spans: SpanMap,
+    pub(super) root_type: Type,
+}
+
+impl Emitted {
+    /// naga refused what we wrote: a mistake of ours, reported with the node it concerns.
+    pub(super) fn refused(&self, error: &WgslError) -> Diagnostic {
+        let start = error.span.as_ref().map_or(0, |span| span.start);
+        let line = crate::diag::LineColumn::of(&self.text, start).line as usize;
+        let source = self.text.lines().nth(line - 1).unwrap_or_default().trim();
+        let message = format!("the generated shader was refused: {} (in `{source}`)", error.message);
+        let problem = Diagnostic::error("internal-invalid-wgsl", message).hint("this is a mistake in Chiaro: please report the look");
+        match self.spans.node_at(start) {
+            Some(path) => problem.node(path.clone()),
+            None => problem,
+        }
+    }
+}
+
+/// Writes the module.
+pub(super) fn emit(graph: &TypedGraph, specialized: &SpecializedGraph, options: &Options) -> Emitted {
+    let mut emitter = Emitter::new(graph, specialized, options);
+    emitter.plan();
+    emitter.write()
+}
+
+struct Emitter<'a> {
+    graph: &'a TypedGraph,
+    special: &'a SpecializedGraph,
+    options: &'a Options,
+    /// Calls of fragment rate, each after what it reads.
+    calls: Vec<ValueId>,
+    needs: Needs,
+    names: Names,
+    items: Items,
+    /// What a value is called: a local variable, or a member of `Look`.
+    value_names: HashMap<ValueId, String>,
+    /// Struct constants: their names.
+    constants: Vec<(ValueId, String)>,
+    host: HostProgram,
+    host_steps: HashMap<ValueId, usize>,
+    collected: Collected,
+    out: String,
+    spans: SpanMap,
+}
+
+impl<'a> Emitter<'a> {
+    fn new(graph: &'a TypedGraph, special: &'a SpecializedGraph, options: &'a Options) -> Self {
+        Self {
+            graph,
+            special,
+            options,
+            calls: Vec::new(),
+            needs: Needs { contexts: Vec::new(), images: special.images.clone() },
+            names: Names::default(),
+            items: Items::default(),
+            value_names: HashMap::new(),
+            constants: Vec::new(),
+            host: HostProgram::default(),
+            host_steps: HashMap::new(),
+            collected: Collected::default(),
+            out: String::new(),
+            spans: SpanMap::default(),
+        }
+    }
+
+    fn roots(&self) -> Vec<ValueId> {
+        [Some(self.special.root), self.special.cutoff.and(self.special.color), self.special.cutoff].into_iter().flatten().collect()
+    }
+
+    fn is_host(&self, id: ValueId) -> bool {
+        matches!(self.special.values[id].rate, Rate::Frame | Rate::Object)
+    }
+
+    /// Orders the calls, finds what the host computes, and names everything.
+    fn plan(&mut self) {
+        let roots = self.roots();
+        self.order_calls(&roots);
+        let reached = reachable(&self.special.values, roots.iter().copied());
+        self.want_items(&roots);
+        for name in frame::RESERVED {
+            self.names.reserve(name);
+        }
+        let items = std::mem::take(&mut self.items);
+        self.collected = items.collect(&mut self.names);
+        self.plan_contexts(&reached);
+        self.plan_host(&roots);
+        self.name_constants();
+        for id in self.calls.clone() {
+            let name = self.wanted_name(id);
+            let name = self.names.give(&name);
+            self.value_names.insert(id, name);
+        }
+    }
+
+    /// Depth first from the roots, so that what belongs together stands together; with a stack of its own, because a
+    /// chain may be 100,000 nodes long.
+    fn order_calls(&mut self, roots: &[ValueId]) {
+        let mut done = vec![false; self.special.values.len()];
+        let mut stack: Vec<(ValueId, bool)> = roots.iter().rev().map(|&id| (id, false)).collect();
+        while let Some((id, is_leaving)) = stack.pop() {
+            if is_leaving {
+                if matches!(self.special.values[id].operation, Operation::Call { .. }) {
+                    self.calls.push(id);
+                }
+                continue;
+            }
+            let is_fragment = self.special.values[id].rate > Rate::Object;
+            if !is_fragment || std::mem::replace(&mut done[id], true) {
+                continue;
+            }
+            stack.push((id, true));
+            stack.extend(operands(&self.special.values[id].operation).rev().map(|operand| (operand, false)));
+        }
+    }
+
+    fn want_items(&mut self, roots: &[ValueId]) {
+        let built_in = Library::built_in().nodes.values().next().map(|def| def.module.clone());
+        for &id in &self.calls {
+            if let Operation::Call { function, .. } = &self.special.values[id].operation {
+                self.items.want_function(function);
+            }
+        }
+        let Some(built_in) = built_in else { return };
+        for name in ["normalize_or", "straight", "angle_radians", "finite_vec4"] {
+            if self.frame_uses(name) {
+                self.items.want(&built_in, name);
+            }
+        }
+        let reached = reachable(&self.special.values, roots.iter().copied());
+        for (value, _) in self.special.values.iter().zip(&reached).filter(|(_, reached)| **reached) {
+            if let Operation::Convert { template, .. } = &value.operation {
+                for name in crate::wgsl::identifiers(template) {
+                    self.items.want(&built_in, &name);
+                }
+            }
+            // The types of uniform members and constants.
+            let module = &self.graph.nodes[value.node].def.module;
+            self.items.want(module, value.ty.wgsl());
+        }
+    }
+
+    fn plan_contexts(&mut self, reached: &[bool]) {
+        for (value, _) in self.special.values.iter().zip(reached).filter(|(_, reached)| **reached) {
+            if let (Operation::Context(context, _), Rate::Fragment) = (&value.operation, value.rate) {
+                if !self.needs.contexts.contains(context) {
+                    self.needs.contexts.push(*context);
+                }
+            }
+        }
+        self.needs.contexts.sort_unstable();
+        let used: Vec<bool> = (0..self.needs.images.len()).map(|image| self.image_is_used(image)).collect();
+        if used.iter().any(|used| !used) {
+            // Indices stay as they are; an image that nothing reads gets no binding.
+            for (image, used) in self.needs.images.iter_mut().zip(used) {
+                if !used {
+                    image.path.clear();
+                }
+            }
+        }
+    }
+
+    fn image_is_used(&self, image: usize) -> bool {
+        self.calls.iter().any(|&id| match &self.special.values[id].operation {
+            Operation::Call { arguments, .. } => arguments.contains(&Argument::Image(image)),
+            _ => false,
+        })
+    }
+
+    /// What fragments read of the host, and the steps that compute it.
+    fn plan_host(&mut self, roots: &[ValueId]) {
+        let mut frontier: Vec<ValueId> = roots.iter().copied().filter(|&id| self.is_host(id)).collect();
+        let mut seen = vec![false; self.special.values.len()];
+        let mut open: Vec<ValueId> = roots.to_vec();
+        while let Some(id) = open.pop() {
+            if std::mem::replace(&mut seen[id], true) || self.special.values[id].rate <= Rate::Object {
+                continue;
+            }
+            for operand in operands(&self.special.values[id].operation) {
+                if self.is_host(operand) {
+                    frontier.push(operand);
+                }
+                open.push(operand);
+            }
+        }
+        frontier.sort_unstable();
+        frontier.dedup();
+        let mut member_names = Names::default();
+        for id in frontier {
+            let step = self.host_step(id);
+            let name = member_names.give(&self.wanted_name(id));
+            self.value_names.insert(id, format!("look.{name}"));
+            let value = &self.special.values[id];
+            let path = &self.graph.nodes[value.node].path;
+            let origin = value.part.as_ref().map_or_else(|| path.to_string(), |part| format!("{path}.{part}"));
+            self.host.members.push(UniformMember { name, ty: value.ty.clone(), origin, step, offset: 0 });
+        }
+    }
+
+    /// The step that computes a value on the host; operands first, with a stack of its own.
+    fn host_step(&mut self, id: ValueId) -> usize {
+        let mut stack = vec![(id, false)];
+        while let Some((id, is_leaving)) = stack.pop() {
+            if self.host_steps.contains_key(&id) {
+                continue;
+            }
+            if !is_leaving {
+                stack.push((id, true));
+                stack.extend(operands(&self.special.values[id].operation).map(|operand| (operand, false)));
+                continue;
+            }
+            let step = self.step(id);
+            self.host.steps.push(step);
+            self.host_steps.insert(id, self.host.steps.len() - 1);
+        }
+        self.host_steps[&id]
+    }
+
+    fn step(&self, id: ValueId) -> Step {
+        let value = &self.special.values[id];
+        match &value.operation {
+            Operation::Constant(constant) => Step::Constant(constant.clone()),
+            Operation::Param { id, value: constant } => {
+                Step::Param { id: *id, ty: value.ty.clone(), value: constant.clone() }
+            }
+            Operation::Context(context, light) => Step::Context(*context, light.clone()),
+            Operation::Member { value, index, .. } => Step::Member { value: self.host_steps[value], index: *index },
+            Operation::Convert { value: from, .. } => {
+                match conversion_program(&self.special.values[*from].ty, &value.ty) {
+                    Some(program) => Step::Call { program, arguments: vec![self.host_steps[from]] },
+                    // Between two names of one type.
+                    None => Step::Member { value: self.host_steps[from], index: 0 },
+                }
+            }
+            Operation::Call { function, arguments } => {
+                let arguments = arguments.iter().filter_map(|argument| match argument {
+                    Argument::Value(value) => Some(self.host_steps[value]),
+                    _ => None,
+                });
+                let arguments = arguments.collect();
+                match function.module.program(&function.name) {
+                    Ok(program) => Step::Call { program, arguments },
+                    // The specializer keeps what the interpreter refuses at fragment rate.
+                    Err(_) => Step::Constant(crate::interp::Value::Float(0.0)),
+                }
+            }
+        }
+    }
+
+    fn name_constants(&mut self) {
+        let mut wanted: Vec<ValueId> = Vec::new();
+        for &id in &self.calls {
+            for operand in operands(&self.special.values[id].operation) {
+                wanted.extend(self.struct_constant(operand));
+            }
+        }
+        wanted.extend(self.roots().into_iter().filter_map(|root| self.struct_constant(root)));
+        for id in wanted {
+            if let std::collections::hash_map::Entry::Vacant(entry) = self.value_names.entry(id) {
+                let value = &self.special.values[id];
+                let node = &self.graph.nodes[value.node];
+                let name = match &value.part {
+                    Some(part) => format!("{} {part}", node.name),
+                    None => node.name.clone(),
+                };
+                let name = self.names.give(&name);
+                entry.insert(name.clone());
+                self.constants.push((id, name));
+            }
+        }
+    }
+
+    fn struct_constant(&self, id: ValueId) -> Option<ValueId> {
+        match &self.special.values[id].operation {
+            Operation::Constant(value) if value.parts().is_some() => Some(id),
+            Operation::Member { value, .. } | Operation::Convert { value, .. } => self.struct_constant(*value),
+            _ => None,
+        }
+    }
+
+    fn wanted_name(&self, id: ValueId) -> String {
+        let value = &self.special.values[id];
+        let node = &self.graph.nodes[value.node];
+        if let Operation::Context(context, light) = &value.operation {
+            let word = context.word().replace('.', "_");
+            return light.as_ref().map_or(word.clone(), |light| word.replacen("light", light.as_str(), 1));
+        }
+        match &value.part {
+            Some(part) => format!("{} {part}", node.name),
+            None => node.name.clone(),
+        }
+    }
+
+    fn write(mut self) -> Emitted {
+        let body = self.look_functions();
+        self.write_header();
+        self.write_structs();
+        let bindings = self.write_bindings();
+        self.out.push_str(&self.collected.text);
+        self.write_constants();
+        let offset = self.out.len();
+        self.out.push_str(&body.text);
+        self.spans.spans = body.spans.into_iter().map(|(span, path)| (span.start + offset..span.end + offset, path)).collect();
+        self.write_entry_points();
+        Emitted {
+            root_type: self.special.values[self.special.root].ty.clone(),
+            text: self.out,
+            host: self.host,
+            needs: self.needs,
+            bindings,
+            spans: self.spans,
+        }
+    }
+
+    fn write_header(&mut self) {
+        let title = if self.graph.name.is_empty() { "A look" } else { &self.graph.name };
+        // A name may hold anything; a comment ends at the line's end.
+        let title: String = title.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+        let _ = writeln!(self.out, "// {title}: generated by Chiaro {}.", env!("CARGO_PKG_VERSION"));
+        match self.options.stage {
+            Stage::Draw => self.out.push_str("// Draws a mesh with the look; the result is straight RGBA.\n\n"),
+            Stage::Normals => self.out.push_str("// Draws normals and depth, for the curvature pass.\n\n"),
+            Stage::Eval => self.out.push_str("// Evaluates the look at given surface samples, four pixels each.\n\n"),
+        }
+    }
+
+    fn write_constants(&mut self) {
+        for (id, name) in self.constants.clone() {
+            let value = &self.special.values[id];
+            if let Operation::Constant(constant) = &value.operation {
+                let literal = self.literal(constant, &value.ty, value.node);
+                let _ = writeln!(self.out, "const {name} = {literal};");
+            }
+        }
+        if !self.constants.is_empty() {
+            self.out.push('\n');
+        }
+    }
+
+    fn context_expression(&self, context: Context) -> String {
+        format!("surface.{}", context.word())
+    }
+}

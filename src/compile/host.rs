@@ -1,0 +1,335 @@
+//! Values that are known before the fragment: computed in f64 on the CPU, read from the `Look` uniform.
+
+use std::collections::HashMap;
+use std::sync::{Arc, LazyLock};
+
+use glam::{DMat3, DQuat, DVec3};
+use indexmap::IndexMap;
+
+use super::flatten::ParamId;
+use super::value::typed_value;
+use crate::diag::Diagnostic;
+use crate::document::{Light, LightKind, LightSpace, Value};
+use crate::ids::LightId;
+use crate::interp::{self, Precision, Program, Scalar};
+use crate::library::{Context, Conversion, LightField, Type};
+use crate::wgsl::{self, Source};
+
+/// Everything a host program reads: one object, in one view, at one time.
+#[derive(Clone, Copy, Debug)]
+pub struct HostInputs<'a> {
+    /// Values in place of the document's, by index into [`CompiledShader::params`](super::CompiledShader::params).
+    pub params: &'a HashMap<ParamId, Value>,
+    /// The look's lights, resolved.
+    pub lights: &'a IndexMap<LightId, LightValues>,
+    /// Rotation from world to camera axes.
+    pub camera_from_world: DMat3,
+    /// Width and height in pixels.
+    pub viewport: [f64; 2],
+    /// Seconds.
+    pub time: f64,
+    /// Frames since the start of the time range.
+    pub frame: f64,
+    /// Counts objects from 0.
+    pub object_id: f64,
+}
+
+/// A light in world space, ready for the shader.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LightValues {
+    /// Unit, toward a directional light, world space.
+    pub direction: DVec3,
+    /// Unit, toward a directional light, in its own frame.
+    pub own_direction: DVec3,
+    /// World space.
+    pub position: DVec3,
+    /// Unit, from the light outward, world space.
+    pub aim: DVec3,
+    /// Rotation from world space to the light's own frame.
+    pub own_from_world: DMat3,
+    /// Straight RGB.
+    pub color: DVec3,
+    /// 0 or more.
+    pub intensity: f64,
+    /// Cosines of the inner and outer half-angles.
+    pub cone: [f64; 2],
+    /// Half distance and range.
+    pub fading: [f64; 2],
+    /// What it is.
+    pub kind: LightKind,
+}
+
+impl LightValues {
+    /// Resolves `light` under the illumination frame (world from illumination) and the camera (camera from world).
+    pub fn new(light: &Light, illumination: DQuat, camera_from_world: DMat3) -> Self {
+        let world_from_own = match light.space {
+            LightSpace::Illumination => DMat3::from_quat(illumination),
+            LightSpace::World => DMat3::IDENTITY,
+            LightSpace::Camera => camera_from_world.transpose(),
+        };
+        let unit = |v: [f64; 3]| DVec3::from(v).try_normalize().unwrap_or(DVec3::Z);
+        let own_direction = unit(light.direction);
+        let outer = light.outer.clamp(0.0, std::f64::consts::PI);
+        Self {
+            direction: world_from_own * own_direction,
+            own_direction,
+            position: world_from_own * DVec3::from(light.position),
+            aim: world_from_own * unit(light.aim),
+            own_from_world: world_from_own.transpose(),
+            color: light.color.into(),
+            intensity: light.intensity.max(0.0),
+            cone: [light.inner.clamp(0.0, outer).cos(), outer.cos()],
+            fading: [light.half_distance, light.range],
+            kind: light.kind,
+        }
+    }
+
+    fn field(&self, field: LightField) -> interp::Value {
+        match field {
+            LightField::Direction => interp::Value::vec(&self.direction.to_array()),
+            LightField::OwnDirection => interp::Value::vec(&self.own_direction.to_array()),
+            LightField::Position => interp::Value::vec(&self.position.to_array()),
+            LightField::Aim => interp::Value::vec(&self.aim.to_array()),
+            LightField::OwnFromWorld => interp::Value::matrix(&self.own_from_world.to_cols_array_2d()),
+            LightField::Color => interp::Value::vec(&self.color.to_array()),
+            LightField::Intensity => interp::Value::Float(self.intensity),
+            LightField::Cone => interp::Value::vec(&self.cone),
+            LightField::Fading => interp::Value::vec(&self.fading),
+        }
+    }
+}
+
+/// One step; operands are indices of earlier steps.
+#[derive(Clone, Debug)]
+pub(super) enum Step {
+    Constant(interp::Value),
+    Param { id: ParamId, ty: Type, value: interp::Value },
+    Context(Context, Option<LightId>),
+    Call { program: Arc<Program>, arguments: Vec<usize> },
+    Member { value: usize, index: usize },
+}
+
+/// A member of the `Look` uniform.
+#[derive(Clone, Debug)]
+pub struct UniformMember {
+    /// Its name in the generated struct.
+    pub name: String,
+    /// Its type, as the graph knows it.
+    pub ty: Type,
+    /// The node that it belongs to, and what of it.
+    pub origin: String,
+    /// The step that computes it.
+    pub(super) step: usize,
+    /// Its first byte in the uniform.
+    pub offset: u32,
+}
+
+/// Computes the members of the `Look` uniform.
+#[derive(Clone, Debug, Default)]
+pub struct HostProgram {
+    pub(super) steps: Vec<Step>,
+    /// What the uniform holds, in order; empty where the module has no `Look` uniform.
+    pub members: Vec<UniformMember>,
+    /// The size of the uniform in bytes, a multiple of 16; 0 where there is none.
+    pub size: u32,
+    layouts: Vec<Layout>,
+}
+
+/// Where the numbers of a value lie, from naga's own layout of the type.
+#[derive(Clone, Debug)]
+enum Layout {
+    Scalar,
+    Vector,
+    Matrix { rows: u32, stride: u32 },
+    Array { stride: u32, element: Box<Layout> },
+    Struct(Vec<(u32, Layout)>),
+}
+
+impl HostProgram {
+    /// Takes offsets from the `Look` struct of a validated module.
+    pub(super) fn with_layout(mut self, module: &naga::Module) -> Self {
+        let look = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some("Look"));
+        if let Some(naga::TypeInner::Struct { members, span }) = look.map(|(_, ty)| &ty.inner) {
+            for (member, found) in self.members.iter_mut().zip(members) {
+                member.offset = found.offset;
+            }
+            self.layouts = members.iter().map(|member| layout(module, member.ty)).collect();
+            self.size = span.next_multiple_of(16);
+        }
+        self
+    }
+
+    /// Runs every step.
+    ///
+    /// # Errors
+    /// A node of the project that runs without end.
+    pub fn run(&self, inputs: &HostInputs<'_>) -> Result<Vec<interp::Value>, Diagnostic> {
+        let mut values: Vec<interp::Value> = Vec::with_capacity(self.steps.len());
+        for step in &self.steps {
+            let value = match step {
+                Step::Constant(value) => value.clone(),
+                Step::Param { id, ty, value } => {
+                    let set = inputs.params.get(id).and_then(|value| typed_value(value, ty).ok());
+                    set.unwrap_or_else(|| value.clone())
+                }
+                Step::Context(context, light) => inputs.context(*context, light.as_ref()),
+                Step::Call { program, arguments } => {
+                    let arguments: Vec<_> = arguments.iter().map(|&index| values[index].clone()).collect();
+                    program.call(&arguments, Precision::F64)?
+                }
+                Step::Member { value, index } => {
+                    values[*value].parts().and_then(|parts| parts.get(*index)).cloned().unwrap_or(interp::Value::Float(0.0))
+                }
+            };
+            values.push(value);
+        }
+        Ok(self.members.iter().map(|member| values[member.step].clone()).collect())
+    }
+
+    /// The bytes of the `Look` uniform.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
+    pub fn uniform_bytes(&self, inputs: &HostInputs<'_>) -> Result<Vec<u8>, Diagnostic> {
+        let mut bytes = vec![0; self.size as usize];
+        for ((value, member), layout) in self.run(inputs)?.iter().zip(&self.members).zip(&self.layouts) {
+            write(value, layout, member.offset as usize, &mut bytes);
+        }
+        Ok(bytes)
+    }
+}
+
+impl HostInputs<'_> {
+    fn context(&self, context: Context, light: Option<&LightId>) -> interp::Value {
+        match context {
+            Context::CameraFromWorld => interp::Value::matrix(&self.camera_from_world.to_cols_array_2d()),
+            Context::ObjectId => interp::Value::Float(self.object_id),
+            Context::Time => interp::Value::Float(self.time),
+            Context::Frame => interp::Value::Float(self.frame),
+            Context::Viewport => interp::Value::vec(&self.viewport),
+            Context::Light(field) => light
+                .and_then(|id| self.lights.get(id))
+                .map_or_else(|| LightValues::new(&Light::default(), DQuat::IDENTITY, DMat3::IDENTITY).field(field), |l| l.field(field)),
+            // Of fragment rate, and so never a step of the host.
+            _ => interp::Value::Float(0.0),
+        }
+    }
+}
+
+fn layout(module: &naga::Module, ty: naga::Handle<naga::Type>) -> Layout {
+    match &module.types[ty].inner {
+        naga::TypeInner::Vector { .. } => Layout::Vector,
+        naga::TypeInner::Matrix { rows, .. } => {
+            let rows = *rows as u32;
+            Layout::Matrix { rows, stride: if rows == 2 { 8 } else { 16 } }
+        }
+        naga::TypeInner::Array { base, stride, .. } => {
+            Layout::Array { stride: *stride, element: Box::new(layout(module, *base)) }
+        }
+        naga::TypeInner::Struct { members, .. } => {
+            Layout::Struct(members.iter().map(|member| (member.offset, layout(module, member.ty))).collect())
+        }
+        _ => Layout::Scalar,
+    }
+}
+
+fn write(value: &interp::Value, layout: &Layout, at: usize, bytes: &mut [u8]) {
+    match (layout, value) {
+        (Layout::Scalar, value) => {
+            if let Some(scalar) = value.as_scalar() {
+                write_scalar(scalar, at, bytes);
+            }
+        }
+        (Layout::Vector, interp::Value::Vector(scalars)) => {
+            for (i, scalar) in scalars.iter().enumerate() {
+                write_scalar(*scalar, at + 4 * i, bytes);
+            }
+        }
+        (Layout::Matrix { rows, stride }, interp::Value::Matrix { components, .. }) => {
+            for (i, component) in components.iter().enumerate() {
+                let (column, row) = (i / *rows as usize, i % *rows as usize);
+                write_scalar(Scalar::Float(*component), at + column * *stride as usize + 4 * row, bytes);
+            }
+        }
+        (Layout::Array { stride, element }, interp::Value::Array(parts)) => {
+            for (i, part) in parts.iter().enumerate() {
+                write(part, element, at + i * *stride as usize, bytes);
+            }
+        }
+        (Layout::Struct(members), interp::Value::Struct(parts)) => {
+            for ((offset, layout), part) in members.iter().zip(parts) {
+                write(part, layout, at + *offset as usize, bytes);
+            }
+        }
+        // The layout comes from the type that the value was made for.
+        _ => {}
+    }
+}
+
+fn write_scalar(scalar: Scalar, at: usize, bytes: &mut [u8]) {
+    let word = match scalar {
+        Scalar::Bool(b) => u32::from(b).to_le_bytes(),
+        Scalar::I32(i) => i.to_le_bytes(),
+        Scalar::U32(u) => u.to_le_bytes(),
+        Scalar::Float(x) => finite_f32(x).to_le_bytes(),
+    };
+    if let Some(place) = bytes.get_mut(at..at + 4) {
+        place.copy_from_slice(&word);
+    }
+}
+
+/// The nearest finite f32; 0 for NaN, which a project's own node may give.
+fn finite_f32(x: f64) -> f32 {
+    if x.is_nan() { 0.0 } else { (x as f32).clamp(f32::MIN, f32::MAX) }
+}
+
+/// All conversions as WGSL functions, so that the CPU runs the same text that the shader inlines.
+static CONVERSIONS: LazyLock<HashMap<(Type, Type), Arc<Program>>> = LazyLock::new(|| {
+    use Type::{Angle, Bool, Color, Composite, Float, Int, Vec2, Vec3, Vec4};
+    let types = [Float, Int, Bool, Vec2, Vec3, Vec4, Color, Composite, Angle];
+    let mut text = "import chiaro::convert;\n".to_owned();
+    let mut pairs = Vec::new();
+    for from in &types {
+        for to in &types {
+            if let Some(conversion @ Conversion::Template(_)) = from.convert_to(to) {
+                let body = conversion.apply("value");
+                let name = format!("conversion_{}", pairs.len());
+                text += &format!("fn {name}(value: {}) -> {} {{ return {body}; }}\n", from.wgsl(), to.wgsl());
+                pairs.push((from.clone(), to.clone(), name));
+            }
+        }
+    }
+    let linked = wgsl::link(&[Source { name: "conversions", text: &text }]);
+    let Some(valid) = linked.ok().and_then(|linked| wgsl::parse(&linked.text).ok()) else { return HashMap::new() };
+    pairs
+        .into_iter()
+        .filter_map(|(from, to, name)| {
+            let program = Program::compile(&valid.module, &name, interp::Options::default()).ok()?;
+            Some(((from, to), Arc::new(program)))
+        })
+        .collect()
+});
+
+/// What runs a conversion on the CPU.
+pub(super) fn conversion_program(from: &Type, to: &Type) -> Option<Arc<Program>> {
+    CONVERSIONS.get(&(from.clone(), to.clone())).cloned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_conversion_runs_on_the_cpu() {
+        let color = conversion_program(&Type::Float, &Type::Color).unwrap();
+        let value = color.call(&[interp::Value::Float(0.25)], Precision::F64).unwrap();
+        assert_eq!(value, interp::Value::vec(&[0.25, 0.25, 0.25, 1.0]));
+        let types = [Type::Float, Type::Int, Type::Bool, Type::Vec3, Type::Color, Type::Composite, Type::Angle];
+        for from in &types {
+            for to in &types {
+                let is_template = matches!(from.convert_to(to), Some(Conversion::Template(_)));
+                assert_eq!(is_template, conversion_program(from, to).is_some(), "{from} to {to}");
+            }
+        }
+    }
+}
