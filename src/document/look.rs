@@ -45,7 +45,8 @@ pub enum ColorSpace {
 }
 
 /// Nodes and the wires between them.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Graph {
     /// In document order.
     pub nodes: IndexMap<NodeId, Node>,
@@ -63,7 +64,8 @@ impl Graph {
 }
 
 /// One node of a graph.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Node {
     /// A node of the library, or the id of a definition.
     pub kind: String,
@@ -93,7 +95,7 @@ pub enum Tier {
 }
 
 /// A wire from an output to an input.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct Wire {
     /// The output.
     pub from: Endpoint,
@@ -102,7 +104,7 @@ pub struct Wire {
 }
 
 /// A port of a node; written `node.port`.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Endpoint {
     /// The node (inside a definition also `inputs` or `outputs`).
     pub node: NodeId,
@@ -114,6 +116,24 @@ impl Endpoint {
     /// A port of a node.
     pub fn new(node: impl Into<NodeId>, port: impl Into<PortName>) -> Self {
         Self { node: node.into(), port: port.into() }
+    }
+
+    /// Reads what [`Display`](std::fmt::Display) writes: `node.port`, or `node` alone.
+    pub fn parse(text: &str) -> Self {
+        let (node, port) = text.split_once('.').unwrap_or((text, ""));
+        Self::new(node, port)
+    }
+}
+
+impl Serialize for Endpoint {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl<'de> Deserialize<'de> for Endpoint {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        String::deserialize(deserializer).map(|text| Self::parse(&text))
     }
 }
 
@@ -141,7 +161,8 @@ pub struct Frame {
 }
 
 /// A group: a graph with an interface, opened and edited as a graph, used by any number of nodes.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Definition {
     /// What a node of this group is called; empty for the id.
     pub label: String,
@@ -263,7 +284,7 @@ pub enum LightSpace {
 }
 
 /// An input that scenes, scripts and exported shaders may set by name.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Exposed {
     /// The parameter's name, a slug.
     pub name: PortName,
@@ -302,19 +323,37 @@ impl std::fmt::Display for Target {
     }
 }
 
+impl Serialize for Target {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl<'de> Deserialize<'de> for Target {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        Self::parse(&text).ok_or_else(|| serde::de::Error::custom(format!("`{text}` is no target")))
+    }
+}
+
 impl Target {
+    /// The fields of a light that a target may name.
+    pub const LIGHT_FIELDS: [&str; 9] =
+        ["direction", "position", "aim", "color", "intensity", "inner", "outer", "half_distance", "range"];
+
     /// Reads what [`Display`](std::fmt::Display) writes; `None` where there is no `.`.
     pub fn parse(text: &str) -> Option<Self> {
         if let Some((light, field)) = text.strip_prefix("lights.").and_then(|rest| rest.split_once('.')) {
             return Some(Self::Light { light: light.into(), field: field.into() });
         }
         let (node, port) = text.rsplit_once('.')?;
-        (!node.is_empty() && !port.is_empty()).then(|| Self::Input { node: NodePath::parse(node), port: port.into() })
+        let node = NodePath::parse(node);
+        (!node.ids().is_empty() && !port.is_empty()).then(|| Self::Input { node, port: port.into() })
     }
 }
 
 /// Values pinned at directions and interpolated over the sphere between them (BADF 3.4).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct DirectionKeys {
     /// What the artist calls it.
     pub name: String,
@@ -327,7 +366,8 @@ pub struct DirectionKeys {
 }
 
 /// Which direction decides between direction keys.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum KeyDirection {
     /// The direction toward a light, in camera axes (x right, y up, z toward the viewer).
     Light(LightId),
@@ -349,7 +389,7 @@ pub enum KeyScheme {
 }
 
 /// One key of [`DirectionKeys`].
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct DirectionKey {
     /// Where; any length but 0.
     pub direction: [f64; 3],
@@ -358,7 +398,7 @@ pub struct DirectionKey {
 }
 
 /// The values of one target over time.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TimeKeys {
     /// What changes.
     pub target: Target,
@@ -367,7 +407,7 @@ pub struct TimeKeys {
 }
 
 /// One key of [`TimeKeys`].
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TimeKey {
     /// In seconds.
     pub time: f64,

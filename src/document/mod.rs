@@ -1,9 +1,32 @@
 //! What an artist makes and keeps: looks and scenes, how they are read, edited and written.
+//!
+//! [`Look::read`] and [`Scene::read`] take JSON and give a value, a [`SourceMap`] and every problem at once;
+//! [`Look::to_text`] writes the canonical form, and a document equal to what was read is written back byte for byte.
+//! [`History`] applies every [`Edit`], and undoes it. docs/format.md documents the files.
 
+mod color;
+mod json;
 mod look;
+mod read;
+mod rotation;
 mod scene;
+mod shape;
+mod source;
+mod store;
+mod structure;
 mod value;
+mod word;
+mod write;
 
+pub use color::{parse_hex, srgb_to_linear};
 pub use look::*;
+pub use read::Document;
 pub use scene::*;
+pub use shape::{field_tables, look_schema, scene_schema};
+pub use source::{Loaded, SourceMap};
+pub use store::{read_text, remove_unfinished, write_atomic};
+pub use structure::{GraphId, InnerNode};
 pub use value::*;
+
+/// The version of the format that this Chiaro writes, and the newest that it reads.
+pub const VERSION: u32 = 1;

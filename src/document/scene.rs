@@ -45,7 +45,8 @@ impl Default for Scene {
 }
 
 /// A mesh, where it stands and what it wears.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Object {
     /// A path relative to the scene's file, or `shape:` and the name of an own shape.
     pub mesh: String,
@@ -59,6 +60,19 @@ pub struct Object {
     pub visible: bool,
     /// Fields of later versions or of other programs.
     pub unknown: Unknown,
+}
+
+impl Default for Object {
+    fn default() -> Self {
+        Self {
+            mesh: "shape:sphere".to_owned(),
+            transform: Transform::default(),
+            looks: IndexMap::new(),
+            values: Values::new(),
+            visible: true,
+            unknown: Unknown::new(),
+        }
+    }
 }
 
 /// Scale, then turn, then move.

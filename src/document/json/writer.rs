@@ -1,0 +1,137 @@
+//! Writes JSON in the canonical form.
+
+use super::scan::format_number;
+use crate::document::Unknown;
+use crate::document::shape::Shape;
+
+/// How an object or a list is laid out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::document) enum Layout {
+    /// Every member or item on a line of its own.
+    Lines,
+    /// All on one line.
+    Inline,
+}
+
+/// Writes one document.
+pub(in crate::document) struct Writer {
+    text: String,
+    /// Of every object and list that is open: how it is laid out and whether something is in it.
+    open: Vec<(Layout, bool)>,
+}
+
+impl Writer {
+    pub(in crate::document) fn new() -> Self {
+        Self { text: String::new(), open: Vec::new() }
+    }
+
+    /// The text, with a line end at its end.
+    pub(in crate::document) fn finish(mut self) -> String {
+        self.text.push('\n');
+        self.text
+    }
+
+    pub(in crate::document) fn null(&mut self) {
+        self.text.push_str("null");
+    }
+
+    pub(in crate::document) fn bool(&mut self, value: bool) {
+        self.text.push_str(if value { "true" } else { "false" });
+    }
+
+    /// A finite number; others, which no document holds, become null.
+    pub(in crate::document) fn number(&mut self, number: f64) {
+        self.text.push_str(&if number.is_finite() { format_number(number) } else { "null".to_owned() });
+    }
+
+    pub(in crate::document) fn numbers(&mut self, numbers: &[f64]) {
+        self.list(Layout::Inline, numbers, |w, &number| w.number(number));
+    }
+
+    pub(in crate::document) fn string(&mut self, text: &str) {
+        self.text.push_str(&serde_json::Value::from(text).to_string());
+    }
+
+    /// Any JSON on one line.
+    pub(in crate::document) fn json(&mut self, value: &serde_json::Value) {
+        match value {
+            serde_json::Value::Object(members) => self.object(Layout::Inline, |w| {
+                for (name, value) in members {
+                    w.member(name, |w| w.json(value));
+                }
+            }),
+            serde_json::Value::Array(items) => self.list(Layout::Inline, items, Self::json),
+            other => self.text.push_str(&other.to_string()),
+        }
+    }
+
+    /// An object; `write` writes its members.
+    pub(in crate::document) fn object(&mut self, layout: Layout, write: impl FnOnce(&mut Self)) {
+        self.text.push('{');
+        self.open.push((layout, false));
+        write(self);
+        self.close('}', layout == Layout::Inline);
+    }
+
+    /// A member of the object that is open.
+    pub(in crate::document) fn member(&mut self, name: &str, write: impl FnOnce(&mut Self)) {
+        self.separate(true);
+        self.string(name);
+        self.text.push_str(": ");
+        write(self);
+    }
+
+    /// A list of these items.
+    pub(in crate::document) fn list<I: IntoIterator>(
+        &mut self,
+        layout: Layout,
+        items: I,
+        mut write: impl FnMut(&mut Self, I::Item),
+    ) {
+        self.text.push('[');
+        self.open.push((layout, false));
+        for item in items {
+            self.separate(false);
+            write(self, item);
+        }
+        self.close(']', false);
+    }
+
+    /// The members that the shape does not know, at the end of its object.
+    pub(in crate::document) fn unknown(&mut self, shape: &Shape, unknown: Option<&Unknown>) {
+        for (name, value) in unknown.into_iter().flatten().filter(|(name, _)| shape.field(name).is_none()) {
+            self.member(name, |w| w.json(value));
+        }
+    }
+
+    fn separate(&mut self, pad: bool) {
+        let Some((layout, has_items)) = self.open.last_mut() else { return };
+        let (layout, is_first) = (*layout, !std::mem::replace(has_items, true));
+        if !is_first {
+            self.text.push(',');
+        }
+        match layout {
+            Layout::Lines => self.new_line(),
+            Layout::Inline if !is_first || pad => self.text.push(' '),
+            Layout::Inline => {}
+        }
+    }
+
+    fn close(&mut self, end: char, pad: bool) {
+        if let Some((layout, true)) = self.open.pop() {
+            match layout {
+                Layout::Lines => self.new_line(),
+                Layout::Inline if pad => self.text.push(' '),
+                Layout::Inline => {}
+            }
+        }
+        self.text.push(end);
+    }
+
+    fn new_line(&mut self) {
+        self.text.push('\n');
+        for _ in 0..self.open.len() {
+            self.text.push_str("  ");
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! Reading documents: text to value, with everything that is wrong told at once.
+//!
+//! The parser makes a tree with a place for every value, [`Reader`](reader::Reader) takes typed fields out of it, and
+//! one file a document says which fields there are.
+
+mod look;
+mod reader;
+mod scene;
+mod value;
+
+use std::path::Path;
+use std::sync::Arc;
+
+use super::json::{self, At, Kind};
+use super::shape::{self, Shape};
+use super::source::{Lines, Loaded, Problems, SourceMap};
+use super::structure;
+use super::{Look, Scene, VERSION, store};
+use crate::diag::Diagnostic;
+use reader::Reader;
+
+/// A look or a scene, whichever the file holds.
+#[derive(Clone, Debug)]
+pub enum Document {
+    /// A look.
+    Look(Loaded<Look>),
+    /// A scene.
+    Scene(Loaded<Scene>),
+}
+
+impl Document {
+    /// Reads a text that may hold either: a scene where it says so or has `objects`, otherwise a look.
+    pub fn read(text: &str, file: &str) -> Self {
+        let parsed = Parsed::new(text, file);
+        let is_scene = parsed.kind() == Some("scene");
+        if is_scene { Self::Scene(parsed.scene()) } else { Self::Look(parsed.look()) }
+    }
+
+    /// Reads a file that may hold either. Where the file cannot be read, the diagnostics of a look say why.
+    pub fn load(path: &Path) -> Self {
+        match store::read_text(path) {
+            Ok(text) => Self::read(&text, &path.display().to_string()),
+            Err(problem) => Self::Look(failed(path, *problem)),
+        }
+    }
+
+    /// Everything that is wrong with it.
+    pub fn diagnostics(&self) -> &[Diagnostic] {
+        match self {
+            Self::Look(look) => &look.diagnostics,
+            Self::Scene(scene) => &scene.diagnostics,
+        }
+    }
+}
+
+impl Look {
+    /// Reads a look from JSON; `file` is what diagnostics call it. See docs/format.md.
+    pub fn read(text: &str, file: &str) -> Loaded<Self> {
+        Parsed::new(text, file).look()
+    }
+
+    /// Reads a look from a file.
+    pub fn load(path: &Path) -> Loaded<Self> {
+        match store::read_text(path) {
+            Ok(text) => Self::read(&text, &path.display().to_string()),
+            Err(problem) => failed(path, *problem),
+        }
+    }
+}
+
+impl Scene {
+    /// Reads a scene from JSON; `file` is what diagnostics call it. See docs/format.md.
+    pub fn read(text: &str, file: &str) -> Loaded<Self> {
+        Parsed::new(text, file).scene()
+    }
+
+    /// Reads a scene from a file.
+    pub fn load(path: &Path) -> Loaded<Self> {
+        match store::read_text(path) {
+            Ok(text) => Self::read(&text, &path.display().to_string()),
+            Err(problem) => failed(path, *problem),
+        }
+    }
+}
+
+/// What comes of a file that could not be read.
+fn failed<T>(path: &Path, problem: Diagnostic) -> Loaded<T> {
+    let file = path.display().to_string();
+    let lines = Lines::new("");
+    let tree = json::parse(Arc::from(""), &lines, &mut Problems::new());
+    let source = SourceMap { file, lines, tree, kept: Default::default() };
+    Loaded { value: None, source, diagnostics: vec![problem] }
+}
+
+/// A parsed text that is no look and no scene yet.
+struct Parsed {
+    source: SourceMap,
+    problems: Problems,
+}
+
+impl Parsed {
+    fn new(text: &str, file: &str) -> Self {
+        let mut problems = Problems::new();
+        let lines = Lines::new(text);
+        let tree = json::parse(Arc::from(text), &lines, &mut problems);
+        Self { source: SourceMap { file: file.to_owned(), lines, tree, kept: Default::default() }, problems }
+    }
+
+    /// What the document says it is, or seems to be.
+    fn kind(&self) -> Option<&'static str> {
+        let tree = &self.source.tree;
+        let root = tree.root()?;
+        let has = |name| tree.member(root, name).is_some();
+        let said = tree.member(root, "chiaro").and_then(|at| tree.string(at));
+        match said.as_deref() {
+            Some("look") => Some("look"),
+            Some("scene") => Some("scene"),
+            Some(_) => None,
+            None if has("asset") && (has("meshes") || has("accessors")) => Some("glTF"),
+            None if has("objects") && !has("nodes") => Some("scene"),
+            None if has("nodes") && !has("objects") => Some("look"),
+            None => None,
+        }
+    }
+
+    fn look(self) -> Loaded<Look> {
+        let loaded = self.read(&shape::LOOK, look::look);
+        with_structure(loaded, |look: &Look| structure::check_look(look))
+    }
+
+    fn scene(self) -> Loaded<Scene> {
+        let loaded = self.read(&shape::SCENE, scene::scene);
+        with_structure(loaded, |scene: &Scene| structure::check_scene(scene))
+    }
+
+    fn read<T>(mut self, shape: &'static Shape, read: fn(&mut Reader<'_>, At) -> Option<T>) -> Loaded<T> {
+        let mut value = None;
+        if let Some(root) = self.root(shape) {
+            let mut reader = Reader::new(&self.source.tree, &mut self.problems);
+            value = read(&mut reader, root);
+            let kept = std::mem::take(&mut reader.kept);
+            self.source.kept = kept;
+        }
+        let diagnostics = self.problems.finish(&self.source.file, self.source.text(), &self.source.lines);
+        Loaded { value, source: self.source, diagnostics }
+    }
+
+    /// The top of a document of the right type and a known version.
+    fn root(&mut self, shape: &Shape) -> Option<At> {
+        let tree = &self.source.tree;
+        let root = tree.root()?;
+        if tree.kind(root) != Kind::Object {
+            let message = format!("expected a {}, which is an object, found {}", shape.name, tree.kind(root).noun());
+            let problem = Diagnostic::error("wrong-document", message).hint("a document begins with `{`");
+            self.problems.push(tree.start(root), problem);
+            return None;
+        }
+        if let Some(kind) = self.kind().filter(|&kind| kind != shape.name) {
+            let hint = match kind {
+                "glTF" => "a scene names it as the `mesh` of an object",
+                "scene" => "open it as a scene",
+                _ => "open it as a look, or name it in the `looks` of a scene's object",
+            };
+            let problem = Diagnostic::error("wrong-document", format!("this is a {kind}, not a {}", shape.name));
+            self.problems.push(tree.start(root), problem.hint(hint));
+            return None;
+        }
+        let version = tree.member(root, "version");
+        match version.and_then(|at| tree.number(at).map(|number| (at, number))) {
+            Some((at, version)) if version > VERSION as f64 && version.fract() == 0.0 => {
+                let message = format!("this file is version {version}; this Chiaro reads up to {VERSION}");
+                let problem = Diagnostic::error("newer-version", message).json_path("version");
+                self.problems.push(tree.key_start(at), problem.hint("update Chiaro to open it"));
+                None
+            }
+            _ => Some(root),
+        }
+    }
+}
+
+/// Adds what is wrong with the document as a whole, unless parts of it are missing because the text is cut off.
+fn with_structure<T>(mut loaded: Loaded<T>, check: impl Fn(&T) -> Vec<Diagnostic>) -> Loaded<T> {
+    if let Some(value) = loaded.value.as_ref().filter(|_| !loaded.source.tree.cut) {
+        let mut found = check(value);
+        loaded.source.locate_all(&mut found);
+        loaded.diagnostics.extend(found);
+        loaded.diagnostics.sort_by_key(|problem| problem.place.at);
+    }
+    loaded
+}

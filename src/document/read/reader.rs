@@ -1,0 +1,461 @@
+//! Typed access to the fields of a parsed document. Whatever is wrong is told with its place and left out.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::hash::Hash;
+
+use indexmap::IndexMap;
+
+use crate::diag::Diagnostic;
+use crate::document::color::{parse_hex, srgb_to_linear};
+use crate::document::json::{At, Kind, Tree};
+use crate::document::shape::{self, Bounds, Shape};
+use crate::document::source::{Problems, member_path};
+use crate::document::word::Word;
+use crate::document::{ColorSpace, Unknown};
+use crate::ids::{is_slug, make_slug};
+
+/// A step from a value to one in it.
+#[derive(Clone, Copy)]
+enum Step {
+    Field(&'static str),
+    Key(At),
+    Index(u32),
+}
+
+/// Reads one document.
+pub(super) struct Reader<'t> {
+    pub(super) tree: &'t Tree,
+    problems: &'t mut Problems,
+    path: Vec<Step>,
+    /// See [`SourceMap`](crate::document::source::SourceMap).
+    pub(super) kept: BTreeMap<String, Vec<u32>>,
+    /// What colours are; decides what `#rrggbb` becomes.
+    pub(super) color_space: ColorSpace,
+}
+
+/// The members of one object, by the fields of its shape.
+pub(super) struct Fields {
+    shape: &'static Shape,
+    at: At,
+    found: [Option<At>; 16],
+    /// What the shape does not know. Unknown fields of a field's own parts lie here too, under the field's name and
+    /// the part's id, so that each part's type need not hold them.
+    pub(super) unknown: Unknown,
+}
+
+impl Fields {
+    /// The value of a field, if it is there.
+    pub(super) fn get(&self, name: &str) -> Option<At> {
+        let (index, _) = self.shape.field(name).expect("a field of the shape");
+        self.found[index]
+    }
+
+    fn kind(&self, name: &str) -> &'static shape::Kind {
+        &self.shape.field(name).expect("a field of the shape").1.kind
+    }
+
+    /// Keeps unknown fields of a part of a field.
+    pub(super) fn shadow(&mut self, name: &str, part: Option<&str>, extras: Unknown) {
+        if extras.is_empty() {
+            return;
+        }
+        let of_field = self.unknown.entry(name).or_insert_with(|| Unknown::new().into());
+        match (part, of_field.as_object_mut()) {
+            (Some(part), Some(of_field)) => drop(of_field.insert(part.to_owned(), extras.into())),
+            (None, Some(of_field)) => of_field.extend(extras),
+            (_, None) => {}
+        }
+    }
+}
+
+impl<'t> Reader<'t> {
+    pub(super) fn new(tree: &'t Tree, problems: &'t mut Problems) -> Self {
+        Self { tree, problems, path: Vec::new(), kept: BTreeMap::new(), color_space: ColorSpace::Display }
+    }
+
+    /// Reports a problem at a value.
+    pub(super) fn report(&mut self, at: At, problem: Diagnostic) {
+        let path = self.json_path();
+        let problem = if path.is_empty() { problem } else { problem.json_path(path) };
+        self.problems.push(self.tree.start(at), problem);
+    }
+
+    /// Where the reader is, e.g. `nodes[3].values.offset`.
+    fn json_path(&self) -> String {
+        self.path.iter().fold(String::new(), |path, step| match step {
+            Step::Field(name) => member_path(&path, name),
+            Step::Key(at) => member_path(&path, &self.tree.key(*at)),
+            Step::Index(index) => format!("{path}[{index}]"),
+        })
+    }
+
+    /// Reports a problem with an item of a list.
+    pub(super) fn report_item(&mut self, list: &'static str, index: u32, at: At, problem: Diagnostic) {
+        self.path.push(Step::Field(list));
+        self.at_index(index as usize, |r| r.report(at, problem));
+        self.path.pop();
+    }
+
+    fn wrong_type(&mut self, at: At, expected: &str) {
+        let kind = self.tree.kind(at);
+        if kind == Kind::Bad {
+            return; // The parser has told it.
+        }
+        let mut problem = Diagnostic::error("wrong-type", format!("expected {expected}, found {}", kind.noun()));
+        if kind == Kind::Null {
+            problem = problem.hint("leave the field out for its default");
+        } else if let Some(number) = self.tree.string(at).filter(|text| text.parse::<f64>().is_ok_and(f64::is_finite)) {
+            problem = problem.hint(format!("write {number} without quotes"));
+        }
+        self.report(at, problem);
+    }
+
+    /// The members of an object; what the shape does not know is warned about and kept.
+    pub(super) fn object(&mut self, at: At, shape: &'static Shape) -> Option<Fields> {
+        if self.tree.kind(at) != Kind::Object {
+            self.wrong_type(at, &format!("{} (an object)", with_article(shape.name)));
+            return None;
+        }
+        let mut fields = Fields { shape, at, found: [None; 16], unknown: Unknown::new() };
+        let tree = self.tree;
+        for member in tree.children(at) {
+            let name = tree.key(member);
+            match shape.field(&name) {
+                Some((index, _)) if fields.found[index].is_none() => fields.found[index] = Some(member),
+                None if !fields.unknown.contains_key(&*name) => {
+                    self.unknown_field(member, &name, shape);
+                    fields.unknown.insert(name.into_owned(), tree.to_json(member));
+                }
+                _ => self.duplicate_key(member, &name),
+            }
+        }
+        Some(fields)
+    }
+
+    fn unknown_field(&mut self, at: At, name: &str, shape: &Shape) {
+        let message = format!("{} has no field `{name}`; it is kept as it is", with_article(shape.name));
+        let known = shape.fields.iter().map(|field| field.name);
+        self.path.push(Step::Key(at));
+        let problem = Diagnostic::warning("unknown-field", message).suggest(name, known).json_path(self.json_path());
+        self.problems.push(self.tree.key_start(at), problem);
+        self.path.pop();
+    }
+
+    fn duplicate_key(&mut self, at: At, name: &str) {
+        let message = format!("`{name}` is given twice; the first is used");
+        self.path.push(Step::Key(at));
+        let problem = Diagnostic::error("duplicate-key", message).hint("remove one").json_path(self.json_path());
+        self.problems.push(self.tree.key_start(at), problem);
+        self.path.pop();
+    }
+
+    /// Goes to a field's value, if there is one; a missing field that is required is told.
+    pub(super) fn field<T>(
+        &mut self,
+        fields: &Fields,
+        name: &'static str,
+        read: impl FnOnce(&mut Self, At, &'static shape::Kind) -> Option<T>,
+    ) -> Option<T> {
+        let Some(at) = fields.get(name) else {
+            self.missing(fields, name);
+            return None;
+        };
+        self.path.push(Step::Field(name));
+        let value = read(self, at, fields.kind(name));
+        self.path.pop();
+        value
+    }
+
+    fn missing(&mut self, fields: &Fields, name: &'static str) {
+        let Some((_, field)) = fields.shape.field(name) else { return };
+        if matches!(field.default, shape::Default::Required) && !self.tree.is_cut(fields.at) {
+            let message = format!("{} needs the field `{name}`", with_article(fields.shape.name));
+            self.report(fields.at, Diagnostic::error("missing-field", message).hint(format!("{name}: {}", field.help)));
+        }
+    }
+
+    pub(super) fn bool(&mut self, fields: &Fields, name: &'static str) -> Option<bool> {
+        self.field(fields, name, |r, at, _| match r.tree.kind(at) {
+            Kind::Bool(value) => Some(value),
+            _ => {
+                r.wrong_type(at, "true or false");
+                None
+            }
+        })
+    }
+
+    pub(super) fn number(&mut self, fields: &Fields, name: &'static str) -> Option<f64> {
+        self.field(fields, name, |r, at, kind| match kind {
+            shape::Kind::Number(bounds) => r.number_at(at, *bounds),
+            _ => None,
+        })
+    }
+
+    pub(super) fn number_at(&mut self, at: At, bounds: Bounds) -> Option<f64> {
+        let Some(number) = self.tree.number(at) else {
+            self.wrong_type(at, "a number");
+            return None;
+        };
+        if !bounds.hold(number) {
+            let problem = Diagnostic::error("out-of-range", format!("{number} is out of range"));
+            self.report(at, problem.hint(format!("write {}", bounds.say())));
+            return None;
+        }
+        Some(number)
+    }
+
+    /// `N` numbers.
+    pub(super) fn array<const N: usize>(&mut self, fields: &Fields, name: &'static str) -> Option<[f64; N]> {
+        self.field(fields, name, |r, at, kind| match kind {
+            shape::Kind::Numbers(_, _, bounds) => r.array_at(at, *bounds),
+            shape::Kind::Direction => r.array_at(at, shape::FAR).filter(|direction| r.is_direction(at, direction)),
+            _ => None,
+        })
+    }
+
+    pub(super) fn array_at<const N: usize>(&mut self, at: At, bounds: Bounds) -> Option<[f64; N]> {
+        self.numbers_at(at, N, N, bounds)?.try_into().ok()
+    }
+
+    /// From `least` to `most` numbers.
+    pub(super) fn numbers_at(&mut self, at: At, least: usize, most: usize, bounds: Bounds) -> Option<Vec<f64>> {
+        let expected = if least == most { format!("{least} numbers") } else { format!("{least} to {most} numbers") };
+        if self.tree.kind(at) != Kind::List {
+            self.wrong_type(at, &format!("a list of {expected}"));
+            return None;
+        }
+        let tree = self.tree;
+        let count = tree.children(at).count();
+        if !(least..=most).contains(&count) {
+            if !tree.is_cut(at) {
+                self.report(at, Diagnostic::error("wrong-count", format!("expected {expected}, found {count}")));
+            }
+            return None;
+        }
+        // Every number is looked at, so that all that are wrong are told.
+        let numbers: Vec<_> = tree
+            .children(at)
+            .enumerate()
+            .map(|(index, item)| self.at_index(index, |r| r.number_at(item, bounds)))
+            .collect();
+        numbers.into_iter().collect()
+    }
+
+    /// Does something one step further down, in an item of a list.
+    pub(super) fn at_index<T>(&mut self, index: usize, read: impl FnOnce(&mut Self) -> T) -> T {
+        self.path.push(Step::Index(index as u32));
+        let value = read(self);
+        self.path.pop();
+        value
+    }
+
+    /// Whether it is not of length 0.
+    fn is_direction(&mut self, at: At, direction: &[f64]) -> bool {
+        let is_zero = direction.iter().all(|x| x.abs() < 1e-12);
+        if is_zero {
+            let problem = Diagnostic::error("zero-vector", "a direction of length 0 points nowhere");
+            self.report(at, problem.hint("write any other length, e.g. [0, 0, 1]"));
+        }
+        !is_zero
+    }
+
+    pub(super) fn text(&mut self, fields: &Fields, name: &'static str) -> Option<String> {
+        self.field(fields, name, |r, at, kind| match kind {
+            shape::Kind::Text(most) => r.text_at(at, *most).map(Cow::into_owned),
+            _ => None,
+        })
+    }
+
+    pub(super) fn text_at(&mut self, at: At, most: usize) -> Option<Cow<'t, str>> {
+        let Some(text) = self.tree.string(at) else {
+            self.wrong_type(at, "a string");
+            return None;
+        };
+        if text.len() > most {
+            let message = format!("the string has {} bytes; at most {most} are read", text.len());
+            self.report(at, Diagnostic::error("too-long", message));
+            return None;
+        }
+        Some(text)
+    }
+
+    /// An id.
+    pub(super) fn slug<T: From<String>>(&mut self, fields: &Fields, name: &'static str) -> Option<T> {
+        self.field(fields, name, |r, at, _| r.slug_at(at).map(T::from))
+    }
+
+    pub(super) fn slug_at(&mut self, at: At) -> Option<String> {
+        let text = self.text_at(at, shape::LONG)?;
+        if is_slug(&text) {
+            return Some(text.into_owned());
+        }
+        self.bad_slug(at, &text);
+        None
+    }
+
+    pub(super) fn bad_slug(&mut self, at: At, text: &str) {
+        let shown: String = text.chars().take(80).collect();
+        let message = format!("`{shown}` is no id: one has 1 to 64 of a-z A-Z 0-9 _ - and begins with a letter or _");
+        let hint = format!("write `{}`", make_slug(text, |_| false));
+        self.report(at, Diagnostic::error("bad-id", message).hint(hint));
+    }
+
+    /// One of some words.
+    pub(super) fn word<T: Word>(&mut self, fields: &Fields, name: &'static str) -> Option<T> {
+        self.field(fields, name, |r, at, _| r.word_at(at, T::WORDS).and_then(|word| T::from_word(&word)))
+    }
+
+    /// One of these words.
+    pub(super) fn word_at(&mut self, at: At, words: &'static [(&'static str, &'static str)]) -> Option<Cow<'t, str>> {
+        let text = self.text_at(at, shape::LONG)?;
+        if words.iter().any(|(word, _)| *word == text) {
+            return Some(text);
+        }
+        let shown: String = text.chars().take(80).collect();
+        let all = words.iter().map(|(word, _)| format!("`{word}`")).collect::<Vec<_>>().join(", ");
+        let problem = Diagnostic::error("unknown-word", format!("`{shown}` is not one of {all}"));
+        self.report(at, problem.suggest(&shown, words.iter().map(|(word, _)| *word)));
+        None
+    }
+
+    /// A colour of three numbers, or of three or four.
+    pub(super) fn color_at(&mut self, at: At, alpha: bool) -> Option<Vec<f64>> {
+        if let Some(text) = self.tree.string(at) {
+            let Some(hex) = parse_hex(&text).filter(|_| alpha || text.len() == 7) else {
+                let hint = if alpha { "write \"#rrggbb\" or \"#rrggbbaa\"" } else { "write \"#rrggbb\"" };
+                let shown: String = text.chars().take(40).collect();
+                let problem = Diagnostic::error("bad-color", format!("`{shown}` is no colour"));
+                self.report(at, problem.hint(format!("{hint}, or the numbers [r, g, b]")));
+                return None;
+            };
+            let space = self.color_space;
+            let channel = |x: f64| if space == ColorSpace::Linear { srgb_to_linear(x) } else { x };
+            let mut color: Vec<f64> = hex[..3].iter().map(|&x| channel(x)).collect();
+            color.extend((text.len() == 9).then_some(hex[3]));
+            return Some(color);
+        }
+        if self.tree.kind(at) != Kind::List {
+            self.wrong_type(at, "a colour: [r, g, b] or \"#rrggbb\"");
+            return None;
+        }
+        self.numbers_at(at, 3, if alpha { 4 } else { 3 }, shape::FAR)
+    }
+
+    /// The items of a list that could be read, each with its index in the text.
+    pub(super) fn list<T>(
+        &mut self,
+        fields: &Fields,
+        name: &'static str,
+        mut read: impl FnMut(&mut Self, At) -> Option<T>,
+    ) -> Vec<(u32, T)> {
+        let items = self.field(fields, name, |r, at, kind| {
+            if r.tree.kind(at) != Kind::List {
+                r.wrong_type(at, "a list");
+                return None;
+            }
+            let tree = r.tree;
+            let most = r.bounded(at, kind);
+            let read_item = |(index, item)| r.at_index(index, |r| read(r, item)).map(|value| (index as u32, value));
+            Some(tree.children(at).take(most).enumerate().filter_map(read_item).collect())
+        });
+        items.unwrap_or_default()
+    }
+
+    /// The items of a list, and which ones they are in the text, for [`keep`](Self::keep).
+    pub(super) fn items<T>(
+        &mut self,
+        fields: &Fields,
+        name: &'static str,
+        read: impl FnMut(&mut Self, At) -> Option<T>,
+    ) -> Vec<T> {
+        let (indices, items): (Vec<u32>, Vec<T>) = self.list(fields, name, read).into_iter().unzip();
+        self.keep(name, indices);
+        items
+    }
+
+    /// Remembers which items of a list the value has, if it does not have all before the last of them.
+    pub(super) fn keep(&mut self, name: &'static str, indices: Vec<u32>) {
+        if indices.iter().enumerate().any(|(own, &index)| own as u32 != index) {
+            self.path.push(Step::Field(name));
+            self.kept.insert(self.json_path(), indices);
+            self.path.pop();
+        }
+    }
+
+    /// The members of an object whose names are ids.
+    pub(super) fn map<K: From<String> + Hash + Eq, T>(
+        &mut self,
+        fields: &mut Fields,
+        name: &'static str,
+        mut read: impl FnMut(&mut Self, At, &mut Unknown) -> Option<T>,
+    ) -> IndexMap<K, T> {
+        let mut shadows = Vec::new();
+        let map = self.field(fields, name, |r, at, kind| {
+            r.members(at, kind, |r, member, key| {
+                if !is_slug(key) {
+                    r.bad_slug(member, key);
+                    return None;
+                }
+                let mut extras = Unknown::new();
+                let value = read(r, member, &mut extras)?;
+                if !extras.is_empty() {
+                    shadows.push((key.to_owned(), extras));
+                }
+                Some((K::from(key.to_owned()), value))
+            })
+        });
+        for (key, extras) in shadows {
+            fields.shadow(name, Some(&key), extras);
+        }
+        map.unwrap_or_default()
+    }
+
+    /// The members of an object with any names.
+    pub(super) fn members<K: Hash + Eq, T>(
+        &mut self,
+        at: At,
+        kind: &'static shape::Kind,
+        mut read: impl FnMut(&mut Self, At, &str) -> Option<(K, T)>,
+    ) -> Option<IndexMap<K, T>> {
+        if self.tree.kind(at) != Kind::Object {
+            self.wrong_type(at, "an object");
+            return None;
+        }
+        let tree = self.tree;
+        let most = self.bounded(at, kind);
+        let mut map = IndexMap::new();
+        for member in tree.children(at).take(most) {
+            let key = tree.key(member);
+            self.path.push(Step::Key(member));
+            let entry = read(self, member, &key);
+            self.path.pop();
+            match entry {
+                Some((id, _)) if map.contains_key(&id) => self.duplicate_key(member, &key),
+                Some((id, value)) => drop(map.insert(id, value)),
+                None => {}
+            }
+        }
+        Some(map)
+    }
+
+    /// How many items are read; more are told.
+    fn bounded(&mut self, at: At, kind: &shape::Kind) -> usize {
+        let most = match kind {
+            shape::Kind::List(_, most) | shape::Kind::Map(_, most) => *most,
+            _ => 10_000,
+        };
+        let count = self.tree.children(at).count();
+        if count > most {
+            let message = format!("there are {count} here; at most {most} are read");
+            self.report(at, Diagnostic::error("too-many", message));
+        }
+        most
+    }
+}
+
+/// A name with `a` or `an` before it.
+pub(super) fn with_article(name: &str) -> String {
+    let article = if name.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
+    format!("{article} {name}")
+}

@@ -1,0 +1,185 @@
+//! Reading values, targets, endpoints and rotations.
+
+use super::reader::{Fields, Reader};
+use crate::diag::Diagnostic;
+use crate::document::json::{At, Kind};
+use crate::document::rotation;
+use crate::document::shape::{CURVE, F32, FAR, LONG, MAX_NUMBERS, RAMP, RAMP_STOP};
+use crate::document::{Curve, Endpoint, Ramp, RampStop, Target, Unknown, Value, Values};
+use crate::ids::{PortName, is_slug};
+
+impl Reader<'_> {
+    /// The values of inputs, by port.
+    pub(super) fn values(&mut self, fields: &mut Fields) -> Values {
+        self.map::<PortName, _>(fields, "values", |r, at, extras| r.value_at(at, extras))
+    }
+
+    /// A value in a field of its own.
+    pub(super) fn value(&mut self, fields: &mut Fields, name: &'static str) -> Option<Value> {
+        let mut extras = Unknown::new();
+        let value = self.field(fields, name, |r, at, _| r.value_at(at, &mut extras));
+        fields.shadow(name, None, extras);
+        value
+    }
+
+    pub(super) fn value_at(&mut self, at: At, extras: &mut Unknown) -> Option<Value> {
+        match self.tree.kind(at) {
+            Kind::Bool(value) => Some(Value::Bool(value)),
+            Kind::Number => self.number_at(at, F32).map(Value::Number),
+            Kind::Text => self.text_at(at, LONG).map(|text| Value::Text(text.into_owned())),
+            Kind::List => self.numbers_at(at, 1, MAX_NUMBERS, F32).map(Value::Vector),
+            Kind::Object if self.tree.member(at, "stops").is_some() => self.ramp(at, extras).map(Value::Ramp),
+            Kind::Object if self.tree.member(at, "points").is_some() => self.curve(at, extras).map(Value::Curve),
+            Kind::Object => {
+                let problem = Diagnostic::error("wrong-type", "this object is no value");
+                let hint = "a curve is {\"points\": [[x, y], ...]}, a ramp {\"stops\": [{\"at\": x, \"color\": [r, g, b]}, ...]}";
+                self.report(at, problem.hint(hint));
+                None
+            }
+            Kind::Null => {
+                let problem = Diagnostic::error("wrong-type", "null is no value");
+                self.report(at, problem.hint("leave the value out for the input's default"));
+                None
+            }
+            Kind::Bad => None,
+        }
+    }
+
+    fn curve(&mut self, at: At, extras: &mut Unknown) -> Option<Curve> {
+        let fields = self.object(at, &CURVE)?;
+        let points: Vec<[f64; 2]> = self.items(&fields, "points", |r, at| r.array_at(at, F32));
+        let interpolation = self.word(&fields, "interpolation").unwrap_or_default();
+        self.in_order(at, "points", points.iter().map(|point| point[0]))?;
+        *extras = fields.unknown;
+        Some(Curve { points, interpolation })
+    }
+
+    fn ramp(&mut self, at: At, extras: &mut Unknown) -> Option<Ramp> {
+        let mut fields = self.object(at, &RAMP)?;
+        let mut of_stops = Vec::new();
+        let stops = self.items(&fields, "stops", |r, at| {
+            let fields = r.object(at, &RAMP_STOP)?;
+            let stop_at = r.number(&fields, "at");
+            let color = r.field(&fields, "color", |r, at, _| r.color_at(at, true));
+            let stop = RampStop { at: stop_at?, color: color? };
+            of_stops.push(fields.unknown);
+            Some(stop)
+        });
+        for (index, unknown) in of_stops.into_iter().enumerate() {
+            fields.shadow("stops", Some(&index.to_string()), unknown);
+        }
+        let interpolation = self.word(&fields, "interpolation").unwrap_or_default();
+        self.in_order(at, "stops", stops.iter().map(|stop| stop.at))?;
+        *extras = fields.unknown;
+        Some(Ramp { stops, interpolation })
+    }
+
+    /// Whether there is something, and each is greater than the one before it.
+    fn in_order(&mut self, at: At, what: &str, places: impl Iterator<Item = f64>) -> Option<()> {
+        let places: Vec<f64> = places.collect();
+        if places.is_empty() {
+            if !self.tree.is_cut(at) {
+                let problem = Diagnostic::error("wrong-count", format!("`{what}` has nothing in it"));
+                self.report(at, problem.hint("write at least one"));
+            }
+            return None;
+        }
+        if let Some(pair) = places.windows(2).find(|pair| pair[0] >= pair[1]) {
+            let message = format!("`{what}` must increase, but {} follows {}", pair[1], pair[0]);
+            self.report(at, Diagnostic::error("not-increasing", message).hint("sort them, and remove doubles"));
+            return None;
+        }
+        Some(())
+    }
+
+    /// One end of a wire.
+    pub(super) fn endpoint(&mut self, fields: &Fields, name: &'static str) -> Option<Endpoint> {
+        let needs_port = name == "to";
+        self.field(fields, name, |r, at, _| {
+            let text = match r.tree.kind(at) {
+                Kind::Null => "".into(),
+                _ => r.text_at(at, 200)?,
+            };
+            let end = Endpoint::parse(&text);
+            let (node, port) = (end.node.as_str(), end.port.as_str());
+            let problem = if node.is_empty() {
+                Diagnostic::error("wire-to-nothing", "this end of the wire leads to nothing")
+            } else if needs_port && port.is_empty() {
+                Diagnostic::error("wire-to-nothing", format!("the wire leads to `{node}`, but to no input of it"))
+            } else if is_slug(node) && (port.is_empty() || is_slug(port)) {
+                return Some(end);
+            } else {
+                Diagnostic::error("bad-wire", format!("`{text}` is no port"))
+            };
+            let hint = if needs_port { "write \"node.input\"" } else { "write \"node.output\", or \"node\"" };
+            r.report(at, problem.hint(hint));
+            None
+        })
+    }
+
+    /// What a key or an exposed parameter sets.
+    pub(super) fn target(&mut self, fields: &Fields, name: &'static str) -> Option<Target> {
+        self.field(fields, name, |r, at, _| {
+            let text = r.text_at(at, 10_000)?;
+            r.target_from(at, &text)
+        })
+    }
+
+    pub(super) fn target_from(&mut self, at: At, text: &str) -> Option<Target> {
+        let target = Target::parse(text).filter(|target| match target {
+            Target::Input { node, port } => node.ids().iter().all(|id| is_slug(id.as_str())) && is_slug(port.as_str()),
+            Target::Light { light, .. } => is_slug(light.as_str()),
+        });
+        if target.is_none() {
+            let shown: String = text.chars().take(80).collect();
+            let problem = Diagnostic::error("bad-target", format!("`{shown}` names nothing that can be set"));
+            self.report(at, problem.hint("write `node.input`, `group/node.input` or `lights.light.field`"));
+        }
+        target
+    }
+
+    /// A rotation as a unit quaternion.
+    pub(super) fn rotation(&mut self, fields: &mut Fields, name: &'static str) -> Option<[f64; 4]> {
+        self.field(fields, name, |r, at, _| r.rotation_at(at))
+    }
+
+    fn rotation_at(&mut self, at: At) -> Option<[f64; 4]> {
+        let found = match self.tree.kind(at) {
+            Kind::Object => self.axis_angle(at)?,
+            Kind::List if self.tree.children(at).next().is_some_and(|row| self.tree.kind(row) == Kind::List) => {
+                rotation::from_matrix(self.matrix(at)?)
+            }
+            Kind::List if self.tree.children(at).count() == 4 => rotation::from_quaternion(self.array_at(at, FAR)?),
+            Kind::Bad => return None,
+            _ => Err("this is no rotation"),
+        };
+        found
+            .map_err(|message| {
+                let hint = "write a quaternion [x, y, z, w], a 3x3 matrix as three rows, or {\"axis\": [x, y, z], \"angle\": radians}";
+                self.report(at, Diagnostic::error("bad-rotation", message).hint(hint));
+            })
+            .ok()
+    }
+
+    fn matrix(&mut self, at: At) -> Option<[[f64; 3]; 3]> {
+        let tree = self.tree;
+        let rows: Vec<_> = tree
+            .children(at)
+            .enumerate()
+            .take(4)
+            .map(|(index, row)| self.at_index(index, |r| r.array_at::<3>(row, FAR)))
+            .collect();
+        let rows: Vec<[f64; 3]> = rows.into_iter().collect::<Option<_>>()?;
+        let count = rows.len();
+        rows.try_into()
+            .map_err(|_| self.report(at, Diagnostic::error("wrong-count", format!("expected 3 rows, found {count}"))))
+            .ok()
+    }
+
+    fn axis_angle(&mut self, at: At) -> Option<Result<[f64; 4], &'static str>> {
+        let fields = self.object(at, &crate::document::shape::AXIS_ANGLE)?;
+        let axis = self.array(&fields, "axis");
+        let angle = self.number(&fields, "angle");
+        Some(Ok(rotation::from_axis_angle(axis?, angle?)))
+    }
+}

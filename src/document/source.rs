@@ -1,0 +1,287 @@
+//! Where things are in the text that a document was read from, and the list of what is wrong with it.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::json::{At, Kind, Tree};
+use crate::diag::{Diagnostic, LineColumn, Severity};
+use crate::ids::NodePath;
+
+/// As many errors, and as many warnings, as are told of one file; the rest is counted.
+const MAX_PROBLEMS: usize = 1000;
+/// How far apart the known places of [`Lines`] are, in bytes.
+const STRIDE: usize = 4096;
+
+/// What came of reading a document.
+#[derive(Clone, Debug)]
+pub struct Loaded<T> {
+    /// The document, as far as it could be understood. `None` where the text is no document of this type, or one of a
+    /// newer version: saving it would lose what this version does not know.
+    pub value: Option<T>,
+    /// The text, and where everything is in it.
+    pub source: SourceMap,
+    /// Everything that is wrong, in the order of the text.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+impl<T> Loaded<T> {
+    /// Whether anything that is written could not be understood. Saving the value over the file would lose that.
+    pub fn has_errors(&self) -> bool {
+        crate::diag::has_errors(&self.diagnostics)
+    }
+}
+
+/// A text and where everything is in it.
+#[derive(Clone, Debug)]
+pub struct SourceMap {
+    pub(super) file: String,
+    pub(super) lines: Lines,
+    pub(super) tree: Tree,
+    /// For lists of which items were left out: the index in the text of each item of the value, by the list's path.
+    pub(super) kept: BTreeMap<String, Vec<u32>>,
+}
+
+impl SourceMap {
+    /// The text as it was read.
+    pub fn text(&self) -> &Arc<str> {
+        self.tree.text()
+    }
+
+    /// The file, as the user named it.
+    pub fn file(&self) -> &str {
+        &self.file
+    }
+
+    /// Fills in the file, line and column of a diagnostic that names a place in the document: a node (which is looked
+    /// for by its id, through its groups) or a JSON path. Where the text has no such place, because a default was left
+    /// out, the nearest thing around it is taken. A place that is known already stays.
+    pub fn locate(&self, diagnostic: &mut Diagnostic) {
+        let place = &mut diagnostic.place;
+        if place.file.is_none() {
+            place.file = Some(self.file.clone());
+        }
+        if place.at.is_some() {
+            return;
+        }
+        if place.json_path.is_none()
+            && let Some(node) = &place.node
+        {
+            let path = self.path_of_node(node);
+            let value = |path: &String| place.port.as_ref().map(|port| format!("{path}.values.{port}"));
+            let value = path.as_ref().and_then(value).filter(|value| self.find(value).1);
+            place.json_path = value.or(path);
+        }
+        if let Some(path) = &place.json_path {
+            let (at, path_in_text) = self.find_translated(path);
+            place.json_path = Some(path_in_text);
+            place.at = at.map(|at| self.lines.at(self.text(), self.tree.key_start(at)));
+        }
+    }
+
+    /// Locates all of them.
+    pub fn locate_all(&self, diagnostics: &mut [Diagnostic]) {
+        for diagnostic in diagnostics {
+            self.locate(diagnostic);
+        }
+    }
+
+    /// The line and column of the value at a JSON path, or of the nearest thing around it.
+    pub fn place_of(&self, json_path: &str) -> Option<LineColumn> {
+        let (at, _) = self.find_translated(json_path);
+        at.map(|at| self.lines.at(self.text(), self.tree.key_start(at)))
+    }
+
+    /// The JSON path of a node, found by its id through the groups around it.
+    fn path_of_node(&self, node: &NodePath) -> Option<String> {
+        let (last, groups) = node.ids().split_last()?;
+        let mut graph = String::new();
+        for group in groups {
+            let path = self.node_in(&graph, group.as_str())?;
+            let kind = self.find(&format!("{path}.kind")).0.and_then(|at| self.tree.string(at))?;
+            graph = member_path("definitions", &kind) + ".";
+        }
+        self.node_in(&graph, last.as_str())
+    }
+
+    fn node_in(&self, graph: &str, id: &str) -> Option<String> {
+        let list = format!("{graph}nodes");
+        let (Some(at), true) = self.find(&list) else { return None };
+        let has_id = |&node: &At| {
+            let name = self.tree.member(node, "id").or_else(|| self.tree.member(node, "kind"));
+            name.and_then(|name| self.tree.string(name)).is_some_and(|name| name == id)
+        };
+        let index = self.tree.children(at).position(|node| has_id(&node))?;
+        Some(format!("{list}[{index}]"))
+    }
+
+    /// The value at a path of the text, or the nearest thing around it; and whether it is the value itself.
+    fn find(&self, path: &str) -> (Option<At>, bool) {
+        let mut at = self.tree.root();
+        for segment in segments(path) {
+            let next = at.and_then(|at| self.step(at, &segment, None));
+            if next.is_none() {
+                return (at, false);
+            }
+            at = next;
+        }
+        (at, at.is_some())
+    }
+
+    /// The value at a path of the document, and its path in the text: they differ where items were left out.
+    fn find_translated(&self, path: &str) -> (Option<At>, String) {
+        let mut at = self.tree.root();
+        let mut so_far = String::new();
+        let mut whole = true;
+        for segment in segments(path) {
+            let kept = self.kept.get(&so_far);
+            let index = match &segment {
+                Segment::Index(index) => kept.map_or(Some(*index), |kept| kept.get(*index).map(|&kept| kept as usize)),
+                Segment::Key(_) => None,
+            };
+            let next = at.and_then(|at| self.step(at, &segment, index)).filter(|_| whole);
+            whole &= next.is_some();
+            at = next.or(at);
+            so_far = match segment {
+                Segment::Key(key) => member_path(&so_far, &key),
+                Segment::Index(original) => format!("{so_far}[{}]", index.unwrap_or(original)),
+            };
+        }
+        (at, so_far)
+    }
+
+    fn step(&self, at: At, segment: &Segment, index: Option<usize>) -> Option<At> {
+        match segment {
+            Segment::Key(key) => self.tree.member(at, key),
+            Segment::Index(own) if self.tree.kind(at) == Kind::List => {
+                self.tree.children(at).nth(index.unwrap_or(*own))
+            }
+            Segment::Index(_) => None,
+        }
+    }
+}
+
+/// One step of a JSON path.
+#[derive(Debug, PartialEq)]
+enum Segment {
+    Key(String),
+    Index(usize),
+}
+
+/// The steps of a path like `nodes[3].values.offset` or `looks["skin 2"]`.
+fn segments(path: &str) -> Vec<Segment> {
+    let mut found = Vec::new();
+    let mut rest = path;
+    while !rest.is_empty() {
+        if let Some(inner) = rest.strip_prefix("[\"") {
+            let quoted = quoted_length(inner);
+            let key = serde_json::from_str(&format!("\"{}\"", &inner[..quoted]));
+            found.push(Segment::Key(key.unwrap_or_else(|_| inner[..quoted].to_owned())));
+            rest = &inner[quoted..];
+            rest = rest.strip_prefix("\"]").unwrap_or("");
+        } else if let Some(inner) = rest.strip_prefix('[') {
+            let (index, after) = inner.split_once(']').unwrap_or((inner, ""));
+            found.push(Segment::Index(index.parse().unwrap_or(usize::MAX)));
+            rest = after;
+        } else {
+            let end = rest.find(['.', '[']).unwrap_or(rest.len());
+            found.push(Segment::Key(rest[..end].to_owned()));
+            rest = &rest[end..];
+        }
+        rest = rest.strip_prefix('.').unwrap_or(rest);
+    }
+    found
+}
+
+/// How many bytes the inside of a quoted key has.
+fn quoted_length(inner: &str) -> usize {
+    let mut escaped = false;
+    for (i, c) in inner.char_indices() {
+        match c {
+            '"' if !escaped => return i,
+            _ => escaped = c == '\\' && !escaped,
+        }
+    }
+    inner.len()
+}
+
+/// The path of a member of the object at `path`: `.key`, or `["key"]` where the key is not a plain word.
+pub(super) fn member_path(path: &str, key: &str) -> String {
+    let plain = !key.is_empty() && key.chars().all(|c| c.is_alphanumeric() || "_-$".contains(c));
+    match (plain, path.is_empty()) {
+        (true, true) => key.to_owned(),
+        (true, false) => format!("{path}.{key}"),
+        (false, _) => format!("{path}[{}]", serde_json::Value::from(key)),
+    }
+}
+
+/// Finds lines and columns quickly, also in a file that is one long line.
+#[derive(Clone, Debug)]
+pub(super) struct Lines {
+    /// The place of every [`STRIDE`]th byte.
+    marks: Vec<LineColumn>,
+}
+
+impl Lines {
+    pub(super) fn new(text: &str) -> Self {
+        let mut place = LineColumn { line: 1, column: 1 };
+        let mut marks = Vec::with_capacity(text.len() / STRIDE + 1);
+        for block in text.as_bytes().chunks(STRIDE) {
+            marks.push(place);
+            place = advance(place, block);
+        }
+        Self { marks }
+    }
+
+    /// The place of a byte of the same text; offsets past the end give the end.
+    pub(super) fn at(&self, text: &str, offset: usize) -> LineColumn {
+        let offset = offset.min(text.len());
+        let block = (offset / STRIDE).min(self.marks.len().saturating_sub(1));
+        let start = self.marks.get(block).copied().unwrap_or(LineColumn { line: 1, column: 1 });
+        advance(start, &text.as_bytes()[block * STRIDE..offset])
+    }
+}
+
+/// The place behind some more bytes.
+fn advance(from: LineColumn, bytes: &[u8]) -> LineColumn {
+    let lines = bytes.iter().filter(|&&b| b == b'\n').count() as u32;
+    let line_start = bytes.iter().rposition(|&b| b == b'\n').map_or(0, |p| p + 1);
+    // Bytes that continue a UTF-8 sequence are no characters of their own.
+    let characters = bytes[line_start..].iter().filter(|&&b| b & 0xC0 != 0x80).count() as u32;
+    let column = if lines > 0 { 1 } else { from.column };
+    LineColumn { line: from.line + lines, column: column + characters }
+}
+
+/// Collects what is wrong with one text.
+pub(super) struct Problems {
+    found: Vec<(usize, Diagnostic)>,
+    errors: usize,
+    warnings: usize,
+}
+
+impl Problems {
+    pub(super) fn new() -> Self {
+        Self { found: Vec::new(), errors: 0, warnings: 0 }
+    }
+
+    /// Adds a problem at a byte of the text.
+    pub(super) fn push(&mut self, offset: usize, problem: Diagnostic) {
+        let count = if problem.severity == Severity::Error { &mut self.errors } else { &mut self.warnings };
+        *count += 1;
+        if *count <= MAX_PROBLEMS {
+            self.found.push((offset, problem));
+        }
+    }
+
+    /// All of them in the order of the text, with file, line and column.
+    pub(super) fn finish(mut self, file: &str, text: &str, lines: &Lines) -> Vec<Diagnostic> {
+        self.found.sort_by_key(|(offset, _)| *offset);
+        let place = |(offset, problem): (usize, Diagnostic)| problem.in_file(file).at(lines.at(text, offset));
+        let mut all: Vec<Diagnostic> = self.found.into_iter().map(place).collect();
+        let left_out = self.errors.saturating_sub(MAX_PROBLEMS) + self.warnings.saturating_sub(MAX_PROBLEMS);
+        if left_out > 0 {
+            let message = format!("there are {left_out} more problems, which are not listed");
+            all.push(Diagnostic::note("more-problems", message).in_file(file));
+        }
+        all
+    }
+}

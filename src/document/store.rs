@@ -1,0 +1,219 @@
+//! Reading files with a bound, and writing them so that nobody ever sees half of one.
+
+use std::collections::BTreeSet;
+use std::fs::{self, File, Permissions};
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+use super::json::MAX_BYTES;
+use crate::diag::{Diagnostic, LineColumn};
+
+/// Files that are being written at this moment, under their temporary names.
+static UNFINISHED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+/// Reads a text file of at most 64 MiB.
+///
+/// # Errors
+/// A diagnostic that names the file where it cannot be read, is too large, or is not UTF-8.
+pub fn read_text(path: &Path) -> Result<String, Box<Diagnostic>> {
+    let name = path.display().to_string();
+    let fail = |code, message: String, hint: &str| {
+        let problem = Diagnostic::error(code, message).in_file(name.clone());
+        Box::new(if hint.is_empty() { problem } else { problem.hint(hint) })
+    };
+    let cannot = |error: io::Error| {
+        let hint = match error.kind() {
+            io::ErrorKind::NotFound => "check the spelling, and the folder that the path starts from",
+            io::ErrorKind::PermissionDenied => "you may not read this file: change its permissions",
+            io::ErrorKind::IsADirectory => "this is a folder: name a file in it",
+            _ => "",
+        };
+        fail("cannot-read", format!("cannot read the file: {error}"), hint)
+    };
+    let file = File::open(path).map_err(cannot)?;
+    let mut bytes = Vec::new();
+    // One byte beyond the bound tells that there is more, whatever the file's length is said to be.
+    file.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(cannot)?;
+    if bytes.len() > MAX_BYTES {
+        let message = format!("the file is larger than {} MiB, the bound for documents", MAX_BYTES >> 20);
+        return Err(fail("too-large", message, "keep big data in files that the document names"));
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let bytes = error.as_bytes();
+        let valid = error.utf8_error().valid_up_to();
+        if bytes.starts_with(&[0xFF, 0xFE]) || bytes.starts_with(&[0xFE, 0xFF]) {
+            return fail("not-utf8", "the file is UTF-16".into(), "save it as UTF-8");
+        }
+        let before = String::from_utf8_lossy(&bytes[..valid]);
+        let message = "the file is not UTF-8 text from here on".into();
+        let mut problem = fail("not-utf8", message, "a document is JSON in UTF-8; is this another kind of file?");
+        problem.place.at = Some(LineColumn::of(&before, valid));
+        problem
+    })
+}
+
+/// Writes a file whole or not at all: into a temporary file in the same folder, which then takes the old one's name
+/// and permissions. A link stays a link, and the file it leads to is replaced.
+///
+/// # Errors
+/// A diagnostic that names the file; the old file is then as it was.
+pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), Box<Diagnostic>> {
+    try_write(path, bytes).map_err(|error| {
+        let hint = match error.kind() {
+            io::ErrorKind::NotFound => "the folder does not exist: make it first",
+            io::ErrorKind::PermissionDenied => "you may not write here: choose another place",
+            io::ErrorKind::StorageFull => "the disk is full: make room and save again",
+            io::ErrorKind::ReadOnlyFilesystem => "the disk is read-only: choose another place",
+            _ => "choose another place",
+        };
+        let state = if path.exists() { "; the old file is as it was" } else { "" };
+        let message = format!("cannot write the file: {error}{state}");
+        Box::new(Diagnostic::error("cannot-write", message).in_file(path.display().to_string()).hint(hint))
+    })
+}
+
+/// Removes files that are half written, for a program that is about to end in the middle of its work (Ctrl-C).
+pub fn remove_unfinished() {
+    let mut unfinished = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner);
+    for path in std::mem::take(&mut *unfinished) {
+        // It may be gone by now, which is what is wanted.
+        let _ = fs::remove_file(path);
+    }
+}
+
+fn try_write(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    // A link is followed, so that it goes on to lead to the file.
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let old = fs::metadata(&target).ok();
+    if let Some(old) = &old {
+        if old.is_dir() {
+            return Err(io::Error::new(io::ErrorKind::IsADirectory, "this is a folder"));
+        }
+        if old.permissions().readonly() {
+            return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is read-only"));
+        }
+    }
+    let folder = match target.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".chiaro-").suffix(".tmp");
+    if let Some(permissions) = new_file_permissions() {
+        builder.permissions(permissions);
+    }
+    let mut file = builder.tempfile_in(folder)?;
+    let _guard = Unfinished::new(file.path());
+    file.write_all(bytes)?;
+    if let Some(old) = old {
+        file.as_file().set_permissions(old.permissions())?;
+    }
+    file.as_file().sync_all()?;
+    file.persist(&target).map_err(|error| error.error)?;
+    // The new name is on the disk once the folder is. Not every system can do this, and the file itself is safe.
+    if let Ok(folder) = File::open(folder) {
+        let _ = folder.sync_all();
+    }
+    Ok(())
+}
+
+/// What a new file is created with; the system's mask takes away from it.
+fn new_file_permissions() -> Option<Permissions> {
+    #[cfg(unix)]
+    return Some(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    #[cfg(not(unix))]
+    None
+}
+
+/// A file in [`UNFINISHED`] for as long as this lives.
+struct Unfinished(PathBuf);
+
+impl Unfinished {
+    fn new(path: &Path) -> Self {
+        UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner).insert(path.to_owned());
+        Self(path.to_owned())
+    }
+}
+
+impl Drop for Unfinished {
+    fn drop(&mut self) {
+        UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner).remove(&self.0);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(folder: &Path) -> Vec<String> {
+        fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
+    }
+
+    #[test]
+    fn a_file_is_written_whole_and_nothing_else_is_left() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.json");
+        write_atomic(&path, b"one").unwrap();
+        write_atomic(&path, b"two").unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"two");
+        assert_eq!(names(folder.path()), ["a.json"]);
+    }
+
+    #[test]
+    fn a_failed_write_says_so_and_leaves_the_old_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let missing = folder.path().join("no/such/a.json");
+        let problem = write_atomic(&missing, b"x").unwrap_err();
+        assert_eq!(problem.code, "cannot-write");
+        assert!(problem.hints[0].contains("folder"), "{problem}");
+
+        let path = folder.path().join("a.json");
+        write_atomic(&path, b"old").unwrap();
+        let mut permissions = fs::metadata(&path).unwrap().permissions();
+        permissions.set_readonly(true);
+        fs::set_permissions(&path, permissions).unwrap();
+        let problem = write_atomic(&path, b"new").unwrap_err();
+        assert!(problem.message.contains("read-only") && problem.message.contains("as it was"), "{problem}");
+        assert_eq!(fs::read(&path).unwrap(), b"old");
+        assert_eq!(names(folder.path()), ["a.json"]);
+        assert_eq!(write_atomic(folder.path(), b"x").unwrap_err().code, "cannot-write");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn permissions_and_links_are_kept() {
+        use std::os::unix::fs::{PermissionsExt, symlink};
+        let folder = tempfile::tempdir().unwrap();
+        let (path, link) = (folder.path().join("a.json"), folder.path().join("link.json"));
+        fs::write(&path, "old").unwrap();
+        fs::set_permissions(&path, Permissions::from_mode(0o640)).unwrap();
+        symlink(&path, &link).unwrap();
+        write_atomic(&link, b"new").unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"new");
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert_eq!(fs::metadata(&path).unwrap().permissions().mode() & 0o777, 0o640);
+
+        // A new file is as any other program would make it here.
+        let (ours, theirs) = (folder.path().join("ours"), folder.path().join("theirs"));
+        write_atomic(&ours, b"").unwrap();
+        fs::write(&theirs, b"").unwrap();
+        let mode = |path| fs::metadata(path).unwrap().permissions().mode();
+        assert_eq!(mode(&ours), mode(&theirs));
+    }
+
+    #[test]
+    fn files_that_cannot_be_read_are_told() {
+        let folder = tempfile::tempdir().unwrap();
+        assert_eq!(read_text(&folder.path().join("missing")).unwrap_err().code, "cannot-read");
+        assert_eq!(read_text(folder.path()).unwrap_err().code, "cannot-read");
+        let path = folder.path().join("binary");
+        fs::write(&path, b"{\n  \xC3\xA9\xFF").unwrap();
+        let problem = read_text(&path).unwrap_err();
+        assert_eq!((problem.code, problem.place.at), ("not-utf8", Some(LineColumn { line: 2, column: 4 })));
+        fs::write(&path, b"\xFF\xFE{\0").unwrap();
+        assert!(read_text(&path).unwrap_err().message.contains("UTF-16"));
+        File::create(&path).unwrap().set_len(MAX_BYTES as u64 + 1).unwrap();
+        assert_eq!(read_text(&path).unwrap_err().code, "too-large");
+    }
+}

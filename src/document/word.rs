@@ -1,0 +1,89 @@
+//! The words that choices are written with.
+
+use super::{ColorSpace, Interpolation, KeyScheme, LightKind, LightSpace, Projection, Tier};
+
+/// A choice between words.
+pub(super) trait Word: Sized + Copy + PartialEq + 'static {
+    /// Each word and what it means.
+    const WORDS: &'static [(&'static str, &'static str)];
+    /// The choices, in the order of the words.
+    const ALL: &'static [Self];
+
+    /// How it is written.
+    fn word(self) -> &'static str {
+        let index = Self::ALL.iter().position(|&choice| choice == self);
+        index.map_or("", |index| Self::WORDS[index].0)
+    }
+
+    /// The choice that is written so.
+    fn from_word(word: &str) -> Option<Self> {
+        Self::WORDS.iter().position(|(known, _)| *known == word).map(|index| Self::ALL[index])
+    }
+}
+
+macro_rules! words {
+    ($name:ident { $($variant:ident $word:literal $help:literal,)* }) => {
+        impl Word for $name {
+            const WORDS: &'static [(&'static str, &'static str)] = &[$(($word, $help)),*];
+            const ALL: &'static [Self] = &[$(Self::$variant),*];
+        }
+    };
+}
+
+words!(ColorSpace {
+    Display "display" "as they are shown (sRGB-encoded); layers blend as in a painting program",
+    Linear "linear" "linear light, encoded to sRGB where a picture is shown or written as PNG",
+});
+words!(Tier {
+    Exact "exact" "the truth, as near as 32-bit numbers come",
+    Balanced "balanced" "errors below what is seen, where that is faster",
+    Fast "fast" "the least time",
+});
+words!(LightKind {
+    Directional "directional" "the same direction everywhere",
+    Point "point" "at a position, shining everywhere",
+    Spot "spot" "at a position, shining into a cone",
+});
+words!(LightSpace {
+    Illumination "illumination" "the illumination frame, which turns all its lights together",
+    World "world" "the world",
+    Camera "camera" "the camera: x right, y up, z toward the viewer",
+});
+words!(KeyScheme {
+    Biharmonic "biharmonic" "the sphere's biharmonic functions in closed form",
+    AppendixB "appendix-b" "the continuum limit of the energy of BADF Appendix B, in closed form",
+    Tessellated "tessellated" "the paper's own least squares over a tessellated sphere; for comparison",
+});
+words!(Interpolation {
+    Linear "linear" "straight",
+    Smooth "smooth" "smooth, without overshoot (monotone cubic)",
+    Stepped "stepped" "each value holds until the next",
+});
+words!(Projection {
+    Perspective "perspective" "lines meet at the eye",
+    Orthographic "orthographic" "parallel lines stay parallel",
+});
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn agree_with_serde<T: Word + serde::Serialize + std::fmt::Debug>() {
+        assert_eq!(T::WORDS.len(), T::ALL.len());
+        for &choice in T::ALL {
+            assert_eq!(serde_json::to_value(choice).unwrap(), choice.word());
+            assert_eq!(T::from_word(choice.word()), Some(choice));
+        }
+    }
+
+    #[test]
+    fn journals_and_documents_use_the_same_words() {
+        agree_with_serde::<ColorSpace>();
+        agree_with_serde::<Tier>();
+        agree_with_serde::<LightKind>();
+        agree_with_serde::<LightSpace>();
+        agree_with_serde::<KeyScheme>();
+        agree_with_serde::<Interpolation>();
+        agree_with_serde::<Projection>();
+    }
+}

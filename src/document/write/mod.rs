@@ -1,0 +1,139 @@
+//! Writing documents in the canonical form: fields in a fixed order, defaults left out, and one node, one wire, one
+//! light on each line, so that files compare and merge well.
+
+mod look;
+mod scene;
+mod value;
+
+use std::path::Path;
+
+use super::json::{Layout, Writer};
+use super::shape::Shape;
+use super::source::SourceMap;
+use super::{Look, Scene, Unknown, VERSION, store};
+use crate::diag::Diagnostic;
+
+impl Look {
+    /// The look as JSON in the canonical form, with a line end at its end.
+    pub fn to_text(&self) -> String {
+        let mut w = Writer::new();
+        look::look(&mut w, self);
+        w.finish()
+    }
+
+    /// The text that the look was read from, byte for byte, where that says the same; else the canonical form.
+    pub fn to_text_like(&self, source: &SourceMap) -> String {
+        let own = self.to_text();
+        let read = Self::read(source.text(), source.file()).value;
+        if read.is_some_and(|read| read.to_text() == own) { source.text().to_string() } else { own }
+    }
+
+    /// Saves the look, whole or not at all; unchanged text stays as it is where `source` is what the look was read from.
+    ///
+    /// # Errors
+    /// A diagnostic that says why the file could not be written; the old one is then as it was.
+    pub fn save(&self, path: &Path, source: Option<&SourceMap>) -> Result<(), Box<Diagnostic>> {
+        let text = source.map_or_else(|| self.to_text(), |source| self.to_text_like(source));
+        store::write_atomic(path, text.as_bytes())
+    }
+}
+
+impl Scene {
+    /// The scene as JSON in the canonical form, with a line end at its end.
+    pub fn to_text(&self) -> String {
+        let mut w = Writer::new();
+        scene::scene(&mut w, self);
+        w.finish()
+    }
+
+    /// The text that the scene was read from, byte for byte, where that says the same; else the canonical form.
+    pub fn to_text_like(&self, source: &SourceMap) -> String {
+        let own = self.to_text();
+        let read = Self::read(source.text(), source.file()).value;
+        if read.is_some_and(|read| read.to_text() == own) { source.text().to_string() } else { own }
+    }
+
+    /// Saves the scene, whole or not at all; see [`Look::save`].
+    ///
+    /// # Errors
+    /// A diagnostic that says why the file could not be written; the old one is then as it was.
+    pub fn save(&self, path: &Path, source: Option<&SourceMap>) -> Result<(), Box<Diagnostic>> {
+        let text = source.map_or_else(|| self.to_text(), |source| self.to_text_like(source));
+        store::write_atomic(path, text.as_bytes())
+    }
+}
+
+/// What both documents begin with.
+fn top(w: &mut Writer, chiaro: &str, unknown: &Unknown) {
+    if let Some(schema) = unknown.get("$schema") {
+        w.member("$schema", |w| w.json(schema));
+    }
+    w.member("chiaro", |w| w.string(chiaro));
+    w.member("version", |w| w.number(f64::from(VERSION)));
+}
+
+/// The unknown fields of a part of a field; see [`Fields`](super::read).
+fn part<'u>(unknown: Option<&'u Unknown>, field: &str, part: Option<&str>) -> Option<&'u Unknown> {
+    let of_field = unknown?.get(field)?.as_object()?;
+    match part {
+        Some(part) => of_field.get(part)?.as_object(),
+        None => Some(of_field),
+    }
+}
+
+impl Writer {
+    /// A member that is not written where it is empty.
+    fn text_unless_empty(&mut self, name: &str, text: &str) {
+        if !text.is_empty() {
+            self.member(name, |w| w.string(text));
+        }
+    }
+
+    /// A member that is not written where it has its default.
+    fn number_unless(&mut self, name: &str, number: f64, default: f64) {
+        if !same(&[number], &[default]) {
+            self.member(name, |w| w.number(number));
+        }
+    }
+
+    /// A member that is not written where it has its default.
+    fn numbers_unless(&mut self, name: &str, numbers: &[f64], default: &[f64]) {
+        if !same(numbers, default) {
+            self.member(name, |w| w.numbers(numbers));
+        }
+    }
+
+    /// A member that is not written where it has its default.
+    fn word_unless<T: super::word::Word>(&mut self, name: &str, choice: T, default: T) {
+        if choice != default {
+            self.member(name, |w| w.string(choice.word()));
+        }
+    }
+
+    /// An object whose unknown members come last.
+    fn shaped(&mut self, layout: Layout, shape: &Shape, unknown: Option<&Unknown>, write: impl FnOnce(&mut Self)) {
+        self.object(layout, |w| {
+            write(w);
+            w.unknown(shape, unknown);
+        });
+    }
+
+    /// A list member with one item on each line, not written where it is empty.
+    fn lines<'a, T: 'a>(&mut self, name: &str, items: &'a [T], mut write: impl FnMut(&mut Self, usize, &'a T)) {
+        if items.is_empty() {
+            return;
+        }
+        let mut index = 0;
+        self.member(name, |w| {
+            w.list(Layout::Lines, items, |w, item| {
+                write(w, index, item);
+                index += 1;
+            });
+        });
+    }
+}
+
+/// Whether numbers are the same to the last bit, the sign of 0 included: it is written too.
+fn same(a: &[f64], b: &[f64]) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
+}

@@ -1,0 +1,188 @@
+//! Collects instructions, constants and labels of a program.
+
+use std::collections::{HashMap, HashSet};
+use std::rc::Rc;
+
+use naga::{Expression, Handle};
+
+use super::Outcome;
+use crate::diag::Diagnostic;
+use crate::interp::instruction::{Instruction, Slot, Switch, Target};
+
+/// How many slots a program's memory may have: 32 MiB.
+pub(super) const MAX_SLOTS: u32 = 1 << 22;
+
+/// How many slots the lists of all values of a program may name together.
+const MAX_LISTED: usize = 1 << 25;
+
+/// How many instructions a program may have.
+const MAX_CODE: usize = 1 << 24;
+
+/// A program in the making. Targets are labels, which [`link`](Self::link) turns into numbers of instructions.
+pub(super) struct Assembler {
+    code: Vec<Instruction>,
+    switches: Vec<Switch>,
+    image: Vec<u64>,
+    constants: HashMap<u64, Slot>,
+    wide_constants: HashMap<u64, Slot>,
+    wide_slots: HashSet<Slot>,
+    constant_slots: HashSet<Slot>,
+    constant_runs: HashMap<Vec<Slot>, Slot>,
+    /// The values of the module's constant expressions.
+    pub(super) globals: HashMap<Handle<Expression>, Rc<[Slot]>>,
+    /// How many slots all lists of slots name together.
+    listed: usize,
+    /// The instruction that each label stands before.
+    labels: Vec<u32>,
+}
+
+/// A complete program, without its signature.
+pub(super) struct Linked {
+    pub(super) code: Vec<Instruction>,
+    pub(super) switches: Vec<Switch>,
+    pub(super) image: Vec<u64>,
+    pub(super) wide_constants: Vec<Slot>,
+    pub(super) entry: u32,
+}
+
+impl Assembler {
+    pub(super) fn new() -> Self {
+        Self {
+            // The entry function's link slot stays 0, so its return ends the program here.
+            code: vec![Instruction::Halt],
+            switches: Vec::new(),
+            image: Vec::new(),
+            constants: HashMap::new(),
+            wide_constants: HashMap::new(),
+            wide_slots: HashSet::new(),
+            constant_slots: HashSet::new(),
+            constant_runs: HashMap::new(),
+            globals: HashMap::new(),
+            listed: 0,
+            labels: Vec::new(),
+        }
+    }
+
+    /// Appends an instruction.
+    pub(super) fn emit(&mut self, instruction: Instruction) -> Outcome<()> {
+        if self.code.len() >= MAX_CODE {
+            return Err(too_big(format!("{MAX_CODE} instructions")));
+        }
+        self.code.push(instruction);
+        Ok(())
+    }
+
+    /// Reserves slots that are neighbours, and gives the first.
+    pub(super) fn reserve(&mut self, count: u32) -> Outcome<Slot> {
+        let first = self.image.len() as u32;
+        if count > MAX_SLOTS - first {
+            return Err(too_big(format!("{MAX_SLOTS} scalars")));
+        }
+        self.image.resize(self.image.len() + count as usize, 0);
+        Ok(first)
+    }
+
+    /// A slot that holds these bits.
+    pub(super) fn constant(&mut self, bits: u64) -> Outcome<Slot> {
+        if let Some(&slot) = self.constants.get(&bits) {
+            return Ok(slot);
+        }
+        let slot = self.reserve_constant(bits)?;
+        self.constants.insert(bits, slot);
+        Ok(slot)
+    }
+
+    /// A slot that holds this float; if f32 cannot, then one that is rounded when the program runs in f32.
+    pub(super) fn float(&mut self, x: f64) -> Outcome<Slot> {
+        let bits = x.to_bits();
+        if x.is_nan() || f64::from(x as f32) == x {
+            return self.constant(bits);
+        }
+        if let Some(&slot) = self.wide_constants.get(&bits) {
+            return Ok(slot);
+        }
+        let slot = self.reserve_constant(bits)?;
+        self.wide_constants.insert(bits, slot);
+        self.wide_slots.insert(slot);
+        Ok(slot)
+    }
+
+    fn reserve_constant(&mut self, bits: u64) -> Outcome<Slot> {
+        let slot = self.reserve(1)?;
+        self.image[slot as usize] = bits;
+        self.constant_slots.insert(slot);
+        Ok(slot)
+    }
+
+    /// The first of neighbours that hold what `slots` hold, if those are all constants.
+    pub(super) fn constant_run(&mut self, slots: &[Slot]) -> Outcome<Option<Slot>> {
+        if let Some(&first) = self.constant_runs.get(slots) {
+            return Ok(Some(first));
+        }
+        if !slots.iter().all(|slot| self.constant_slots.contains(slot)) {
+            return Ok(None);
+        }
+        let first = self.reserve(slots.len() as u32)?;
+        for (to, &from) in (first..).zip(slots) {
+            self.image[to as usize] = self.image[from as usize];
+            self.constant_slots.insert(to);
+            if self.wide_slots.contains(&from) {
+                self.wide_slots.insert(to);
+            }
+        }
+        self.constant_runs.insert(slots.to_vec(), first);
+        Ok(Some(first))
+    }
+
+    /// Accounts for the list of the slots of one value.
+    pub(super) fn list(&mut self, slots: usize) -> Outcome<()> {
+        self.listed += slots;
+        if self.listed > MAX_LISTED { Err(too_big(format!("{MAX_LISTED} scalars in its values"))) } else { Ok(()) }
+    }
+
+    /// A new label, to be placed later.
+    pub(super) fn label(&mut self) -> Target {
+        self.labels.push(0);
+        self.labels.len() as u32 - 1
+    }
+
+    /// Puts a label before the next instruction.
+    pub(super) fn place(&mut self, label: Target) {
+        self.labels[label as usize] = self.code.len() as u32;
+    }
+
+    /// Registers a switch, whose number an instruction names.
+    pub(super) fn switch(&mut self, switch: Switch) -> u32 {
+        self.switches.push(switch);
+        self.switches.len() as u32 - 1
+    }
+
+    /// Resolves all labels.
+    pub(super) fn link(self, entry: Target) -> Linked {
+        let Self { mut code, mut switches, image, labels, wide_slots, .. } = self;
+        for instruction in &mut code {
+            if let Instruction::Jump { target }
+            | Instruction::JumpIf { target, .. }
+            | Instruction::Call { target, .. } = instruction
+            {
+                *target = labels[*target as usize];
+            }
+        }
+        for switch in &mut switches {
+            for (_, target) in &mut switch.cases {
+                *target = labels[*target as usize];
+            }
+            switch.cases.sort_unstable();
+            switch.default = labels[switch.default as usize];
+        }
+        let mut wide_constants: Vec<Slot> = wide_slots.into_iter().collect();
+        wide_constants.sort_unstable();
+        Linked { code, switches, image, wide_constants, entry: labels[entry as usize] }
+    }
+}
+
+#[cold]
+fn too_big(limit: String) -> Box<Diagnostic> {
+    let message = format!("the function needs more than {limit}, which is all that the interpreter grants");
+    Box::new(Diagnostic::error("interp-too-big", message).hint("use smaller arrays or fewer of them"))
+}

@@ -1,0 +1,180 @@
+//! How many slots each type takes, and what it is made of.
+
+use naga::{ArraySize, Handle, Module, Scalar, ScalarKind as Kind, Type, TypeInner, UniqueArena};
+
+use super::assembler::MAX_SLOTS;
+use crate::diag::Diagnostic;
+use crate::interp::{ScalarKind, Shape};
+
+/// How many types may lie within each other.
+const MAX_DEPTH: u32 = 64;
+
+/// Why a type cannot be used.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Problem {
+    /// The interpreter has no such values. Names the type.
+    Unsupported(&'static str),
+    /// It has too many scalars, or nests too deeply.
+    TooBig,
+}
+
+impl Problem {
+    /// The error to report; `subject` is what has the type.
+    pub(super) fn diagnose(self, subject: &str) -> Diagnostic {
+        match self {
+            Self::Unsupported(what) => {
+                let message = format!("{subject} is {what}, which the interpreter cannot hold");
+                Diagnostic::error("interp-unsupported", message)
+                    .hint("it knows bool, i32, u32, f32, and vectors, matrices, arrays and structs of them")
+            }
+            Self::TooBig => Diagnostic::error(
+                "interp-too-big",
+                format!(
+                    "the type of {subject} is larger than {MAX_SLOTS} scalars or nested more than {MAX_DEPTH} deep"
+                ),
+            ),
+        }
+    }
+}
+
+#[derive(Clone, Copy)]
+struct Extent {
+    slots: u32,
+    depth: u32,
+}
+
+/// The extent of every type of a module.
+pub(super) struct Layouts(Vec<Result<Extent, Problem>>);
+
+impl Layouts {
+    /// Measures all types; naga orders them so that each comes after what it is made of.
+    pub(super) fn of(module: &Module) -> Self {
+        let mut layouts = Self(Vec::with_capacity(module.types.len()));
+        for (_, ty) in module.types.iter() {
+            let extent = layouts.extent(&ty.inner);
+            layouts.0.push(extent);
+        }
+        layouts
+    }
+
+    /// The number of slots that a value takes.
+    pub(super) fn slots(&self, inner: &TypeInner) -> Result<u32, Problem> {
+        Ok(self.extent(inner)?.slots)
+    }
+
+    fn extent(&self, inner: &TypeInner) -> Result<Extent, Problem> {
+        let known =
+            |ty: Handle<Type>| self.0.get(ty.index()).copied().unwrap_or(Err(Problem::Unsupported("recursive")));
+        let (slots, depth) = match inner {
+            TypeInner::Scalar(scalar) => scalar_kind(*scalar).map(|_| (1, 0))?,
+            TypeInner::Vector { size, scalar } => scalar_kind(*scalar).map(|_| (*size as u64, 0))?,
+            TypeInner::Matrix { columns, rows, scalar } => {
+                scalar_kind(*scalar).map(|_| (*columns as u64 * *rows as u64, 0))?
+            }
+            // The number of the slot pointed to.
+            TypeInner::Pointer { .. } | TypeInner::ValuePointer { .. } => (1, 0),
+            TypeInner::Array { base, size, .. } => {
+                let element = known(*base)?;
+                (u64::from(element.slots) * u64::from(array_count(*size)?), element.depth + 1)
+            }
+            TypeInner::Struct { members, .. } => {
+                let (mut slots, mut depth) = (0, 0);
+                for member in members {
+                    let extent = known(member.ty)?;
+                    slots += u64::from(extent.slots);
+                    depth = depth.max(extent.depth + 1);
+                }
+                (slots, depth)
+            }
+            other => return Err(Problem::Unsupported(type_name(other))),
+        };
+        let fits = slots <= u64::from(MAX_SLOTS) && depth <= MAX_DEPTH;
+        if fits { Ok(Extent { slots: slots as u32, depth }) } else { Err(Problem::TooBig) }
+    }
+
+    /// The shape of a type. Recursion is as deep as the type, which has been bounded.
+    pub(super) fn shape(&self, module: &Module, ty: Handle<Type>) -> Result<Shape, Problem> {
+        let Type { name, inner } = &module.types[ty];
+        self.slots(inner)?;
+        Ok(match inner {
+            TypeInner::Scalar(scalar) => Shape::Scalar(scalar_kind(*scalar)?),
+            TypeInner::Vector { size, scalar } => Shape::Vector { kind: scalar_kind(*scalar)?, size: *size as usize },
+            TypeInner::Matrix { columns, rows, .. } => {
+                Shape::Matrix { columns: *columns as usize, rows: *rows as usize }
+            }
+            TypeInner::Array { base, size, .. } => {
+                Shape::Array { element: Box::new(self.shape(module, *base)?), count: array_count(*size)? as usize }
+            }
+            TypeInner::Struct { members, .. } => {
+                let members = members
+                    .iter()
+                    .map(|member| Ok((member.name.clone().unwrap_or_default(), self.shape(module, member.ty)?)))
+                    .collect::<Result<_, _>>()?;
+                Shape::Struct { name: name.clone().unwrap_or_default(), members }
+            }
+            other => return Err(Problem::Unsupported(type_name(other))),
+        })
+    }
+
+    /// Offset and number of slots of part `index` of a composite: a component, column, element or member.
+    pub(super) fn part(&self, types: &UniqueArena<Type>, inner: &TypeInner, index: u32) -> Result<(u32, u32), Problem> {
+        if let TypeInner::Struct { members, .. } = inner {
+            let mut offset = 0;
+            for member in &members[..(index as usize).min(members.len())] {
+                offset += self.slots(&types[member.ty].inner)?;
+            }
+            let member = members.get(index as usize).ok_or(Problem::Unsupported("a struct without that member"))?;
+            return Ok((offset, self.slots(&types[member.ty].inner)?));
+        }
+        let (count, stride) = self.elements(types, inner)?;
+        if index < count { Ok((index * stride, stride)) } else { Err(Problem::Unsupported("shorter than its index")) }
+    }
+
+    /// How many equal parts a composite has, and how many slots each takes.
+    pub(super) fn elements(&self, types: &UniqueArena<Type>, inner: &TypeInner) -> Result<(u32, u32), Problem> {
+        Ok(match inner {
+            TypeInner::Vector { size, .. } | TypeInner::ValuePointer { size: Some(size), .. } => (*size as u32, 1),
+            TypeInner::Matrix { columns, rows, .. } => (*columns as u32, *rows as u32),
+            TypeInner::Array { base, size, .. } => (array_count(*size)?, self.slots(&types[*base].inner)?),
+            other => return Err(Problem::Unsupported(type_name(other))),
+        })
+    }
+}
+
+/// The kind of a scalar that the interpreter has.
+pub(super) fn scalar_kind(scalar: Scalar) -> Result<ScalarKind, Problem> {
+    match (scalar.kind, scalar.width) {
+        (Kind::Bool, _) => Ok(ScalarKind::Bool),
+        (Kind::Sint, 4) | (Kind::AbstractInt, _) => Ok(ScalarKind::I32),
+        (Kind::Uint, 4) => Ok(ScalarKind::U32),
+        (Kind::Float, 4 | 8) | (Kind::AbstractFloat, _) => Ok(ScalarKind::Float),
+        (Kind::Float, _) => Err(Problem::Unsupported("an f16")),
+        (Kind::Sint | Kind::Uint, _) => Err(Problem::Unsupported("an integer not of 32 bits")),
+    }
+}
+
+fn array_count(size: ArraySize) -> Result<u32, Problem> {
+    match size {
+        ArraySize::Constant(count) => Ok(count.get()),
+        ArraySize::Pending(_) => Err(Problem::Unsupported("an array whose size is an override")),
+        ArraySize::Dynamic => Err(Problem::Unsupported("an array without a fixed size")),
+    }
+}
+
+fn type_name(inner: &TypeInner) -> &'static str {
+    match inner {
+        TypeInner::Scalar(_) => "a scalar",
+        TypeInner::Vector { .. } => "a vector",
+        TypeInner::Matrix { .. } => "a matrix",
+        TypeInner::Array { .. } => "an array",
+        TypeInner::Struct { .. } => "a struct",
+        TypeInner::Pointer { .. } | TypeInner::ValuePointer { .. } => "a pointer",
+        TypeInner::Atomic(_) => "an atomic",
+        TypeInner::Image { .. } => "a texture",
+        TypeInner::Sampler { .. } => "a sampler",
+        TypeInner::AccelerationStructure { .. } => "an acceleration structure",
+        TypeInner::RayQuery { .. } => "a ray query",
+        TypeInner::BindingArray { .. } => "a binding array",
+        TypeInner::CooperativeMatrix { .. } => "a cooperative matrix",
+    }
+}

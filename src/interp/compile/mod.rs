@@ -1,0 +1,205 @@
+//! From naga IR to instructions.
+//!
+//! Every function that the entry function reaches is compiled once, callees first. None of this recurses: blocks,
+//! constants and the call graph are walked with explicit stacks, so no module is too deep for it.
+
+mod assembler;
+mod builtins;
+mod expressions;
+mod layout;
+mod linear;
+mod operators;
+mod statements;
+mod unsupported;
+
+use naga::front::Typifier;
+use naga::proc::ResolveContext;
+use naga::{Block, Expression, Function, Handle, Module, Statement};
+
+use super::instruction::{Instruction, Slot, Target};
+use super::{Options, Parameter, Program, Shape};
+use crate::diag::Diagnostic;
+use assembler::Assembler;
+use layout::Layouts;
+use statements::FunctionCompiler;
+
+/// A result whose error is boxed, because it is moved through many hands.
+type Outcome<T> = Result<T, Box<Diagnostic>>;
+
+/// Where a function's code starts, and where its arguments, result and return address lie.
+struct Frame {
+    entry: Target,
+    link: Slot,
+    /// The first slot of each argument.
+    arguments: Vec<Slot>,
+    result: Slot,
+    /// How many slots the result takes.
+    result_slots: u32,
+}
+
+/// What all functions of a program are compiled with.
+struct Context<'a> {
+    module: &'a Module,
+    layouts: &'a Layouts,
+    options: Options,
+    /// Of each function of the module that has been compiled.
+    frames: &'a [Option<Frame>],
+}
+
+/// Compiles the function of that name; see [`Program::compile`].
+pub(super) fn compile(module: &Module, name: &str, options: Options) -> Outcome<Program> {
+    let function = find(module, name)?;
+    let layouts = Layouts::of(module);
+    let (parameters, result) = signature(module, &layouts, name, function)?;
+    let mut assembler = Assembler::new();
+    let mut frames: Vec<Option<Frame>> = Vec::new();
+    frames.resize_with(module.functions.len(), || None);
+    for callee in reachable(module, function) {
+        let context = Context { module, layouts: &layouts, options, frames: &frames };
+        let frame = compile_function(&context, &mut assembler, &module.functions[callee])?;
+        frames[callee.index()] = Some(frame);
+    }
+    let context = Context { module, layouts: &layouts, options, frames: &frames };
+    let frame = compile_function(&context, &mut assembler, function)?;
+    let parameters = parameters
+        .into_iter()
+        .zip(&frame.arguments)
+        .map(|((name, shape), &slot)| Parameter { name, shape, slot })
+        .collect();
+    let linked = assembler.link(frame.entry);
+    Ok(Program {
+        name: name.to_owned(),
+        code: linked.code,
+        switches: linked.switches,
+        image: linked.image,
+        wide_constants: linked.wide_constants,
+        entry: linked.entry,
+        parameters,
+        result,
+        result_slot: frame.result,
+        step_limit: options.step_limit,
+    })
+}
+
+/// The function or entry point of that name.
+fn find<'m>(module: &'m Module, name: &str) -> Outcome<&'m Function> {
+    let functions = module.functions.iter().map(|(_, f)| (f.name.as_deref().unwrap_or(""), f));
+    let entry_points = module.entry_points.iter().map(|e| (e.name.as_str(), &e.function));
+    let known: Vec<(&str, &Function)> = functions.chain(entry_points).collect();
+    known.iter().find(|(known, _)| *known == name).map(|(_, function)| *function).ok_or_else(|| {
+        let error = Diagnostic::error("interp-unknown-function", format!("there is no function `{name}`"));
+        Box::new(error.suggest(name, known.iter().map(|(known, _)| *known)))
+    })
+}
+
+/// Names and shapes of the arguments, and the shape of the result.
+fn signature(
+    module: &Module,
+    layouts: &Layouts,
+    name: &str,
+    function: &Function,
+) -> Outcome<(Vec<(String, Shape)>, Shape)> {
+    let shape = |ty, what: &str| {
+        layouts.shape(module, ty).map_err(|problem| Box::new(problem.diagnose(&format!("{what} of `{name}`"))))
+    };
+    let mut parameters = Vec::new();
+    for argument in &function.arguments {
+        let argument_name = argument.name.clone().unwrap_or_default();
+        let shape = shape(argument.ty, &format!("argument `{argument_name}`"))?;
+        parameters.push((argument_name, shape));
+    }
+    let Some(result) = &function.result else {
+        let message = format!("`{name}` returns nothing, so there is nothing to run it for");
+        return Err(Box::new(Diagnostic::error("interp-unsupported", message)));
+    };
+    Ok((parameters, shape(result.ty, "the result")?))
+}
+
+/// The functions that `entry` calls, and those that they call, callees before callers.
+fn reachable(module: &Module, entry: &Function) -> Vec<Handle<Function>> {
+    let mut found = vec![false; module.functions.len()];
+    let mut pending = vec![entry];
+    while let Some(function) = pending.pop() {
+        for callee in calls(&function.body) {
+            if !std::mem::replace(&mut found[callee.index()], true) {
+                pending.push(&module.functions[callee]);
+            }
+        }
+    }
+    // naga orders its arena so that functions come after those that they call.
+    module.functions.iter().map(|(handle, _)| handle).filter(|handle| found[handle.index()]).collect()
+}
+
+/// What is called anywhere in a block.
+fn calls(body: &Block) -> Vec<Handle<Function>> {
+    let mut callees = Vec::new();
+    let mut blocks = vec![body];
+    while let Some(block) = blocks.pop() {
+        for statement in block {
+            match statement {
+                Statement::Call { function, .. } => callees.push(*function),
+                Statement::Block(inner) => blocks.push(inner),
+                Statement::If { accept, reject, .. } => blocks.extend([accept, reject]),
+                Statement::Loop { body, continuing, .. } => blocks.extend([body, continuing]),
+                Statement::Switch { cases, .. } => blocks.extend(cases.iter().map(|case| &case.body)),
+                _ => {}
+            }
+        }
+    }
+    callees
+}
+
+/// Appends the code of one function.
+fn compile_function(context: &Context, assembler: &mut Assembler, function: &Function) -> Outcome<Frame> {
+    let types = types(context.module, function)?;
+    let frame = frame(context, assembler, function)?;
+    assembler.place(frame.entry);
+    FunctionCompiler::new(context, assembler, function, &types, &frame)?.body()?;
+    // A function without result may end without `return`; after any other, nothing gets here.
+    assembler.emit(Instruction::Return { link: frame.link })?;
+    Ok(frame)
+}
+
+/// The type of every expression.
+fn types(module: &Module, function: &Function) -> Outcome<Typifier> {
+    let resolve = ResolveContext::with_locals(module, &function.local_variables, &function.arguments);
+    let mut types = Typifier::new();
+    if let Some((last, _)) = function.expressions.iter().last() {
+        types.grow(last, &function.expressions, &resolve).map_err(|problem| {
+            let name = function.name.as_deref().unwrap_or("");
+            Box::new(Diagnostic::error("interp-unsupported", format!("the types of `{name}` are not known: {problem}")))
+        })?;
+    }
+    Ok(types)
+}
+
+/// Reserves what the callers of a function must know.
+fn frame(context: &Context, assembler: &mut Assembler, function: &Function) -> Outcome<Frame> {
+    let name = function.name.as_deref().unwrap_or("");
+    let slots = |ty, what: &str| {
+        let inner = &context.module.types[ty].inner;
+        context.layouts.slots(inner).map_err(|problem| Box::new(problem.diagnose(&format!("{what} of `{name}`"))))
+    };
+    let entry = assembler.label();
+    let link = assembler.reserve(1)?;
+    let mut arguments = Vec::new();
+    for argument in &function.arguments {
+        let count = slots(argument.ty, &format!("argument `{}`", argument.name.as_deref().unwrap_or("")))?;
+        arguments.push(assembler.reserve(count)?);
+    }
+    let result_slots = function.result.as_ref().map_or(Ok(0), |result| slots(result.ty, "the result"))?;
+    let result = assembler.reserve(result_slots)?;
+    Ok(Frame { entry, link, arguments, result, result_slots })
+}
+
+/// Whether an expression is a value on its own, wherever it stands.
+fn is_constant(expression: &Expression) -> bool {
+    matches!(
+        expression,
+        Expression::Literal(_)
+            | Expression::Constant(_)
+            | Expression::ZeroValue(_)
+            | Expression::Compose { .. }
+            | Expression::Splat { .. }
+    )
+}

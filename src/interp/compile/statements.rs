@@ -1,0 +1,327 @@
+//! Statements: control flow, stores and calls.
+
+use naga::front::Typifier;
+use naga::{Block, Expression, Function, Handle, Span, Statement, SwitchCase, SwitchValue, TypeInner};
+
+use super::assembler::Assembler;
+use super::expressions::{Operand, Place};
+use super::unsupported::statement_name;
+use super::{Context, Frame, Outcome};
+use crate::diag::Diagnostic;
+use crate::interp::instruction::{Instruction, Slot, Switch, Target};
+
+/// Compiles one function.
+pub(super) struct FunctionCompiler<'a> {
+    pub(super) context: &'a Context<'a>,
+    pub(super) assembler: &'a mut Assembler,
+    pub(super) function: &'a Function,
+    pub(super) types: &'a Typifier,
+    pub(super) frame: &'a Frame,
+    /// What has been compiled of each expression.
+    pub(super) operands: Vec<Option<Operand>>,
+    /// The first slot of each local variable.
+    pub(super) locals: Vec<Slot>,
+    /// What is still to be compiled, last first.
+    tasks: Vec<Task<'a>>,
+    /// Where `break` and `continue` lead, innermost last.
+    exits: Vec<Exit>,
+}
+
+/// A piece of work that waits until what stands before it has been compiled.
+enum Task<'a> {
+    /// The statements of a block from an index on.
+    Block(&'a Block, usize),
+    /// The next instruction has this label.
+    Label(Target),
+    /// Goes on at the label.
+    Jump(Target),
+    /// Goes on at the label if the condition is false.
+    JumpUnless(Handle<Expression>, Target),
+    /// A loop or switch is complete.
+    Leave,
+}
+
+#[derive(Clone, Copy)]
+struct Exit {
+    on_break: Target,
+    /// None outside of any loop.
+    on_continue: Option<Target>,
+}
+
+impl<'a> FunctionCompiler<'a> {
+    pub(super) fn new(
+        context: &'a Context<'a>,
+        assembler: &'a mut Assembler,
+        function: &'a Function,
+        types: &'a Typifier,
+        frame: &'a Frame,
+    ) -> Outcome<Self> {
+        let mut compiler = Self {
+            context,
+            assembler,
+            function,
+            types,
+            frame,
+            operands: Vec::new(),
+            locals: Vec::new(),
+            tasks: Vec::new(),
+            exits: Vec::new(),
+        };
+        compiler.operands.resize_with(function.expressions.len(), || None);
+        for (handle, local) in function.local_variables.iter() {
+            let inner = &context.module.types[local.ty].inner;
+            let count = compiler.slots_of(inner, function.local_variables.get_span(handle))?;
+            let first = compiler.assembler.reserve(count)?;
+            compiler.locals.push(first);
+        }
+        compiler.define_names()?;
+        Ok(compiler)
+    }
+
+    /// Makes known where arguments and locals lie.
+    fn define_names(&mut self) -> Outcome<()> {
+        for (handle, expression) in self.function.expressions.iter() {
+            let operand = match *expression {
+                Expression::FunctionArgument(index) => self.argument(index, handle)?,
+                Expression::LocalVariable(local) => Operand::Place(Place::fixed(self.locals[local.index()])),
+                _ => continue,
+            };
+            self.operands[handle.index()] = Some(operand);
+        }
+        Ok(())
+    }
+
+    /// Compiles everything the function does.
+    pub(super) fn body(mut self) -> Outcome<()> {
+        for (handle, local) in self.function.local_variables.iter() {
+            let to = self.locals[handle.index()];
+            if let Some(init) = local.init {
+                let from = self.value(init)?;
+                self.copy(to, &from)?;
+            } else {
+                let inner = &self.context.module.types[local.ty].inner;
+                let count = self.slots_of(inner, self.function.local_variables.get_span(handle))?;
+                self.assembler.emit(Instruction::Clear { to, count })?;
+            }
+        }
+        self.tasks.push(Task::Block(&self.function.body, 0));
+        while let Some(task) = self.tasks.pop() {
+            match task {
+                Task::Block(block, index) => {
+                    if let Some(statement) = block.get(index) {
+                        self.tasks.push(Task::Block(block, index + 1));
+                        self.statement(statement).map_err(|error| locate_statement(error, block, index))?;
+                    }
+                }
+                Task::Label(label) => self.assembler.place(label),
+                Task::Jump(target) => self.assembler.emit(Instruction::Jump { target })?,
+                Task::JumpUnless(condition, target) => self.jump_unless(condition, target)?,
+                Task::Leave => {
+                    self.exits.pop();
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Queues work; the first is done first.
+    fn queue<const N: usize>(&mut self, tasks: [Task<'a>; N]) {
+        self.tasks.extend(tasks.into_iter().rev());
+    }
+
+    fn statement(&mut self, statement: &'a Statement) -> Outcome<()> {
+        match statement {
+            Statement::Emit(range) => range.clone().try_for_each(|handle| self.expression(handle)),
+            Statement::Block(block) => {
+                self.queue([Task::Block(block, 0)]);
+                Ok(())
+            }
+            Statement::If { condition, accept, reject } => self.branch(*condition, accept, reject),
+            Statement::Switch { selector, cases } => self.switch(*selector, cases),
+            Statement::Loop { body, continuing, break_if } => self.repeat(body, continuing, *break_if),
+            Statement::Break => match self.exits.last() {
+                Some(exit) => self.assembler.emit(Instruction::Jump { target: exit.on_break }),
+                None => Err(self.unsupported("`break` outside of a loop (Break)", Span::UNDEFINED)),
+            },
+            Statement::Continue => match self.exits.last().and_then(|exit| exit.on_continue) {
+                Some(target) => self.assembler.emit(Instruction::Jump { target }),
+                None => Err(self.unsupported("`continue` outside of a loop (Continue)", Span::UNDEFINED)),
+            },
+            Statement::Return { value } => {
+                if let Some(value) = value {
+                    let from = self.value(*value)?;
+                    self.copy(self.frame.result, &from)?;
+                }
+                self.assembler.emit(Instruction::Return { link: self.frame.link })
+            }
+            Statement::Store { pointer, value } => {
+                let place = self.place(*pointer)?;
+                let from = self.value(*value)?;
+                self.store(place, &from)
+            }
+            Statement::Call { function, arguments, result } => self.call(*function, arguments, *result),
+            other => Err(self.unsupported(statement_name(other), Span::UNDEFINED)),
+        }
+    }
+
+    fn jump_unless(&mut self, condition: Handle<Expression>, target: Target) -> Outcome<()> {
+        let condition = self.scalar(condition)?;
+        self.assembler.emit(Instruction::JumpIf { condition, when: false, target })
+    }
+
+    fn branch(&mut self, condition: Handle<Expression>, accept: &'a Block, reject: &'a Block) -> Outcome<()> {
+        let otherwise = self.assembler.label();
+        self.jump_unless(condition, otherwise)?;
+        if reject.is_empty() {
+            self.queue([Task::Block(accept, 0), Task::Label(otherwise)]);
+        } else {
+            let end = self.assembler.label();
+            self.queue([
+                Task::Block(accept, 0),
+                Task::Jump(end),
+                Task::Label(otherwise),
+                Task::Block(reject, 0),
+                Task::Label(end),
+            ]);
+        }
+        Ok(())
+    }
+
+    fn repeat(&mut self, body: &'a Block, continuing: &'a Block, break_if: Option<Handle<Expression>>) -> Outcome<()> {
+        let [start, next, end] = [(); 3].map(|()| self.assembler.label());
+        self.assembler.place(start);
+        self.exits.push(Exit { on_break: end, on_continue: Some(next) });
+        self.queue([Task::Label(end), Task::Leave]);
+        match break_if {
+            Some(condition) => {
+                let again = self.assembler.label();
+                self.queue([
+                    Task::JumpUnless(condition, again),
+                    Task::Jump(end),
+                    Task::Label(again),
+                    Task::Jump(start),
+                ]);
+            }
+            None => self.queue([Task::Jump(start)]),
+        }
+        self.queue([Task::Block(body, 0), Task::Label(next), Task::Block(continuing, 0)]);
+        Ok(())
+    }
+
+    fn switch(&mut self, selector: Handle<Expression>, cases: &'a [SwitchCase]) -> Outcome<()> {
+        let selector = self.scalar(selector)?;
+        let end = self.assembler.label();
+        let on_continue = self.exits.last().and_then(|exit| exit.on_continue);
+        self.exits.push(Exit { on_break: end, on_continue });
+        let mut switch = Switch { cases: Vec::new(), default: end };
+        let mut tasks = Vec::new();
+        for case in cases {
+            let label = self.assembler.label();
+            match case.value {
+                SwitchValue::I32(value) => switch.cases.push((value as u32, label)),
+                SwitchValue::U32(value) => switch.cases.push((value, label)),
+                SwitchValue::Default => switch.default = label,
+            }
+            tasks.extend([Task::Label(label), Task::Block(&case.body, 0)]);
+            if !case.fall_through {
+                tasks.push(Task::Jump(end));
+            }
+        }
+        tasks.extend([Task::Label(end), Task::Leave]);
+        let table = self.assembler.switch(switch);
+        self.assembler.emit(Instruction::Switch { selector, table })?;
+        self.tasks.extend(tasks.into_iter().rev());
+        Ok(())
+    }
+
+    fn call(
+        &mut self,
+        callee: Handle<Function>,
+        arguments: &[Handle<Expression>],
+        result: Option<Handle<Expression>>,
+    ) -> Outcome<()> {
+        let Some(frame) = &self.context.frames[callee.index()] else {
+            return Err(self.unsupported("a function that has not ended yet (recursion)", Span::UNDEFINED));
+        };
+        for (&argument, &to) in arguments.iter().zip(&frame.arguments) {
+            match self.operand(argument)? {
+                Operand::Value(slots) => self.copy(to, &slots)?,
+                Operand::Place(place) => {
+                    let pointer = self.pointer(place)?;
+                    self.assembler.emit(Instruction::Copy { to, from: pointer })?;
+                }
+            }
+        }
+        self.assembler.emit(Instruction::Call { target: frame.entry, link: frame.link })?;
+        let Some(result) = result else { return Ok(()) };
+        // The next call of the same function overwrites its result.
+        let to = self.assembler.reserve(frame.result_slots)?;
+        let slots: Vec<Slot> = (to..to + frame.result_slots).collect();
+        let from: Vec<Slot> = (frame.result..frame.result + frame.result_slots).collect();
+        self.copy(to, &from)?;
+        self.define(result, slots)
+    }
+
+    /// Copies slots to neighbours.
+    pub(super) fn copy(&mut self, to: Slot, from: &[Slot]) -> Outcome<()> {
+        let mut to = to;
+        for run in from.chunk_by(|a, b| *b == *a + 1) {
+            let count = run.len() as u32;
+            // A few copies are faster than a call that moves memory.
+            if count > 4 {
+                self.assembler.emit(Instruction::CopyRun { to, from: run[0], count })?;
+            } else {
+                for (to, &from) in (to..).zip(run) {
+                    self.assembler.emit(Instruction::Copy { to, from })?;
+                }
+            }
+            to += count;
+        }
+        Ok(())
+    }
+
+    fn store(&mut self, place: Place, from: &[Slot]) -> Outcome<()> {
+        let Some(pointer) = place.pointer else { return self.copy(place.offset, from) };
+        for (offset, &from) in (place.offset..).zip(from) {
+            self.assembler.emit(Instruction::Store { pointer, offset, from })?;
+        }
+        Ok(())
+    }
+
+    /// The number of slots of a type.
+    pub(super) fn slots_of(&self, inner: &TypeInner, span: Span) -> Outcome<u32> {
+        self.context.layouts.slots(inner).map_err(|problem| self.locate(problem.diagnose(&self.subject()), span))
+    }
+
+    /// How errors about types name what has the type.
+    pub(super) fn subject(&self) -> String {
+        format!("a value in `{}`", self.name())
+    }
+
+    fn name(&self) -> &str {
+        self.function.name.as_deref().unwrap_or("")
+    }
+
+    /// The error that this function does what the interpreter cannot.
+    #[cold]
+    pub(super) fn unsupported(&self, what: &str, span: Span) -> Box<Diagnostic> {
+        let message = format!("`{}` uses {what}, which the interpreter cannot run", self.name());
+        self.locate(Diagnostic::error("interp-unsupported", message), span)
+    }
+
+    /// Adds the span in the source.
+    #[cold]
+    pub(super) fn locate(&self, mut diagnostic: Diagnostic, span: Span) -> Box<Diagnostic> {
+        diagnostic.place.wgsl = span.to_range();
+        Box::new(diagnostic)
+    }
+}
+
+/// Adds the span of a statement to an error that has none yet.
+#[cold]
+fn locate_statement(mut error: Box<Diagnostic>, block: &Block, index: usize) -> Box<Diagnostic> {
+    if error.place.wgsl.is_none() {
+        error.place.wgsl = block.span_iter().nth(index).and_then(|(_, span)| span.to_range());
+    }
+    error
+}

@@ -1,0 +1,47 @@
+//! Names for what only a GPU can do.
+
+use naga::{Expression, MathFunction, Statement};
+
+/// Names an expression that the interpreter cannot run, and the IR construct behind it.
+pub(super) fn expression_name(expression: &Expression) -> &'static str {
+    match expression {
+        Expression::Override(_) => "an override (Override)",
+        Expression::GlobalVariable(_) => "a global variable (GlobalVariable)",
+        Expression::ImageSample { .. } => "a texture sample (ImageSample)",
+        Expression::ImageLoad { .. } => "a texture load (ImageLoad)",
+        Expression::ImageQuery { .. } => "a texture query (ImageQuery)",
+        Expression::Derivative { .. } => "a derivative (Derivative)",
+        Expression::AtomicResult { .. } => "an atomic operation (AtomicResult)",
+        Expression::WorkGroupUniformLoadResult { .. } => "a workgroup load (WorkGroupUniformLoadResult)",
+        Expression::ArrayLength(_) => "the length of a runtime-sized array (ArrayLength)",
+        Expression::RayQueryVertexPositions { .. }
+        | Expression::RayQueryProceedResult
+        | Expression::RayQueryGetIntersection { .. } => "a ray query (RayQuery)",
+        Expression::SubgroupBallotResult | Expression::SubgroupOperationResult { .. } => {
+            "a subgroup operation (SubgroupOperationResult)"
+        }
+        Expression::CooperativeLoad { .. } | Expression::CooperativeMultiplyAdd { .. } => {
+            "a cooperative matrix (CooperativeLoad)"
+        }
+        // naga's typing and its back ends disagree on which argument gives the columns; WGSL has no such function.
+        Expression::Math { fun: MathFunction::Outer, .. } => "an outer product (MathFunction::Outer)",
+        _ => "an expression that is not valid naga IR",
+    }
+}
+
+/// Names a statement that the interpreter cannot run, and the IR construct behind it.
+pub(super) fn statement_name(statement: &Statement) -> &'static str {
+    match statement {
+        Statement::Kill => "`discard` (Kill)",
+        Statement::ControlBarrier(_) | Statement::MemoryBarrier(_) => "a barrier (ControlBarrier)",
+        Statement::ImageStore { .. } => "a texture store (ImageStore)",
+        Statement::Atomic { .. } | Statement::ImageAtomic { .. } => "an atomic operation (Atomic)",
+        Statement::WorkGroupUniformLoad { .. } => "a workgroup load (WorkGroupUniformLoad)",
+        Statement::RayQuery { .. } | Statement::RayPipelineFunction(_) => "ray tracing (RayQuery)",
+        Statement::SubgroupBallot { .. }
+        | Statement::SubgroupGather { .. }
+        | Statement::SubgroupCollectiveOperation { .. } => "a subgroup operation (SubgroupCollectiveOperation)",
+        Statement::CooperativeStore { .. } => "a cooperative matrix (CooperativeStore)",
+        _ => "a statement that is not valid naga IR",
+    }
+}

@@ -1,0 +1,201 @@
+//! What the machine can do. Every operand is the number of a slot, unless it says otherwise.
+
+/// The number of a slot in memory.
+pub(super) type Slot = u32;
+
+/// The number of an instruction; while compiling, the number of a label.
+pub(super) type Target = u32;
+
+/// One step of a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Instruction {
+    /// Ends the program.
+    Halt,
+    /// `to = from`
+    Copy { to: Slot, from: Slot },
+    /// `to[i] = from[i]` for `i < count`; the ranges do not overlap.
+    CopyRun { to: Slot, from: Slot, count: u32 },
+    /// `to[i] = 0` for `i < count`
+    Clear { to: Slot, count: u32 },
+    /// float -> float
+    FloatUnary { op: FloatUnary, to: Slot, a: Slot },
+    /// (float, float) -> float
+    FloatBinary { op: FloatBinary, to: Slot, a: Slot, b: Slot },
+    /// `a * b + c` with one rounding
+    FloatFma { to: Slot, a: Slot, b: Slot, c: Slot },
+    /// `a * 2^exponent`; the exponent is an i32.
+    FloatScale { to: Slot, a: Slot, exponent: Slot },
+    /// (float, float) -> bool
+    FloatCompare { op: Compare, to: Slot, a: Slot, b: Slot },
+    /// integer -> integer
+    IntUnary { op: IntUnary, to: Slot, a: Slot },
+    /// (integer, integer) -> integer or bool
+    IntBinary { op: IntBinary, to: Slot, a: Slot, b: Slot },
+    /// The bits `offset..offset + count` of `a`, sign-extended if `signed`.
+    ExtractBits { to: Slot, a: Slot, offset: Slot, count: Slot, signed: bool },
+    /// `a` with the bits `offset..offset + count` replaced by the low bits of `b`.
+    InsertBits { to: Slot, a: Slot, b: Slot, offset: Slot, count: Slot },
+    /// From one kind of scalar to another.
+    Convert { op: Conversion, to: Slot, a: Slot },
+    /// `to = if condition { accept } else { reject }`
+    Select { to: Slot, condition: Slot, accept: Slot, reject: Slot },
+    /// `to = pointer + min(index, count - 1) * stride`; `count` and `stride` are numbers.
+    Index { to: Slot, pointer: Slot, index: Slot, count: u32, stride: u32 },
+    /// `to = pointer + offset`; `offset` is a number.
+    Offset { to: Slot, pointer: Slot, offset: u32 },
+    /// `to[i] = memory[pointer + offset + i]` for `i < count`
+    Load { to: Slot, pointer: Slot, offset: u32, count: u32 },
+    /// `memory[pointer + offset] = from`
+    Store { pointer: Slot, offset: u32, from: Slot },
+    /// Goes on at `target`.
+    Jump { target: Target },
+    /// Goes on at `target` if the condition is `when`.
+    JumpIf { condition: Slot, when: bool, target: Target },
+    /// Goes on where the table of that number says.
+    Switch { selector: Slot, table: u32 },
+    /// Goes on at `target`, and leaves in `link` the number of the next instruction.
+    Call { target: Target, link: Slot },
+    /// Goes on at the instruction whose number is in `link`.
+    Return { link: Slot },
+}
+
+/// Where the values of a selector lead.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Switch {
+    /// Sorted by value once the program is complete.
+    pub(super) cases: Vec<(u32, Target)>,
+    /// Where the rest lead.
+    pub(super) default: Target,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum FloatUnary {
+    Negate,
+    Abs,
+    Sign,
+    Cos,
+    Cosh,
+    Sin,
+    Sinh,
+    Tan,
+    Tanh,
+    Acos,
+    Asin,
+    Atan,
+    Asinh,
+    Acosh,
+    Atanh,
+    Radians,
+    Degrees,
+    Ceil,
+    Floor,
+    Round,
+    Fract,
+    Trunc,
+    FrexpFraction,
+    Exp,
+    Exp2,
+    Log,
+    Log2,
+    Sqrt,
+    InverseSqrt,
+    QuantizeToF16,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum FloatBinary {
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Remainder,
+    Min,
+    Max,
+    Step,
+    Atan2,
+    Pow,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Compare {
+    Equal,
+    NotEqual,
+    Less,
+    LessEqual,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum IntUnary {
+    /// The absolute value of what is unsigned.
+    Identity,
+    Negate,
+    Abs,
+    Sign,
+    Complement,
+    LogicalNot,
+    CountTrailingZeros,
+    CountLeadingZeros,
+    CountOneBits,
+    ReverseBits,
+    FirstTrailingBit,
+    FirstLeadingBitSigned,
+    FirstLeadingBitUnsigned,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum IntBinary {
+    Add,
+    Subtract,
+    Multiply,
+    DivideSigned,
+    DivideUnsigned,
+    RemainderSigned,
+    RemainderUnsigned,
+    And,
+    Or,
+    Xor,
+    ShiftLeft,
+    ShiftRightSigned,
+    ShiftRightUnsigned,
+    MinSigned,
+    MinUnsigned,
+    MaxSigned,
+    MaxUnsigned,
+    Equal,
+    NotEqual,
+    LessSigned,
+    LessUnsigned,
+    LessEqualSigned,
+    LessEqualUnsigned,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Conversion {
+    /// Truncates and saturates; NaN gives 0.
+    FloatToI32,
+    /// Truncates and saturates; NaN gives 0.
+    FloatToU32,
+    /// Whether it is not 0.
+    FloatToBool,
+    /// Whether it is not 0.
+    IntToBool,
+    I32ToFloat,
+    U32ToFloat,
+    /// The bits of the nearest f32.
+    FloatToBits,
+    /// The f32 of these bits.
+    BitsToFloat,
+    FrexpExponent,
+    IsNan,
+    IsInf,
+    ToSnorm8,
+    ToUnorm8,
+    ToSnorm16,
+    ToUnorm16,
+    ToHalf,
+    FromSnorm8,
+    FromUnorm8,
+    FromSnorm16,
+    FromUnorm16,
+    FromHalf,
+}
