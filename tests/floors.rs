@@ -5,11 +5,11 @@
 
 #[path = "floors/scan.rs"]
 mod scan;
+mod support;
 
 use std::collections::BTreeSet;
-use std::fmt::Write as _;
+use std::fs;
 use std::path::{Path, PathBuf};
-use std::{fs, io};
 
 use scan::Reference;
 
@@ -105,44 +105,29 @@ fn check_main(text: &str) -> Vec<String> {
         .collect()
 }
 
-/// Every `.rs` file under `folder`, relative to it, in order.
-fn sources(folder: &Path) -> io::Result<Vec<PathBuf>> {
-    let mut found = BTreeSet::new();
-    let mut open = vec![folder.to_path_buf()];
-    while let Some(next) = open.pop() {
-        for entry in fs::read_dir(&next)? {
-            let path = entry?.path();
-            if path.is_dir() {
-                open.push(path);
-            } else if path.extension().is_some_and(|extension| extension == "rs") {
-                found.insert(path.strip_prefix(folder).expect("read from that folder").to_path_buf());
-            }
-        }
-    }
-    Ok(found.into_iter().collect())
+/// The folder of the sources, and every `.rs` file in it with its path from there.
+fn sources() -> (PathBuf, Vec<PathBuf>) {
+    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let rust = support::files::below(&src).into_iter().filter(|path| path.extension().is_some_and(|name| name == "rs"));
+    let files = rust.map(|path| path.strip_prefix(&src).expect("it was found there").to_path_buf()).collect();
+    (src, files)
 }
 
 #[test]
 fn imports_go_down() {
-    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let files = sources(&src).expect("src/ can be read");
+    let (src, files) = sources();
     assert!(files.len() > 2, "src/ holds more than its roots");
     let complaints: Vec<_> = files
         .iter()
         .flat_map(|path| check_source(path, &fs::read_to_string(src.join(path)).expect("a source is UTF-8")))
         .collect();
-    let mut report = String::new();
-    for complaint in &complaints {
-        writeln!(report, "{complaint}").expect("a String takes it");
-    }
-    assert!(complaints.is_empty(), "imports that break the floors:\n{report}");
+    assert!(complaints.is_empty(), "imports that break the floors:\n{}", complaints.join("\n"));
 }
 
 #[test]
 fn every_module_stands_on_one_floor() {
-    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let roots: BTreeSet<_> = sources(&src)
-        .expect("src/ can be read")
+    let (_, files) = sources();
+    let roots: BTreeSet<_> = files
         .iter()
         .filter_map(|path| path.iter().next())
         .map(|first| first.to_string_lossy().trim_end_matches(".rs").to_owned())
