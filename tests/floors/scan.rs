@@ -1,0 +1,400 @@
+//! Finds the paths in Rust source that start at the crate's root.
+//!
+//! A small lexer, not a parser: it drops comments, strings, characters and lifetimes, keeps words and punctuation with
+//! their lines, and follows `::` and braces from there. That reads `use` items and inline paths alike, also those in
+//! macro calls, which a parser would not look into.
+
+/// Where a path leads.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Reference {
+    /// To a top-level module of this crate.
+    Module(String),
+    /// To the crate's root itself: a glob or a rename.
+    WholeCrate,
+    /// To another crate, or to something local of that name followed by `::`.
+    Crate(String),
+}
+
+/// A path and its place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Found {
+    pub(crate) reference: Reference,
+    /// As it would be written out, up to the name that matters.
+    pub(crate) path: String,
+    /// From 1.
+    pub(crate) line: usize,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Kind {
+    Word(String),
+    /// `::`
+    Separator,
+    Mark(char),
+}
+
+#[derive(Clone, Debug)]
+struct Token {
+    kind: Kind,
+    line: usize,
+}
+
+/// Every path in `text` that names a top-level module or another crate. `depth` is how many modules deep the file is:
+/// 1 for `src/ids.rs` and `src/compile/mod.rs`, 2 for `src/compile/emit.rs`.
+pub(crate) fn references(text: &str, depth: usize) -> Vec<Found> {
+    let tokens = tokens(text);
+    let mut found = Vec::new();
+    let mut braces = Vec::new();
+    for at in 0..tokens.len() {
+        match &tokens[at].kind {
+            Kind::Mark('{') => braces.push(Brace::of(&tokens, at)),
+            Kind::Mark('}') => {
+                braces.pop();
+            }
+            Kind::Word(first) if braces.last() != Some(&Brace::Group) && !continues_path(&tokens, at) => {
+                let inline = braces.iter().filter(|&&brace| brace == Brace::Module).count();
+                start(&tokens, at, first, depth + inline, &mut found);
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
+/// What an opening brace opens.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Brace {
+    /// `mod name {`
+    Module,
+    /// `path::{`, whose elements continue a path that was followed from its start.
+    Group,
+    Other,
+}
+
+impl Brace {
+    fn of(tokens: &[Token], at: usize) -> Self {
+        if at >= 1 && tokens[at - 1].kind == Kind::Separator {
+            Self::Group
+        } else if at >= 2 && is_word(tokens, at - 2, "mod") && word(tokens, at - 1).is_some() {
+            Self::Module
+        } else {
+            Self::Other
+        }
+    }
+}
+
+/// Every path in `text` that starts at the crate `name`, as a program outside that crate writes it.
+pub(crate) fn crate_paths(text: &str, name: &str) -> Vec<Found> {
+    let tokens = tokens(text);
+    let mut found = Vec::new();
+    for at in 0..tokens.len() {
+        if is_word(&tokens, at, name) && !continues_path(&tokens, at) {
+            below(&tokens, at, 0, name, &mut found);
+        }
+    }
+    found
+}
+
+/// Whether the word at `at` follows `name::`. A leading `::` starts a path, and so does `self::`.
+fn continues_path(tokens: &[Token], at: usize) -> bool {
+    let separated = at >= 1 && tokens[at - 1].kind == Kind::Separator;
+    separated && at >= 2 && matches!(&tokens[at - 2].kind, Kind::Word(before) if before != "self")
+}
+
+/// A path starts at `at` with the word `first`, in a module `depth` levels under the root.
+fn start(tokens: &[Token], at: usize, first: &str, depth: usize, found: &mut Vec<Found>) {
+    match first {
+        "crate" => below(tokens, at, 0, "crate", found),
+        "super" => below(tokens, at, depth.saturating_sub(1), "super", found),
+        other if follows(tokens, at, &Kind::Separator) => found.push(Found {
+            reference: Reference::Crate(other.to_owned()),
+            path: other.to_owned(),
+            line: tokens[at].line,
+        }),
+        _ => {}
+    }
+}
+
+/// Records what stands below the path that ends at `at`, `levels` modules under the root.
+fn below(tokens: &[Token], at: usize, levels: usize, path: &str, found: &mut Vec<Found>) {
+    if follows(tokens, at, &Kind::Separator) {
+        element(tokens, at + 2, levels, path, found);
+    } else if levels == 0 && is_word(tokens, at + 1, "as") {
+        found.push(Found { reference: Reference::WholeCrate, path: path.to_owned(), line: tokens[at].line });
+    }
+}
+
+/// Records one element of a path, `levels` modules under the root: a name, a glob, or a group of them in braces.
+fn element(tokens: &[Token], at: usize, levels: usize, path: &str, found: &mut Vec<Found>) {
+    let Some(token) = tokens.get(at) else { return };
+    match &token.kind {
+        Kind::Mark('{') => {
+            for start in group(tokens, at) {
+                element(tokens, start, levels, path, found);
+            }
+        }
+        Kind::Word(word) if word == "super" => {
+            below(tokens, at, levels.saturating_sub(1), &format!("{path}::super"), found);
+        }
+        // Whatever else it is, it stays inside the file's own top-level module.
+        _ if levels > 0 => {}
+        Kind::Word(word) if word != "self" => found.push(Found {
+            reference: Reference::Module(word.clone()),
+            path: format!("{path}::{word}"),
+            line: token.line,
+        }),
+        Kind::Word(_) | Kind::Mark('*') => {
+            found.push(Found { reference: Reference::WholeCrate, path: path.to_owned(), line: token.line });
+        }
+        _ => {}
+    }
+}
+
+/// Where the elements of the group that opens at `open` start.
+fn group(tokens: &[Token], open: usize) -> Vec<usize> {
+    let mut starts = Vec::new();
+    let mut nesting = 0_usize;
+    for (at, token) in tokens.iter().enumerate().skip(open) {
+        match token.kind {
+            Kind::Mark('{') => nesting += 1,
+            Kind::Mark('}') => nesting -= 1,
+            _ => {}
+        }
+        if nesting == 0 {
+            break;
+        }
+        let begins = matches!(token.kind, Kind::Mark('{' | ','));
+        if begins && nesting == 1 {
+            starts.push(at + 1);
+        }
+    }
+    starts
+}
+
+fn word(tokens: &[Token], at: usize) -> Option<&str> {
+    match &tokens.get(at)?.kind {
+        Kind::Word(word) => Some(word),
+        _ => None,
+    }
+}
+
+fn is_word(tokens: &[Token], at: usize, expected: &str) -> bool {
+    word(tokens, at) == Some(expected)
+}
+
+fn follows(tokens: &[Token], at: usize, kind: &Kind) -> bool {
+    tokens.get(at + 1).is_some_and(|token| &token.kind == kind)
+}
+
+/// The words and marks of `text`, without comments, literals and lifetimes.
+fn tokens(text: &str) -> Vec<Token> {
+    let mut lexer = Lexer { rest: text, line: 1 };
+    let mut tokens = Vec::new();
+    while let Some(first) = lexer.rest.chars().next() {
+        let line = lexer.line;
+        if lexer.skip_comment() || lexer.skip_literal() {
+            continue;
+        }
+        if first == '_' || first.is_alphanumeric() {
+            let name = lexer.take_word();
+            if !first.is_numeric() {
+                tokens.push(Token { kind: Kind::Word(name), line });
+            }
+        } else if lexer.rest.starts_with("::") {
+            lexer.advance(2);
+            tokens.push(Token { kind: Kind::Separator, line });
+        } else {
+            lexer.advance(first.len_utf8());
+            if !first.is_whitespace() {
+                tokens.push(Token { kind: Kind::Mark(first), line });
+            }
+        }
+    }
+    tokens
+}
+
+struct Lexer<'a> {
+    rest: &'a str,
+    line: usize,
+}
+
+impl Lexer<'_> {
+    fn advance(&mut self, bytes: usize) {
+        let (passed, rest) = self.rest.split_at(bytes.min(self.rest.len()));
+        self.line += passed.matches('\n').count();
+        self.rest = rest;
+    }
+
+    fn advance_past(&mut self, from: usize, end: &str) {
+        let length = self.rest[from..].find(end).map_or(self.rest.len(), |found| from + found + end.len());
+        self.advance(length);
+    }
+
+    fn take_word(&mut self) -> String {
+        let end = self.rest.find(|c: char| c != '_' && !c.is_alphanumeric()).unwrap_or(self.rest.len());
+        let word = self.rest[..end].to_owned();
+        self.advance(end);
+        word
+    }
+
+    /// Line comments, and block comments, which nest.
+    fn skip_comment(&mut self) -> bool {
+        if self.rest.starts_with("//") {
+            self.advance(self.rest.find('\n').unwrap_or(self.rest.len()));
+            return true;
+        }
+        if !self.rest.starts_with("/*") {
+            return false;
+        }
+        let mut nesting = 0_usize;
+        while !self.rest.is_empty() {
+            if self.rest.starts_with("/*") {
+                nesting += 1;
+                self.advance(2);
+            } else if self.rest.starts_with("*/") {
+                nesting -= 1;
+                self.advance(2);
+                if nesting == 0 {
+                    break;
+                }
+            } else {
+                self.advance(self.rest.chars().next().map_or(1, char::len_utf8));
+            }
+        }
+        true
+    }
+
+    /// Strings of every kind, characters and lifetimes, with their prefixes.
+    fn skip_literal(&mut self) -> bool {
+        let prefix = ["br", "cr", "r", "b", "c", ""].into_iter().find(|prefix| {
+            let after = self.rest.strip_prefix(prefix).map(|rest| rest.trim_start_matches('#'));
+            after.is_some_and(|rest| rest.starts_with('"'))
+                && (prefix.ends_with('r') || !self.rest[prefix.len()..].starts_with('#'))
+        });
+        if let Some(prefix) = prefix {
+            self.skip_string(prefix);
+            return true;
+        }
+        if !self.rest.starts_with('\'') {
+            return false;
+        }
+        let mut after = self.rest[1..].chars();
+        match (after.next(), after.next()) {
+            // `'\''`: the escaped character never closes it.
+            (Some('\\'), Some(escaped)) => self.advance_past(2 + escaped.len_utf8(), "'"),
+            (Some(one), Some('\'')) => self.advance(2 + one.len_utf8()),
+            // A lifetime or a label.
+            _ => {
+                self.advance(1);
+                self.take_word();
+            }
+        }
+        true
+    }
+
+    fn skip_string(&mut self, prefix: &str) {
+        self.advance(prefix.len());
+        if prefix.ends_with('r') {
+            let hashes = self.rest.len() - self.rest.trim_start_matches('#').len();
+            self.advance_past(hashes + 1, &format!("\"{}", "#".repeat(hashes)));
+            return;
+        }
+        let mut end = 1;
+        let bytes = self.rest.as_bytes();
+        while end < bytes.len() && bytes[end] != b'"' {
+            end += if bytes[end] == b'\\' { 2 } else { 1 };
+        }
+        self.advance(end + 1);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The modules that `text` reaches, each with its line.
+    fn modules(text: &str) -> Vec<(String, usize)> {
+        references(text, 1)
+            .into_iter()
+            .filter_map(|found| match found.reference {
+                Reference::Module(name) => Some((name, found.line)),
+                _ => None,
+            })
+            .collect()
+    }
+
+    fn names(text: &str) -> Vec<String> {
+        modules(text).into_iter().map(|(name, _)| name).collect()
+    }
+
+    #[test]
+    fn use_items_and_nested_groups() {
+        assert_eq!(names("use crate::a::B; pub(crate) use crate::c;"), ["a", "c"]);
+        assert_eq!(names("use crate::{a, b::{c, d::{e}}, f::*, g as h};"), ["a", "b", "f", "g"]);
+        assert_eq!(names("use {crate::a::{b}, std::fmt, crate::c};"), ["a", "c"]);
+        assert_eq!(
+            modules("use crate::{\n  a,\n  b::{\n c,\n },\n d,\n};"),
+            [("a".into(), 2), ("b".into(), 3), ("d".into(), 6)]
+        );
+    }
+
+    #[test]
+    fn inline_paths_in_code_and_macros() {
+        assert_eq!(
+            names("fn f(x: &crate::a::T) -> crate::b::U { crate::c::g::<crate::d::V>(x) }"),
+            ["a", "b", "c", "d"]
+        );
+        assert_eq!(names("vec![crate::a::X]; macro_rules! m { () => { $crate::b::y!() } }"), ["a", "b"]);
+        assert_eq!(names("impl From<crate::a::A> for B {} pub(in crate::b) fn f() {}"), ["a", "b"]);
+    }
+
+    #[test]
+    fn comments_and_literals_are_no_code() {
+        let silent = [
+            "// crate::a::b",
+            "/// [`crate::a`]\n//! crate::b",
+            "/* crate::a /* crate::b */ crate::c */",
+            r#" "crate::a \" crate::b" "#,
+            r##" r#"crate::a " crate::b"# "##,
+            r#" br"crate::a\" "#,
+            r#" b"crate::a" "#,
+            r#" c"crate::a" "#,
+        ];
+        for text in silent {
+            assert_eq!(names(text), [""; 0], "{text}");
+        }
+    }
+
+    #[test]
+    fn what_looks_like_a_literal_does_not_swallow_code() {
+        assert_eq!(names(r"let c = '\''; crate::a::b"), ["a"]);
+        assert_eq!(names(r"let c = '\\'; crate::a::b"), ["a"]);
+        assert_eq!(names("let c = '\"'; crate::a::b"), ["a"]);
+        assert_eq!(names("let c = b'\"'; crate::a::b"), ["a"]);
+        assert_eq!(names(r"let c = '\u{1F600}'; crate::a::b"), ["a"]);
+        assert_eq!(names("fn f<'a>(x: &'a str) -> crate::a::B<'a> {}"), ["a"]);
+        assert_eq!(names(r#"let s = "\\"; crate::a::b"#), ["a"]);
+        assert_eq!(names(r#"let s = r"\"; crate::a::b"#), ["a"]);
+        assert_eq!(names("let r#type = r#crate_name; crate::a::b"), ["a"]);
+        assert_eq!(names("let x = 1 / 2; // no\ncrate::a::b"), ["a"]);
+        assert_eq!(names("let s = \"λ\nμ\"; 'λ'; crate::a::b"), ["a"]);
+    }
+
+    #[test]
+    fn supers_reach_the_root_only_from_the_right_depth() {
+        let reached =
+            |text, depth| references(text, depth).iter().any(|f| f.reference == Reference::Module("x".into()));
+        assert!(reached("use super::x;", 1));
+        assert!(!reached("use super::x;", 2));
+        assert!(reached("use super::super::x;", 2));
+        assert!(reached("self::super::x", 1));
+        assert!(!reached("mod tests { use super::x; }", 1));
+        assert!(reached("mod a { fn f() {} } use super::x;", 1));
+    }
+
+    #[test]
+    fn other_crates_are_seen_where_a_path_starts() {
+        let crates = |text| -> Vec<_> { references(text, 1).into_iter().map(|found| found.path).collect() };
+        assert_eq!(crates("use std::fmt; ::wgpu::Device; a.b.wgpu.c; x::wgpu::y"), ["std", "wgpu", "x"]);
+    }
+}

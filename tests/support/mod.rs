@@ -1,0 +1,5 @@
+//! What several test programs share. Each of them compiles all of it and uses a part.
+#![allow(dead_code, reason = "every test program uses a part of this")]
+
+pub(crate) mod files;
+pub(crate) mod validators;
