@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use crate::diag::Diagnostic;
-use crate::document::{Definition, Graph, Look, Node, Tier, Value, Wire};
+use crate::document::{Definition, Graph, InterfacePort, Look, Node, Tier, Value, Wire};
 use crate::ids::{GROUP_INPUTS, GROUP_OUTPUTS, NodeId, NodePath, PortName};
 use crate::library::{Library, NodeDef, Special, load_node};
 
@@ -219,7 +219,7 @@ impl<'a> Flattener<'a> {
         let own = if node.name.is_empty() { readable(id, label) } else { node.name.clone() };
         let name = join_names(&self.scopes[scope].name, &own);
         let region = self.scopes[scope].region.clone().or(frame).unwrap_or_else(|| own.as_str().into());
-        self.unknown_values(node, &path, definition.inputs.iter().map(|port| port.name.as_str()));
+        self.unknown_values(node, &path, &port_names(&definition.inputs));
         Slot::Group(self.push_scope(
             &definition.graph,
             Some((kind, definition)),
@@ -285,9 +285,9 @@ impl<'a> Flattener<'a> {
     ) -> usize {
         let own = if node.name.is_empty() { readable(id, &def.label) } else { node.name.clone() };
         let name = join_names(&self.scopes[scope].name, &own);
-        let known = def.visible_inputs().map(|input| input.name.as_str());
         let code = (node.kind == CUSTOM_KIND).then_some(CODE);
-        self.unknown_values(node, &path, known.chain(code));
+        let known: Vec<&str> = def.visible_inputs().map(|input| input.name.as_str()).chain(code).collect();
+        self.unknown_values(node, &path, &known);
         let index = self.flat.nodes.len();
         self.flat.by_path.insert(path.clone(), index);
         self.flat.nodes.push(FlatNode { path, name, def, tier: node.tier, inputs: Vec::new(), region });
@@ -295,11 +295,9 @@ impl<'a> Flattener<'a> {
         index
     }
 
-    fn unknown_values<'n>(&mut self, node: &Node, path: &NodePath, known: impl Iterator<Item = &'n str> + Clone) {
-        for port in node.values.keys() {
-            if !known.clone().any(|name| name == port.as_str()) {
-                self.problems.push(unknown_input(&node.kind, path, port, known.clone()));
-            }
+    fn unknown_values(&mut self, node: &Node, path: &NodePath, known: &[&str]) {
+        for port in node.values.keys().filter(|port| !known.contains(&port.as_str())) {
+            self.problems.push(unknown_input(&node.kind, path, port, known));
         }
     }
 
@@ -317,35 +315,31 @@ impl<'a> Flattener<'a> {
         let (id, port) = (&wire.to.node, &wire.to.port);
         let here = &self.scopes[scope];
         let path = self.path_of(scope, id);
-        if let (GROUP_OUTPUTS, Some((kind, definition))) = (id.as_str(), here.definition) {
-            let mut known = definition.outputs.iter().map(|port| port.name.as_str());
-            return (!known.clone().any(|name| name == port.as_str()))
-                .then(|| unknown_input(kind, &path, port, &mut known));
-        }
-        let kind = here.graph.nodes.get(id).map_or("", |node| node.kind.as_str());
-        match here.slots.get(id.as_str())? {
-            Slot::Flat(index) => {
-                let known = self.flat.nodes[*index].def.visible_inputs().map(|input| input.name.as_str());
-                (!known.clone().any(|name| name == port.as_str())).then(|| unknown_input(kind, &path, port, known))
+        let (kind, known) = if let (GROUP_OUTPUTS, Some((kind, definition))) = (id.as_str(), here.definition) {
+            (kind, port_names(&definition.outputs))
+        } else {
+            let kind = here.graph.nodes.get(id).map_or("", |node| node.kind.as_str());
+            match here.slots.get(id.as_str())? {
+                Slot::Flat(index) => {
+                    let def = &self.flat.nodes[*index].def;
+                    (kind, def.visible_inputs().map(|input| input.name.as_str()).collect())
+                }
+                Slot::Group(child) => (kind, port_names(&self.scopes[*child].definition?.1.inputs)),
+                Slot::Missing => return None,
             }
-            Slot::Group(child) => {
-                let (_, definition) = self.scopes[*child].definition?;
-                let known = definition.inputs.iter().map(|port| port.name.as_str());
-                (!known.clone().any(|name| name == port.as_str())).then(|| unknown_input(kind, &path, port, known))
-            }
-            Slot::Missing => None,
-        }
+        };
+        (!known.contains(&port.as_str())).then(|| unknown_input(kind, &path, port, &known))
     }
 
     fn bad_source(&self, scope: usize, wire: &Wire) -> Option<Diagnostic> {
         let (id, port) = (&wire.from.node, &wire.from.port);
         let here = &self.scopes[scope];
         let known: Vec<&str> = if let (GROUP_INPUTS, Some((_, definition))) = (id.as_str(), here.definition) {
-            definition.inputs.iter().map(|port| port.name.as_str()).collect()
+            port_names(&definition.inputs)
         } else {
             match here.slots.get(id.as_str())? {
                 Slot::Flat(index) => self.flat.nodes[*index].def.outputs.iter().map(|o| o.name.as_str()).collect(),
-                Slot::Group(child) => self.scopes[*child].definition?.1.outputs.iter().map(|o| o.name.as_str()).collect(),
+                Slot::Group(child) => port_names(&self.scopes[*child].definition?.1.outputs),
                 Slot::Missing => return None,
             }
         };
@@ -452,18 +446,16 @@ enum Source<'a> {
     Input { scope: usize, id: &'a NodeId, port: PortName, default: Option<&'a Value> },
 }
 
-fn unknown_input<'n>(
-    kind: &str,
-    path: &NodePath,
-    port: &PortName,
-    known: impl Iterator<Item = &'n str>,
-) -> Diagnostic {
-    let known: Vec<&str> = known.collect();
+fn port_names(ports: &[InterfacePort]) -> Vec<&str> {
+    ports.iter().map(|port| port.name.as_str()).collect()
+}
+
+fn unknown_input(kind: &str, path: &NodePath, port: &PortName, known: &[&str]) -> Diagnostic {
     Diagnostic::error("unknown-port", format!("a node of kind `{kind}` has no input `{port}`"))
         .node(path.clone())
         .port(port.clone())
         .suggest(port.as_str(), known.iter().copied())
-        .hint(list_of("its inputs are", &known))
+        .hint(list_of("its inputs are", known))
 }
 
 fn list_of(start: &str, names: &[&str]) -> String {

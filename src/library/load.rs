@@ -13,7 +13,7 @@ use super::node::{
 };
 use super::types::Type;
 use crate::diag::{Diagnostic, LineColumn, has_errors};
-use crate::document::{Curve, Definition, Interpolation, Ramp, RampStop, Tier, Value};
+use crate::document::{Curve, Definition, Interpolation, Look, Ramp, RampStop, Tier, Value};
 use crate::ids::PortName;
 use crate::wgsl::{self, Declaration, DeclarationKind, Linked, NODES, Scan, Source};
 
@@ -65,18 +65,24 @@ impl Library {
             }
         }
         for (path, text) in NODES.iter().filter(|(path, _)| path.ends_with(".json")) {
-            library.add_group(path, text);
+            library.add_groups(path, text);
         }
         if has_errors(&library.problems) { Err(library.problems) } else { Ok(library) }
     }
 
-    /// Adds a group definition's file; what is wrong with it goes to `problems`.
-    pub fn add_group(&mut self, path: &str, text: &str) {
-        let (id, category) = stem_and_folder(path);
-        let (definition, problems) = crate::document::read_definition(text, path);
-        self.problems.extend(problems);
-        if let Some(definition) = definition {
-            self.groups.insert(id.clone(), Arc::new(GroupDef { id, category, definition }));
+    /// Adds a file of group definitions: a look whose `definitions` join the library. What is wrong with it goes to
+    /// `problems`.
+    pub fn add_groups(&mut self, path: &str, text: &str) {
+        let (_, category) = stem_and_folder(path);
+        let look = Look::read(text, path);
+        self.problems.extend(look.diagnostics.iter().cloned());
+        for (id, definition) in look.value.map(|look| look.definitions).unwrap_or_default() {
+            let id = id.to_string();
+            if self.nodes.contains_key(&id) || self.groups.contains_key(&id) {
+                self.problems.push(kind_taken(&id, path));
+                continue;
+            }
+            self.groups.insert(id.clone(), Arc::new(GroupDef { id, category: category.clone(), definition }));
         }
     }
 
@@ -91,7 +97,7 @@ impl Library {
         for file in files {
             let name = file.to_string_lossy().into_owned();
             match std::fs::read_to_string(&file) {
-                Ok(text) if name.ends_with(".json") => library.add_group(&name, &text),
+                Ok(text) if name.ends_with(".json") => library.add_groups(&name, &text),
                 Ok(text) => library.add_file(&name, &text),
                 Err(error) => library.problems.push(
                     Diagnostic::error("unreadable-node", format!("this node file cannot be read: {error}")).in_file(name),
@@ -105,11 +111,7 @@ impl Library {
     pub fn add_file(&mut self, name: &str, text: &str) {
         match load_node(name, text, None) {
             Ok(node) if self.nodes.contains_key(&node.kind) || self.groups.contains_key(&node.kind) => {
-                self.problems.push(
-                    Diagnostic::error("kind-taken", format!("there is a node of kind `{}` already", node.kind))
-                        .in_file(name)
-                        .hint("give the file another name"),
-                );
+                self.problems.push(kind_taken(&node.kind, name));
             }
             Ok(node) => {
                 self.nodes.insert(node.kind.clone(), Arc::new(node));
@@ -122,6 +124,12 @@ impl Library {
     pub fn kinds(&self) -> impl Iterator<Item = &str> {
         self.nodes.keys().chain(self.groups.keys()).map(String::as_str)
     }
+}
+
+fn kind_taken(kind: &str, file: &str) -> Diagnostic {
+    Diagnostic::error("kind-taken", format!("there is a node of kind `{kind}` already"))
+        .in_file(file)
+        .hint("give it another name")
 }
 
 fn collect_files(folder: &Path, depth: usize, files: &mut Vec<std::path::PathBuf>) {

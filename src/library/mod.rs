@@ -10,7 +10,7 @@
 //! - `prepare`: turns artist's parameters into what the other functions take as their parameter of its result's type.
 //!
 //! Files under a project's own `nodes/` folder are read the same way and add to the library. A file
-//! `nodes/<category>/<id>.json` is a group definition.
+//! `nodes/<category>/<name>.json` is a look whose `definitions` become groups of the library.
 
 mod context;
 pub mod docs;
