@@ -37,8 +37,8 @@ fn mapped_normal(vector: vec3f, strength: f32, normal: vec3f, tangent: vec3f, bi
 }
 
 /// The normal of a surface that is raised by a height (Mikkelsen 2010): `along_x` and `along_y` hold how position (xyz)
-/// and height (w) change from pixel to pixel. Where position does not change, or the surface is seen edge-on, the normal
-/// stays as it is. Slopes end at 10, which is 84 degrees, so that silhouettes do not sparkle.
+/// and height (w) change from pixel to pixel. Where position does not change, or the surface is seen edge-on, the
+/// normal stays as it is. Slopes end at 10, which is 84 degrees, so that silhouettes do not sparkle.
 fn bumped_normal(along_x: vec4f, along_y: vec4f, normal: vec3f) -> vec3f {
     let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
     let x = bounded_vec4(along_x);

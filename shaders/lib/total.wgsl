@@ -119,6 +119,23 @@ fn place_between(x: f32, low: f32, high: f32) -> f32 {
     return bounded((x - low) / bounded(span));
 }
 
+/// x moved from one range to another, kept within the new one when `clamped`; an empty first range makes a step.
+fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32, clamped: bool) -> f32 {
+    let place = place_between(bounded(x), bounded(from_low), bounded(from_high));
+    return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
+}
+
+/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step where they are equal.
+fn eased(x: f32, low: f32, high: f32) -> f32 {
+    let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+/// A factor as it is, or kept within 0 and 1 when `clamped`.
+fn factor_of(x: f32, clamped: bool) -> f32 {
+    return select(bounded(x), clamp(bounded(x), 0.0, 1.0), clamped);
+}
+
 /// The length of v, also where its square would over- or underflow.
 fn length_of(v: vec3f) -> f32 {
     let w = bounded_vec3(v);
