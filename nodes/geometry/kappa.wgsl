@@ -1,0 +1,19 @@
+import chiaro::curvature;
+
+/// Curvature
+///
+/// How much the surface bulges (above 0) or is hollow (below 0), as it is seen. It is measured against the picture's
+/// height, so that detail comes forward as the camera does.
+///
+/// @choice source "Source" default=surface surface="Surface" detail="Detail" :
+///   Surface sees the mesh alone; Detail sees the normal that the Output is given, with its normal and bump maps.
+/// @param kappa from=kappa hidden
+/// @param kappa_detail from=kappa_detail hidden
+/// @return kappa "Curvature" : In 1/viewport-height, convex positive, within 10,000.
+fn kappa_surface(kappa: f32) -> f32 {
+    return kappa_safe(kappa);
+}
+
+fn kappa_detail(kappa_detail: f32) -> f32 {
+    return kappa_safe(kappa_detail);
+}

@@ -1,0 +1,21 @@
+import chiaro::antialias;
+import chiaro::total;
+
+/// Bands
+///
+/// Cuts a tone into flat bands of the same width, the first 0 and the last 1: cel shading. The edges are antialiased by
+/// their own width on the screen.
+///
+/// @param value "Tone" default=0 min=0 max=1 : Below 0 counts as 0, above 1 as 1.
+/// @param count "Bands" default=3 min=2 max=64 : How many; fewer than 2 count as 2.
+/// @param softness "Softness" default=0 min=0 max=1 : How much of a band its edge takes; at 1 only a ramp is left.
+/// @return tone "Tone" : From 0 to 1.
+/// @unit
+/// @source math.md 2.4
+fn bands(value: f32, count: i32, softness: f32) -> f32 {
+    let w = footprint_of(value);
+    let n = f32(clamp(count, 2, 1024));
+    let x = n * clamp(bounded(value), 0.0, 1.0);
+    let width = edge_width(n * w, min(softness, 1.0));
+    return clamp(stairs_filtered(x, n, width) / (n - 1.0), 0.0, 1.0);
+}

@@ -1,0 +1,160 @@
+// The arithmetic of the maths nodes: a finite result for every input. What would be NaN is 0, what would be infinite
+// or too large is the largest number of its sign, and a number below the smallest normal one divides as 0.
+import chiaro::numeric;
+import chiaro::angle;
+
+const SMALLEST_NORMAL: f32 = 1.17549435e-38;
+
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it is infinite.
+fn bounded(x: f32) -> f32 {
+    let bits = bitcast<u32>(x);
+    let magnitude = bits & 0x7fffffffu;
+    let largest = bitcast<f32>((bits & 0x80000000u) | 0x7f7fffffu);
+    return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
+}
+
+/// [`bounded`], component by component.
+fn bounded_vec2(v: vec2f) -> vec2f {
+    return vec2f(bounded(v.x), bounded(v.y));
+}
+
+/// [`bounded`], component by component.
+fn bounded_vec3(v: vec3f) -> vec3f {
+    return vec3f(bounded(v.x), bounded(v.y), bounded(v.z));
+}
+
+/// [`bounded`], component by component.
+fn bounded_vec4(v: vec4f) -> vec4f {
+    return vec4f(bounded(v.x), bounded(v.y), bounded(v.z), bounded(v.w));
+}
+
+/// a / b; 0 where b is 0.
+fn divided(a: f32, b: f32) -> f32 {
+    if abs(b) < SMALLEST_NORMAL {
+        return 0.0;
+    }
+    return bounded(a / b);
+}
+
+/// x - y floor(x / y): from 0 up to y, without y, with the sign of y; 0 where y is 0.
+fn modulo_floored(x: f32, y: f32) -> f32 {
+    let size = abs(y);
+    if size < SMALLEST_NORMAL {
+        return 0.0;
+    }
+    let turned = select(-x, x, y > 0.0);
+    // Rounding may put what is left just outside of its range, and far outside where x / y has no digits left.
+    let left = bounded(turned - size * floor(bounded(turned / size)));
+    let wrapped = select(left, left + size, left < 0.0);
+    let inside = select(0.0, wrapped, wrapped >= 0.0 && wrapped < size);
+    return select(-inside, inside, y > 0.0);
+}
+
+/// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and keeps its sign with
+/// any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division by 0 is; 0^0 is 1.
+fn powered(base: f32, exponent: f32) -> f32 {
+    let b = bounded(base);
+    let e = bounded(exponent);
+    // Exact, because an exponent of 1 lets the compiler leave the node out.
+    if e == 1.0 {
+        return b;
+    }
+    if e == 0.0 {
+        return 1.0;
+    }
+    if e == 2.0 {
+        return bounded(b * b);
+    }
+    let magnitude = abs(b);
+    if magnitude < SMALLEST_NORMAL {
+        return 0.0;
+    }
+    let raised = exp2_stable(bounded(e * (LOG2_E * log_stable(magnitude))));
+    let is_even = floor(e * 0.5) == e * 0.5;
+    return select(raised, -raised, b < 0.0 && !is_even);
+}
+
+/// [`powered`], component by component.
+fn powered_vec3(base: vec3f, exponent: f32) -> vec3f {
+    return vec3f(powered(base.x, exponent), powered(base.y, exponent), powered(base.z, exponent));
+}
+
+/// e^x; 0 far below, the largest number from 88.73 on.
+fn exponential_of(x: f32) -> f32 {
+    return exp2_stable(bounded(x * LOG2_E));
+}
+
+/// ln(x); 0 and everything below count as 1.2e-38, the smallest normal number, whose logarithm is -87.34.
+fn logarithm_of(x: f32) -> f32 {
+    return log_stable(max(bounded(x), SMALLEST_NORMAL));
+}
+
+/// From a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
+fn mixed(a: f32, b: f32, t: f32) -> f32 {
+    let d = bounded(b - a);
+    return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
+}
+
+/// [`mixed`], component by component.
+fn mixed_vec2(a: vec2f, b: vec2f, t: f32) -> vec2f {
+    return vec2f(mixed(a.x, b.x, t), mixed(a.y, b.y, t));
+}
+
+/// [`mixed`], component by component.
+fn mixed_vec3(a: vec3f, b: vec3f, t: f32) -> vec3f {
+    return vec3f(mixed(a.x, b.x, t), mixed(a.y, b.y, t), mixed(a.z, b.z, t));
+}
+
+/// [`mixed`], component by component.
+fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
+    return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
+}
+
+/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0 below, 1 from there on.
+fn place_between(x: f32, low: f32, high: f32) -> f32 {
+    let span = high - low;
+    if abs(span) < SMALLEST_NORMAL {
+        return select(0.0, 1.0, x >= high);
+    }
+    return bounded((x - low) / bounded(span));
+}
+
+/// x moved from one range to another, kept within the new one when `clamped`; an empty first range makes a step.
+fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32, clamped: bool) -> f32 {
+    let place = place_between(bounded(x), bounded(from_low), bounded(from_high));
+    return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
+}
+
+/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step where they are equal.
+fn eased(x: f32, low: f32, high: f32) -> f32 {
+    let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+/// A factor as it is, or kept within 0 and 1 when `clamped`.
+fn factor_of(x: f32, clamped: bool) -> f32 {
+    return select(bounded(x), clamp(bounded(x), 0.0, 1.0), clamped);
+}
+
+/// The length of v, also where its square would over- or underflow.
+fn length_of(v: vec3f) -> f32 {
+    let w = bounded_vec3(v);
+    let largest = max(max(abs(w.x), abs(w.y)), abs(w.z));
+    if largest < SMALLEST_NORMAL {
+        return 0.0;
+    }
+    return bounded(largest * length(w / largest));
+}
+
+/// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the result lies in [-1, 1].
+fn sin_cos_of(x: f32) -> vec2f {
+    return clamp(sin_cos(bounded(x)), vec2f(-1.0), vec2f(1.0));
+}
+
+/// The angle of the point (x, y) from the x axis, in (-pi, pi]; 0 at the origin.
+fn angle_of_point(y: f32, x: f32) -> f32 {
+    // Halved, so that the sum of both stays finite.
+    let a = atan2_positive(0.5 * abs(bounded(y)), 0.5 * abs(bounded(x)));
+    let turned = select(a, PI - a, x < 0.0);
+    return select(turned, -turned, y < 0.0);
+}
