@@ -335,7 +335,14 @@ impl<'a> Builder<'a> {
         let mut rate = self.call_rate(&module, function, &arguments);
         if rate == Rate::Constant && !self.options.unspecialized {
             match self.fold(&module, function, &arguments) {
-                Ok(Some(value)) => return self.constant(index, ty, value),
+                Ok(Some(value)) => {
+                    let made = self.values.len();
+                    let id = self.constant(index, ty, value);
+                    if id == made {
+                        self.values[id].part = part;
+                    }
+                    return id;
+                }
                 Ok(None) => rate = Rate::Fragment,
                 Err(problem) => self.problems.push(problem.node(node.path.clone())),
             }

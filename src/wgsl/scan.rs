@@ -246,13 +246,7 @@ impl<'a> Scanner<'a> {
         let Some(name_at) = self.name_index(start, kind) else { return };
         let name = self.text(&self.tokens[name_at]).to_owned();
         let (fields, result) = self.signature(kind, name_at + 1, start + item.len());
-        let uses = self.tokens[body_first..self.at]
-            .iter()
-            .filter(|token| token.kind == TokenKind::Word)
-            .map(|token| self.text(token))
-            .filter(|word| *word != name)
-            .map(str::to_owned)
-            .collect();
+        let uses = self.uses(&self.tokens[body_first..self.at], &name, &fields);
         scan.declarations.push(Declaration {
             kind,
             name,
@@ -263,6 +257,26 @@ impl<'a> Scanner<'a> {
             result,
             uses,
         });
+    }
+
+    /// The identifiers that may name other declarations: not members, and not locals unless they are called.
+    fn uses(&self, tokens: &[Token], name: &str, fields: &[Field]) -> Vec<String> {
+        let mut locals: Vec<&str> = fields.iter().map(|field| field.name.as_str()).collect();
+        for pair in tokens.windows(2) {
+            if matches!(self.text(&pair[0]), "let" | "var" | "const") {
+                locals.push(self.text(&pair[1]));
+            }
+        }
+        let mut uses = Vec::new();
+        for (index, token) in tokens.iter().enumerate().filter(|(_, token)| token.kind == TokenKind::Word) {
+            let word = self.text(token);
+            let is_member = index > 0 && self.text(&tokens[index - 1]) == ".";
+            let is_called = tokens.get(index + 1).is_some_and(|next| self.text(next) == "(");
+            if word != name && !is_member && (is_called || !locals.contains(&word)) {
+                uses.push(word.to_owned());
+            }
+        }
+        uses
     }
 
     fn skip_attributes(&mut self) {

@@ -116,8 +116,16 @@ impl Emitter<'_> {
         }
         if !self.host.members.is_empty() {
             self.out.push_str("/// What is known before the fragment.\nstruct Look {\n");
-            let members: Vec<String> = self.host.members.iter().map(|member| self.member_line(member)).collect();
-            self.out.push_str(&members.concat());
+            let mut after_struct = false;
+            let mut lines = String::new();
+            for member in &self.host.members {
+                // Uniform buffers want structs, and what follows one, on 16 bytes.
+                let is_struct = matches!(member.ty, Type::Prepared(_) | Type::Angle | Type::Light | Type::Curve | Type::Ramp);
+                let align = if is_struct || after_struct { "@align(16) " } else { "" };
+                let _ = writeln!(lines, "    {align}{}", self.member_line(member));
+                after_struct = is_struct;
+            }
+            self.out.push_str(&lines);
             self.out.push_str("}\n\n");
         }
         if self.has_surface() {
@@ -144,7 +152,7 @@ impl Emitter<'_> {
     fn member_line(&self, member: &crate::compile::host::UniformMember) -> String {
         let node = self.host_steps.iter().find(|(_, step)| **step == member.step).map_or(0, |(id, _)| self.special.values[*id].node);
         let ty = if member.ty == Type::Bool { "u32".to_owned() } else { self.type_name(&member.ty, node) };
-        format!("    {}: {ty},\n", member.name)
+        format!("{}: {ty},", member.name)
     }
 
     pub(super) fn image_name(&self, image: usize) -> String {

@@ -20,7 +20,7 @@ use super::specialize::{Argument, Needs, Operation, SpecializedGraph, ValueId, o
 use super::{Options, Stage};
 use crate::diag::Diagnostic;
 use crate::ids::NodePath;
-use crate::library::{Context, Library, Rate, Type};
+use crate::library::{Context, Library, Rate, Special, Type};
 use crate::wgsl::WgslError;
 
 pub use frame::Attribute;
@@ -375,9 +375,14 @@ impl<'a> Emitter<'a> {
             let word = context.word().replace('.', "_");
             return light.as_ref().map_or(word.clone(), |light| word.replacen("light", light.as_str(), 1));
         }
+        // Layers share their lights: a light goes by its own name, not by that of the first layer that it lights.
+        let name = match &node.light {
+            Some(light) if node.def.special == Special::Light => light.as_str(),
+            _ => &node.name,
+        };
         match &value.part {
-            Some(part) => format!("{} {part}", node.name),
-            None => node.name.clone(),
+            Some(part) => format!("{name} {part}"),
+            None => name.to_owned(),
         }
     }
 
