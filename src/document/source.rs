@@ -272,6 +272,12 @@ impl Problems {
         }
     }
 
+    /// Whether a problem like this will be told, and not only counted.
+    pub(super) fn takes(&self, problem: &Diagnostic) -> bool {
+        let count = if problem.severity == Severity::Error { self.errors } else { self.warnings };
+        count < MAX_PROBLEMS
+    }
+
     /// All of them in the order of the text, with file, line and column.
     pub(super) fn finish(mut self, file: &str, text: &str, lines: &Lines) -> Vec<Diagnostic> {
         self.found.sort_by_key(|(offset, _)| *offset);

@@ -193,7 +193,7 @@ impl Check {
             let message = format!("`{id}` is the name of the group's own {id}, so no node in it can have that id");
             self.push(format!("{prefix}nodes[{index}].id"), Diagnostic::error("reserved-id", message));
         }
-        let mut into: HashMap<&Endpoint, (usize, &Wire)> = HashMap::with_capacity(graph.wires.len());
+        let mut into: HashMap<&Endpoint, &Wire> = HashMap::with_capacity(graph.wires.len());
         for (index, wire) in graph.wires.iter().enumerate() {
             let path = format!("{prefix}wires[{index}]");
             self.wire_end(graph, &wire.from, path.clone() + ".from", is_inner, GROUP_OUTPUTS);
@@ -204,13 +204,12 @@ impl Check {
                 self.push(path.clone() + ".to", problem.hint("write \"node.input\""));
             }
             match into.get(&wire.to) {
-                Some((first, other)) => {
+                Some(other) => {
                     let (one, two) = (&other.from, &wire.from);
                     let message = format!("two wires lead into `{}`: from `{one}` and from `{two}`", wire.to);
-                    let hint = format!("remove one of them; the other is {prefix}wires[{first}]");
-                    self.push(path, Diagnostic::error("two-wires", message).hint(hint));
+                    self.push(path, Diagnostic::error("two-wires", message).hint("remove one of them"));
                 }
-                None => drop(into.insert(&wire.to, (index, wire))),
+                None => drop(into.insert(&wire.to, wire)),
             }
         }
         self.frames(graph, prefix);

@@ -5,10 +5,10 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::scan::{escape, is_json_number};
+use super::scan::{escape, is_json_number, unquote};
 use super::{Item, Kind, Tree};
 use crate::diag::{Diagnostic, LineColumn};
-use crate::document::source::{Lines, Problems};
+use crate::document::source::{Lines, Problems, member_path};
 
 /// The largest document, in bytes.
 pub(in crate::document) const MAX_BYTES: usize = 64 << 20;
@@ -29,7 +29,8 @@ pub(in crate::document) fn parse(text: Arc<str>, lines: &Lines, problems: &mut P
             .push(0, Diagnostic::error("too-large", message).hint("keep big data in files that the document names"));
         return tree;
     }
-    let mut parser = Parser { text: &text, lines, problems, at: 0, items: Vec::new(), open: Vec::new(), mistakes: 0 };
+    let mut parser =
+        Parser { text: &text, lines, problems, at: 0, items: Vec::new(), open: Vec::new(), mistakes: 0, reading: None };
     let cut = !parser.document();
     tree.items = parser.items;
     tree.cut = cut;
@@ -41,6 +42,8 @@ struct Open {
     item: usize,
     is_object: bool,
     expects: Expects,
+    /// How many items or members it has by now.
+    count: usize,
 }
 
 /// What may come next in a list or an object, besides its end.
@@ -60,6 +63,8 @@ struct Parser<'t> {
     items: Vec<Item>,
     open: Vec<Open>,
     mistakes: usize,
+    /// The name of the member whose value is being read; empty in lists.
+    reading: Option<Range<usize>>,
 }
 
 impl<'t> Parser<'t> {
@@ -84,7 +89,7 @@ impl<'t> Parser<'t> {
         while !self.open.is_empty() {
             if self.mistakes > MAX_MISTAKES {
                 let message = format!("more than {MAX_MISTAKES} mistakes: the rest of the file is not looked at");
-                self.problems.push(self.at, Diagnostic::error("not-json", message));
+                self.problems.push(self.at, Diagnostic::error("too-many-mistakes", message));
             } else if self.items.len() > MAX_VALUES {
                 let message = format!("the document has more than {MAX_VALUES} values");
                 self.problems
@@ -106,6 +111,7 @@ impl<'t> Parser<'t> {
     /// One member, item, comma or end of what is open; false where nothing more can be read.
     fn step(&mut self) -> bool {
         self.space();
+        let is_name_in_list = self.is_name_in_list();
         let Some(open) = self.open.last_mut() else { return true };
         let next = self.text.as_bytes().get(self.at).copied();
         match (next, open.expects) {
@@ -122,6 +128,7 @@ impl<'t> Parser<'t> {
                 self.mistake(self.at, "there is a comma too many", "remove it");
                 self.at += 1;
             }
+            (Some(b':'), Expects::Comma) if is_name_in_list => return self.name_in_list(),
             (Some(_), Expects::Comma) if begins_value(next) => {
                 open.expects = Expects::AfterComma(self.at);
                 let end = self.text[..self.at].trim_end().len();
@@ -153,8 +160,14 @@ impl<'t> Parser<'t> {
                 return true;
             }
         }
-        self.open.last_mut().expect("an object is open").expects = Expects::Comma;
-        let key = key_start..self.at;
+        self.member(key_start..self.at)
+    }
+
+    /// What follows the name of a member; false where nothing more can be read.
+    fn member(&mut self, key: Range<usize>) -> bool {
+        if let Some(open) = self.open.last_mut() {
+            open.expects = Expects::Comma;
+        }
         self.space();
         match self.peek() {
             None => return true,
@@ -182,9 +195,36 @@ impl<'t> Parser<'t> {
         self.value(key)
     }
 
+    /// Whether a list's last string is followed by `:`, so that it is the next name of the object around the list.
+    fn is_name_in_list(&self) -> bool {
+        let [.., around, list] = &self.open[..] else { return false };
+        self.peek() == Some(b':')
+            && around.is_object
+            && !list.is_object
+            && self
+                .items
+                .last()
+                .is_some_and(|last| last.kind == Kind::Text && self.text[last.end as usize..self.at].trim().is_empty())
+    }
+
+    /// Closes a list that somebody forgot to close, and goes on with the member after it.
+    fn name_in_list(&mut self) -> bool {
+        let (Some(name), Some(list)) = (self.items.pop(), self.open.pop()) else { return false };
+        let key = name.start as usize..name.end as usize;
+        let from = self.lines.at(self.text, self.items[list.item].start as usize);
+        let message = format!("the list opened at {} is not closed", line_column(from));
+        self.mistake(key.start, &message, "write `]` before this");
+        self.end_item(list.item, key.start, true);
+        self.member(key)
+    }
+
     /// A value; false where nesting is too deep to go on.
     fn value(&mut self, key: Range<usize>) -> bool {
         let start = self.at;
+        if let Some(open) = self.open.last_mut() {
+            open.count += 1;
+        }
+        self.reading = Some(key.clone());
         let kind = match self.peek() {
             Some(open @ (b'{' | b'[')) => return self.open(open == b'{', key),
             Some(b'"' | b'\'') => {
@@ -206,15 +246,14 @@ impl<'t> Parser<'t> {
     fn open(&mut self, is_object: bool, key: Range<usize>) -> bool {
         if self.open.len() >= MAX_DEPTH {
             let message = format!("lists and objects lie in each other more than {MAX_DEPTH} deep here");
-            self.problems
-                .push(self.at, Diagnostic::error("too-deep", message).hint("no field of a document needs this"));
+            self.problem(self.at, Diagnostic::error("too-deep", message).hint("no field of a document needs this"));
             return false;
         }
         let item = self.items.len();
         let start = self.at;
         self.at += 1;
         self.push(if is_object { Kind::Object } else { Kind::List }, start, key);
-        self.open.push(Open { item, is_object, expects: Expects::First });
+        self.open.push(Open { item, is_object, expects: Expects::First, count: 0 });
         true
     }
 
@@ -263,7 +302,7 @@ impl<'t> Parser<'t> {
         let from = self.lines.at(self.text, self.items[open.item].start as usize);
         let message = format!("the file ends in the middle: the {what} opened at {} is not closed", line_column(from));
         let problem = Diagnostic::error("truncated", message);
-        self.problems.push(self.at, problem.hint("take the whole file from where it came from, or close what is open"));
+        self.problem(self.at, problem.hint("take the whole file from where it came from, or close what is open"));
     }
 
     /// A string, quotes and all; false where its end is missing.
@@ -347,8 +386,10 @@ impl<'t> Parser<'t> {
 
     fn not_finite(&mut self, start: usize, text: &str) {
         let message = format!("`{}` is no finite number", short(text));
-        self.problems
-            .push(start, Diagnostic::error("not-finite", message).hint("write a number that is not beyond all bounds"));
+        self.problem(
+            start,
+            Diagnostic::error("not-finite", message).hint("write a number that is not beyond all bounds"),
+        );
     }
 
     /// `true`, `false`, `null`, or a word that is none of them.
@@ -412,6 +453,7 @@ impl<'t> Parser<'t> {
     }
 
     fn push(&mut self, kind: Kind, start: usize, key: Range<usize>) {
+        self.reading = None;
         let next = self.items.len() as u32 + 1;
         let (start, end) = (start as u32, self.at as u32);
         let (key_start, key_end) = (key.start as u32, key.end as u32);
@@ -421,8 +463,29 @@ impl<'t> Parser<'t> {
     fn mistake(&mut self, at: usize, message: &str, hint: &str) {
         self.mistakes += 1;
         if self.mistakes <= MAX_MISTAKES {
-            self.problems.push(at, Diagnostic::error("syntax", message).hint(hint));
+            self.problem(at, Diagnostic::error("syntax", message).hint(hint));
         }
+    }
+
+    /// Reports a problem with the value that is being read, or else with what is open.
+    fn problem(&mut self, at: usize, problem: Diagnostic) {
+        if !self.problems.takes(&problem) {
+            self.problems.push(at, problem);
+            return; // It is only counted.
+        }
+        let names = self.open.iter().skip(1).map(|open| {
+            let item = &self.items[open.item];
+            item.key_start as usize..item.key_end as usize
+        });
+        let counts = self.open.iter().map(|open| open.count);
+        let mut path = String::new();
+        for (name, count) in names.chain(self.reading.clone()).zip(counts) {
+            path = match self.text.get(name).map(unquote).filter(|name| !name.is_empty()) {
+                Some(name) => member_path(&path, &name),
+                None => format!("{path}[{}]", count.max(1) - 1),
+            };
+        }
+        self.problems.push(at, if path.is_empty() { problem } else { problem.json_path(path) });
     }
 
     fn peek(&self) -> Option<u8> {

@@ -74,8 +74,11 @@ impl<'t> Reader<'t> {
         Self { tree, problems, path: Vec::new(), kept: BTreeMap::new(), color_space: ColorSpace::Display }
     }
 
-    /// Reports a problem at a value.
+    /// Reports a problem at a value. Where the end of a list or an object is missing, that is what is wrong with it.
     pub(super) fn report(&mut self, at: At, problem: Diagnostic) {
+        if self.tree.is_cut(at) {
+            return;
+        }
         let path = self.json_path();
         let problem = if path.is_empty() { problem } else { problem.json_path(path) };
         self.problems.push(self.tree.start(at), problem);
@@ -169,7 +172,7 @@ impl<'t> Reader<'t> {
 
     fn missing(&mut self, fields: &Fields, name: &'static str) {
         let Some((_, field)) = fields.shape.field(name) else { return };
-        if matches!(field.default, shape::Default::Required) && !self.tree.is_cut(fields.at) {
+        if matches!(field.default, shape::Default::Required) {
             let message = format!("{} needs the field `{name}`", with_article(fields.shape.name));
             self.report(fields.at, Diagnostic::error("missing-field", message).hint(format!("{name}: {}", field.help)));
         }
@@ -228,9 +231,7 @@ impl<'t> Reader<'t> {
         let tree = self.tree;
         let count = tree.children(at).count();
         if !(least..=most).contains(&count) {
-            if !tree.is_cut(at) {
-                self.report(at, Diagnostic::error("wrong-count", format!("expected {expected}, found {count}")));
-            }
+            self.report(at, Diagnostic::error("wrong-count", format!("expected {expected}, found {count}")));
             return None;
         }
         // Every number is looked at, so that all that are wrong are told.

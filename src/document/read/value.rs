@@ -78,10 +78,8 @@ impl Reader<'_> {
     fn in_order(&mut self, at: At, what: &str, places: impl Iterator<Item = f64>) -> Option<()> {
         let places: Vec<f64> = places.collect();
         if places.is_empty() {
-            if !self.tree.is_cut(at) {
-                let problem = Diagnostic::error("wrong-count", format!("`{what}` has nothing in it"));
-                self.report(at, problem.hint("write at least one"));
-            }
+            let problem = Diagnostic::error("wrong-count", format!("`{what}` has nothing in it"));
+            self.report(at, problem.hint("write at least one"));
             return None;
         }
         if let Some(pair) = places.windows(2).find(|pair| pair[0] >= pair[1]) {

@@ -119,8 +119,11 @@ impl Bounds {
         least && number <= self.max && (!self.whole || number.fract() == 0.0)
     }
 
-    /// In words: `a number from 0 to 1000000`.
+    /// In words: `a number from 0 to 1000000`, or the only number there is.
     pub(super) fn say(&self) -> String {
+        if self.min == self.max {
+            return say_number(self.min);
+        }
         let whole = if self.whole { "whole " } else { "" };
         let from = if self.above { "above" } else { "from" };
         format!("a {whole}number {from} {} to {}", say_number(self.min), say_number(self.max))
