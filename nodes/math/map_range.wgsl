@@ -3,7 +3,7 @@ import chiaro::total;
 
 /// Map range
 ///
-/// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first range is empty, everything
+/// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first range is empty, all that is
 /// below it becomes the new low and the rest the new high. A colour keeps its alpha, within 0 and 1 while clamped.
 ///
 /// @param value "Value" default=0 : What is moved.
