@@ -11,7 +11,7 @@ use super::nets::Cells;
 use super::sculpture::{Sculpture, Solid, ball, ellipsoid, stroke};
 
 /// Smaller in the face.
-pub(super) const CELLS: Cells = Cells { edge: 0.0255, detail: [[-0.48, 0.48], [0.10, 0.92], [0.34, 0.72]], fine: 0.58 };
+pub(super) const CELLS: Cells = Cells { edge: 0.032, detail: [[-0.48, 0.48], [0.10, 0.92], [0.34, 0.72]], fine: 0.5 };
 
 /// The whole of it.
 pub(super) fn sculpture() -> Sculpture {
@@ -151,8 +151,8 @@ fn ear(clay: &mut Sculpture, side: Side) {
     clay.add(0.10, side.ellipsoid([0.76, 0.76, -0.10], [0.235, 0.44, 0.12], axis, lean));
     clay.add(0.16, side.ellipsoid([1.03, 0.99, -0.11], [0.07, 0.20, 0.05], axis, lean));
     // The hollow, and a fold in it.
-    clay.cut(0.06, side.ellipsoid([0.775, 0.775, 0.035], [0.16, 0.345, 0.125], axis, lean));
-    clay.add(0.06, side.stroke([[0.56, 0.57, 0.04, 0.05], [0.66, 0.70, -0.02, 0.035], [0.80, 0.80, -0.08, 0.02]]));
+    clay.cut(0.07, side.ellipsoid([0.775, 0.775, 0.035], [0.16, 0.345, 0.125], axis, lean));
+    clay.add(0.10, side.stroke([[0.56, 0.57, 0.03, 0.06], [0.67, 0.70, -0.062, 0.05], [0.82, 0.82, -0.115, 0.03]]));
 }
 
 fn horn(clay: &mut Sculpture, side: Side) {
@@ -197,15 +197,15 @@ fn eye(clay: &mut Sculpture, side: Side) {
         ]),
     );
     // The ball, and the pupil drilled as sculptors do.
-    clay.add(0.02, side.ball([0.24, 0.575, 0.375], 0.155));
+    clay.add(0.03, side.ball([0.24, 0.575, 0.375], 0.155));
     clay.cut(0.035, side.ball([0.222, 0.58, 0.555], 0.070));
     // The brow, higher inside: a friendly, somewhat worried face.
     clay.add(
         0.09,
         side.stroke([
-            [0.12, 0.815, 0.435, 0.042],
-            [0.22, 0.845, 0.435, 0.060],
-            [0.36, 0.80, 0.355, 0.052],
+            [0.12, 0.83, 0.43, 0.042],
+            [0.22, 0.868, 0.42, 0.058],
+            [0.36, 0.825, 0.34, 0.050],
             [0.47, 0.69, 0.225, 0.026],
         ]),
     );
@@ -214,18 +214,12 @@ fn eye(clay: &mut Sculpture, side: Side) {
 fn mouth(clay: &mut Sculpture) {
     // The chin, then the smile, deepest in the middle.
     clay.add(0.14, ellipsoid([0.0, 0.13, 0.36], [0.24, 0.12, 0.20], DQuat::IDENTITY));
-    clay.cut(
-        0.035,
-        stroke(&[
-            [-0.40, 0.345, 0.415, 0.022],
-            [-0.28, 0.245, 0.54, 0.026],
-            [-0.13, 0.20, 0.63, 0.034],
-            [0.0, 0.19, 0.65, 0.036],
-            [0.13, 0.20, 0.63, 0.034],
-            [0.28, 0.245, 0.54, 0.026],
-            [0.40, 0.345, 0.415, 0.022],
-        ]),
-    );
+    let smile = [-1.0, -0.7, -0.35, 0.0, 0.35, 0.7, 1.0].map(|t: f64| {
+        let (x, y) = (0.40 * t, 0.19 + 0.165 * t * t);
+        let skin = clay.front(x, y, 1.0).unwrap_or(0.5);
+        [x, y, skin - 0.012 + 0.042 * t.powi(6), 0.034]
+    });
+    clay.cut(0.045, stroke(&smile));
     clay.cut(0.05, ellipsoid([0.0, 0.185, 0.56], [0.18, 0.055, 0.18], DQuat::from_rotation_x(0.15)));
     // The tongue.
     clay.add(0.03, ellipsoid([0.0, 0.145, 0.47], [0.10, 0.035, 0.12], DQuat::from_rotation_x(0.1)));

@@ -1,6 +1,6 @@
-//! A field's surface as triangles: naive surface nets on a grid, evened out and put back onto the surface.
+//! A field's surface as quads: surface nets on a grid, evened out and put back onto the surface.
 //!
-//! Each cell of the grid that the surface crosses gets a vertex, each edge that it crosses a quad. Then every vertex
+//! Each sheet of the surface in a cell of the grid gets a vertex, each edge that the surface crosses a quad. Then every vertex
 //! moves, a few times, to the middle of its neighbours and by Newton's method back to where the field is 0, which makes
 //! even triangles; and the normal is the field's gradient, so the shading is as smooth as the field.
 
@@ -156,63 +156,105 @@ impl Grid {
         DVec3::new(self.marks[0][x], self.marks[1][y], self.marks[2][z])
     }
 
-    /// A vertex for each cell that the surface crosses (with the pieces that matter around it), a quad for each edge.
+    /// The vertices (with the pieces that matter around each) and the quads between them.
     fn net(&self, sculpture: &Sculpture) -> (Net, Vec<Vec<u16>>) {
         let mut net = Net { points: Vec::new(), normals: Vec::new(), quads: Vec::new() };
-        let all = sculpture.all();
-        let mut pieces = Vec::new();
-        let mut vertex_of = vec![u32::MAX; self.values.len()];
-        let [nx, ny, nz] = self.size;
-        for index in 0..self.values.len() {
-            let at = [index % nx, index / nx % ny, index / nx / ny];
-            if at[0] + 1 >= nx || at[1] + 1 >= ny || at[2] + 1 >= nz {
-                continue;
-            }
-            if let Some(point) = self.crossing(at) {
-                vertex_of[index] = net.points.len() as u32;
-                pieces.push(sculpture.near(point, 2.0 * self.cell, &all).0);
-                net.points.push(point);
-                net.normals.push(DVec3::Y);
+        let mut crossed: Vec<[u32; EDGES]> = Vec::new();
+        let mut cell_of = vec![NOWHERE; self.values.len()];
+        for at in steps([0; 3], self.size.map(|n| n - 1), 1) {
+            let values: [f64; 8] = std::array::from_fn(|i| f64::from(self.values[self.index(corner(at, i))]));
+            if values.iter().any(|v| *v < 0.0) && values.iter().any(|v| *v >= 0.0) {
+                cell_of[self.index(at)] = crossed.len() as u32;
+                crossed.push(self.sheets(at, &values, &mut net.points));
             }
         }
+        let [nx, ny, _] = self.size;
         // From a corner to the next along x, y and z.
         let strides = [1, nx, nx * ny];
-        for index in 0..self.values.len() {
-            let at = [index % nx, index / nx % ny, index / nx / ny];
+        for at in steps([0; 3], self.size.map(|n| n - 1), 1) {
+            let index = self.index(at);
             for axis in 0..3 {
                 let (second, third) = ((axis + 1) % 3, (axis + 2) % 3);
-                if at[axis] + 1 >= self.size[axis] || at[second] == 0 || at[third] == 0 {
+                let inside = self.values[index] < 0.0;
+                if inside == (self.values[index + strides[axis]] < 0.0) || at[second] == 0 || at[third] == 0 {
                     continue;
                 }
-                let (inside, beyond) = (self.values[index] < 0.0, self.values[index + strides[axis]] < 0.0);
-                if inside == beyond {
-                    continue;
-                }
-                let (u, v) = (strides[second], strides[third]);
-                let [a, b, c, d] = [index - u - v, index - v, index, index - u].map(|cell| vertex_of[cell]);
+                // The four cells around the edge, and which of their corners it begins at.
+                let quad = [(1, 1), (0, 1), (0, 0), (1, 0)].map(|(i, j)| {
+                    let cell = cell_of[index - i * strides[second] - j * strides[third]];
+                    crossed[cell as usize][(i << second | j << third) * 3 + axis]
+                });
+                let [a, b, c, d] = quad;
                 net.quads.push(if inside { [a, b, c, d] } else { [a, d, c, b] });
             }
         }
+        let all = sculpture.all();
+        let pieces = net.points.iter().map(|p| sculpture.near(*p, 2.0 * self.cell, &all).0).collect();
+        net.normals = vec![DVec3::Y; net.points.len()];
         (net, pieces)
     }
 
-    /// The mean of where the surface crosses the edges of a cell; `None` where it does not.
-    fn crossing(&self, at: [usize; 3]) -> Option<DVec3> {
-        let corner = |i: usize| [at[0] + (i & 1), at[1] + (i >> 1 & 1), at[2] + (i >> 2 & 1)];
-        let values: [f64; 8] = std::array::from_fn(|i| f64::from(self.values[self.index(corner(i))]));
-        let (mut sum, mut count) = (DVec3::ZERO, 0.0);
+    /// Appends a point for each sheet of the surface in a cell, the mean of where the sheet crosses the cell's edges, and
+    /// gives the sheet's point for each edge. Two sheets in one cell must not share a point, or the surface would touch
+    /// itself there. Where a face has two opposite corners inside, those are taken to be apart, from either side.
+    fn sheets(&self, at: [usize; 3], values: &[f64; 8], points: &mut Vec<DVec3>) -> [u32; EDGES] {
+        let inside = values.map(|v| v < 0.0);
+        let mut sheet: [usize; EDGES] = std::array::from_fn(|edge| edge);
+        for (axis, side) in [(0, 0), (0, 1), (1, 0), (1, 1), (2, 0), (2, 1)] {
+            let (u, v) = (1 << ((axis + 1) % 3), 1 << ((axis + 2) % 3));
+            let base = side << axis;
+            // The face's corners in a ring, and the edge from each to the next.
+            let ring = [base, base | u, base | u | v, base | v];
+            let (along_u, along_v) = ((axis + 1) % 3, (axis + 2) % 3);
+            let edges = [base * 3 + along_u, (base | u) * 3 + along_v, (base | v) * 3 + along_u, base * 3 + along_v];
+            let crossed = |k: usize| inside[ring[k % 4]] != inside[ring[(k + 1) % 4]];
+            let found: Vec<usize> = (0..4).filter(|&k| crossed(k)).collect();
+            match found[..] {
+                [a, b] => merge(&mut sheet, edges[a], edges[b]),
+                [_, _, _, _] => {
+                    (0..4).filter(|&k| inside[ring[k]]).for_each(|k| merge(&mut sheet, edges[k], edges[(k + 3) % 4]));
+                }
+                _ => {}
+            }
+        }
+        let mut point_of = [NOWHERE; EDGES];
+        let mut sums = [(DVec3::ZERO, 0.0); EDGES];
         for i in 0..8 {
-            for axis in [1, 2, 4] {
-                let j = i | axis;
-                if j != i && (values[i] < 0.0) != (values[j] < 0.0) {
+            for axis in 0..3 {
+                let j = i | 1 << axis;
+                if j != i && inside[i] != inside[j] {
                     let t = values[i] / (values[i] - values[j]);
-                    sum += self.place(corner(i)).lerp(self.place(corner(j)), t);
-                    count += 1.0;
+                    let sum = &mut sums[sheet[i * 3 + axis]];
+                    sum.0 += self.place(corner(at, i)).lerp(self.place(corner(at, j)), t);
+                    sum.1 += 1.0;
                 }
             }
         }
-        (count > 0.0).then(|| sum / count)
+        for edge in 0..EDGES {
+            let (sum, count) = sums[edge];
+            if count > 0.0 {
+                point_of[edge] = points.len() as u32;
+                points.push(sum / count);
+            }
+        }
+        sheet.map(|leader| point_of[leader])
     }
+}
+
+/// Slots for the edges of a cell: the corner where it begins times 3, plus its axis. Half of them are none.
+const EDGES: usize = 24;
+/// No cell, no point.
+const NOWHERE: u32 = u32::MAX;
+
+/// Corner `i` of a cell, by the bits of x, y and z.
+fn corner(at: [usize; 3], i: usize) -> [usize; 3] {
+    [at[0] + (i & 1), at[1] + (i >> 1 & 1), at[2] + (i >> 2 & 1)]
+}
+
+/// Puts two edges, and all that are with them, on one sheet.
+fn merge(sheet: &mut [usize; EDGES], a: usize, b: usize) {
+    let (from, to) = (sheet[a].max(sheet[b]), sheet[a].min(sheet[b]));
+    sheet.iter_mut().filter(|leader| **leader == from).for_each(|leader| *leader = to);
 }
 
 /// The places `first + i * step` for every i below `counts`, x fastest.

@@ -9,6 +9,7 @@ mod accessor;
 mod buffers;
 
 use glam::{DMat3, DMat4, DVec3};
+use gltf::accessor::{DataType, Dimensions};
 use gltf::json::Root;
 use gltf::material::AlphaMode;
 use gltf::mesh::Mode;
@@ -181,17 +182,9 @@ fn append(
     let base = soup.points.len();
     let has = attributes(primitive, world, buffers, soup)?;
     let count = soup.points.len() - base;
-    let indices: Vec<u32> = match indices {
+    let indices = match indices {
         None => (0..count as u32).collect(),
-        Some(accessor) => {
-            let rows = accessor::rows::<1>(&accessor, buffers, 0.0)?;
-            if let Some([wrong]) = rows.iter().find(|[i]| !(0.0..count as f64).contains(i)) {
-                let message =
-                    format!("accessor {} names vertex {wrong}; there are {count}, counted from 0", accessor.index());
-                return Err(Diagnostic::error("mesh-index", message));
-            }
-            rows.iter().map(|[i]| *i as u32).collect()
-        }
+        Some(accessor) => read_indices(&accessor, count, buffers)?,
     };
     let corner = |i: u32| {
         let at = |first: Option<usize>| first.map_or(NONE, |first| first as u32 + i);
@@ -215,6 +208,21 @@ fn append(
     let material = material_of(primitive, soup);
     soup.material_of.resize(soup.triangles.len(), material);
     Ok(())
+}
+
+/// The indices of a primitive of `count` vertices.
+fn read_indices(accessor: &gltf::Accessor, count: usize, buffers: &[Vec<u8>]) -> Result<Vec<u32>, Diagnostic> {
+    let whole = matches!(accessor.data_type(), DataType::U8 | DataType::U16 | DataType::U32);
+    if !whole || accessor.dimensions() != Dimensions::Scalar || accessor.normalized() {
+        let message = format!("accessor {} holds no indices, but is used as such", accessor.index());
+        return Err(Diagnostic::error("mesh-syntax", message));
+    }
+    let rows = accessor::rows::<1>(accessor, buffers, 0.0)?;
+    if let Some([wrong]) = rows.iter().find(|[i]| *i >= count as f64) {
+        let message = format!("accessor {} names vertex {wrong}; there are {count}, counted from 0", accessor.index());
+        return Err(Diagnostic::error("mesh-index", message));
+    }
+    Ok(rows.iter().map(|[i]| *i as u32).collect())
 }
 
 /// The index of the primitive's material in the soup.
