@@ -1,7 +1,7 @@
 //! Small files of every format, whole, wrong and cut short.
 
 use chiaro::diag::{Diagnostic, LineColumn};
-use chiaro::geometry::{Imported, Mesh, Siblings, import, no_siblings};
+use chiaro::geometry::{Imported, Mesh, Siblings, import, load, no_siblings};
 use glam::{Vec3, Vec4};
 use proptest::prelude::*;
 
@@ -521,6 +521,7 @@ fn wrong_gltf_files() {
     fails("x.glb", with("\"indices\": 4", "\"indices\": 3"), "mesh-syntax", None, "accessor 3 holds no indices");
     fails("x.glb", with("\"byteOffset\": 144", "\"byteOffset\": 94"), "mesh-index", None, "there are 4");
     fails("x.glb", with("\"mesh\": 0", "\"mesh\": 9"), "mesh-syntax", None, "not valid");
+    fails("x.glb", with("\"POSITION\": 0", "\"POSITION\": 7"), "mesh-syntax", None, "no accessor 7");
     fails("x.glb", with("[1, 2]", "[1, 0]"), "mesh-syntax", None, "two parents");
     fails("x.glb", with("[1, 2]", "[1, 1]"), "mesh-syntax", None, "two parents");
     fails(
@@ -556,6 +557,27 @@ fn wrong_gltf_files() {
     old[4] = 1;
     fails("x.glb", old, "mesh-unsupported", None, "version 1");
     fails("x.glb", b"glTF\x02\0\0\0\x05\0\0\0", "mesh-truncated", None, "short");
+}
+
+// --- Paths
+
+#[test]
+fn load_reads_the_file_and_those_beside_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("card.gltf");
+    std::fs::write(&path, gltf_json(r#", "uri": "my%20mesh.bin""#)).unwrap();
+    let problems = load(&path).unwrap_err();
+    assert_eq!(problems[0].code, "mesh-reference");
+    assert!(problems[0].message.contains("`my mesh.bin`"), "{}", problems[0]);
+    std::fs::write(folder.path().join("my mesh.bin"), gltf_bytes()).unwrap();
+    assert_eq!(load(&path).unwrap().mesh.triangle_count(), 4);
+    for wrong in [folder.path().join("absent.obj"), folder.path().to_owned()] {
+        let problems = load(&wrong).unwrap_err();
+        assert_eq!(
+            (problems[0].code, problems[0].place.file.clone()),
+            ("mesh-read", Some(wrong.display().to_string()))
+        );
+    }
 }
 
 // --- Strangers' files

@@ -159,13 +159,13 @@ impl<'a> Joiner<'a> {
     }
 
     fn add(&mut self, t: usize, sides: [i8; 3]) {
-        for k in 0..3 {
+        for (k, side) in sides.into_iter().enumerate() {
             let corner = self.soup.triangles[t][k];
             let key = Key {
                 point: corner.point,
                 normal: self.same_normal[corner.normal as usize],
                 uv: if corner.uv == NONE { NONE } else { self.same_uv[corner.uv as usize] },
-                side: sides[k],
+                side,
             };
             let candidates = if key.side == 0 { &[0, 1, -1][..] } else { &[key.side][..] };
             let known = candidates.iter().find_map(|&side| self.known.get(&Key { side, ..key }).copied());

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 /// Ear clipping tests at most this many points for each corner; a polygon that needs more (thousands of corners, most
 /// of them reflex) gets a fan for what is left, so that no file takes quadratic time.
-const TESTS_PER_CORNER: usize = 1024;
+const TESTS_PER_CORNER: usize = 256;
 
 /// Cuts a polygon into `n - 2` triangles, given as indices into `points`, wound as the polygon is. Never fails: a
 /// polygon that crosses itself still gives that many triangles. Fewer than 3 points give none.

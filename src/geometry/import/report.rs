@@ -5,6 +5,9 @@ use crate::diag::{Diagnostic, LineColumn, has_errors};
 /// How many problems of one file are told; the others are counted.
 const MAX_TOLD: usize = 20;
 
+/// What a reader's function returns instead of a result; boxed, because a diagnostic is big and results are many.
+pub(super) type Problem = Box<Diagnostic>;
+
 /// The diagnostics of one file.
 pub(super) struct Report {
     file: String,

@@ -111,7 +111,7 @@ fn text(text: &str, report: &mut Report) -> Vec<[f32; 3]> {
             return points;
         }
     }
-    if open || points.len() % 3 != 0 {
+    if open || !points.len().is_multiple_of(3) {
         report.error("mesh-truncated", "the file ends before `endsolid`");
     }
     points

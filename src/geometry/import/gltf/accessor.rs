@@ -6,6 +6,7 @@ use gltf::accessor::sparse::IndexType;
 
 use crate::diag::Diagnostic;
 use crate::geometry::import::cursor::{Cursor, Number};
+use crate::geometry::import::report::Problem;
 use crate::geometry::import::{MAX_TRIANGLES, MAX_VERTICES};
 
 fn number(kind: DataType) -> Number {
@@ -28,12 +29,12 @@ pub(super) fn rows<const N: usize>(
     accessor: &Accessor,
     buffers: &[Vec<u8>],
     fill: f64,
-) -> Result<Vec<[f64; N]>, Diagnostic> {
+) -> Result<Vec<[f64; N]>, Problem> {
     let count = accessor.count();
     // Indices come three a triangle; nothing else comes in greater numbers.
     if count > 3 * MAX_TRIANGLES.max(MAX_VERTICES) {
         let message = format!("accessor {} has {count} elements, more than are allowed", accessor.index());
-        return Err(Diagnostic::error("mesh-too-large", message));
+        return Err(Diagnostic::error("mesh-too-large", message).into());
     }
     let layout = Layout {
         kind: number(accessor.data_type()),

@@ -5,21 +5,21 @@ use gltf::buffer::Source;
 
 use crate::diag::Diagnostic;
 use crate::geometry::import::cursor::Cursor;
-use crate::geometry::import::report::Report;
+use crate::geometry::import::report::{Problem, Report};
 use crate::geometry::import::{MAX_FILE_BYTES, Siblings};
 
 /// A GLB's JSON and its binary chunk.
 ///
 /// # Errors
 /// Where a chunk or the file is cut short, or the version is not 2.
-pub(super) fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Diagnostic> {
-    let short = || Diagnostic::error("mesh-truncated", "the GLB file is cut short");
+pub(super) fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Problem> {
+    let short = || Box::new(Diagnostic::error("mesh-truncated", "the GLB file is cut short"));
     let mut cursor = Cursor::little_endian(bytes);
     let _magic = cursor.take(4).ok_or_else(short)?;
     let version = cursor.u32().ok_or_else(short)?;
     if version != 2 {
         let message = format!("the GLB file has version {version}; only version 2 can be read");
-        return Err(Diagnostic::error("mesh-unsupported", message));
+        return Err(Diagnostic::error("mesh-unsupported", message).into());
     }
     let length = cursor.u32().ok_or_else(short)?;
     if u64::from(length) > bytes.len() as u64 {

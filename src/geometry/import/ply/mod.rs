@@ -6,7 +6,7 @@ mod source;
 
 use self::header::{Element, Encoding, Header};
 use self::source::Source;
-use super::report::Report;
+use super::report::{Problem, Report};
 use super::{MAX_TRIANGLES, MAX_VERTICES};
 use crate::diag::Diagnostic;
 use crate::geometry::import::cursor::Number;
@@ -28,12 +28,12 @@ pub(super) fn read(bytes: &[u8], report: &mut Report) -> Soup {
     let mut soup = Soup::default();
     let mut source = Source::new(&bytes[header.length..], header.encoding, header.lines);
     if let Err(diagnostic) = elements(&header, &mut source, &mut soup, report) {
-        report.add(diagnostic);
+        report.add(*diagnostic);
     }
     if report.has_errors() { Soup::default() } else { soup }
 }
 
-fn elements(header: &Header, source: &mut Source, soup: &mut Soup, report: &mut Report) -> Result<(), Diagnostic> {
+fn elements(header: &Header, source: &mut Source, soup: &mut Soup, report: &mut Report) -> Result<(), Problem> {
     for element in header.elements.iter().filter(|e| !e.properties.is_empty()) {
         check_counts(element, header.encoding, source)?;
         match element.name.as_str() {
@@ -47,7 +47,7 @@ fn elements(header: &Header, source: &mut Source, soup: &mut Soup, report: &mut 
 }
 
 /// Refuses counts beyond the bounds or beyond what the rest of the file can hold, before anything is allocated.
-fn check_counts(element: &Element, encoding: Encoding, source: &Source) -> Result<(), Diagnostic> {
+fn check_counts(element: &Element, encoding: Encoding, source: &Source) -> Result<(), Problem> {
     let Element { name, count, .. } = element;
     let most = match name.as_str() {
         "vertex" => MAX_VERTICES as u64,
@@ -56,17 +56,17 @@ fn check_counts(element: &Element, encoding: Encoding, source: &Source) -> Resul
     };
     if *count > most {
         let message = format!("the file has {count} of `{name}`, more than the {most} allowed");
-        return Err(Diagnostic::error("mesh-too-large", message));
+        return Err(Diagnostic::error("mesh-too-large", message).into());
     }
     let room = source.left() as u64 + 1;
     if count.saturating_mul(element.least_bytes(encoding)) > room {
         let message = format!("the file ends before its {count} of `{name}`");
-        return Err(Diagnostic::error("mesh-truncated", message));
+        return Err(Diagnostic::error("mesh-truncated", message).into());
     }
     Ok(())
 }
 
-fn skip(element: &Element, source: &mut Source) -> Result<(), Diagnostic> {
+fn skip(element: &Element, source: &mut Source) -> Result<(), Problem> {
     let mut values = Vec::new();
     for i in 0..element.count {
         for property in &element.properties {
@@ -82,9 +82,9 @@ fn locate<const N: usize>(element: &Element, names: [&[&str]; N]) -> Option<[usi
     found.iter().all(Option::is_some).then(|| found.map(Option::unwrap_or_default))
 }
 
-fn vertices(element: &Element, source: &mut Source, soup: &mut Soup, report: &mut Report) -> Result<(), Diagnostic> {
+fn vertices(element: &Element, source: &mut Source, soup: &mut Soup, report: &mut Report) -> Result<(), Problem> {
     let Some(position) = locate(element, POSITION) else {
-        return Err(Diagnostic::error("mesh-syntax", "the vertices have no properties `x`, `y` and `z`"));
+        return Err(Diagnostic::error("mesh-syntax", "the vertices have no properties `x`, `y` and `z`").into());
     };
     let (normal, uv) = (locate(element, NORMAL), locate(element, UV));
     let (color, alpha) = (locate(element, COLOR), locate(element, ALPHA));
@@ -125,24 +125,26 @@ fn corner(soup: &Soup, point: u32) -> Corner {
 }
 
 /// `number` as the index of a point.
-fn index(number: f64, count: usize, source: &Source, what: &str) -> Result<u32, Diagnostic> {
+fn index(number: f64, count: usize, source: &Source, what: &str) -> Result<u32, Problem> {
     if number >= 0.0 && number < count as f64 && number.fract() == 0.0 {
         return Ok(number as u32);
     }
     let message = format!("{what} names vertex {number}; there are {count}, counted from 0");
-    Err(source.here(Diagnostic::error("mesh-index", message)))
+    Err(source.here(Diagnostic::error("mesh-index", message)).into())
 }
 
-fn check_triangles(soup: &Soup) -> Result<(), Diagnostic> {
+fn check_triangles(soup: &Soup) -> Result<(), Problem> {
     if soup.triangles.len() > MAX_TRIANGLES {
-        return Err(Diagnostic::error("mesh-too-large", format!("the file has more than {MAX_TRIANGLES} triangles")));
+        return Err(
+            Diagnostic::error("mesh-too-large", format!("the file has more than {MAX_TRIANGLES} triangles")).into()
+        );
     }
     Ok(())
 }
 
-fn faces(element: &Element, source: &mut Source, soup: &mut Soup, report: &mut Report) -> Result<(), Diagnostic> {
+fn faces(element: &Element, source: &mut Source, soup: &mut Soup, report: &mut Report) -> Result<(), Problem> {
     let Some(list) = element.find(FACE).filter(|&i| element.properties[i].list.is_some()) else {
-        return Err(Diagnostic::error("mesh-syntax", "the faces have no list `vertex_indices`"));
+        return Err(Diagnostic::error("mesh-syntax", "the faces have no list `vertex_indices`").into());
     };
     let wedge_uvs = element.find(&["texcoord"]).filter(|&i| element.properties[i].list.is_some());
     let material = soup.material(DEFAULT_MATERIAL);
@@ -161,7 +163,7 @@ fn faces(element: &Element, source: &mut Source, soup: &mut Soup, report: &mut R
                     let uv = if own_uvs { point } else { NONE };
                     polygon.corners.push(Corner { uv, ..corner(soup, point) });
                 }
-                Err(diagnostic) => report.add(diagnostic),
+                Err(diagnostic) => report.add(*diagnostic),
             }
         }
         let uvs = wedge_uvs.map_or(&[][..], |k| &rows[k]);
@@ -178,7 +180,7 @@ fn faces(element: &Element, source: &mut Source, soup: &mut Soup, report: &mut R
 }
 
 /// Strips as the Stanford scans have them: -1 ends one.
-fn strips(element: &Element, source: &mut Source, soup: &mut Soup, report: &mut Report) -> Result<(), Diagnostic> {
+fn strips(element: &Element, source: &mut Source, soup: &mut Soup, report: &mut Report) -> Result<(), Problem> {
     let Some(list) = element.find(FACE) else { return skip(element, source) };
     let material = soup.material(DEFAULT_MATERIAL);
     let mut values = Vec::new();
@@ -193,19 +195,13 @@ fn strips(element: &Element, source: &mut Source, soup: &mut Soup, report: &mut 
     Ok(())
 }
 
-fn strip(
-    values: &[f64],
-    material: u32,
-    source: &Source,
-    soup: &mut Soup,
-    report: &mut Report,
-) -> Result<(), Diagnostic> {
+fn strip(values: &[f64], material: u32, source: &Source, soup: &mut Soup, report: &mut Report) -> Result<(), Problem> {
     for run in values.split(|&v| v == -1.0 || v == Number::U32.max().unwrap_or(-1.0)) {
         let mut corners = Vec::with_capacity(run.len());
         for &number in run {
             match index(number, soup.points.len(), source, "a strip") {
                 Ok(point) => corners.push(corner(soup, point)),
-                Err(diagnostic) => report.add(diagnostic),
+                Err(diagnostic) => report.add(*diagnostic),
             }
         }
         for (k, window) in corners.windows(3).enumerate() {

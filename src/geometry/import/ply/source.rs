@@ -3,6 +3,7 @@
 use super::header::{Encoding, Property};
 use crate::diag::{Diagnostic, LineColumn};
 use crate::geometry::import::cursor::{Cursor, Number};
+use crate::geometry::import::report::Problem;
 
 /// Numbers one after the other.
 pub(super) enum Source<'a> {
@@ -42,7 +43,7 @@ impl<'a> Source<'a> {
         property: &Property,
         values: &mut Vec<f64>,
         what: &dyn Fn() -> String,
-    ) -> Result<(), Diagnostic> {
+    ) -> Result<(), Problem> {
         values.clear();
         let Some(list) = property.list else {
             values.push(self.number(property.number, what)?);
@@ -52,7 +53,7 @@ impl<'a> Source<'a> {
         // The comparison also refuses NaN; every number takes a byte at least.
         if !(0.0..=self.left() as f64).contains(&count) || count.fract() != 0.0 {
             let message = format!("{} has a list of {count} numbers, more than the file holds", what());
-            return Err(self.here(Diagnostic::error("mesh-truncated", message)));
+            return Err(self.here(Diagnostic::error("mesh-truncated", message)).into());
         }
         for _ in 0..count as usize {
             values.push(self.number(property.number, what)?);
@@ -60,7 +61,7 @@ impl<'a> Source<'a> {
         Ok(())
     }
 
-    fn number(&mut self, kind: Number, what: &dyn Fn() -> String) -> Result<f64, Diagnostic> {
+    fn number(&mut self, kind: Number, what: &dyn Fn() -> String) -> Result<f64, Problem> {
         let word = match self {
             Self::Binary(cursor) => return cursor.number(kind).ok_or_else(|| ended(what)),
             Self::Text(words) => words.next().ok_or_else(|| ended(what))?,
@@ -68,7 +69,7 @@ impl<'a> Source<'a> {
         let number = std::str::from_utf8(word).ok().and_then(|text| text.parse::<f64>().ok());
         number.ok_or_else(|| {
             let shown: String = String::from_utf8_lossy(word).chars().take(40).collect();
-            self.here(Diagnostic::error("mesh-syntax", format!("`{shown}` in {} is not a number", what())))
+            self.here(Diagnostic::error("mesh-syntax", format!("`{shown}` in {} is not a number", what()))).into()
         })
     }
 
@@ -81,8 +82,8 @@ impl<'a> Source<'a> {
     }
 }
 
-fn ended(what: &dyn Fn() -> String) -> Diagnostic {
-    Diagnostic::error("mesh-truncated", format!("the file ends within {}", what()))
+fn ended(what: &dyn Fn() -> String) -> Problem {
+    Diagnostic::error("mesh-truncated", format!("the file ends within {}", what())).into()
 }
 
 impl<'a> Words<'a> {
