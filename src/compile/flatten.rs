@@ -29,7 +29,7 @@ pub struct Param {
     pub path: NodePath,
     /// Its input.
     pub port: PortName,
-    /// What the document says; `None` for the default.
+    /// What the document says, or the port's default once the look is checked; `None` for something of the surroundings.
     pub value: Option<Value>,
 }
 
