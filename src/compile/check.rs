@@ -135,7 +135,7 @@ pub fn check(
     let Some(root) = root.filter(|_| !has_errors(&problems)) else { return Err(problems) };
     let order: Vec<usize> = order.into_iter().filter(|&index| reached[index] || nodes[index].is_some()).collect();
     let keyed = keyed_targets(look);
-    let typed_inputs: Vec<(ParamId, Value)> = nodes.iter().flatten().flat_map(param_values).collect();
+    let typed_inputs: Vec<(ParamId, Value, Option<Value>)> = nodes.iter().flatten().flat_map(param_values).collect();
     let graph = TypedGraph {
         order: order.iter().copied().filter(|&index| nodes[index].is_some()).collect(),
         // A node that could not be typed reaches nothing; a stand-in keeps the indices.
@@ -165,17 +165,25 @@ fn stand_in(flat: &FlatNode) -> TypedNode {
     }
 }
 
-fn param_values(node: &TypedNode) -> impl Iterator<Item = (ParamId, Value)> + '_ {
-    node.inputs.iter().flatten().filter_map(|input| match &input.source {
-        TypedSource::Param(id, value) => Some((*id, value.clone())),
+/// The values of a node's inputs, each with its port's own default.
+fn param_values(node: &TypedNode) -> impl Iterator<Item = (ParamId, Value, Option<Value>)> + '_ {
+    node.inputs.iter().zip(&node.def.inputs).filter_map(|(input, port)| match &input.as_ref()?.source {
+        TypedSource::Param(id, value) => {
+            let default = if let Fallback::Value(value) = &port.fallback { Some(value.clone()) } else { None };
+            Some((*id, value.clone(), default))
+        }
         _ => None,
     })
 }
 
 /// Parameters with the defaults of their ports, where the document says nothing.
-fn with_defaults(mut params: Vec<Param>, values: &[(ParamId, Value)]) -> Vec<Param> {
-    for (id, value) in values {
-        params[*id].value.get_or_insert_with(|| value.clone());
+fn with_defaults(mut params: Vec<Param>, values: &[(ParamId, Value, Option<Value>)]) -> Vec<Param> {
+    for (id, value, default) in values {
+        let param = &mut params[*id];
+        param.value.get_or_insert_with(|| value.clone());
+        if param.default.is_none() {
+            param.default.clone_from(default);
+        }
     }
     params
 }
