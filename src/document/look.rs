@@ -34,7 +34,7 @@ pub struct Look {
 }
 
 /// What the numbers of a colour mean.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum ColorSpace {
     /// As they are shown (sRGB-encoded); layers blend as in a painting program.

@@ -1,6 +1,6 @@
 //! The camera's matrices, in f64.
 
-use glam::{DMat3, DMat4, DVec3};
+use glam::{DMat3, DMat4, DVec3, DVec4};
 
 use crate::document::{Camera, Projection};
 
@@ -19,6 +19,8 @@ pub struct View {
     pub is_perspective: bool,
     /// Pixels.
     pub viewport: [u32; 2],
+    /// The height of the picture in scene units: at depth 1 for perspective, at every depth for parallel projection.
+    pub view_height: f64,
 }
 
 impl View {
@@ -38,19 +40,25 @@ impl View {
         let distance = backward.dot(eye - center);
         let reach = radius.max(1e-6) * 1.01;
         let far = (distance + reach).max(1e-3);
-        let (projection, is_perspective) = match camera.projection {
+        let (projection, is_perspective, view_height) = match camera.projection {
             Projection::Perspective => {
                 let near = (distance - reach).max(far * 1e-3);
                 let fov = camera.fov.clamp(0.01, 3.1);
-                (DMat4::perspective_rh(fov, aspect, near, far.max(near * 1.001)), true)
+                (perspective(fov, aspect, near, far.max(near * 1.001)), true, 2.0 * (0.5 * fov).tan())
             }
             Projection::Orthographic => {
                 let half = 0.5 * camera.height.max(1e-6);
                 let near = distance - reach;
-                (DMat4::orthographic_rh(-half * aspect, half * aspect, -half, half, near, far.max(near + 1e-3)), false)
+                (orthographic(half * aspect, half, near, far.max(near + 1e-3)), false, 2.0 * half)
             }
         };
-        Self { clip_from_world: projection * camera_from_world, camera_from_world, eye, backward, is_perspective, viewport }
+        let clip_from_world = projection * camera_from_world;
+        Self { clip_from_world, camera_from_world, eye, backward, is_perspective, viewport, view_height }
+    }
+
+    /// The size of a pixel in scene units: at depth 1 for perspective, at every depth for parallel projection.
+    pub fn pixel_size(&self) -> f64 {
+        self.view_height / f64::from(self.viewport[1].max(1))
     }
 
     /// The rotation from world to camera axes.
@@ -71,6 +79,29 @@ impl View {
         numbers.extend(eye.to_array());
         numbers.into_iter().flat_map(|x| (x as f32).to_le_bytes()).collect()
     }
+}
+
+/// Clip from camera axes with the vertical field of view `fov` in radians; depth 0 at `near`, 1 at `far`.
+fn perspective(fov: f64, aspect: f64, near: f64, far: f64) -> DMat4 {
+    let scale = 1.0 / (0.5 * fov).tan();
+    let depth = far / (near - far);
+    DMat4::from_cols(
+        DVec4::new(scale / aspect, 0.0, 0.0, 0.0),
+        DVec4::new(0.0, scale, 0.0, 0.0),
+        DVec4::new(0.0, 0.0, depth, -1.0),
+        DVec4::new(0.0, 0.0, near * depth, 0.0),
+    )
+}
+
+/// Clip from camera axes for a box of half a width and half a height; depth 0 at `near`, 1 at `far`.
+fn orthographic(half_width: f64, half_height: f64, near: f64, far: f64) -> DMat4 {
+    let depth = 1.0 / (near - far);
+    DMat4::from_cols(
+        DVec4::new(1.0 / half_width, 0.0, 0.0, 0.0),
+        DVec4::new(0.0, 1.0 / half_height, 0.0, 0.0),
+        DVec4::new(0.0, 0.0, depth, 0.0),
+        DVec4::new(0.0, 0.0, near * depth, 1.0),
+    )
 }
 
 /// The bytes of the shader's `Object` uniform.

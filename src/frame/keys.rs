@@ -9,7 +9,6 @@ use std::collections::HashMap;
 use glam::{DMat3, DQuat, DVec3};
 use indexmap::IndexMap;
 
-use super::camera::View;
 use crate::compile::{LightValues, Param, ParamId};
 use crate::diag::Diagnostic;
 use crate::directions::{KeyWeights, blend_direction, blend_number};
