@@ -124,6 +124,13 @@ pub(super) fn check_look(look: &Look) -> Vec<Diagnostic> {
     check.found
 }
 
+/// What is wrong with a target.
+pub(super) fn check_target(look: &Look, target: &Target) -> Vec<Diagnostic> {
+    let mut check = Check { found: Vec::new(), suggestions: 0 };
+    check.target(look, target, String::new());
+    check.found
+}
+
 pub(super) fn check_scene(scene: &Scene) -> Vec<Diagnostic> {
     let mut check = Check { found: Vec::new(), suggestions: 0 };
     check.lights(&scene.lights);

@@ -346,6 +346,10 @@ impl<'t> Parser<'t> {
 
     fn bad_escape(&mut self) {
         let rest = &self.text[self.at + 1..];
+        if rest.len() < "uD83D\\uDE00".len() && !rest.contains(['"', '\'', '\n']) {
+            self.at = self.text.len(); // The file ends in it.
+            return;
+        }
         match rest.chars().next() {
             None => self.at += 1,
             Some('\n' | '\r') => self.at += 1,

@@ -59,6 +59,11 @@ impl Look {
         Parsed::new(text, file).look()
     }
 
+    /// What is wrong with the text itself, whatever its parts name.
+    pub(super) fn read_alone(text: &str) -> Vec<Diagnostic> {
+        Parsed::new(text, "").read(&shape::LOOK, look::look).diagnostics
+    }
+
     /// Reads a look from a file.
     pub fn load(path: &Path) -> Loaded<Self> {
         match store::read_text(path) {
