@@ -189,7 +189,8 @@ fn with_structure<T>(mut loaded: Loaded<T>, check: impl Fn(&T) -> Vec<Diagnostic
         let mut found = check(value);
         loaded.source.locate_all(&mut found);
         loaded.diagnostics.extend(found);
-        loaded.diagnostics.sort_by_key(|problem| problem.place.at);
+        // What has no place, such as the number of problems left out, comes last.
+        loaded.diagnostics.sort_by_key(|problem| (problem.place.at.is_none(), problem.place.at));
     }
     loaded
 }
