@@ -7,6 +7,7 @@ mod check;
 mod emit;
 mod flatten;
 mod host;
+mod host_source;
 mod items;
 mod names;
 mod specialize;
@@ -21,11 +22,12 @@ use crate::ids::{NodePath, PortName};
 use crate::library::Library;
 use crate::wgsl::{self, Valid};
 
-pub use check::{TypedGraph, check};
+pub use check::{TypedGraph, TypedInput, TypedNode, TypedSource, check};
 pub use emit::{Attribute, Binding, BindingKind, ImageBinding, SpanMap};
 pub use flatten::{MAX_FLAT_NODES, Param, ParamId};
-pub use host::{HostInputs, HostProgram, LightValues};
-pub use specialize::{Needs, Removal};
+pub use host::{HostInputs, HostProgram, LightValues, UniformMember};
+pub use host_source::{HostSource, HostStep};
+pub use specialize::{ImageUse, Needs, Removal};
 pub use value::{document_value, typed_value};
 
 /// Which values stay uniforms, so that changing them compiles nothing.
