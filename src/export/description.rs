@@ -10,7 +10,7 @@
 //!   `clip_from_world` and by nothing else: make it for the API's own clip space, which is given as the language's
 //!   `clip_space`.
 //! - `look`: the members that the module's `host` computes.
-//! - `image`, `sampler`: one of `images`.
+//! - `image`, `sampler`: one of `images`, uploaded with its first row first, sampled as it says.
 //! - `pass`: what an earlier pass has drawn.
 //! - `host`: what its name and members say.
 //!
@@ -23,6 +23,10 @@
 //! result of a function, or a member of an earlier step's struct; `host.members` says which steps are written into the
 //! uniform. The functions are WGSL, in the file that `host.functions` names: call them in a compute shader, or port
 //! them (they are short, pure, and meant for double precision). Where nothing is ever set, a member's `default` will do.
+//!
+//! A surrounding that is a light's field is in the light's own frame turned into the world: the illumination frame (a
+//! rotation of the host's choice, the same for all lights in it), the world, or the camera. A parameter whose target is
+//! `lights.key.direction` sets that field before the steps run.
 //!
 //! A parameter is given as the step's type: a number for a vector fills it, and a colour's alpha is 1 where it is not
 //! given. Curves and ramps are structs whose members the file of functions declares.
