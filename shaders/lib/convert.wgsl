@@ -26,3 +26,11 @@ fn luminance(color: Color) -> f32 {
 fn int_of(x: f32) -> i32 {
     return i32(round(clamp(finite_or(x, 0.0), -16777216.0, 16777216.0)));
 }
+
+/// Linear light encoded for display by the sRGB curve (IEC 61966-2-1); negative light is black, alpha stays.
+fn display_from_linear(color: Color) -> Color {
+    let c = max(color.xyz, vec3f(0.0));
+    let low = 12.92 * c;
+    let high = 1.055 * pow(c, vec3f(1.0 / 2.4)) - 0.055;
+    return vec4f(select(high, low, c <= vec3f(0.0031308)), color.w);
+}

@@ -1,4 +1,4 @@
-// Tangent frames, normal maps and bump maps.
+// Tangent frames, normal maps, bump maps and LitSpheres.
 import chiaro::numeric;
 import chiaro::total;
 
@@ -27,7 +27,7 @@ fn any_orthogonal(n: vec3f) -> vec3f {
 /// proper map has, counts as nearly flat on the surface.
 fn mapped_normal(vector: vec3f, strength: f32, normal: vec3f, tangent: vec3f, bitangent: vec3f) -> vec3f {
     if strength == 0.0 {
-        return normal;
+        return bounded_vec3(normal);
     }
     let frame = world_from_tangent(tangent, bitangent, normal);
     let v = bounded_vec3(vector);
@@ -61,4 +61,16 @@ fn bumped_normal(along_x: vec4f, along_y: vec4f, normal: vec3f) -> vec3f {
     let steepness = length(slope);
     let limited = slope * (min(steepness, 10.0) / max(steepness, 1e-20));
     return normalize_or(n - limited, n);
+}
+
+/// Where a LitSphere picture, whose painted ball has this radius in texture coordinates, shows the normal `n` as seen
+/// along `v` (both unit, in camera axes; v toward the eye). Normals that point away fall on the rim. The
+/// result's second number goes down.
+fn litsphere_place(n: vec3f, v: vec3f, radius: f32) -> vec2f {
+    let right = normalize_or(vec3f(v.z, 0.0, -v.x), vec3f(1.0, 0.0, 0.0));
+    let up = cross(v, right);
+    let seen = vec2f(dot(n, right), dot(n, up));
+    let rim = normalize_or(vec3f(seen, 0.0), vec3f(0.0, 1.0, 0.0)).xy;
+    let place = select(seen, rim, dot(n, v) < 0.0) * clamp(bounded(radius), 0.0, 0.5);
+    return vec2f(0.5 + place.x, 0.5 - place.y);
 }

@@ -135,11 +135,12 @@ pub fn check(
     let Some(root) = root.filter(|_| !has_errors(&problems)) else { return Err(problems) };
     let order: Vec<usize> = order.into_iter().filter(|&index| reached[index] || nodes[index].is_some()).collect();
     let keyed = keyed_targets(look);
+    let typed_inputs: Vec<(ParamId, Value, Option<Value>)> = nodes.iter().flatten().flat_map(param_values).collect();
     let graph = TypedGraph {
         order: order.iter().copied().filter(|&index| nodes[index].is_some()).collect(),
         // A node that could not be typed reaches nothing; a stand-in keeps the indices.
         nodes: nodes.into_iter().zip(&flat.nodes).map(|(node, flat)| node.unwrap_or_else(|| stand_in(flat))).collect(),
-        params: flat.params.into(),
+        params: with_defaults(flat.params, &typed_inputs).into(),
         root,
         lights: look.lights.clone(),
         exposed: look.exposed.clone(),
@@ -162,6 +163,29 @@ fn stand_in(flat: &FlatNode) -> TypedNode {
         light: None,
         region: None,
     }
+}
+
+/// The values of a node's inputs, each with its port's own default.
+fn param_values(node: &TypedNode) -> impl Iterator<Item = (ParamId, Value, Option<Value>)> + '_ {
+    node.inputs.iter().zip(&node.def.inputs).filter_map(|(input, port)| match &input.as_ref()?.source {
+        TypedSource::Param(id, value) => {
+            let default = if let Fallback::Value(value) = &port.fallback { Some(value.clone()) } else { None };
+            Some((*id, value.clone(), default))
+        }
+        _ => None,
+    })
+}
+
+/// Parameters with the defaults of their ports, where the document says nothing.
+fn with_defaults(mut params: Vec<Param>, values: &[(ParamId, Value, Option<Value>)]) -> Vec<Param> {
+    for (id, value, default) in values {
+        let param = &mut params[*id];
+        param.value.get_or_insert_with(|| value.clone());
+        if param.default.is_none() {
+            param.default.clone_from(default);
+        }
+    }
+    params
 }
 
 fn keyed_targets(look: &Look) -> Vec<Target> {

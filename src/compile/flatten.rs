@@ -29,8 +29,10 @@ pub struct Param {
     pub path: NodePath,
     /// Its input.
     pub port: PortName,
-    /// What the document says; `None` for the default.
+    /// What the document says, or the port's default once the look is checked; `None` for something of the surroundings.
     pub value: Option<Value>,
+    /// What it has where the document says nothing, as `value` is resolved.
+    pub default: Option<Value>,
 }
 
 /// What an input is bound to.
@@ -430,8 +432,9 @@ impl<'a> Flattener<'a> {
             let port = definition.inputs.iter().find(|interface| interface.name == *port)?;
             port.default.as_ref()
         });
-        let value = explicit.or(interface).or(default);
-        let param = Param { path: self.path_of(scope, id), port: port.clone(), value: value.cloned() };
+        let default = interface.or(default);
+        let value = explicit.or(default).cloned();
+        let param = Param { path: self.path_of(scope, id), port: port.clone(), value, default: default.cloned() };
         let next = self.flat.params.len();
         let index = *self.param_ids.entry((scope, id.as_str(), port.clone())).or_insert(next);
         if index == next {

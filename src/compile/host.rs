@@ -7,12 +7,13 @@ use glam::{DMat3, DQuat, DVec3};
 use indexmap::IndexMap;
 
 use super::flatten::ParamId;
+use super::layout::StructLayout;
 use super::specialize::Function;
 use super::value::typed_value;
 use crate::diag::Diagnostic;
 use crate::document::{Light, LightKind, LightSpace, Value};
 use crate::ids::LightId;
-use crate::interp::{self, Precision, Program, Scalar};
+use crate::interp::{self, Precision, Program};
 use crate::library::{Context, Conversion, LightField, Type};
 use crate::wgsl::{self, Source};
 
@@ -140,29 +141,18 @@ pub struct HostProgram {
     pub members: Vec<UniformMember>,
     /// The size of the uniform in bytes, a multiple of 16; 0 where there is none.
     pub size: u32,
-    layouts: Vec<Layout>,
-}
-
-/// Where the numbers of a value lie, from naga's own layout of the type.
-#[derive(Clone, Debug)]
-enum Layout {
-    Scalar,
-    Vector,
-    Matrix { rows: u32, stride: u32 },
-    Array { stride: u32, element: Box<Layout> },
-    Struct(Vec<(u32, Layout)>),
+    layout: StructLayout,
 }
 
 impl HostProgram {
     /// Takes offsets from the `Look` struct of a validated module.
     pub(super) fn with_layout(mut self, module: &naga::Module) -> Self {
-        let look = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some("Look"));
-        if let Some(naga::TypeInner::Struct { members, span }) = look.map(|(_, ty)| &ty.inner) {
-            for (member, found) in self.members.iter_mut().zip(members) {
-                member.offset = found.offset;
+        if let Some(layout) = StructLayout::of(module, "Look") {
+            for (member, (_, offset, _)) in self.members.iter_mut().zip(&layout.members) {
+                member.offset = *offset;
             }
-            self.layouts = members.iter().map(|member| layout(module, member.ty)).collect();
-            self.size = span.next_multiple_of(16);
+            self.size = layout.size.next_multiple_of(16);
+            self.layout = layout;
         }
         self
     }
@@ -200,10 +190,19 @@ impl HostProgram {
     /// As [`run`](Self::run).
     pub fn uniform_bytes(&self, inputs: &HostInputs<'_>) -> Result<Vec<u8>, Diagnostic> {
         let mut bytes = vec![0; self.size as usize];
-        for ((value, member), layout) in self.run(inputs)?.iter().zip(&self.members).zip(&self.layouts) {
-            write(value, layout, member.offset as usize, &mut bytes);
-        }
+        self.write(inputs, 0, &mut bytes)?;
         Ok(bytes)
+    }
+
+    /// Writes the `Look` struct at byte `at`.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
+    pub fn write(&self, inputs: &HostInputs<'_>, at: usize, bytes: &mut [u8]) -> Result<(), Diagnostic> {
+        for (value, (_, offset, layout)) in self.run(inputs)?.iter().zip(&self.layout.members) {
+            layout.write(value, at + *offset as usize, bytes);
+        }
+        Ok(())
     }
 }
 
@@ -222,73 +221,6 @@ impl HostInputs<'_> {
             _ => interp::Value::Float(0.0),
         }
     }
-}
-
-fn layout(module: &naga::Module, ty: naga::Handle<naga::Type>) -> Layout {
-    match &module.types[ty].inner {
-        naga::TypeInner::Vector { .. } => Layout::Vector,
-        naga::TypeInner::Matrix { rows, .. } => {
-            let rows = *rows as u32;
-            Layout::Matrix { rows, stride: if rows == 2 { 8 } else { 16 } }
-        }
-        naga::TypeInner::Array { base, stride, .. } => {
-            Layout::Array { stride: *stride, element: Box::new(layout(module, *base)) }
-        }
-        naga::TypeInner::Struct { members, .. } => {
-            Layout::Struct(members.iter().map(|member| (member.offset, layout(module, member.ty))).collect())
-        }
-        _ => Layout::Scalar,
-    }
-}
-
-fn write(value: &interp::Value, layout: &Layout, at: usize, bytes: &mut [u8]) {
-    match (layout, value) {
-        (Layout::Scalar, value) => {
-            if let Some(scalar) = value.as_scalar() {
-                write_scalar(scalar, at, bytes);
-            }
-        }
-        (Layout::Vector, interp::Value::Vector(scalars)) => {
-            for (i, scalar) in scalars.iter().enumerate() {
-                write_scalar(*scalar, at + 4 * i, bytes);
-            }
-        }
-        (Layout::Matrix { rows, stride }, interp::Value::Matrix { components, .. }) => {
-            for (i, component) in components.iter().enumerate() {
-                let (column, row) = (i / *rows as usize, i % *rows as usize);
-                write_scalar(Scalar::Float(*component), at + column * *stride as usize + 4 * row, bytes);
-            }
-        }
-        (Layout::Array { stride, element }, interp::Value::Array(parts)) => {
-            for (i, part) in parts.iter().enumerate() {
-                write(part, element, at + i * *stride as usize, bytes);
-            }
-        }
-        (Layout::Struct(members), interp::Value::Struct(parts)) => {
-            for ((offset, layout), part) in members.iter().zip(parts) {
-                write(part, layout, at + *offset as usize, bytes);
-            }
-        }
-        // The layout comes from the type that the value was made for.
-        _ => {}
-    }
-}
-
-fn write_scalar(scalar: Scalar, at: usize, bytes: &mut [u8]) {
-    let word = match scalar {
-        Scalar::Bool(b) => u32::from(b).to_le_bytes(),
-        Scalar::I32(i) => i.to_le_bytes(),
-        Scalar::U32(u) => u.to_le_bytes(),
-        Scalar::Float(x) => finite_f32(x).to_le_bytes(),
-    };
-    if let Some(place) = bytes.get_mut(at..at + 4) {
-        place.copy_from_slice(&word);
-    }
-}
-
-/// The nearest finite f32; 0 for NaN, which a project's own node may give.
-fn finite_f32(x: f64) -> f32 {
-    if x.is_nan() { 0.0 } else { (x as f32).clamp(f32::MIN, f32::MAX) }
 }
 
 /// All conversions as WGSL functions, so that the CPU runs the same text that the shader inlines.

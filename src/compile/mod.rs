@@ -9,6 +9,7 @@ mod flatten;
 mod host;
 mod host_source;
 mod items;
+mod layout;
 mod names;
 mod specialize;
 mod value;
@@ -23,10 +24,11 @@ use crate::library::Library;
 use crate::wgsl::{self, Valid};
 
 pub use check::{TypedGraph, TypedInput, TypedNode, TypedSource, check};
-pub use emit::{Attribute, Binding, BindingKind, ImageBinding, SpanMap};
+pub use emit::{Attribute, Binding, BindingKind, ImageBinding, SAMPLES_PER_ROW, SpanMap};
 pub use flatten::{MAX_FLAT_NODES, Param, ParamId};
 pub use host::{HostInputs, HostProgram, LightValues, UniformMember};
 pub use host_source::{HostSource, HostStep};
+pub use layout::{Layout, StructLayout};
 pub use specialize::{ImageUse, Needs, Removal};
 pub use value::{document_value, typed_value};
 
@@ -50,10 +52,19 @@ pub enum Stage {
     /// Draws meshes with the look.
     #[default]
     Draw,
-    /// Draws the look's detail normal, for the curvature pass.
+    /// Draws the surface's own normal, for the curvature pass.
     Normals,
+    /// Draws the look's detail normal, for the curvature pass.
+    DetailNormals,
     /// Evaluates the look at given surface samples.
     Eval,
+}
+
+impl Stage {
+    /// Whether it draws normals.
+    pub fn is_normals(self) -> bool {
+        matches!(self, Self::Normals | Self::DetailNormals)
+    }
 }
 
 /// How a look is compiled.
@@ -65,6 +76,8 @@ pub struct Options {
     pub stage: Stage,
     /// The output to show in place of the look's own.
     pub root: Option<(NodePath, PortName)>,
+    /// Whether colours of a look in linear light are encoded for display where they leave the shader.
+    pub display: bool,
     /// Whether nothing is folded, merged or removed: what pruning is held against.
     pub unspecialized: bool,
 }

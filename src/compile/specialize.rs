@@ -403,7 +403,7 @@ impl<'a> Builder<'a> {
         };
         let image = ImageUse {
             path,
-            wrap: setting("wrap", "repeat"),
+            wrap: setting("wrap", "clamp"),
             filter: setting("filter", "linear"),
             encoding: setting("encoding", "color"),
             node: node.path.clone(),
@@ -477,7 +477,11 @@ impl<'a> Builder<'a> {
         let (node, output) = self.graph.root;
         let is_own_root = self.graph.nodes[node].def.special == Special::Output;
         let root = match self.options.stage {
-            Stage::Normals => self.extra_roots.get("normal").copied(),
+            Stage::Normals => {
+                let operation = Operation::Context(Context::Normal, None);
+                Some(self.value(Key::Context(Context::Normal, None), node, Type::Vec3, Rate::Fragment, operation))
+            }
+            Stage::DetailNormals => self.extra_roots.get("normal").copied(),
             Stage::Draw | Stage::Eval => None,
         };
         let color = self.outputs[node][output];

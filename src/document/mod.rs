@@ -4,9 +4,12 @@
 //! [`Look::to_text`] writes the canonical form, and a document equal to what was read is written back byte for byte.
 //! [`History`] applies every [`Edit`], and undoes it. docs/format.md documents the files.
 
+mod check;
 mod color;
+mod edit;
 mod json;
 mod look;
+mod problems;
 mod read;
 mod rotation;
 mod scene;
@@ -19,6 +22,7 @@ mod word;
 mod write;
 
 pub use color::{parse_hex, srgb_to_linear};
+pub use edit::{Applied, Edit, Editable, History, SceneEdit};
 pub use look::*;
 pub use read::Document;
 pub use scene::*;

@@ -1,1 +1,19 @@
-//! From a scene at a time to a frame plan.
+//! From a scene at a time to a frame plan: which passes run, on which modules, with which values, and why.
+//!
+//! [`open`] finds everything that a look or a scene names; [`Planner::plan`] makes a [`FramePlan`] of it, which a
+//! renderer executes without knowing what a look is. A pass is in the plan only while a live node of a visible object
+//! needs it; what is left out is listed with the reason.
+
+mod assets;
+mod camera;
+mod keys;
+mod plan;
+mod samples;
+mod setup;
+
+pub use assets::{Assets, Image, MAX_IMAGE_SIDE, SHAPE_PREFIX};
+pub use camera::View;
+pub use keys::{Moment, ObjectValues, ParamTable, Rig, set_light_field, structural_look};
+pub use plan::{Draw, Dropped, FramePlan, LookShaders, Pass, PassKind, PlanOptions, Planner};
+pub use samples::{EvalBatch, EvalSample, LightOverride, eval_batches};
+pub use setup::{ANY_MATERIAL, DEFAULT_MESH, Setup, SetupLook, SetupObject, default_setup, object_matrix, open};

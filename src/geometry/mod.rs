@@ -1,1 +1,20 @@
-//! Meshes: import, tangents, own shapes.
+//! Meshes: import, normals, tangents, own shapes.
+//!
+//! A file's bytes become a `soup::Soup` (points and corners as the file has them: `import/`, one reader a format);
+//! `build` turns the soup into a [`Mesh`] that a GPU can draw: degenerate triangles dropped, missing normals made
+//! (`normals`), corners joined to vertices, tangents made or kept (`tangents`), triangles sorted by material.
+//! The own shapes (`shapes`) go the same way from formulas.
+
+mod build;
+mod import;
+mod mesh;
+mod normals;
+mod shapes;
+mod soup;
+mod tangents;
+mod triangulate;
+
+pub use import::{Imported, MAX_FILE_BYTES, MAX_TRIANGLES, MAX_VERTICES, Siblings, import, load, no_siblings};
+pub use mesh::{Bounds, DEFAULT_MATERIAL, Fit, Mesh, Part};
+pub use normals::CREASE_ANGLE;
+pub use shapes::{SHAPES, Shape, shape};

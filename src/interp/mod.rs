@@ -31,6 +31,8 @@
 //! last), shifts use the amount modulo 32, `x / 0` is `x` and `x % 0` is 0 for integers, conversions to integers saturate
 //! and turn NaN into 0. `pow` has the domain that WGSL gives it, `exp2(y * log2(x))`: a negative base gives NaN, as on a GPU.
 
+#![allow(clippy::result_large_err, reason = "diagnostics are large, and made only when all is lost")]
+
 mod compile;
 mod instruction;
 mod machine;
@@ -72,7 +74,7 @@ pub enum Derivatives {
 pub struct Options {
     /// What derivatives give.
     pub derivatives: Derivatives,
-    /// The number of instructions after which a call is given up as endless.
+    /// The number of instructions after which a call is given up as endless; one that copies counts for each scalar.
     pub step_limit: u64,
 }
 

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use super::{Binding, BindingKind, Emitter};
 use crate::compile::Stage;
+use crate::document::ColorSpace;
 use crate::library::{Context, Type};
 
 /// Names that the frame uses, kept from the artist's.
@@ -96,6 +97,11 @@ struct Object {
 ";
 
 impl Emitter<'_> {
+    /// Whether the picture's colours are encoded where they leave the shader.
+    fn encodes(&self) -> bool {
+        self.options.display && self.options.stage == Stage::Draw && self.graph.color_space == ColorSpace::Linear
+    }
+
     /// Whether the frame calls this function of the library.
     pub(super) fn frame_uses(&self, function: &str) -> bool {
         let is_mesh = self.options.stage != Stage::Eval;
@@ -104,6 +110,7 @@ impl Emitter<'_> {
             "straight" => is_mesh && self.special.values[self.special.root].ty == Type::Composite,
             "angle_radians" => is_mesh && self.special.values[self.special.root].ty == Type::Angle,
             "finite_vec4" => is_mesh,
+            "display_from_linear" => self.encodes(),
             _ => false,
         }
     }
@@ -233,7 +240,7 @@ impl Emitter<'_> {
     fn varyings(&self, attributes: &[Attribute]) -> Vec<(&'static str, &'static str, &'static str)> {
         let mut varyings = Vec::new();
         let position = [Context::Position, Context::PositionCamera, Context::View, Context::Depth];
-        if self.options.stage == Stage::Normals || position.iter().any(|&context| self.needs.context(context)) {
+        if self.options.stage.is_normals() || position.iter().any(|&context| self.needs.context(context)) {
             varyings.push(("position", "vec3f", "world.xyz"));
         }
         for attribute in attributes {
@@ -253,7 +260,7 @@ impl Emitter<'_> {
     }
 
     fn write_fragment(&mut self) {
-        let is_normals = self.options.stage == Stage::Normals;
+        let is_normals = self.options.stage.is_normals();
         if is_normals {
             self.out.push_str(
                 "\nstruct Fragment {\n    /// The normal in camera axes, and the object's number plus 1.\n    \
@@ -294,7 +301,9 @@ impl Emitter<'_> {
                  return Fragment(vec4f(seen, object.id + 1.0), depth);\n}}"
             )
         } else {
-            writeln!(self.out, "    return {};\n}}", shown(&self.special.values[self.special.root].ty, value))
+            let pixel = shown(&self.special.values[self.special.root].ty, value);
+            let pixel = if self.encodes() { format!("display_from_linear({pixel})") } else { pixel };
+            writeln!(self.out, "    return {pixel};\n}}")
         };
     }
 

@@ -67,7 +67,7 @@ impl Emitter<'_> {
     fn write_shade(&mut self, parts: &[Part], body: &mut Body) {
         let parameters = if self.has_surface() { "surface: Surface" } else { "" };
         let comment = match self.options.stage {
-            Stage::Normals => "/// The normal that the curvature pass sees.",
+            Stage::Normals | Stage::DetailNormals => "/// The normal that the curvature pass sees.",
             Stage::Draw | Stage::Eval => "/// The look at one point of the surface.",
         };
         let root = self.special.root;

@@ -3,6 +3,7 @@
 //! The parser makes a tree with a place for every value, [`Reader`](reader::Reader) takes typed fields out of it, and
 //! one file a document says which fields there are.
 
+mod lists;
 mod look;
 mod reader;
 mod scene;
@@ -12,9 +13,9 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::json::{self, At, Kind};
+use super::problems::{Lines, Problems};
 use super::shape::{self, Shape};
-use super::source::{Lines, Loaded, Problems, SourceMap};
-use super::structure;
+use super::source::{Loaded, SourceMap};
 use super::{Look, Scene, VERSION, store};
 use crate::diag::Diagnostic;
 use reader::Reader;
@@ -59,6 +60,11 @@ impl Look {
         Parsed::new(text, file).look()
     }
 
+    /// What is wrong with the text itself, whatever its parts name.
+    pub(super) fn read_alone(text: &str) -> Vec<Diagnostic> {
+        Parsed::new(text, "").read(&shape::LOOK, look::look).diagnostics
+    }
+
     /// Reads a look from a file.
     pub fn load(path: &Path) -> Loaded<Self> {
         match store::read_text(path) {
@@ -87,7 +93,7 @@ impl Scene {
 fn failed<T>(path: &Path, problem: Diagnostic) -> Loaded<T> {
     let file = path.display().to_string();
     let lines = Lines::new("");
-    let tree = json::parse(Arc::from(""), &lines, &mut Problems::new());
+    let tree = json::parse(&Arc::from(""), &lines, &mut Problems::new());
     let source = SourceMap { file, lines, tree, kept: Default::default() };
     Loaded { value: None, source, diagnostics: vec![problem] }
 }
@@ -102,7 +108,7 @@ impl Parsed {
     fn new(text: &str, file: &str) -> Self {
         let mut problems = Problems::new();
         let lines = Lines::new(text);
-        let tree = json::parse(Arc::from(text), &lines, &mut problems);
+        let tree = json::parse(&Arc::from(text), &lines, &mut problems);
         Self { source: SourceMap { file: file.to_owned(), lines, tree, kept: Default::default() }, problems }
     }
 
@@ -125,12 +131,12 @@ impl Parsed {
 
     fn look(self) -> Loaded<Look> {
         let loaded = self.read(&shape::LOOK, look::look);
-        with_structure(loaded, |look: &Look| structure::check_look(look))
+        with_structure(loaded, Look::check)
     }
 
     fn scene(self) -> Loaded<Scene> {
         let loaded = self.read(&shape::SCENE, scene::scene);
-        with_structure(loaded, |scene: &Scene| structure::check_scene(scene))
+        with_structure(loaded, Scene::check)
     }
 
     fn read<T>(mut self, shape: &'static Shape, read: fn(&mut Reader<'_>, At) -> Option<T>) -> Loaded<T> {
@@ -184,7 +190,8 @@ fn with_structure<T>(mut loaded: Loaded<T>, check: impl Fn(&T) -> Vec<Diagnostic
         let mut found = check(value);
         loaded.source.locate_all(&mut found);
         loaded.diagnostics.extend(found);
-        loaded.diagnostics.sort_by_key(|problem| problem.place.at);
+        // What has no place, such as the number of problems left out, comes last.
+        loaded.diagnostics.sort_by_key(|problem| (problem.place.at.is_none(), problem.place.at));
     }
     loaded
 }

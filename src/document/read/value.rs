@@ -11,7 +11,7 @@ use crate::ids::{PortName, is_slug};
 impl Reader<'_> {
     /// The values of inputs, by port.
     pub(super) fn values(&mut self, fields: &mut Fields) -> Values {
-        self.map::<PortName, _>(fields, "values", |r, at, extras| r.value_at(at, extras))
+        self.map::<PortName, _>(fields, "values", Self::value_at)
     }
 
     /// A value in a field of its own.
@@ -78,10 +78,8 @@ impl Reader<'_> {
     fn in_order(&mut self, at: At, what: &str, places: impl Iterator<Item = f64>) -> Option<()> {
         let places: Vec<f64> = places.collect();
         if places.is_empty() {
-            if !self.tree.is_cut(at) {
-                let problem = Diagnostic::error("wrong-count", format!("`{what}` has nothing in it"));
-                self.report(at, problem.hint("write at least one"));
-            }
+            let problem = Diagnostic::error("wrong-count", format!("`{what}` has nothing in it"));
+            self.report(at, problem.hint("write at least one"));
             return None;
         }
         if let Some(pair) = places.windows(2).find(|pair| pair[0] >= pair[1]) {

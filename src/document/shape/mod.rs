@@ -119,8 +119,11 @@ impl Bounds {
         least && number <= self.max && (!self.whole || number.fract() == 0.0)
     }
 
-    /// In words: `a number from 0 to 1000000`.
+    /// In words: `a number from 0 to 1000000`, or the only number there is.
     pub(super) fn say(&self) -> String {
+        if self.min == self.max {
+            return say_number(self.min);
+        }
         let whole = if self.whole { "whole " } else { "" };
         let from = if self.above { "above" } else { "from" };
         format!("a {whole}number {from} {} to {}", say_number(self.min), say_number(self.max))
@@ -150,7 +153,7 @@ pub(super) const F32: Bounds = Bounds::new(-(f32::MAX as f64), f32::MAX as f64);
 pub(super) const LINE: usize = 1000;
 /// A longer text: help, WGSL source.
 pub(super) const LONG: usize = 1 << 20;
-/// Nodes of one graph and of one document.
+/// Nodes of one graph.
 pub(super) const MAX_NODES: usize = 200_000;
 /// Wires of one graph.
 pub(super) const MAX_WIRES: usize = 1_000_000;

@@ -66,7 +66,7 @@ impl Assembler {
     /// Appends an instruction.
     pub(super) fn emit(&mut self, instruction: Instruction) -> Outcome<()> {
         if self.code.len() >= MAX_CODE {
-            return Err(too_big(format!("{MAX_CODE} instructions")));
+            return Err(too_big(&format!("{MAX_CODE} instructions")));
         }
         self.code.push(instruction);
         Ok(())
@@ -76,7 +76,7 @@ impl Assembler {
     pub(super) fn reserve(&mut self, count: u32) -> Outcome<Slot> {
         let first = self.image.len() as u32;
         if count > MAX_SLOTS - first {
-            return Err(too_big(format!("{MAX_SLOTS} scalars")));
+            return Err(too_big(&format!("{MAX_SLOTS} scalars")));
         }
         self.image.resize(self.image.len() + count as usize, 0);
         Ok(first)
@@ -137,7 +137,7 @@ impl Assembler {
     /// Accounts for the list of the slots of one value.
     pub(super) fn list(&mut self, slots: usize) -> Outcome<()> {
         self.listed += slots;
-        if self.listed > MAX_LISTED { Err(too_big(format!("{MAX_LISTED} scalars in its values"))) } else { Ok(()) }
+        if self.listed > MAX_LISTED { Err(too_big(&format!("{MAX_LISTED} scalars in its values"))) } else { Ok(()) }
     }
 
     /// A new label, to be placed later.
@@ -182,7 +182,7 @@ impl Assembler {
 }
 
 #[cold]
-fn too_big(limit: String) -> Box<Diagnostic> {
+fn too_big(limit: &str) -> Box<Diagnostic> {
     let message = format!("the function needs more than {limit}, which is all that the interpreter grants");
     Box::new(Diagnostic::error("interp-too-big", message).hint("use smaller arrays or fewer of them"))
 }

@@ -200,7 +200,7 @@ impl FunctionCompiler<'_> {
         });
         let normal = self.cross(c, d)?;
         let minor = self.dot(&b, &normal)?;
-        if row % 2 == 0 { Ok(minor) } else { self.float1(FloatUnary::Negate, minor) }
+        if row.is_multiple_of(2) { Ok(minor) } else { self.float1(FloatUnary::Negate, minor) }
     }
 }
 

@@ -5,6 +5,7 @@
 
 mod assembler;
 mod builtins;
+mod constants;
 mod expressions;
 mod layout;
 mod linear;

@@ -115,7 +115,7 @@ impl<'a> FunctionCompiler<'a> {
                 }
                 Task::Label(label) => self.assembler.place(label),
                 Task::Jump(target) => self.assembler.emit(Instruction::Jump { target })?,
-                Task::JumpUnless(condition, target) => self.jump_unless(condition, target)?,
+                Task::JumpUnless(condition, target) => self.jump_if(condition, false, target)?,
                 Task::Leave => {
                     self.exits.pop();
                 }
@@ -164,18 +164,23 @@ impl<'a> FunctionCompiler<'a> {
         }
     }
 
-    fn jump_unless(&mut self, condition: Handle<Expression>, target: Target) -> Outcome<()> {
+    fn jump_if(&mut self, condition: Handle<Expression>, when: bool, target: Target) -> Outcome<()> {
         let condition = self.scalar(condition)?;
-        self.assembler.emit(Instruction::JumpIf { condition, when: false, target })
+        self.assembler.emit(Instruction::JumpIf { condition, when, target })
     }
 
     fn branch(&mut self, condition: Handle<Expression>, accept: &'a Block, reject: &'a Block) -> Outcome<()> {
-        let otherwise = self.assembler.label();
-        self.jump_unless(condition, otherwise)?;
+        let end = self.assembler.label();
         if reject.is_empty() {
-            self.queue([Task::Block(accept, 0), Task::Label(otherwise)]);
+            self.jump_if(condition, false, end)?;
+            self.queue([Task::Block(accept, 0), Task::Label(end)]);
+        } else if accept.is_empty() {
+            // What naga makes of a loop's condition: `if !condition { break; }`.
+            self.jump_if(condition, true, end)?;
+            self.queue([Task::Block(reject, 0), Task::Label(end)]);
         } else {
-            let end = self.assembler.label();
+            let otherwise = self.assembler.label();
+            self.jump_if(condition, false, otherwise)?;
             self.queue([
                 Task::Block(accept, 0),
                 Task::Jump(end),
@@ -192,18 +197,10 @@ impl<'a> FunctionCompiler<'a> {
         self.assembler.place(start);
         self.exits.push(Exit { on_break: end, on_continue: Some(next) });
         self.queue([Task::Label(end), Task::Leave]);
-        match break_if {
-            Some(condition) => {
-                let again = self.assembler.label();
-                self.queue([
-                    Task::JumpUnless(condition, again),
-                    Task::Jump(end),
-                    Task::Label(again),
-                    Task::Jump(start),
-                ]);
-            }
-            None => self.queue([Task::Jump(start)]),
-        }
+        self.queue([match break_if {
+            Some(condition) => Task::JumpUnless(condition, start),
+            None => Task::Jump(start),
+        }]);
         self.queue([Task::Block(body, 0), Task::Label(next), Task::Block(continuing, 0)]);
         Ok(())
     }

@@ -1,12 +1,21 @@
 //! Names for what only a GPU can do.
 
-use naga::{Expression, MathFunction, Statement};
+use naga::{Expression, MathFunction, Module, Statement};
 
 /// Names an expression that the interpreter cannot run, and the IR construct behind it.
-pub(super) fn expression_name(expression: &Expression) -> &'static str {
+pub(super) fn expression_name(module: &Module, expression: &Expression) -> String {
+    let named = |what: &str, name: &Option<String>| format!("{what} `{}`", name.as_deref().unwrap_or(""));
     match expression {
-        Expression::Override(_) => "an override (Override)",
-        Expression::GlobalVariable(_) => "a global variable (GlobalVariable)",
+        Expression::Override(handle) => named("the override", &module.overrides[*handle].name) + " (Override)",
+        Expression::GlobalVariable(handle) => {
+            named("the global variable", &module.global_variables[*handle].name) + " (GlobalVariable)"
+        }
+        other => anonymous_expression_name(other).to_owned(),
+    }
+}
+
+fn anonymous_expression_name(expression: &Expression) -> &'static str {
+    match expression {
         Expression::ImageSample { .. } => "a texture sample (ImageSample)",
         Expression::ImageLoad { .. } => "a texture load (ImageLoad)",
         Expression::ImageQuery { .. } => "a texture query (ImageQuery)",

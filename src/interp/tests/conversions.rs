@@ -25,9 +25,8 @@ fn floats_truncate_and_saturate() {
 
 #[test]
 fn in_f32_they_saturate_at_what_f32_can_hold() {
-    let convert = |signature: &str, expression: &str, x: f64| {
-        run_in(Precision::F32, &source(signature, expression), &[x.into()])
-    };
+    let convert =
+        |signature: &str, expression: &str, x: f64| run_in(Precision::F32, &source(signature, expression), &[x.into()]);
     assert_eq!(convert("f32 -> i32", "i32(a)", 1e30), 2_147_483_520.into());
     assert_eq!(convert("f32 -> i32", "i32(a)", -1e30), i32::MIN.into());
     assert_eq!(convert("f32 -> u32", "u32(a)", 1e30), 4_294_967_040_u32.into());

@@ -5,6 +5,7 @@ mod control;
 mod conversions;
 mod errors;
 mod floats;
+mod folding;
 mod integers;
 mod packing;
 mod precision;
@@ -16,8 +17,11 @@ use crate::diag::Diagnostic;
 
 /// A module that naga's validator accepts.
 fn module(source: &str) -> naga::Module {
+    #[expect(clippy::disallowed_methods, reason = "tests of types and functions that our own shaders may not use")]
     let module = naga::front::wgsl::parse_str(source).unwrap_or_else(|e| panic!("{}", e.emit_to_string(source)));
-    let mut validator = naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga::valid::Capabilities::all());
+    #[expect(clippy::disallowed_methods, reason = "as above")]
+    let mut validator =
+        naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga::valid::Capabilities::all());
     if let Err(problem) = validator.validate(&module) {
         panic!("{}", problem.emit_to_string(source));
     }

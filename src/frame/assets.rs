@@ -1,0 +1,131 @@
+//! Meshes and images, read once and kept while their files stay the same.
+
+use std::collections::HashMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::SystemTime;
+
+use crate::diag::Diagnostic;
+use crate::geometry::{self, Mesh};
+
+/// What an object's mesh begins with where it is an own shape.
+pub const SHAPE_PREFIX: &str = "shape:";
+/// The largest image, in pixels along a side; a GPU may allow less.
+pub const MAX_IMAGE_SIDE: u32 = 16_384;
+/// The most memory that decoding one image may take, in bytes.
+const MAX_IMAGE_BYTES: u64 = 1 << 30;
+
+/// A decoded image: straight RGBA, 8 bits a channel, rows from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Image {
+    /// Pixels.
+    pub size: [u32; 2],
+    /// Four bytes a pixel.
+    pub rgba: Vec<u8>,
+    /// Of the content, for caches.
+    pub hash: u64,
+}
+
+impl Image {
+    /// One pixel, standing in for an image that could not be read.
+    pub fn single(rgba: [u8; 4]) -> Self {
+        Self::new([1, 1], rgba.to_vec())
+    }
+
+    fn new(size: [u32; 2], rgba: Vec<u8>) -> Self {
+        let mut hasher = DefaultHasher::new();
+        (size, &rgba).hash(&mut hasher);
+        Self { size, rgba, hash: hasher.finish() }
+    }
+}
+
+#[derive(Clone, Debug)]
+struct Kept<T> {
+    stamp: Option<(SystemTime, u64)>,
+    value: Arc<T>,
+    notes: Vec<Diagnostic>,
+}
+
+/// Reads meshes and images, each once.
+#[derive(Clone, Debug, Default)]
+pub struct Assets {
+    meshes: HashMap<String, Kept<Mesh>>,
+    images: HashMap<PathBuf, Kept<Image>>,
+}
+
+impl Assets {
+    /// The mesh that `name` means, a path relative to `folder` or `shape:` and an own shape, with what was odd in it.
+    ///
+    /// # Errors
+    /// Why it cannot be used.
+    pub fn mesh(&mut self, folder: &Path, name: &str) -> Result<(Arc<Mesh>, Vec<Diagnostic>), Vec<Diagnostic>> {
+        if let Some(shape) = name.strip_prefix(SHAPE_PREFIX) {
+            return Ok((self.shape(shape)?, Vec::new()));
+        }
+        let path = folder.join(name);
+        let key = path.display().to_string();
+        let stamp = stamp(&path);
+        if let Some(kept) = self.meshes.get(&key).filter(|kept| kept.stamp == stamp) {
+            return Ok((kept.value.clone(), kept.notes.clone()));
+        }
+        let imported = geometry::load(&path)?;
+        let value = Arc::new(imported.mesh);
+        self.meshes.insert(key, Kept { stamp, value: value.clone(), notes: imported.notes.clone() });
+        Ok((value, imported.notes))
+    }
+
+    fn shape(&mut self, name: &str) -> Result<Arc<Mesh>, Vec<Diagnostic>> {
+        let key = format!("{SHAPE_PREFIX}{name}");
+        if let Some(kept) = self.meshes.get(&key) {
+            return Ok(kept.value.clone());
+        }
+        let Some(mesh) = geometry::shape(name) else {
+            let known = geometry::SHAPES.iter().map(|shape| shape.name);
+            let names: Vec<&str> = known.clone().collect();
+            let problem = Diagnostic::error("unknown-shape", format!("there is no own shape `{name}`"));
+            return Err(vec![problem.suggest(name, known).hint(format!("the shapes are {}", names.join(", ")))]);
+        };
+        let value = Arc::new(mesh);
+        self.meshes.insert(key, Kept { stamp: None, value: value.clone(), notes: Vec::new() });
+        Ok(value)
+    }
+
+    /// The image at `path`, relative to `folder`.
+    ///
+    /// # Errors
+    /// Why it cannot be used.
+    pub fn image(&mut self, folder: &Path, path: &str) -> Result<Arc<Image>, Diagnostic> {
+        let path = folder.join(path);
+        let stamp = stamp(&path);
+        if let Some(kept) = self.images.get(&path).filter(|kept| kept.stamp == stamp) {
+            return Ok(kept.value.clone());
+        }
+        let value = Arc::new(read_image(&path)?);
+        self.images.insert(path, Kept { stamp, value: value.clone(), notes: Vec::new() });
+        Ok(value)
+    }
+}
+
+fn stamp(path: &Path) -> Option<(SystemTime, u64)> {
+    let data = std::fs::metadata(path).ok()?;
+    Some((data.modified().ok()?, data.len()))
+}
+
+fn read_image(path: &Path) -> Result<Image, Diagnostic> {
+    let problem = |message: String| {
+        Diagnostic::error("missing-asset", message)
+            .in_file(path.display().to_string())
+            .hint("paths of images are relative to the look's own file")
+    };
+    let reader = image::ImageReader::open(path).map_err(|error| problem(format!("this image cannot be opened: {error}")))?;
+    let mut reader = reader.with_guessed_format().map_err(|error| problem(format!("this image cannot be read: {error}")))?;
+    let mut limits = image::Limits::default();
+    limits.max_image_width = Some(MAX_IMAGE_SIDE);
+    limits.max_image_height = Some(MAX_IMAGE_SIDE);
+    limits.max_alloc = Some(MAX_IMAGE_BYTES);
+    reader.limits(limits);
+    let decoded = reader.decode().map_err(|error| problem(format!("this image cannot be decoded: {error}")))?;
+    let rgba = decoded.into_rgba8();
+    Ok(Image::new([rgba.width(), rgba.height()], rgba.into_raw()))
+}

@@ -1,0 +1,144 @@
+//! The camera's matrices, in f64.
+
+use glam::{DMat3, DMat4, DVec3, DVec4};
+
+use crate::document::{Camera, Projection};
+
+/// A camera resolved for one picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// Clip space as WebGPU has it: x right, y up, z from 0 (near) to 1 (far).
+    pub clip_from_world: DMat4,
+    /// Camera axes: x right, y up, z toward the viewer, from the eye.
+    pub camera_from_world: DMat4,
+    /// World space.
+    pub eye: DVec3,
+    /// From the target toward the viewer, unit.
+    pub backward: DVec3,
+    /// Whether lines meet at the eye.
+    pub is_perspective: bool,
+    /// Pixels.
+    pub viewport: [u32; 2],
+    /// The height of the picture in scene units: at depth 1 for perspective, at every depth for parallel projection.
+    pub view_height: f64,
+}
+
+impl View {
+    /// Resolves `camera` for a picture of `viewport` pixels of a scene within `radius` of `center`.
+    pub fn new(camera: &Camera, viewport: [u32; 2], center: DVec3, radius: f64) -> Self {
+        let eye = DVec3::from(camera.eye);
+        let backward = (eye - DVec3::from(camera.target)).try_normalize().unwrap_or(DVec3::Z);
+        let up = DVec3::from(camera.up);
+        // An up vector along the line of sight leaves the roll open; any other axis settles it.
+        let fallback = if backward.y.abs() < 0.9 { DVec3::Y } else { DVec3::Z };
+        let right = up.cross(backward).try_normalize().unwrap_or_else(|| fallback.cross(backward).normalize());
+        let up = backward.cross(right);
+        let rotation = DMat3::from_cols(right, up, backward).transpose();
+        let camera_from_world = DMat4::from_mat3(rotation) * DMat4::from_translation(-eye);
+        let aspect = f64::from(viewport[0].max(1)) / f64::from(viewport[1].max(1));
+        // Everything in the scene lies between these two planes; a little more, so that nothing is cut.
+        let distance = backward.dot(eye - center);
+        let reach = radius.max(1e-6) * 1.01;
+        let far = (distance + reach).max(1e-3);
+        let (projection, is_perspective, view_height) = match camera.projection {
+            Projection::Perspective => {
+                let near = (distance - reach).max(far * 1e-3);
+                let fov = camera.fov.clamp(0.01, 3.1);
+                (perspective(fov, aspect, near, far.max(near * 1.001)), true, 2.0 * (0.5 * fov).tan())
+            }
+            Projection::Orthographic => {
+                let half = 0.5 * camera.height.max(1e-6);
+                let near = distance - reach;
+                (orthographic(half * aspect, half, near, far.max(near + 1e-3)), false, 2.0 * half)
+            }
+        };
+        let clip_from_world = projection * camera_from_world;
+        Self { clip_from_world, camera_from_world, eye, backward, is_perspective, viewport, view_height }
+    }
+
+    /// The size of a pixel in scene units: at depth 1 for perspective, at every depth for parallel projection.
+    pub fn pixel_size(&self) -> f64 {
+        self.view_height / f64::from(self.viewport[1].max(1))
+    }
+
+    /// The rotation from world to camera axes.
+    pub fn rotation(&self) -> DMat3 {
+        DMat3::from_mat4(self.camera_from_world)
+    }
+
+    /// Unit, from `point` toward the viewer, world space.
+    pub fn toward_viewer(&self, point: DVec3) -> DVec3 {
+        if self.is_perspective { (self.eye - point).try_normalize().unwrap_or(self.backward) } else { self.backward }
+    }
+
+    /// The bytes of the shader's `View` uniform.
+    pub fn uniform_bytes(&self) -> Vec<u8> {
+        let eye = if self.is_perspective { self.eye.extend(1.0) } else { self.backward.extend(0.0) };
+        let mut numbers = self.clip_from_world.to_cols_array().to_vec();
+        numbers.extend(self.camera_from_world.to_cols_array());
+        numbers.extend(eye.to_array());
+        numbers.into_iter().flat_map(|x| (x as f32).to_le_bytes()).collect()
+    }
+}
+
+/// Clip from camera axes with the vertical field of view `fov` in radians; depth 0 at `near`, 1 at `far`.
+fn perspective(fov: f64, aspect: f64, near: f64, far: f64) -> DMat4 {
+    let scale = 1.0 / (0.5 * fov).tan();
+    let depth = far / (near - far);
+    DMat4::from_cols(
+        DVec4::new(scale / aspect, 0.0, 0.0, 0.0),
+        DVec4::new(0.0, scale, 0.0, 0.0),
+        DVec4::new(0.0, 0.0, depth, -1.0),
+        DVec4::new(0.0, 0.0, near * depth, 0.0),
+    )
+}
+
+/// Clip from camera axes for a box of half a width and half a height; depth 0 at `near`, 1 at `far`.
+fn orthographic(half_width: f64, half_height: f64, near: f64, far: f64) -> DMat4 {
+    let depth = 1.0 / (near - far);
+    DMat4::from_cols(
+        DVec4::new(1.0 / half_width, 0.0, 0.0, 0.0),
+        DVec4::new(0.0, 1.0 / half_height, 0.0, 0.0),
+        DVec4::new(0.0, 0.0, depth, 0.0),
+        DVec4::new(0.0, 0.0, near * depth, 1.0),
+    )
+}
+
+/// The bytes of the shader's `Object` uniform.
+pub(super) fn object_bytes(world_from_object: DMat4, id: f64) -> Vec<u8> {
+    let linear = DMat3::from_mat4(world_from_object);
+    // A flattened object has no inverse; its normals then turn as directions do.
+    let normals = if linear.determinant().abs() > 1e-12 { linear.inverse().transpose() } else { linear };
+    let mut numbers = world_from_object.to_cols_array().to_vec();
+    for column in normals.to_cols_array_2d() {
+        numbers.extend(column);
+        numbers.push(0.0);
+    }
+    numbers.extend([id, 0.0, 0.0, 0.0]);
+    numbers.into_iter().flat_map(|x| (x as f32).to_le_bytes()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_target_is_in_the_middle_and_up_is_up() {
+        for projection in [Projection::Perspective, Projection::Orthographic] {
+            let camera = Camera { eye: [3.0, 2.0, 4.0], projection, ..Camera::default() };
+            let view = View::new(&camera, [200, 100], DVec3::ZERO, 1.0);
+            let middle = view.clip_from_world.project_point3(DVec3::ZERO);
+            assert!(middle.truncate().length() < 1e-12 && middle.z > 0.0 && middle.z < 1.0, "{middle}");
+            let above = view.clip_from_world.project_point3(DVec3::Y * 0.5);
+            assert!(above.y > 0.1 && above.x.abs() < 1e-12);
+            assert!((view.rotation() * view.backward - DVec3::Z).length() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn looking_straight_down_works() {
+        let camera = Camera { eye: [0.0, 5.0, 0.0], ..Camera::default() };
+        let view = View::new(&camera, [100, 100], DVec3::ZERO, 1.0);
+        assert!(view.clip_from_world.is_finite());
+    }
+}

@@ -1,0 +1,374 @@
+//! Values at a time and under a direction: what keys make of a look's values.
+//!
+//! An object's values come from, each over the one before: the document, the scene's overrides of exposed parameters,
+//! time keys, direction keys (BADF eq. 9). Words and switches move in time only, and change what is compiled.
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+
+use glam::{DMat3, DQuat, DVec3};
+use indexmap::IndexMap;
+
+use crate::compile::{LightValues, Param, ParamId};
+use crate::diag::Diagnostic;
+use crate::directions::{KeyWeights, blend_direction, blend_number};
+use crate::document::{
+    DirectionKeys, Interpolation, KeyDirection, Light, Look, Target, TimeKey, TimeKeys, Value, Values,
+};
+use crate::ids::{LightId, NodePath, PortName};
+
+/// Where and when an object is shaded.
+#[derive(Clone, Copy, Debug)]
+pub struct Moment<'a> {
+    /// Seconds.
+    pub time: f64,
+    /// World from illumination frame.
+    pub illumination: DQuat,
+    /// Camera from world.
+    pub camera_from_world: DMat3,
+    /// Unit, from the object toward the viewer, world space.
+    pub view: DVec3,
+    /// The object's centre, world space.
+    pub center: DVec3,
+    /// Values of exposed parameters by name.
+    pub exposed: &'a Values,
+    /// Lights in place of the look's own.
+    pub lights: &'a IndexMap<LightId, Light>,
+}
+
+/// A look's values for one object at one moment.
+#[derive(Clone, Debug, Default)]
+pub struct ObjectValues {
+    /// By parameter of the compiled shader.
+    pub params: HashMap<ParamId, Value>,
+    /// In world space.
+    pub lights: IndexMap<LightId, LightValues>,
+}
+
+/// A look's keys with their weights solved, ready for any number of objects and moments.
+#[derive(Clone, Debug)]
+pub struct Rig {
+    lights: IndexMap<LightId, Light>,
+    exposed: Vec<(PortName, Target)>,
+    time: Vec<TimeKeys>,
+    directions: Vec<(DirectionKeys, KeyWeights)>,
+}
+
+impl Rig {
+    /// Solves the direction keys of `look`. Diagnostics tell of keys that are merged or lie too close.
+    pub fn new(look: &Look) -> (Self, Vec<Diagnostic>) {
+        let mut problems = Vec::new();
+        let mut directions = Vec::new();
+        for (index, keys) in look.direction_keys.iter().enumerate() {
+            let places: Vec<DVec3> = keys.keys.iter().map(|key| DVec3::from(key.direction)).collect();
+            let (weights, found) = KeyWeights::new(&places, keys.scheme);
+            problems.extend(found.into_iter().map(|mut problem| {
+                let inner = problem.place.json_path.take().unwrap_or_else(|| "keys".to_owned());
+                problem.json_path(format!("direction_keys[{index}].{inner}"))
+            }));
+            directions.push((keys.clone(), weights));
+        }
+        let exposed = look.exposed.iter().map(|exposed| (exposed.name.clone(), exposed.target.clone())).collect();
+        (Self { lights: look.lights.clone(), exposed, time: look.time_keys.clone(), directions }, problems)
+    }
+
+    /// The values at a moment. `base` gives what an input has without keys.
+    pub fn evaluate(&self, params: &[Param], table: &ParamTable, moment: &Moment<'_>) -> ObjectValues {
+        let mut values: HashMap<Target, Value> = HashMap::new();
+        for (name, target) in &self.exposed {
+            if let Some(value) = moment.exposed.get(name) {
+                values.insert(target.clone(), value.clone());
+            }
+        }
+        for track in &self.time {
+            if let Some(value) = at_time(&track.keys, moment.time, is_direction(&track.target)) {
+                values.insert(track.target.clone(), value);
+            }
+        }
+        let mut lights = self.lights.clone();
+        for (id, light) in moment.lights {
+            if let Some(slot) = lights.get_mut(id) {
+                slot.clone_from(light);
+            }
+        }
+        set_lights(&mut lights, &values);
+        for (keys, weights) in &self.directions {
+            let direction = self.direction(&keys.by, &lights, moment);
+            blend_keys(keys, &weights.weights(direction), params, table, &lights, &mut values);
+        }
+        set_lights(&mut lights, &values);
+        let resolve = |light: &Light| LightValues::new(light, moment.illumination, moment.camera_from_world);
+        ObjectValues {
+            params: values
+                .into_iter()
+                .filter_map(|(target, value)| match target {
+                    Target::Input { node, port } => Some((table.find(&node, &port)?, value)),
+                    Target::Light { .. } => None,
+                })
+                .collect(),
+            lights: lights.iter().map(|(id, light)| (id.clone(), resolve(light))).collect(),
+        }
+    }
+
+    fn direction(&self, by: &KeyDirection, lights: &IndexMap<LightId, Light>, moment: &Moment<'_>) -> DVec3 {
+        match by {
+            KeyDirection::View => moment.view,
+            KeyDirection::Light(id) => {
+                let Some(light) = lights.get(id) else { return DVec3::Z };
+                let resolved = LightValues::new(light, moment.illumination, moment.camera_from_world);
+                let toward = match light.kind {
+                    crate::document::LightKind::Directional => resolved.direction,
+                    _ => (resolved.position - moment.center).try_normalize().unwrap_or(DVec3::Z),
+                };
+                moment.camera_from_world * toward
+            }
+        }
+    }
+}
+
+/// Finds parameters by place.
+#[derive(Clone, Debug, Default)]
+pub struct ParamTable(HashMap<(NodePath, PortName), ParamId>);
+
+impl ParamTable {
+    /// A table over a compiled shader's parameters.
+    pub fn new(params: &[Param]) -> Self {
+        Self(params.iter().enumerate().map(|(id, param)| ((param.path.clone(), param.port.clone()), id)).collect())
+    }
+
+    /// The parameter of an input.
+    pub fn find(&self, node: &NodePath, port: &PortName) -> Option<ParamId> {
+        self.0.get(&(node.clone(), port.clone())).copied()
+    }
+}
+
+/// The look with the words and switches that its time keys and `exposed` values set: what is compiled then.
+pub fn structural_look<'l>(look: &'l Look, time: f64, exposed: &Values) -> Cow<'l, Look> {
+    let timed = look.time_keys.iter().filter_map(|track| Some((&track.target, at_time(&track.keys, time, false)?)));
+    let set = look.exposed.iter().filter_map(|e| Some((&e.target, exposed.get(&e.name)?.clone())));
+    let mut changed = Cow::Borrowed(look);
+    for (target, value) in set.chain(timed) {
+        let Target::Input { node, port } = target else { continue };
+        let is_word = matches!(&value, Value::Text(_)) && value.color().is_none();
+        // Inside a definition a value belongs to every use of it, so only the look's own nodes can be set.
+        if let (true, [id]) = (is_word, node.ids()) {
+            if let Some(node) = changed.to_mut().graph.nodes.get_mut(id) {
+                node.values.insert(port.clone(), value);
+            }
+        }
+    }
+    changed
+}
+
+fn is_direction(target: &Target) -> bool {
+    matches!(target, Target::Light { field, .. } if field == "direction" || field == "aim")
+}
+
+/// The value of a track at a time; `None` for an empty one. Before the first key and after the last, theirs holds.
+fn at_time(keys: &[TimeKey], time: f64, is_direction: bool) -> Option<Value> {
+    let next = keys.partition_point(|key| key.time <= time);
+    let Some(before) = next.checked_sub(1).map(|index| &keys[index]) else { return keys.first().map(|key| key.value.clone()) };
+    let Some(after) = keys.get(next) else { return Some(before.value.clone()) };
+    let span = after.time - before.time;
+    let t = if span > 0.0 { (time - before.time) / span } else { 0.0 };
+    let t = match before.interpolation {
+        Interpolation::Stepped => return Some(before.value.clone()),
+        Interpolation::Linear => t,
+        Interpolation::Smooth => t * t * (3.0 - 2.0 * t),
+    };
+    Some(mix(&before.value, &after.value, t, is_direction))
+}
+
+/// Between two values; what has no between (words, switches, curves) holds the first until the second.
+fn mix(a: &Value, b: &Value, t: f64, is_direction: bool) -> Value {
+    let weights = [1.0 - t, t];
+    blend(&[a, b], &weights, is_direction).unwrap_or_else(|| a.clone())
+}
+
+/// The weighted sum of numbers, vectors or colours; `None` where they are of different shapes, or words.
+fn blend(values: &[&Value], weights: &[f64], is_direction: bool) -> Option<Value> {
+    let rows: Option<Vec<Vec<f64>>> = values.iter().map(|value| numbers_of(value)).collect();
+    let mut rows = rows?;
+    let width = rows.iter().map(Vec::len).max()?;
+    for row in rows.iter_mut().filter(|row| row.len() == 3 && width == 4) {
+        row.push(1.0);
+    }
+    if rows.iter().any(|row| row.len() != width) {
+        return None;
+    }
+    if is_direction && width == 3 {
+        let directions: Vec<DVec3> = rows.iter().map(|row| DVec3::from_slice(row)).collect();
+        return blend_direction(weights, &directions).map(|direction| Value::Vector(direction.to_array().to_vec()));
+    }
+    let column = |c: usize| rows.iter().map(|row| row[c]).collect::<Vec<f64>>();
+    let blended: Vec<f64> = (0..width).map(|c| blend_number(weights, &column(c))).collect();
+    Some(if matches!(values[0], Value::Number(_)) { Value::Number(blended[0]) } else { Value::Vector(blended) })
+}
+
+fn numbers_of(value: &Value) -> Option<Vec<f64>> {
+    match value {
+        Value::Number(x) => Some(vec![*x]),
+        Value::Vector(v) => Some(v.clone()),
+        Value::Text(_) => value.color().map(|rgba| rgba.to_vec()),
+        Value::Bool(_) | Value::Curve(_) | Value::Ramp(_) => None,
+    }
+}
+
+/// Lays the keyed values under `weights` into `values`.
+fn blend_keys(
+    keys: &DirectionKeys,
+    weights: &[f64],
+    params: &[Param],
+    table: &ParamTable,
+    lights: &IndexMap<LightId, Light>,
+    values: &mut HashMap<Target, Value>,
+) {
+    if weights.iter().all(|w| *w == 0.0) {
+        return;
+    }
+    let base = |target: &Target| -> Option<Value> {
+        match target {
+            Target::Input { node, port } => table.find(node, port).and_then(|id| params[id].value.clone()),
+            Target::Light { light, field } => light_field(lights.get(light)?, field),
+        }
+    };
+    let own: HashMap<Target, Value> = keys
+        .keys
+        .iter()
+        .flat_map(|key| key.values.keys())
+        .filter_map(|target| Some((target.clone(), values.get(target).cloned().or_else(|| base(target))?)))
+        .collect();
+    let mut targets: Vec<&Target> = keys.keys.iter().flat_map(|key| key.values.keys()).collect();
+    targets.sort_by_cached_key(|target| target.to_string());
+    targets.dedup();
+    for target in targets {
+        let at_key = |index: usize| {
+            let key = &keys.keys[index];
+            sanitized(target, &|t: &Target| key.values.get(t).cloned().or_else(|| own.get(t).cloned()).or_else(|| base(t)))
+        };
+        let at_keys: Vec<Option<Value>> = (0..keys.keys.len()).map(at_key).collect();
+        let with_value: Vec<(&Value, f64)> =
+            at_keys.iter().zip(weights).filter_map(|(value, weight)| Some((value.as_ref()?, *weight))).collect();
+        let total: f64 = with_value.iter().map(|(_, weight)| weight).sum();
+        if total <= 0.0 {
+            continue;
+        }
+        let (at_keys, weights): (Vec<&Value>, Vec<f64>) = with_value.into_iter().map(|(v, w)| (v, w / total)).unzip();
+        if let Some(value) = blend(&at_keys, &weights, is_direction(target)) {
+            values.insert(target.clone(), value);
+        }
+    }
+}
+
+/// The value of a target at a key, made fit for blending: offset, cut-off and fall-off of one node are brought into
+/// order first (math.md 5), so that every blend of them is in order too.
+fn sanitized(target: &Target, value: &dyn Fn(&Target) -> Option<Value>) -> Option<Value> {
+    let own = value(target)?;
+    let Target::Input { node, port } = target else { return Some(own) };
+    if !matches!(port.as_str(), "offset" | "falloff" | "cutoff") {
+        return Some(own);
+    }
+    let sibling = |name: &str| {
+        let target = Target::Input { node: node.clone(), port: name.into() };
+        match value(&target) {
+            Some(Value::Number(x)) => Some(x),
+            _ => None,
+        }
+    };
+    let pi = std::f64::consts::PI;
+    let default = |name: &str, otherwise: f64| sibling(name).unwrap_or(otherwise);
+    let offset = default("offset", 0.0).clamp(0.0, pi);
+    let cutoff = default("cutoff", pi / 2.0).clamp(offset, pi);
+    let falloff = default("falloff", pi / 2.0).clamp(offset, cutoff);
+    Some(Value::Number(match port.as_str() {
+        "offset" => offset,
+        "falloff" => falloff,
+        _ => cutoff,
+    }))
+}
+
+fn light_field(light: &Light, field: &str) -> Option<Value> {
+    let vector = |v: [f64; 3]| Some(Value::Vector(v.to_vec()));
+    match field {
+        "direction" => vector(light.direction),
+        "position" => vector(light.position),
+        "aim" => vector(light.aim),
+        "color" => vector(light.color),
+        "intensity" => Some(Value::Number(light.intensity)),
+        "inner" => Some(Value::Number(light.inner)),
+        "outer" => Some(Value::Number(light.outer)),
+        "half_distance" => Some(Value::Number(light.half_distance)),
+        "range" => Some(Value::Number(light.range)),
+        _ => None,
+    }
+}
+
+fn set_lights(lights: &mut IndexMap<LightId, Light>, values: &HashMap<Target, Value>) {
+    for (target, value) in values {
+        if let Target::Light { light, field } = target {
+            if let Some(light) = lights.get_mut(light) {
+                set_light_field(light, field, value);
+            }
+        }
+    }
+}
+
+/// Sets a field of a light by name; a value of another shape changes nothing.
+pub fn set_light_field(light: &mut Light, field: &str, value: &Value) {
+    let numbers = numbers_of(value).unwrap_or_default();
+    let vector = || <[f64; 3]>::try_from(numbers.get(..3)?).ok();
+    let number = numbers.first().copied();
+    let (slot, number) = match field {
+        "direction" | "position" | "aim" | "color" => {
+            let Some(v) = vector() else { return };
+            match field {
+                "direction" => light.direction = v,
+                "position" => light.position = v,
+                "aim" => light.aim = v,
+                _ => light.color = v,
+            }
+            return;
+        }
+        "intensity" => (&mut light.intensity, number),
+        "inner" => (&mut light.inner, number),
+        "outer" => (&mut light.outer, number),
+        "half_distance" => (&mut light.half_distance, number),
+        "range" => (&mut light.range, number),
+        _ => return,
+    };
+    if let Some(number) = number {
+        *slot = number;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::Unknown;
+
+    fn track(interpolation: Interpolation) -> Vec<TimeKey> {
+        [(1.0, 10.0), (3.0, 20.0)]
+            .map(|(time, value)| TimeKey { time, value: Value::Number(value), interpolation, unknown: Unknown::new() })
+            .to_vec()
+    }
+
+    #[test]
+    fn tracks_hold_outside_and_go_as_asked_between() {
+        let number = |keys: &[TimeKey], time| match at_time(keys, time, false) {
+            Some(Value::Number(x)) => x,
+            other => panic!("{other:?}"),
+        };
+        let linear = track(Interpolation::Linear);
+        assert_eq!([0.0, 1.0, 1.5, 3.0, 9.0].map(|t| number(&linear, t)), [10.0, 10.0, 12.5, 20.0, 20.0]);
+        assert_eq!(number(&track(Interpolation::Smooth), 1.5), 10.0 + 10.0 * (0.25 * 0.25 * 2.5));
+        assert_eq!(number(&track(Interpolation::Stepped), 2.999), 10.0);
+        assert!(at_time(&[], 0.0, false).is_none());
+    }
+
+    #[test]
+    fn colours_of_three_and_four_numbers_blend() {
+        let opaque = Value::Vector(vec![1.0, 0.0, 0.0]);
+        let clear = Value::Vector(vec![0.0, 0.0, 0.0, 0.0]);
+        assert_eq!(blend(&[&opaque, &clear], &[0.5, 0.5], false), Some(Value::Vector(vec![0.5, 0.0, 0.0, 0.5])));
+    }
+}

@@ -1,0 +1,431 @@
+//! The frame plan: what a renderer executes.
+
+use std::collections::HashMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::ops::Range;
+use std::path::Path;
+use std::sync::Arc;
+
+use glam::{DQuat, DVec3};
+
+use super::assets::{Assets, Image};
+use super::camera::{View, object_bytes};
+use super::keys::{Moment, ParamTable, Rig, structural_look};
+use super::setup::{Setup, SetupLook, SetupObject};
+use crate::compile::{CompiledShader, HostInputs, Live, Options, Param, Stage, compile};
+use crate::diag::Diagnostic;
+use crate::document::{Graph, Look, Value};
+use crate::geometry::Mesh;
+use crate::ids::ObjectId;
+use crate::library::{Context, Library};
+
+/// What a picture is asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlanOptions {
+    /// Pixels.
+    pub size: [u32; 2],
+    /// Samples a pixel: 1 or 4.
+    pub samples: u32,
+    /// Seconds.
+    pub time: f64,
+}
+
+/// GPU work in order.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PassKind {
+    /// Normals, object numbers and depth of every object.
+    Normals,
+    /// The same with the looks' detail normals.
+    DetailNormals,
+    /// Curvature of the normals.
+    Curvature,
+    /// Curvature of the detail normals.
+    DetailCurvature,
+    /// The looks themselves.
+    Look,
+}
+
+/// A pass with its reason.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Pass {
+    /// What it does.
+    pub kind: PassKind,
+    /// Why it is in the plan.
+    pub reason: String,
+    /// Of everything that it reads: the same hash gives the same result.
+    pub input_hash: u64,
+}
+
+/// Something that the plan does without.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Dropped {
+    /// What.
+    pub what: String,
+    /// Why it is not needed.
+    pub why: String,
+}
+
+/// One part of an object, to be drawn.
+#[derive(Clone, Debug)]
+pub struct Draw {
+    /// The object.
+    pub object: ObjectId,
+    /// Its mesh.
+    pub mesh: Arc<Mesh>,
+    /// Which of its indices.
+    pub indices: Range<u32>,
+    /// The look.
+    pub look: Arc<CompiledShader>,
+    /// The look's normals, by what they are of.
+    pub normals: HashMap<PassKind, Arc<CompiledShader>>,
+    /// The `Object` uniform.
+    pub object_uniform: Vec<u8>,
+    /// The `Look` uniform; one for each module, by stage.
+    pub look_uniforms: HashMap<Stage, Vec<u8>>,
+    /// The images of the look's module, in the order of its needs.
+    pub images: Vec<Arc<Image>>,
+    /// Whether back faces are drawn.
+    pub two_sided: bool,
+    /// From the eye, for drawing what is transparent from back to front.
+    pub distance: f64,
+}
+
+/// Everything a renderer needs for one picture.
+#[derive(Clone, Debug)]
+pub struct FramePlan {
+    /// Pixels.
+    pub size: [u32; 2],
+    /// Samples a pixel.
+    pub samples: u32,
+    /// Straight RGBA behind everything; `None` for transparent.
+    pub backdrop: Option<[f64; 4]>,
+    /// The camera.
+    pub view: View,
+    /// Back to front.
+    pub draws: Vec<Draw>,
+    /// In order.
+    pub passes: Vec<Pass>,
+    /// What was left out.
+    pub dropped: Vec<Dropped>,
+}
+
+/// A look's modules, compiled when first asked for.
+#[derive(Clone, Debug)]
+pub struct LookShaders {
+    draw: Arc<CompiledShader>,
+    normals: HashMap<Stage, Arc<CompiledShader>>,
+    rig: Rig,
+    tables: HashMap<Stage, ParamTable>,
+}
+
+/// Makes frame plans, keeping what was compiled and read.
+#[derive(Debug, Default)]
+pub struct Planner {
+    /// Meshes and images.
+    pub assets: Assets,
+    /// Compiled looks by what they were compiled from.
+    shaders: HashMap<u64, LookShaders>,
+    /// What was odd, but stopped nothing.
+    pub warnings: Vec<Diagnostic>,
+}
+
+impl Planner {
+    /// A planner with assets that were read already.
+    pub fn new(assets: Assets) -> Self {
+        Self { assets, ..Self::default() }
+    }
+
+    /// Gives a look's module that was compiled elsewhere (on another thread, say), for the next plans of this look.
+    ///
+    /// # Errors
+    /// Never today; kept so that callers handle a look whose normals cannot be compiled.
+    pub fn provide(&mut self, look: &Look, live: &Live, draw: Arc<CompiledShader>) {
+        let (rig, problems) = Rig::new(look);
+        self.warnings = problems;
+        let tables = HashMap::from([(Stage::Draw, ParamTable::new(&draw.params))]);
+        // One look is being edited at a time; what was compiled for its earlier states is not kept.
+        self.shaders.clear();
+        self.shaders.insert(look_key(look, live), LookShaders { draw, normals: HashMap::new(), rig, tables });
+    }
+
+    /// Plans one picture of `setup`.
+    ///
+    /// # Errors
+    /// Everything that keeps a look from being compiled or an image from being read.
+    pub fn plan(
+        &mut self,
+        setup: &Setup,
+        library: &Library,
+        live: &Live,
+        options: &PlanOptions,
+    ) -> Result<FramePlan, Vec<Diagnostic>> {
+        let (center, radius) = bounds(&setup.objects);
+        let view = View::new(&setup.scene.camera, options.size, center, radius);
+        let mut problems = Vec::new();
+        let mut keys = HashMap::new();
+        for object in &setup.objects {
+            for &look in object.looks.iter().flatten() {
+                let shown = structural_look(&setup.looks[look].look, options.time, &object.values);
+                let key = look_key(&shown, live);
+                if !self.shaders.contains_key(&key) {
+                    match self.compile_look(&setup.looks[look], &shown, library, live) {
+                        Ok(shaders) => drop(self.shaders.insert(key, shaders)),
+                        Err(found) => problems.extend(found),
+                    }
+                }
+                keys.insert((object.id.clone(), look), key);
+            }
+        }
+        if !problems.is_empty() {
+            return Err(problems);
+        }
+        let needs = |context: Context| {
+            setup.objects.iter().find_map(|object| {
+                let found = object.looks.iter().flatten().find(|&&look| {
+                    self.shaders[&keys[&(object.id.clone(), look)]].draw.needs.context(context)
+                })?;
+                let name = &setup.looks[*found].look.name;
+                Some(format!("object `{}` wears {}, which reads curvature", object.id, quoted(name)))
+            })
+        };
+        let wanted = [
+            (PassKind::Normals, PassKind::Curvature, Stage::Normals, needs(Context::Kappa)),
+            (PassKind::DetailNormals, PassKind::DetailCurvature, Stage::DetailNormals, needs(Context::KappaDetail)),
+        ];
+        let mut draws = Vec::new();
+        for (number, object) in setup.objects.iter().enumerate() {
+            let stages: Vec<_> = wanted.iter().filter(|w| w.3.is_some()).map(|w| (w.0.clone(), w.2)).collect();
+            match self.draws(setup, object, number, &keys, library, live, &stages, &view, options) {
+                Ok(found) => draws.extend(found),
+                Err(found) => problems.extend(found),
+            }
+        }
+        if !problems.is_empty() {
+            return Err(problems);
+        }
+        draws.sort_by(|a, b| b.distance.total_cmp(&a.distance));
+        let (passes, dropped) = passes(&wanted, &draws, &view, options);
+        Ok(FramePlan { size: options.size, samples: options.samples, backdrop: setup.scene.backdrop, view, draws, passes, dropped })
+    }
+
+    fn compile_look(
+        &mut self,
+        setup: &SetupLook,
+        shown: &Look,
+        library: &Library,
+        live: &Live,
+    ) -> Result<LookShaders, Vec<Diagnostic>> {
+        let options = Options { live: live.clone(), display: true, ..Options::default() };
+        let located = |mut problems: Vec<Diagnostic>| {
+            setup.source.locate_all(&mut problems);
+            problems
+        };
+        let draw = Arc::new(compile(shown, library, &options).map_err(located)?);
+        let (rig, mut problems) = Rig::new(shown);
+        problems.extend(draw.warnings.iter().cloned());
+        self.warnings.extend(located(problems));
+        let tables = HashMap::from([(Stage::Draw, ParamTable::new(&draw.params))]);
+        Ok(LookShaders { draw, normals: HashMap::new(), rig, tables })
+    }
+
+    #[expect(clippy::too_many_arguments, reason = "one object's share of the plan")]
+    fn draws(
+        &mut self,
+        setup: &Setup,
+        object: &SetupObject,
+        number: usize,
+        keys: &HashMap<(ObjectId, usize), u64>,
+        library: &Library,
+        live: &Live,
+        stages: &[(PassKind, Stage)],
+        view: &View,
+        options: &PlanOptions,
+    ) -> Result<Vec<Draw>, Vec<Diagnostic>> {
+        let mut draws = Vec::new();
+        let center = object.center();
+        let uniform = object_bytes(object.world_from_object, number as f64);
+        for (part, look) in object.mesh.parts.iter().zip(&object.looks) {
+            let Some(look) = *look else { continue };
+            let shaders = self.shaders.get_mut(&keys[&(object.id.clone(), look)]).expect("compiled above");
+            let shown = structural_look(&setup.looks[look].look, options.time, &object.values);
+            for (_, stage) in stages {
+                if !shaders.normals.contains_key(stage) {
+                    let wanted = Options { live: live.clone(), stage: *stage, ..Options::default() };
+                    let compiled = Arc::new(compile(&shown, library, &wanted)?);
+                    shaders.tables.insert(*stage, ParamTable::new(&compiled.params));
+                    shaders.normals.insert(*stage, compiled);
+                }
+            }
+            let moment = Moment {
+                time: options.time,
+                illumination: DQuat::from_array(setup.scene.illumination).normalize(),
+                camera_from_world: view.rotation(),
+                view: view.toward_viewer(center),
+                center,
+                exposed: &object.values,
+                lights: &setup.scene.lights,
+            };
+            let mut look_uniforms = HashMap::new();
+            for (stage, shader) in std::iter::once((Stage::Draw, &shaders.draw)).chain(stages.iter().map(|(_, s)| (*s, &shaders.normals[s]))) {
+                let params = current_params(&shown, &shader.params);
+                let mut values = shaders.rig.evaluate(&params, &shaders.tables[&stage], &moment);
+                for (id, (now, then)) in params.into_iter().zip(shader.params.iter()).enumerate() {
+                    if let (true, Some(value)) = (now.value != then.value, now.value) {
+                        values.params.entry(id).or_insert(value);
+                    }
+                }
+                let inputs = HostInputs {
+                    params: &values.params,
+                    lights: &values.lights,
+                    camera_from_world: view.rotation(),
+                    viewport: options.size.map(f64::from),
+                    time: options.time,
+                    frame: ((options.time - setup.scene.time.start) * setup.scene.time.fps).round(),
+                    object_id: number as f64,
+                };
+                look_uniforms.insert(stage, shader.host.uniform_bytes(&inputs).map_err(|problem| vec![problem])?);
+            }
+            let images = images(&mut self.assets, &shaders.draw, &setup.looks[look].folder)?;
+            draws.push(Draw {
+                object: object.id.clone(),
+                mesh: object.mesh.clone(),
+                indices: part.indices.clone(),
+                look: shaders.draw.clone(),
+                normals: stages.iter().map(|(kind, stage)| (kind.clone(), shaders.normals[stage].clone())).collect(),
+                object_uniform: uniform.clone(),
+                look_uniforms,
+                images,
+                two_sided: part.two_sided,
+                distance: view.backward.dot(view.eye - center),
+            });
+        }
+        Ok(draws)
+    }
+}
+
+/// The images that a module reads, in the order of its needs.
+pub(super) fn images(assets: &mut Assets, shader: &CompiledShader, folder: &Path) -> Result<Vec<Arc<Image>>, Vec<Diagnostic>> {
+    let mut problems = Vec::new();
+    let images = shader
+        .needs
+        .images
+        .iter()
+        .map(|image| {
+            if image.path.is_empty() {
+                // No image chosen yet: white, so that what it tints stays as it is.
+                return Arc::new(Image::single([255; 4]));
+            }
+            assets.image(folder, &image.path).unwrap_or_else(|problem| {
+                problems.push(problem.node(image.node.clone()));
+                Arc::new(Image::single([255, 0, 255, 255]))
+            })
+        })
+        .collect();
+    if problems.is_empty() { Ok(images) } else { Err(problems) }
+}
+
+fn quoted(name: &str) -> String {
+    if name.is_empty() { "a look".to_owned() } else { format!("the look \"{name}\"") }
+}
+
+fn bounds(objects: &[SetupObject]) -> (DVec3, f64) {
+    let mut min = DVec3::INFINITY;
+    let mut max = DVec3::NEG_INFINITY;
+    for object in objects {
+        min = min.min(object.center() - object.radius());
+        max = max.max(object.center() + object.radius());
+    }
+    if min.is_finite() && max.is_finite() { (0.5 * (min + max), 0.5 * (max - min).length()) } else { (DVec3::ZERO, 1.0) }
+}
+
+/// What a look's module depends on: all of it, or while everything is live what is no uniform.
+fn look_key(look: &Look, live: &Live) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    if *live == Live::All {
+        look.color_space.hash(&mut hasher);
+        hash_graph(&look.graph, &mut hasher);
+        for (id, definition) in &look.definitions {
+            (id, format!("{:?}{:?}", definition.inputs, definition.outputs)).hash(&mut hasher);
+            hash_graph(&definition.graph, &mut hasher);
+        }
+        look.lights.iter().for_each(|(id, light)| (id, light.kind).hash(&mut hasher));
+        look.exposed.iter().for_each(|exposed| (&exposed.name, &exposed.target).hash(&mut hasher));
+        for keys in &look.direction_keys {
+            format!("{keys:?}").hash(&mut hasher);
+        }
+        look.time_keys.iter().for_each(|track| format!("{track:?}").hash(&mut hasher));
+    } else {
+        look.to_text().hash(&mut hasher);
+        format!("{live:?}").hash(&mut hasher);
+    }
+    hasher.finish()
+}
+
+fn hash_graph(graph: &Graph, hasher: &mut DefaultHasher) {
+    for (id, node) in &graph.nodes {
+        (id, &node.kind, &node.name, node.tier).hash(hasher);
+        for (port, value) in &node.values {
+            // Words decide what is compiled; hex colours are colours.
+            if let (Value::Text(text), None) = (value, value.color()) {
+                (port, text).hash(hasher);
+            }
+        }
+    }
+    graph.wires.hash(hasher);
+    graph.frames.iter().for_each(|(id, frame)| (id, &frame.title, &frame.nodes).hash(hasher));
+}
+
+/// The parameters with what the document says now: a live module was compiled from an earlier state of its values.
+fn current_params(look: &Look, params: &[Param]) -> Vec<Param> {
+    params
+        .iter()
+        .map(|param| {
+            let now = look.find(&param.path).and_then(|inner| inner.node.values.get(&param.port).cloned());
+            Param { value: now.or_else(|| param.default.clone()), ..param.clone() }
+        })
+        .collect()
+}
+
+fn passes(
+    wanted: &[(PassKind, PassKind, Stage, Option<String>); 2],
+    draws: &[Draw],
+    view: &View,
+    options: &PlanOptions,
+) -> (Vec<Pass>, Vec<Dropped>) {
+    let mut passes = Vec::new();
+    let mut dropped = Vec::new();
+    for (normals, curvature, stage, reason) in wanted {
+        let name = if *stage == Stage::Normals { "curvature of the surface" } else { "curvature of the detail normals" };
+        match reason {
+            Some(reason) => {
+                let input_hash = hash_of(draws, view, options, Some((normals, *stage)));
+                let why = format!("curvature is computed from them: {reason}");
+                passes.push(Pass { kind: normals.clone(), reason: why, input_hash });
+                passes.push(Pass { kind: curvature.clone(), reason: reason.clone(), input_hash });
+            }
+            None => dropped.push(Dropped { what: name.to_owned(), why: "no live node of a visible object reads it".to_owned() }),
+        }
+    }
+    let input_hash = hash_of(draws, view, options, None);
+    passes.push(Pass { kind: PassKind::Look, reason: "it is the picture".to_owned(), input_hash });
+    (passes, dropped)
+}
+
+fn hash_of(draws: &[Draw], view: &View, options: &PlanOptions, normals: Option<(&PassKind, Stage)>) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    (options.size, view.uniform_bytes()).hash(&mut hasher);
+    for draw in draws {
+        let (shader, stage) = match normals {
+            Some((kind, stage)) => (&draw.normals[kind], stage),
+            None => (&draw.look, Stage::Draw),
+        };
+        (Arc::as_ptr(&draw.mesh) as usize, &draw.indices, &shader.wgsl, &draw.object_uniform).hash(&mut hasher);
+        (&draw.look_uniforms[&stage], draw.two_sided).hash(&mut hasher);
+        if normals.is_none() {
+            options.samples.hash(&mut hasher);
+            draw.images.iter().for_each(|image| image.hash.hash(&mut hasher));
+        }
+    }
+    hasher.finish()
+}

@@ -1,0 +1,315 @@
+//! Surface samples for `chiaro eval`: each is an object of its own, with its view, its lights and its camera.
+
+use std::sync::Arc;
+
+use glam::{DMat3, DQuat, DVec2, DVec3};
+use indexmap::IndexMap;
+
+use super::assets::{Assets, Image};
+use super::keys::{Moment, ParamTable, Rig, structural_look};
+use super::plan::images;
+use super::setup::SetupLook;
+use crate::compile::{CompiledShader, HostInputs, LightValues, Options, Stage, StructLayout, compile};
+use crate::diag::Diagnostic;
+use crate::document::{Light, LightKind, Value, Values};
+use crate::ids::LightId;
+use crate::interp;
+use crate::library::{Context, Library};
+
+/// What a sample says of a light; whatever it leaves out is the look's.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LightOverride {
+    /// Toward the light, in the light's own frame; any length but 0.
+    pub direction: Option<DVec3>,
+    /// In the light's own frame.
+    pub position: Option<DVec3>,
+    /// Straight RGB.
+    pub color: Option<DVec3>,
+    /// 0 or more.
+    pub intensity: Option<f64>,
+}
+
+/// A point of a surface with all that a look may ask of it. Vectors are in world space, unit or not.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EvalSample {
+    /// The surface's normal.
+    pub normal: DVec3,
+    /// Along u; `None` for any direction along the surface.
+    pub tangent: Option<DVec3>,
+    /// From the surface to the eye.
+    pub view: DVec3,
+    /// World space.
+    pub position: DVec3,
+    /// Rows right, up and toward the viewer: camera from world.
+    pub camera: DMat3,
+    /// Texture coordinates.
+    pub uv: DVec2,
+    /// Curvature in 1/viewport-height, convex positive.
+    pub kappa: f64,
+    /// Straight RGBA of the vertices.
+    pub vertex_color: [f64; 4],
+    /// Seconds.
+    pub time: f64,
+    /// World from illumination frame.
+    pub frame: DQuat,
+    /// By the light's id.
+    pub lights: IndexMap<LightId, LightOverride>,
+    /// Values of exposed parameters.
+    pub values: Values,
+}
+
+impl Default for EvalSample {
+    fn default() -> Self {
+        Self {
+            normal: DVec3::Z,
+            tangent: None,
+            view: DVec3::Z,
+            position: DVec3::ZERO,
+            camera: DMat3::IDENTITY,
+            uv: DVec2::ZERO,
+            kappa: 0.0,
+            vertex_color: [1.0; 4],
+            time: 0.0,
+            frame: DQuat::IDENTITY,
+            lights: IndexMap::new(),
+            values: Values::new(),
+        }
+    }
+}
+
+/// Samples that one module evaluates.
+#[derive(Clone, Debug)]
+pub struct EvalBatch {
+    /// The module, of [`Stage::Eval`].
+    pub shader: Arc<CompiledShader>,
+    /// The samples' places in the list they came from.
+    pub indices: Vec<usize>,
+    /// The storage buffer's content.
+    pub bytes: Vec<u8>,
+    /// The images of the module's needs.
+    pub images: Vec<Arc<Image>>,
+}
+
+/// Packs samples for the GPU. Samples whose values change what is compiled (a choice's word) go into batches of their
+/// own.
+///
+/// # Errors
+/// Everything that is wrong with the look, and values or lights that the look does not have.
+pub fn eval_batches(
+    setup: &SetupLook,
+    library: &Library,
+    samples: &[EvalSample],
+    options: &Options,
+    assets: &mut Assets,
+) -> Result<Vec<EvalBatch>, Vec<Diagnostic>> {
+    let problems = check_samples(setup, samples);
+    if !problems.is_empty() {
+        return Err(problems);
+    }
+    let mut batches = Vec::new();
+    for indices in group(setup, samples).into_values() {
+        let first = &samples[indices[0]];
+        let look = structural_look(&setup.look, first.time, &first.values);
+        let options = Options { stage: Stage::Eval, ..options.clone() };
+        let shader = compile(&look, library, &options).map_err(|mut problems| {
+            setup.source.locate_all(&mut problems);
+            problems
+        })?;
+        let shader = Arc::new(shader);
+        let images = images(assets, &shader, &setup.folder)?;
+        let (rig, _) = Rig::new(&look);
+        let table = ParamTable::new(&shader.params);
+        let packer = Packer::new(&shader);
+        let mut bytes = vec![0; packer.stride * indices.len()];
+        for (place, &index) in indices.iter().enumerate() {
+            packer.pack(&samples[index], &setup.look.lights, &rig, &table, place * packer.stride, &mut bytes).map_err(|p| vec![p])?;
+        }
+        batches.push(EvalBatch { shader, indices, bytes, images });
+    }
+    Ok(batches)
+}
+
+/// Samples by the words that they set.
+fn group(setup: &SetupLook, samples: &[EvalSample]) -> IndexMap<String, Vec<usize>> {
+    let has_words = setup.look.time_keys.iter().any(|track| track.keys.iter().any(|k| matches!(k.value, Value::Text(_))));
+    let mut groups: IndexMap<String, Vec<usize>> = IndexMap::new();
+    for (index, sample) in samples.iter().enumerate() {
+        let words = sample.values.iter().filter(|(_, value)| matches!(value, Value::Text(_)) && value.color().is_none());
+        let mut key: String = words.map(|(name, value)| format!("{name}={value:?};")).collect();
+        if has_words {
+            key += &structural_look(&setup.look, sample.time, &sample.values).to_text();
+        }
+        groups.entry(key).or_default().push(index);
+    }
+    groups
+}
+
+fn check_samples(setup: &SetupLook, samples: &[EvalSample]) -> Vec<Diagnostic> {
+    let mut problems = Vec::new();
+    let exposed: Vec<&str> = setup.look.exposed.iter().map(|exposed| exposed.name.as_str()).collect();
+    for (index, sample) in samples.iter().enumerate() {
+        for name in sample.values.keys().filter(|name| !exposed.contains(&name.as_str())) {
+            let problem = Diagnostic::error("unknown-parameter", format!("the look exposes no parameter `{name}`"))
+                .json_path(format!("[{index}].values.{name}"))
+                .suggest(name.as_str(), exposed.iter().copied());
+            problems.push(if exposed.is_empty() {
+                problem.hint(r#"expose it in the look: "exposed": [{"name": "width", "target": "rim.cutoff"}]"#)
+            } else {
+                problem.hint(format!("it exposes {}", exposed.join(", ")))
+            });
+        }
+        for id in sample.lights.keys().filter(|id| !setup.look.lights.contains_key(*id)) {
+            let known = setup.look.lights.keys().map(AsRef::as_ref);
+            problems.push(
+                Diagnostic::error("unknown-light", format!("the look has no light `{id}`"))
+                    .json_path(format!("[{index}].lights.{id}"))
+                    .suggest(id.as_str(), known),
+            );
+        }
+    }
+    problems
+}
+
+struct Packer<'a> {
+    shader: &'a CompiledShader,
+    surface: Option<(u32, StructLayout)>,
+    look_at: u32,
+    stride: usize,
+}
+
+impl<'a> Packer<'a> {
+    fn new(shader: &'a CompiledShader) -> Self {
+        let module = &shader.valid.module;
+        let sample = StructLayout::of(module, "Sample").unwrap_or_default();
+        let at = |name: &str| sample.member(name).map(|member| member.0);
+        let surface = at("surface").zip(StructLayout::of(module, "Surface"));
+        Self { shader, surface, look_at: at("look").unwrap_or(0), stride: sample.size.next_multiple_of(16) as usize }
+    }
+
+    fn pack(
+        &self,
+        sample: &EvalSample,
+        own_lights: &IndexMap<LightId, Light>,
+        rig: &Rig,
+        table: &ParamTable,
+        at: usize,
+        bytes: &mut [u8],
+    ) -> Result<(), Diagnostic> {
+        let surface = SurfaceValues::new(sample);
+        if let Some((offset, layout)) = &self.surface {
+            for context in &self.shader.needs.contexts {
+                if let Some((member, layout)) = layout.member(context.word()) {
+                    layout.write(&surface.value(*context), at + (*offset + member) as usize, bytes);
+                }
+            }
+        }
+        let lights = sample_lights(sample, own_lights);
+        let moment = Moment {
+            time: sample.time,
+            illumination: sample.frame,
+            camera_from_world: sample.camera,
+            view: surface.view,
+            center: sample.position,
+            exposed: &sample.values,
+            lights: &lights,
+        };
+        let mut values = rig.evaluate(&self.shader.params, table, &moment);
+        place_lights(sample, &mut values.lights);
+        let inputs = HostInputs {
+            params: &values.params,
+            lights: &values.lights,
+            camera_from_world: sample.camera,
+            viewport: [1.0, 1.0],
+            time: sample.time,
+            frame: (sample.time * 24.0).round(),
+            object_id: 0.0,
+        };
+        self.shader.host.write(&inputs, at + self.look_at as usize, bytes)
+    }
+}
+
+/// The look's lights with what the sample says of them.
+fn sample_lights(sample: &EvalSample, own: &IndexMap<LightId, Light>) -> IndexMap<LightId, Light> {
+    let mut lights = IndexMap::new();
+    for (id, set) in &sample.lights {
+        let Some(mut light) = own.get(id).cloned() else { continue };
+        if let Some(direction) = set.direction {
+            light.direction = direction.to_array();
+        }
+        if let Some(position) = set.position {
+            light.position = position.to_array();
+        }
+        if let Some(color) = set.color {
+            light.color = color.to_array();
+        }
+        if let Some(intensity) = set.intensity {
+            light.intensity = intensity;
+        }
+        lights.insert(id.clone(), light);
+    }
+    lights
+}
+
+/// A directional light that a sample gives a position shines from there; a point or spot light that it gives a
+/// direction stands one unit away in that direction.
+fn place_lights(sample: &EvalSample, lights: &mut IndexMap<LightId, LightValues>) {
+    for (id, set) in &sample.lights {
+        let Some(light) = lights.get_mut(id) else { continue };
+        match (light.kind, set.direction, set.position) {
+            (LightKind::Directional, None, Some(_)) => {
+                let toward = light.position - sample.position;
+                light.direction = toward.try_normalize().unwrap_or(DVec3::Z);
+                light.own_direction = light.own_from_world * light.direction;
+            }
+            (LightKind::Point | LightKind::Spot, Some(_), None) => {
+                light.position = sample.position + light.direction;
+                if light.kind == LightKind::Spot {
+                    light.aim = -light.direction;
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+/// A sample's surface in unit vectors.
+struct SurfaceValues<'a> {
+    sample: &'a EvalSample,
+    normal: DVec3,
+    view: DVec3,
+    tangent: DVec3,
+}
+
+impl<'a> SurfaceValues<'a> {
+    fn new(sample: &'a EvalSample) -> Self {
+        let unit = |v: DVec3, otherwise: DVec3| {
+            // Scaled first, so that neither tiny nor huge vectors under- or overflow.
+            let largest = v.abs().max_element();
+            if largest > 0.0 && largest.is_finite() { (v / largest).normalize() } else { otherwise }
+        };
+        let normal = unit(sample.normal, DVec3::Z);
+        let along = |t: DVec3| t - normal * normal.dot(t);
+        let any = along(if normal.x.abs() < 0.9 { DVec3::X } else { DVec3::Y });
+        let tangent = unit(sample.tangent.map_or(any, along), any.normalize());
+        Self { sample, normal, view: unit(sample.view, DVec3::Z), tangent }
+    }
+
+    fn value(&self, context: Context) -> interp::Value {
+        let sample = self.sample;
+        let vec3 = |v: DVec3| interp::Value::vec(&v.to_array());
+        match context {
+            Context::Normal => vec3(self.normal),
+            Context::View => vec3(self.view),
+            Context::Position | Context::PositionObject => vec3(sample.position),
+            Context::PositionCamera => vec3(sample.camera * sample.position),
+            Context::Uv => interp::Value::vec(&sample.uv.to_array()),
+            Context::VertexColor => interp::Value::vec(&sample.vertex_color),
+            Context::Tangent => vec3(self.tangent),
+            Context::Bitangent => vec3(self.normal.cross(self.tangent)),
+            Context::Depth => interp::Value::Float(-(sample.camera * sample.position).z),
+            Context::Kappa | Context::KappaDetail => interp::Value::Float(sample.kappa),
+            // Known before the fragment, and so computed by the host program.
+            _ => interp::Value::Float(0.0),
+        }
+    }
+}

@@ -1,0 +1,207 @@
+//! A scene with everything that it names: looks, meshes, images.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use glam::{DMat4, DQuat, DVec3};
+
+use super::assets::Assets;
+use crate::diag::{Diagnostic, has_errors};
+use crate::document::{Document, Look, Object, Scene, SourceMap, Transform, Values};
+use crate::geometry::Mesh;
+use crate::ids::ObjectId;
+
+/// The look of every material that the object does not name.
+pub const ANY_MATERIAL: &str = "*";
+
+/// A look with the place that its assets are relative to.
+#[derive(Clone, Debug)]
+pub struct SetupLook {
+    /// The look.
+    pub look: Look,
+    /// Where its values stand in its file.
+    pub source: Arc<SourceMap>,
+    /// The folder of its file.
+    pub folder: PathBuf,
+}
+
+/// An object with its mesh and looks found.
+#[derive(Clone, Debug)]
+pub struct SetupObject {
+    /// Its id.
+    pub id: ObjectId,
+    /// Its mesh.
+    pub mesh: Arc<Mesh>,
+    /// Where it stands.
+    pub world_from_object: DMat4,
+    /// For each part of the mesh, its look by index; `None` where the object has no look for that material.
+    pub looks: Vec<Option<usize>>,
+    /// Values of exposed parameters.
+    pub values: Values,
+}
+
+impl SetupObject {
+    /// The middle of the mesh, world space.
+    pub fn center(&self) -> DVec3 {
+        self.world_from_object.transform_point3(self.mesh.bounds().center())
+    }
+
+    /// The radius of a sphere around the centre that holds the mesh, in scene units.
+    pub fn radius(&self) -> f64 {
+        let bounds = self.mesh.bounds();
+        let (scale, ..) = self.world_from_object.to_scale_rotation_translation();
+        bounds.radius * scale.abs().max_element()
+    }
+}
+
+/// A scene with everything that it names.
+#[derive(Clone, Debug, Default)]
+pub struct Setup {
+    /// The scene.
+    pub scene: Scene,
+    /// Every look that an object wears.
+    pub looks: Vec<SetupLook>,
+    /// Visible objects.
+    pub objects: Vec<SetupObject>,
+}
+
+/// Opens a look or a scene. A look opened alone is worn by `mesh` (a path, or `shape:` and a name) in the default scene.
+///
+/// # Errors
+/// Everything that is wrong with it and with what it names.
+pub fn open(path: &Path, mesh: Option<&str>, assets: &mut Assets) -> Result<(Setup, Vec<Diagnostic>), Vec<Diagnostic>> {
+    let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
+    match Document::load(path) {
+        Document::Look(loaded) => {
+            let mut problems = loaded.diagnostics.clone();
+            let Some(look) = loaded.value.clone().filter(|_| !has_errors(&problems)) else { return Err(problems) };
+            let look = SetupLook { look, source: loaded.source.clone().into(), folder };
+            let (setup, found) = default_setup(look, mesh.unwrap_or(DEFAULT_MESH), assets).map_err(|more| [problems.clone(), more].concat())?;
+            problems.extend(found);
+            Ok((setup, problems))
+        }
+        Document::Scene(loaded) => {
+            let mut problems = loaded.diagnostics.clone();
+            let Some(scene) = loaded.value.clone().filter(|_| !has_errors(&problems)) else { return Err(problems) };
+            let setup = scene_setup(scene, &folder, &loaded.source, mesh, assets, &mut problems);
+            if has_errors(&problems) { Err(problems) } else { Ok((setup, problems)) }
+        }
+    }
+}
+
+/// What a look opened alone is shown on.
+pub const DEFAULT_MESH: &str = "shape:creature";
+
+/// The default scene with one object that wears `look`. Paths of meshes are relative to the working folder.
+///
+/// # Errors
+/// Why the mesh cannot be used.
+pub fn default_setup(look: SetupLook, mesh: &str, assets: &mut Assets) -> Result<(Setup, Vec<Diagnostic>), Vec<Diagnostic>> {
+    let (mesh, notes) = assets.mesh(Path::new(""), mesh)?;
+    let world_from_object = object_matrix(&Transform::default(), &mesh);
+    let looks = vec![Some(0); mesh.parts.len()];
+    let object = SetupObject { id: ObjectId::new("object"), mesh, world_from_object, looks, values: Values::new() };
+    Ok((Setup { scene: Scene::default(), looks: vec![look], objects: vec![object] }, notes))
+}
+
+/// World from object space: fit, scale, turn, move.
+pub fn object_matrix(transform: &Transform, mesh: &Mesh) -> DMat4 {
+    let fit = if transform.fit { mesh.fit().matrix() } else { DMat4::IDENTITY };
+    let rotation = DQuat::from_array(transform.rotate);
+    let rotation = if rotation.length_squared() > 1e-18 { rotation.normalize() } else { DQuat::IDENTITY };
+    DMat4::from_scale_rotation_translation(transform.scale.into(), rotation, transform.translate.into()) * fit
+}
+
+fn scene_setup(
+    scene: Scene,
+    folder: &Path,
+    source: &SourceMap,
+    mesh: Option<&str>,
+    assets: &mut Assets,
+    problems: &mut Vec<Diagnostic>,
+) -> Setup {
+    let mut looks: Vec<(PathBuf, SetupLook)> = Vec::new();
+    let mut objects = Vec::new();
+    for (index, (id, object)) in scene.objects.iter().enumerate() {
+        if !object.visible {
+            continue;
+        }
+        let path_of = |field: &str| format!("objects[{index}].{field}");
+        let found = match mesh {
+            Some(replacement) => assets.mesh(Path::new(""), replacement),
+            None => assets.mesh(folder, &object.mesh),
+        };
+        let mesh = match found {
+            Ok((mesh, notes)) => {
+                problems.extend(notes);
+                mesh
+            }
+            Err(found) => {
+                for mut problem in found {
+                    problem.message = format!("object `{id}`: {}", problem.message);
+                    if problem.place.file.is_none() {
+                        problem = problem.json_path(path_of("mesh"));
+                        source.locate(&mut problem);
+                    }
+                    problems.push(problem);
+                }
+                continue;
+            }
+        };
+        let looks = mesh
+            .parts
+            .iter()
+            .map(|part| {
+                let name = object.looks.get(&part.material).or_else(|| object.looks.get(ANY_MATERIAL))?;
+                find_look(folder, name, &mut looks, problems)
+            })
+            .collect();
+        objects.push(SetupObject {
+            id: id.clone(),
+            world_from_object: object_matrix(&object.transform, &mesh),
+            mesh,
+            looks,
+            values: object.values.clone(),
+        });
+        unworn_materials(id, object, &objects[objects.len() - 1].mesh, &path_of("looks"), source, problems);
+    }
+    Setup { scene, looks: looks.into_iter().map(|(_, look)| look).collect(), objects }
+}
+
+fn unworn_materials(
+    id: &ObjectId,
+    object: &Object,
+    mesh: &Mesh,
+    json_path: &str,
+    source: &SourceMap,
+    problems: &mut Vec<Diagnostic>,
+) {
+    let materials = || mesh.parts.iter().map(|part| part.material.as_str());
+    for name in object.looks.keys().filter(|name| *name != ANY_MATERIAL && !materials().any(|m| m == name.as_str())) {
+        let message = format!("object `{id}` has a look for the material `{name}`, which its mesh has not");
+        let mut problem = Diagnostic::warning("unknown-material", message)
+            .json_path(json_path)
+            .suggest(name, materials())
+            .hint(format!("its materials are {}", materials().collect::<Vec<_>>().join(", ")));
+        source.locate(&mut problem);
+        problems.push(problem);
+    }
+}
+
+fn find_look(
+    folder: &Path,
+    name: &str,
+    looks: &mut Vec<(PathBuf, SetupLook)>,
+    problems: &mut Vec<Diagnostic>,
+) -> Option<usize> {
+    let path = folder.join(name);
+    if let Some(index) = looks.iter().position(|(known, _)| *known == path) {
+        return Some(index);
+    }
+    let loaded = Look::load(&path);
+    problems.extend(loaded.diagnostics.iter().cloned());
+    let look = loaded.value.clone()?;
+    let own_folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
+    looks.push((path, SetupLook { look, source: loaded.source.clone().into(), folder: own_folder }));
+    Some(looks.len() - 1)
+}

@@ -1,0 +1,196 @@
+//! From what a file says to what a renderer draws.
+
+use std::collections::HashMap;
+
+use glam::{DVec2, DVec3};
+
+use super::mesh::{Mesh, Part};
+use super::normals::{make_missing, place, weld};
+use super::soup::{NONE, Soup};
+use super::tangents::{from_uvs, handedness};
+
+/// What was done on the way to the mesh, for the reader's notes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Made {
+    /// Triangles without area, which were dropped.
+    pub degenerate: usize,
+    /// Corners that had no normal.
+    pub normals: usize,
+}
+
+/// Builds the mesh: drops triangles without area, makes normals, joins corners, makes tangents, sorts by material.
+/// The mesh has no triangles where all of them are degenerate.
+pub(super) fn build(mut soup: Soup, crease_angle: f64) -> (Mesh, Made) {
+    let welded = weld(&soup.points);
+    let degenerate = drop_degenerate(&mut soup, &welded);
+    let normals = make_missing(&mut soup, &welded, crease_angle);
+    let unit: Vec<[f32; 3]> = soup.normals.iter().map(|n| normalize(*n)).collect();
+    soup.normals = unit;
+
+    let mut joiner = Joiner::new(&soup);
+    let sides: Vec<[i8; 3]> = soup.triangles.iter().map(|t| joiner.sides(t)).collect();
+    let order = by_material(&soup);
+    // Triangles whose UVs span no area take whatever vertex their neighbours have, so those come first.
+    for with_uvs in [true, false] {
+        for &t in order.iter().filter(|&&t| (sides[t as usize] != [0; 3]) == with_uvs) {
+            joiner.add(t as usize, sides[t as usize]);
+        }
+    }
+    let Joiner { vertices, indices, .. } = joiner;
+    let mut mesh = gather(&soup, &vertices);
+    mesh.has_normals = normals == 0;
+    for &t in &order {
+        extend_parts(&mut mesh, &soup, t as usize);
+        mesh.indices.extend(indices[t as usize]);
+    }
+    let sides: Vec<i8> = vertices.iter().map(|key| key.side).collect();
+    let given: Vec<[f32; 4]> = if soup.tangents.is_empty() {
+        Vec::new()
+    } else {
+        vertices.iter().map(|key| soup.tangents[key.point as usize]).collect()
+    };
+    mesh.tangents = from_uvs(&mesh, &sides, &given);
+    (mesh, Made { degenerate, normals })
+}
+
+/// Scales to unit length in f64, so that tiny and huge normals survive; 0 stays.
+fn normalize(v: [f32; 3]) -> [f32; 3] {
+    DVec3::from(v.map(f64::from)).normalize_or_zero().as_vec3().into()
+}
+
+/// Triangles of two equal points, or so thin that their normal is noise.
+fn drop_degenerate(soup: &mut Soup, welded: &[u32]) -> usize {
+    let keep: Vec<bool> = soup
+        .triangles
+        .iter()
+        .map(|t| {
+            let [a, b, c] = t.map(|corner| welded[corner.point as usize]);
+            let [pa, pb, pc] = [a, b, c].map(|p| place(&soup.points, p));
+            let longest = pa.distance_squared(pb).max(pb.distance_squared(pc)).max(pc.distance_squared(pa));
+            a != b && b != c && c != a && (pb - pa).cross(pc - pa).length() > 1e-12 * longest
+        })
+        .collect();
+    let mut flags = keep.iter();
+    soup.triangles.retain(|_| *flags.next().unwrap_or(&true));
+    let mut flags = keep.iter();
+    soup.material_of.retain(|_| *flags.next().unwrap_or(&true));
+    keep.len() - soup.triangles.len()
+}
+
+/// The triangles in the order of their materials' first use, otherwise as in the file.
+fn by_material(soup: &Soup) -> Vec<u32> {
+    let mut rank = vec![NONE; soup.materials.len()];
+    let mut next = 0;
+    for &material in &soup.material_of {
+        if rank[material as usize] == NONE {
+            rank[material as usize] = next;
+            next += 1;
+        }
+    }
+    let mut order: Vec<u32> = (0..soup.triangles.len() as u32).collect();
+    order.sort_by_key(|&t| rank[soup.material_of[t as usize] as usize]);
+    order
+}
+
+/// Counts triangle `t`, about to be appended to the mesh's indices, into the last part or into a new one.
+fn extend_parts(mesh: &mut Mesh, soup: &Soup, t: usize) {
+    let material = &soup.materials[soup.material_of[t] as usize];
+    let end = mesh.indices.len() as u32;
+    match mesh.parts.last_mut() {
+        Some(part)
+            if part.material == material.name
+                && part.two_sided == material.two_sided
+                && part.alpha_cutoff == material.alpha_cutoff =>
+        {
+            part.indices.end = end + 3;
+        }
+        _ => mesh.parts.push(Part {
+            material: material.name.clone(),
+            indices: end..end + 3,
+            two_sided: material.two_sided,
+            alpha_cutoff: material.alpha_cutoff,
+        }),
+    }
+}
+
+/// What makes a vertex: corners that agree in all of this share one.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+struct Key {
+    point: u32,
+    normal: u32,
+    uv: u32,
+    /// See [`handedness`]; 0 also where tangents are given.
+    side: i8,
+}
+
+/// Joins corners to vertices.
+struct Joiner<'a> {
+    soup: &'a Soup,
+    /// The first normal and UV of equal value, by index.
+    same_normal: Vec<u32>,
+    same_uv: Vec<u32>,
+    known: HashMap<Key, u32>,
+    vertices: Vec<Key>,
+    /// By triangle of the soup.
+    indices: Vec<[u32; 3]>,
+}
+
+impl<'a> Joiner<'a> {
+    fn new(soup: &'a Soup) -> Self {
+        Self {
+            soup,
+            same_normal: weld(&soup.normals),
+            same_uv: weld(&soup.uvs.iter().map(|&[u, v]| [u, v, 0.0]).collect::<Vec<_>>()),
+            known: HashMap::with_capacity(soup.points.len()),
+            vertices: Vec::with_capacity(soup.points.len()),
+            indices: vec![[0; 3]; soup.triangles.len()],
+        }
+    }
+
+    /// The handedness of each corner.
+    fn sides(&self, corners: &[super::soup::Corner; 3]) -> [i8; 3] {
+        let given = |point: u32| self.soup.tangents.get(point as usize).is_some_and(|t| t[3] != 0.0);
+        if corners.iter().any(|c| c.uv == NONE) || corners.iter().all(|c| given(c.point)) {
+            return [0; 3];
+        }
+        let positions = corners.map(|c| place(&self.soup.points, c.point));
+        let uvs = corners.map(|c| DVec2::from(self.soup.uvs[c.uv as usize].map(f64::from)));
+        corners.map(|c| handedness(positions, DVec3::from(self.soup.normals[c.normal as usize].map(f64::from)), uvs))
+    }
+
+    fn add(&mut self, t: usize, sides: [i8; 3]) {
+        for (k, side) in sides.into_iter().enumerate() {
+            let corner = self.soup.triangles[t][k];
+            let key = Key {
+                point: corner.point,
+                normal: self.same_normal[corner.normal as usize],
+                uv: if corner.uv == NONE { NONE } else { self.same_uv[corner.uv as usize] },
+                side,
+            };
+            let candidates = if key.side == 0 { &[0, 1, -1][..] } else { &[key.side][..] };
+            let known = candidates.iter().find_map(|&side| self.known.get(&Key { side, ..key }).copied());
+            self.indices[t][k] = known.unwrap_or_else(|| {
+                let vertex = self.vertices.len() as u32;
+                self.known.insert(key, vertex);
+                self.vertices.push(key);
+                vertex
+            });
+        }
+    }
+}
+
+/// The attributes of the vertices, all but the tangents.
+fn gather(soup: &Soup, vertices: &[Key]) -> Mesh {
+    let uv = |key: &Key| soup.uvs.get(key.uv as usize).copied().unwrap_or_default();
+    let color = |key: &Key| soup.colors.get(key.point as usize).copied().unwrap_or([1.0; 4]);
+    Mesh {
+        name: soup.name.clone(),
+        positions: vertices.iter().map(|key| soup.points[key.point as usize]).collect(),
+        normals: vertices.iter().map(|key| soup.normals[key.normal as usize]).collect(),
+        uvs: vertices.iter().map(uv).collect(),
+        colors: vertices.iter().map(color).collect(),
+        has_uvs: vertices.iter().any(|key| key.uv != NONE),
+        has_colors: !soup.colors.is_empty(),
+        ..Mesh::default()
+    }
+}

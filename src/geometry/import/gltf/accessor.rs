@@ -1,0 +1,121 @@
+//! Reads a glTF accessor, every access checked: the crate's own readers trust counts and offsets.
+
+use gltf::Accessor;
+use gltf::accessor::DataType;
+use gltf::accessor::sparse::IndexType;
+
+use crate::diag::Diagnostic;
+use crate::geometry::import::cursor::{Cursor, Number};
+use crate::geometry::import::report::Problem;
+use crate::geometry::import::{MAX_TRIANGLES, MAX_VERTICES};
+
+fn number(kind: DataType) -> Number {
+    match kind {
+        DataType::I8 => Number::I8,
+        DataType::U8 => Number::U8,
+        DataType::I16 => Number::I16,
+        DataType::U16 => Number::U16,
+        DataType::U32 => Number::U32,
+        DataType::F32 => Number::F32,
+    }
+}
+
+/// The elements of an accessor as rows of `N` numbers: those that it has more are left out, those it lacks are
+/// `fill`. Normalised whole numbers become 0 to 1, or -1 to 1.
+///
+/// # Errors
+/// Where the accessor reaches beyond its view, its view beyond the buffer, or the count beyond the bounds.
+pub(super) fn rows<const N: usize>(
+    accessor: &Accessor,
+    buffers: &[Vec<u8>],
+    fill: f64,
+) -> Result<Vec<[f64; N]>, Problem> {
+    let count = accessor.count();
+    // Indices come three a triangle; nothing else comes in greater numbers.
+    if count > 3 * MAX_TRIANGLES.max(MAX_VERTICES) {
+        let message = format!("accessor {} has {count} elements, more than are allowed", accessor.index());
+        return Err(Diagnostic::error("mesh-too-large", message).into());
+    }
+    let layout = Layout {
+        kind: number(accessor.data_type()),
+        width: accessor.dimensions().multiplicity(),
+        normalized: accessor.normalized(),
+        fill,
+    };
+    let outside = || {
+        let message = format!("accessor {} reaches beyond its buffer", accessor.index());
+        Diagnostic::error("mesh-truncated", message)
+    };
+    let mut rows = match accessor.view() {
+        Some(view) => {
+            let stride = view.stride().unwrap_or(layout.size());
+            let bytes = slice(&view, accessor.offset(), buffers).ok_or_else(outside)?;
+            layout.read(bytes, stride, count).ok_or_else(outside)?
+        }
+        None => vec![layout.row(&[0.0; 16]); count],
+    };
+    if let Some(sparse) = accessor.sparse() {
+        let (places, values) = (sparse.indices(), sparse.values());
+        let bytes = slice(&values.view(), values.offset(), buffers).ok_or_else(outside)?;
+        let new = layout.read(bytes, layout.size(), sparse.count()).ok_or_else(outside)?;
+        let bytes = slice(&places.view(), places.offset(), buffers).ok_or_else(outside)?;
+        let kind = match places.index_type() {
+            IndexType::U8 => Number::U8,
+            IndexType::U16 => Number::U16,
+            IndexType::U32 => Number::U32,
+        };
+        let mut cursor = Cursor::little_endian(bytes);
+        for row in new {
+            let place = cursor.number(kind).ok_or_else(outside)? as usize;
+            *rows.get_mut(place).ok_or_else(outside)? = row;
+        }
+    }
+    Ok(rows)
+}
+
+/// The bytes of a view from `offset` on.
+fn slice<'a>(view: &gltf::buffer::View, offset: usize, buffers: &'a [Vec<u8>]) -> Option<&'a [u8]> {
+    let end = view.offset().checked_add(view.length())?;
+    buffers.get(view.buffer().index())?.get(view.offset()..end)?.get(offset..)
+}
+
+struct Layout {
+    kind: Number,
+    /// How many numbers an element has.
+    width: usize,
+    normalized: bool,
+    fill: f64,
+}
+
+impl Layout {
+    /// Of an element, in bytes.
+    fn size(&self) -> usize {
+        self.kind.size() * self.width
+    }
+
+    fn read<const N: usize>(&self, bytes: &[u8], stride: usize, count: usize) -> Option<Vec<[f64; N]>> {
+        let needed = stride.checked_mul(count.checked_sub(1)?)?.checked_add(self.size())?;
+        if needed > bytes.len() {
+            return None;
+        }
+        let mut rows = Vec::with_capacity(count);
+        let mut values = [0.0; 16];
+        for i in 0..count {
+            let mut cursor = Cursor::little_endian(bytes.get(i * stride..)?);
+            for value in values.iter_mut().take(self.width) {
+                *value = cursor.number(self.kind)?;
+            }
+            rows.push(self.row(&values));
+        }
+        Some(rows)
+    }
+
+    fn row<const N: usize>(&self, values: &[f64; 16]) -> [f64; N] {
+        let scale = self.kind.max().filter(|_| self.normalized).unwrap_or(1.0);
+        let mut row = [self.fill; N];
+        for (slot, value) in row.iter_mut().zip(&values[..self.width]) {
+            *slot = (value / scale).max(if self.normalized { -1.0 } else { f64::NEG_INFINITY });
+        }
+        row
+    }
+}

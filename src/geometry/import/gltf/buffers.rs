@@ -1,0 +1,165 @@
+//! The bytes behind a glTF: the chunks of a GLB, data URIs and files beside it.
+
+use gltf::Document;
+use gltf::buffer::Source;
+
+use crate::diag::Diagnostic;
+use crate::geometry::import::cursor::Cursor;
+use crate::geometry::import::report::{Problem, Report};
+use crate::geometry::import::{MAX_FILE_BYTES, Siblings};
+
+/// A GLB's JSON and its binary chunk.
+///
+/// # Errors
+/// Where a chunk or the file is cut short, or the version is not 2.
+pub(super) fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Problem> {
+    let short = || Box::new(Diagnostic::error("mesh-truncated", "the GLB file is cut short"));
+    let mut cursor = Cursor::little_endian(bytes);
+    let _magic = cursor.take(4).ok_or_else(short)?;
+    let version = cursor.u32().ok_or_else(short)?;
+    if version != 2 {
+        let message = format!("the GLB file has version {version}; only version 2 can be read");
+        return Err(Diagnostic::error("mesh-unsupported", message).into());
+    }
+    let length = cursor.u32().ok_or_else(short)?;
+    if u64::from(length) > bytes.len() as u64 {
+        return Err(short());
+    }
+    let (mut json, mut binary) = (None, None);
+    while cursor.left() >= 8 {
+        let size = cursor.u32().ok_or_else(short)? as usize;
+        let kind = cursor.take(4).ok_or_else(short)?;
+        let chunk = cursor.take(size).ok_or_else(short)?;
+        match kind {
+            b"JSON" => json = json.or(Some(chunk)),
+            b"BIN\0" => binary = binary.or(Some(chunk)),
+            // The specification asks readers to pass over other chunks.
+            _ => {}
+        }
+    }
+    Ok((json.ok_or_else(short)?, binary))
+}
+
+/// The bytes of each buffer; an empty one after an error.
+pub(super) fn load(
+    document: &Document,
+    binary: Option<&[u8]>,
+    siblings: Siblings,
+    report: &mut Report,
+) -> Vec<Vec<u8>> {
+    let mut total = 0;
+    let mut buffers = Vec::new();
+    for buffer in document.buffers() {
+        let bytes = match buffer.source() {
+            Source::Bin => binary.map(<[u8]>::to_vec).ok_or_else(|| "the file has no binary chunk".to_owned()),
+            Source::Uri(uri) => from_uri(uri, siblings),
+        };
+        let bytes = bytes.unwrap_or_else(|why| {
+            let diagnostic =
+                Diagnostic::error("mesh-reference", format!("buffer {} is missing: {why}", buffer.index()));
+            report.add(diagnostic.hint("keep the .bin file beside the .gltf, or export as .glb"));
+            Vec::new()
+        });
+        total += bytes.len() as u64;
+        if total > MAX_FILE_BYTES {
+            report.error("mesh-too-large", format!("the buffers have more than the {MAX_FILE_BYTES} bytes allowed"));
+            return Vec::new();
+        }
+        buffers.push(bytes);
+    }
+    buffers
+}
+
+fn from_uri(uri: &str, siblings: Siblings) -> Result<Vec<u8>, String> {
+    if let Some(data) = uri.strip_prefix("data:") {
+        let (kind, data) = data.split_once(',').ok_or("its data URI has no comma")?;
+        if !kind.ends_with(";base64") {
+            return Err("its data URI is not in base64".to_owned());
+        }
+        return decode_base64(data.as_bytes()).ok_or_else(|| "its base64 is damaged".to_owned());
+    }
+    let path = decode_percent(uri).ok_or("its name is not UTF-8")?;
+    let has_scheme = path.split('/').next().is_some_and(|first| first.contains(':'));
+    if has_scheme || path.starts_with(['/', '\\']) {
+        return Err(format!("`{path}` is not a relative path"));
+    }
+    siblings(&path).map_err(|why| format!("`{path}`: {why}"))
+}
+
+/// RFC 4648, section 4; padding may be left out.
+fn decode_base64(text: &[u8]) -> Option<Vec<u8>> {
+    let text = text.trim_ascii();
+    let padding = text.iter().rev().take(2).take_while(|&&c| c == b'=').count();
+    let text = &text[..text.len() - padding];
+    let mut bytes = Vec::with_capacity(text.len() / 4 * 3 + 2);
+    let (mut bits, mut count) = (0u32, 0);
+    for &c in text {
+        let digit = match c {
+            b'A'..=b'Z' => c - b'A',
+            b'a'..=b'z' => c - b'a' + 26,
+            b'0'..=b'9' => c - b'0' + 52,
+            b'+' => 62,
+            b'/' => 63,
+            _ => return None,
+        };
+        bits = bits << 6 | u32::from(digit);
+        count += 6;
+        if count >= 8 {
+            count -= 8;
+            bytes.push((bits >> count) as u8);
+        }
+    }
+    // One digit alone is half a byte.
+    (count != 6).then_some(bytes)
+}
+
+fn decode_percent(text: &str) -> Option<String> {
+    let mut bytes = Vec::with_capacity(text.len());
+    let mut rest = text.as_bytes();
+    while let [first, tail @ ..] = rest {
+        let digit = |i: usize| tail.get(i).and_then(|&c| char::from(c).to_digit(16));
+        rest = match (first, digit(0), digit(1)) {
+            (b'%', Some(high), Some(low)) => {
+                bytes.push((high * 16 + low) as u8);
+                &tail[2..]
+            }
+            _ => {
+                bytes.push(*first);
+                tail
+            }
+        };
+    }
+    String::from_utf8(bytes).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn base64_of_the_rfc() {
+        for (text, bytes) in
+            [("", ""), ("Zg==", "f"), ("Zm8=", "fo"), ("Zm9v", "foo"), ("Zm9vYg", "foob"), ("Zm9vYmFy", "foobar")]
+        {
+            assert_eq!(decode_base64(text.as_bytes()).as_deref(), Some(bytes.as_bytes()), "{text}");
+        }
+        assert_eq!(decode_base64(b"Zm9v!"), None);
+        assert_eq!(decode_base64(b"Z"), None);
+        assert_eq!(decode_base64(b"=="), Some(Vec::new()));
+    }
+
+    #[test]
+    fn percent_signs() {
+        assert_eq!(decode_percent("my%20mesh%2").as_deref(), Some("my mesh%2"));
+        assert_eq!(decode_percent("%ff"), None);
+    }
+
+    #[test]
+    fn only_relative_paths_are_followed() {
+        let anything: Siblings = &|_| Ok(vec![1]);
+        assert!(from_uri("a/b.bin", anything).is_ok());
+        for uri in ["/etc/passwd", "file:///etc/passwd", "http://x/y", "\\\\host\\x", "data:,x", "data:;base64"] {
+            assert!(from_uri(uri, anything).is_err(), "{uri}");
+        }
+    }
+}

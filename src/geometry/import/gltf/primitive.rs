@@ -1,0 +1,184 @@
+//! One primitive of a glTF mesh: its attributes, triangles and material.
+
+use glam::{DMat3, DMat4, DVec3};
+use gltf::accessor::{DataType, Dimensions};
+use gltf::material::AlphaMode;
+use gltf::mesh::Mode;
+use gltf::{Primitive, Semantic};
+
+use super::{Skipped, accessor};
+use crate::diag::Diagnostic;
+use crate::geometry::import::report::Problem;
+use crate::geometry::import::{MAX_TRIANGLES, MAX_VERTICES};
+use crate::geometry::mesh::DEFAULT_MATERIAL;
+use crate::geometry::soup::{Corner, Material, NONE, Soup};
+
+/// Appends one primitive in its place.
+pub(super) fn append(
+    primitive: &Primitive,
+    world: &DMat4,
+    buffers: &[Vec<u8>],
+    soup: &mut Soup,
+    skipped: &mut Skipped,
+) -> Result<(), Problem> {
+    if matches!(primitive.mode(), Mode::Points | Mode::Lines | Mode::LineLoop | Mode::LineStrip) {
+        skipped.other += 1;
+        return Ok(());
+    }
+    let Some(positions) = primitive.get(&Semantic::Positions) else { return Ok(()) };
+    skipped.morphs |= primitive.morph_targets().len() > 0;
+    let indices = primitive.indices();
+    let index_count = indices.as_ref().map_or(positions.count(), gltf::Accessor::count);
+    let too_large =
+        |what: &str, most: usize| Diagnostic::error("mesh-too-large", format!("the scene has more than {most} {what}"));
+    if positions.count().saturating_add(soup.points.len()) > MAX_VERTICES {
+        return Err(too_large("vertices", MAX_VERTICES).into());
+    }
+    let per_triangle = if primitive.mode() == Mode::Triangles { 3 } else { 1 };
+    if (index_count / per_triangle).saturating_add(soup.triangles.len()) > MAX_TRIANGLES {
+        return Err(too_large("triangles", MAX_TRIANGLES).into());
+    }
+    let base = soup.points.len();
+    let has = attributes(primitive, world, buffers, soup)?;
+    let count = soup.points.len() - base;
+    let indices = match indices {
+        None => (0..count as u32).collect(),
+        Some(accessor) => read_indices(&accessor, count, buffers)?,
+    };
+    let corner = |i: u32| {
+        let at = |first: Option<usize>| first.map_or(NONE, |first| first as u32 + i);
+        Corner { point: base as u32 + i, normal: at(has.normals), uv: at(has.uvs) }
+    };
+    // A transform that mirrors turns triangles inside out.
+    let mirrored = DMat3::from_mat4(*world).determinant() < 0.0;
+    let wind = |[a, b, c]: [u32; 3]| if mirrored { [b, a, c] } else { [a, b, c] }.map(corner);
+    match primitive.mode() {
+        Mode::TriangleStrip => soup.triangles.extend(
+            indices
+                .windows(3)
+                .enumerate()
+                .map(|(k, w)| wind(if k % 2 == 0 { [w[0], w[1], w[2]] } else { [w[1], w[0], w[2]] })),
+        ),
+        Mode::TriangleFan => {
+            soup.triangles.extend(indices.get(1..).unwrap_or(&[]).windows(2).map(|w| wind([indices[0], w[0], w[1]])));
+        }
+        _ => soup.triangles.extend(indices.chunks_exact(3).map(|t| wind([t[0], t[1], t[2]]))),
+    }
+    let material = material_of(primitive, soup);
+    soup.material_of.resize(soup.triangles.len(), material);
+    Ok(())
+}
+
+/// The indices of a primitive of `count` vertices.
+fn read_indices(accessor: &gltf::Accessor, count: usize, buffers: &[Vec<u8>]) -> Result<Vec<u32>, Problem> {
+    let whole = matches!(accessor.data_type(), DataType::U8 | DataType::U16 | DataType::U32);
+    if !whole || accessor.dimensions() != Dimensions::Scalar || accessor.normalized() {
+        let message = format!("accessor {} holds no indices, but is used as such", accessor.index());
+        return Err(Diagnostic::error("mesh-syntax", message).into());
+    }
+    let rows = accessor::rows::<1>(accessor, buffers, 0.0)?;
+    if let Some([wrong]) = rows.iter().find(|[i]| *i >= count as f64) {
+        let message = format!("accessor {} names vertex {wrong}; there are {count}, counted from 0", accessor.index());
+        return Err(Diagnostic::error("mesh-index", message).into());
+    }
+    Ok(rows.iter().map(|[i]| *i as u32).collect())
+}
+
+/// The index of the primitive's material in the soup.
+fn material_of(primitive: &Primitive, soup: &mut Soup) -> u32 {
+    let material = primitive.material();
+    let name = match (material.name(), material.index()) {
+        (Some(name), _) if !name.is_empty() => name.to_owned(),
+        (_, Some(index)) => format!("material_{index}"),
+        (_, None) => DEFAULT_MATERIAL.to_owned(),
+    };
+    let cutoff = material.alpha_cutoff().unwrap_or(0.5);
+    let alpha_cutoff = (material.alpha_mode() == AlphaMode::Mask).then_some(cutoff);
+    let wanted = Material { name, two_sided: material.double_sided(), alpha_cutoff };
+    let known = soup.materials.iter().position(|m| *m == wanted);
+    known.unwrap_or_else(|| {
+        soup.materials.push(wanted);
+        soup.materials.len() - 1
+    }) as u32
+}
+
+/// All attributes are of equal length; checked before any is read.
+fn check_counts(primitive: &Primitive) -> Result<(), Problem> {
+    let mut counts = primitive.attributes().map(|(_, accessor)| accessor.count());
+    let first = counts.next().unwrap_or_default();
+    if counts.any(|count| count != first) {
+        let message = format!("primitive {} has attributes of different counts", primitive.index());
+        return Err(Diagnostic::error("mesh-syntax", message).into());
+    }
+    Ok(())
+}
+
+/// Where a primitive's attributes begin in the soup's lists.
+struct Has {
+    normals: Option<usize>,
+    uvs: Option<usize>,
+}
+
+/// Appends the attributes of a primitive's vertices, turned to world space. On an error the soup is of no more use.
+fn attributes(primitive: &Primitive, world: &DMat4, buffers: &[Vec<u8>], soup: &mut Soup) -> Result<Has, Problem> {
+    check_counts(primitive)?;
+    let read3 = |semantic| primitive.get(&semantic).map(|a| accessor::rows::<3>(&a, buffers, 0.0)).transpose();
+    let read4 = |semantic| primitive.get(&semantic).map(|a| accessor::rows::<4>(&a, buffers, 1.0)).transpose();
+    let positions = read3(Semantic::Positions)?.unwrap_or_default();
+    let normals = read3(Semantic::Normals)?;
+    let uvs = primitive.get(&Semantic::TexCoords(0)).map(|a| accessor::rows::<2>(&a, buffers, 0.0)).transpose()?;
+    let (tangents, colors) = (read4(Semantic::Tangents)?, read4(Semantic::Colors(0))?);
+    let count = positions.len();
+    let linear = DMat3::from_mat4(*world);
+    // The cofactors turn normals rightly under any scale, even where one axis is flattened.
+    let cofactors = DMat3::from_cols(
+        linear.y_axis.cross(linear.z_axis),
+        linear.z_axis.cross(linear.x_axis),
+        linear.x_axis.cross(linear.y_axis),
+    ) * linear.determinant().signum();
+    let side = linear.determinant().signum() as f32;
+    let has = Has { normals: normals.as_ref().map(|_| soup.normals.len()), uvs: uvs.as_ref().map(|_| soup.uvs.len()) };
+    let base = soup.points.len();
+    soup.points.extend(positions.iter().map(|&p| world.transform_point3(p.into()).as_vec3().to_array()));
+    // Unit length at once, so that no scale overflows an f32.
+    let turn = |m: DMat3, v: DVec3| (m * v).normalize_or_zero().as_vec3();
+    soup.normals.extend(normals.iter().flatten().map(|&n| turn(cofactors, n.into()).to_array()));
+    soup.uvs.extend(uvs.iter().flatten().map(|&[u, v]| [u as f32, (1.0 - v) as f32]));
+    if let Some(tangents) = &tangents {
+        soup.tangents.resize(base, [0.0; 4]);
+        soup.tangents.extend(tangents.iter().map(|&[x, y, z, w]| {
+            turn(linear, DVec3::new(x, y, z)).extend(if w < 0.0 { -side } else { side }).to_array()
+        }));
+    }
+    if let Some(colors) = &colors {
+        soup.colors.resize(base, [1.0; 4]);
+        soup.colors.extend(colors.iter().map(|&[r, g, b, a]| display(r, g, b, a)));
+    }
+    if !soup.tangents.is_empty() {
+        soup.tangents.resize(soup.points.len(), [0.0; 4]);
+    }
+    if !soup.colors.is_empty() {
+        soup.colors.resize(soup.points.len(), [1.0; 4]);
+    }
+    let finite = |rows: &[f32]| rows.iter().all(|x| x.is_finite());
+    let raw = |rows: &Option<Vec<[f64; 3]>>, i: usize| rows.as_ref().is_none_or(|r| r[i].iter().all(|x| x.is_finite()));
+    for i in 0..count {
+        let uv = uvs.as_ref().is_none_or(|uvs| uvs[i].iter().all(|x| (*x as f32).is_finite()));
+        let tangent = tangents.as_ref().is_none_or(|t| t[i].iter().all(|x| x.is_finite()));
+        if !finite(&soup.points[base + i]) || !raw(&normals, i) || !uv || !tangent {
+            let message = format!("vertex {i} of primitive {} has numbers that are not finite", primitive.index());
+            return Err(Diagnostic::error("mesh-not-finite", message).into());
+        }
+    }
+    Ok(has)
+}
+
+/// Linear to the sRGB curve (IEC 61966-2-1), clamped to 0..1; NaN becomes 0.
+fn display(r: f64, g: f64, b: f64, a: f64) -> [f32; 4] {
+    let unit = |x: f64| if x > 0.0 { x.min(1.0) } else { 0.0 };
+    let encode = |x: f64| {
+        let x = unit(x);
+        (if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 }) as f32
+    };
+    [encode(r), encode(g), encode(b), unit(a) as f32]
+}

@@ -1,0 +1,151 @@
+//! Files into meshes: [`import`] takes bytes and a name, so that it also works where there are no paths; [`load`] reads
+//! the bytes from a path.
+//!
+//! One reader a format gives a [`Soup`]; all of them check lengths against [`MAX_FILE_BYTES`], [`MAX_VERTICES`],
+//! [`MAX_TRIANGLES`] and what is left of the file before they allocate, and report through [`Report`].
+
+mod cursor;
+mod gltf;
+mod obj;
+mod ply;
+mod report;
+mod stl;
+
+use std::path::Path;
+
+use self::report::Report;
+use super::build::build;
+use super::mesh::Mesh;
+use super::normals::CREASE_ANGLE;
+use super::soup::Soup;
+use crate::diag::Diagnostic;
+
+/// Files (and the buffers beside a glTF) longer than this are refused.
+pub const MAX_FILE_BYTES: u64 = 1 << 30;
+/// Files of more points, normals or UVs than this are refused.
+pub const MAX_VERTICES: usize = 1 << 24;
+/// Files of more triangles than this are refused.
+pub const MAX_TRIANGLES: usize = 1 << 24;
+
+/// Radii outside this range are refused: squares and cubes of coordinates must fit an f32.
+const RADII: std::ops::RangeInclusive<f64> = 1e-12..=1e12;
+
+/// Gives the bytes of a file that a glTF names, relative to it; the error says why there are none.
+pub type Siblings<'a> = &'a dyn Fn(&str) -> Result<Vec<u8>, String>;
+
+/// For [`import`] where no file can lie beside.
+///
+/// # Errors
+/// Always.
+pub fn no_siblings(_: &str) -> Result<Vec<u8>, String> {
+    Err("only the file itself was given".to_owned())
+}
+
+/// A mesh, and what was done to get it that its maker should know.
+#[derive(Clone, Debug)]
+pub struct Imported {
+    /// The mesh; it has at least one triangle.
+    pub mesh: Mesh,
+    /// Warnings and notes.
+    pub notes: Vec<Diagnostic>,
+}
+
+/// Reads a file's `bytes` as the format that the ending of `name` says (obj, ply, stl, gltf, glb), or else its first
+/// bytes. `name` is also what diagnostics call the file.
+///
+/// # Errors
+/// Everything that keeps the file from being used, up to a bound.
+pub fn import(name: &str, bytes: &[u8], siblings: Siblings) -> Result<Imported, Vec<Diagnostic>> {
+    let mut report = Report::new(name);
+    let soup = read(name, bytes, siblings, &mut report);
+    report.stop_on_errors()?;
+    let mesh = finish(soup, &mut report);
+    report.stop_on_errors()?;
+    Ok(Imported { mesh, notes: report.into_list() })
+}
+
+/// [`import`]s the file at `path`; files that a glTF names are read from its folder.
+///
+/// # Errors
+/// As [`import`], and where the file cannot be read.
+pub fn load(path: &Path) -> Result<Imported, Vec<Diagnostic>> {
+    let name = path.display().to_string();
+    let bytes = read_bounded(path).map_err(|why| {
+        vec![Diagnostic::error("mesh-read", format!("the mesh cannot be read: {why}")).in_file(name.as_str())]
+    })?;
+    let folder = path.parent().unwrap_or(Path::new(""));
+    import(&name, &bytes, &|sibling| read_bounded(&folder.join(sibling)))
+}
+
+/// The bytes of a plain file within [`MAX_FILE_BYTES`].
+fn read_bounded(path: &Path) -> Result<Vec<u8>, String> {
+    let about = std::fs::metadata(path).map_err(|error| error.to_string())?;
+    if !about.is_file() {
+        return Err("it is not a file".to_owned());
+    }
+    if about.len() > MAX_FILE_BYTES {
+        return Err(format!("it has {} bytes, more than the {MAX_FILE_BYTES} allowed", about.len()));
+    }
+    std::fs::read(path).map_err(|error| error.to_string())
+}
+
+fn read(name: &str, bytes: &[u8], siblings: Siblings, report: &mut Report) -> Soup {
+    if bytes.len() as u64 > MAX_FILE_BYTES {
+        let message = format!("the file has {} bytes, more than the {MAX_FILE_BYTES} allowed", bytes.len());
+        report.error("mesh-too-large", message);
+        return Soup::default();
+    }
+    let file_name = name.rsplit(['/', '\\']).next().unwrap_or(name);
+    let (stem, ending) = file_name.rsplit_once('.').unwrap_or((file_name, ""));
+    let mut soup = match ending.to_ascii_lowercase().as_str() {
+        "obj" => obj::read(bytes, report),
+        "ply" => ply::read(bytes, report),
+        "stl" => stl::read(bytes, report),
+        "gltf" | "glb" => gltf::read(bytes, siblings, report),
+        _ if bytes.starts_with(b"glTF") => gltf::read(bytes, siblings, report),
+        _ if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r") => ply::read(bytes, report),
+        _ => {
+            let message = format!("`{ending}` is no mesh format that can be read");
+            report.add(Diagnostic::error("mesh-format", message).hint("use an OBJ, PLY, STL, glTF or GLB file"));
+            Soup::default()
+        }
+    };
+    if soup.name.is_empty() {
+        stem.clone_into(&mut soup.name);
+    }
+    soup
+}
+
+/// Builds the mesh and tells what was missing or dropped.
+fn finish(soup: Soup, report: &mut Report) -> Mesh {
+    let count = soup.triangles.len();
+    if count == 0 {
+        let message = if soup.points.is_empty() { "the mesh is empty" } else { "the mesh has points but no faces" };
+        report.add(Diagnostic::error("mesh-empty", message).hint("export the surface as polygons or triangles"));
+        return Mesh::default();
+    }
+    let (mesh, made) = build(soup, CREASE_ANGLE);
+    if mesh.indices.is_empty() {
+        report.error("mesh-empty", format!("none of the {count} triangles has an area"));
+        return mesh;
+    }
+    if made.degenerate > 0 {
+        let message = format!("{} of {count} triangles have no area and were left out", made.degenerate);
+        report.add(Diagnostic::warning("mesh-degenerate", message));
+    }
+    let radius = mesh.bounds().radius;
+    if !RADII.contains(&radius) {
+        let message = format!(
+            "the mesh has a radius of {radius:e} units; only {:e} to {:e} can be drawn",
+            RADII.start(),
+            RADII.end()
+        );
+        report.add(Diagnostic::error("mesh-scale", message).hint("scale the mesh where it was made"));
+    }
+    if made.normals > 0 {
+        let degrees = CREASE_ANGLE.to_degrees().round();
+        let message = format!("normals were made for {} corners, with creases above {degrees} degrees", made.normals);
+        report.add(Diagnostic::note("mesh-normals-made", message));
+    }
+    mesh
+}

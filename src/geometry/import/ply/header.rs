@@ -1,0 +1,146 @@
+//! The header of a PLY file: which elements there are, and what each consists of.
+
+use crate::geometry::import::cursor::Number;
+use crate::geometry::import::report::Report;
+
+/// More elements or properties than this are refused; real files have a dozen.
+const MAX_WORDS: usize = 256;
+
+/// How the numbers behind the header are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Encoding {
+    Ascii,
+    LittleEndian,
+    BigEndian,
+}
+
+/// One property of an element.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Property {
+    pub name: String,
+    /// The type of the count before a list; `None` for a single number.
+    pub list: Option<Number>,
+    pub number: Number,
+}
+
+/// A list of things with the same properties, `vertex` or `face` or whatever the writer liked.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Element {
+    pub name: String,
+    pub count: u64,
+    pub properties: Vec<Property>,
+}
+
+impl Element {
+    /// The least number of bytes that one of it takes.
+    pub(super) fn least_bytes(&self, encoding: Encoding) -> u64 {
+        let sizes = self.properties.iter().map(|p| match encoding {
+            // A digit and what divides it from the next; the very last may lack the divider.
+            Encoding::Ascii => 2,
+            _ => p.list.unwrap_or(p.number).size() as u64,
+        });
+        sizes.sum()
+    }
+
+    /// Where the property of one of these names is.
+    pub(super) fn find(&self, names: &[&str]) -> Option<usize> {
+        self.properties.iter().position(|p| names.contains(&p.name.as_str()))
+    }
+}
+
+/// Everything up to `end_header`.
+#[derive(Clone, Debug)]
+pub(super) struct Header {
+    pub encoding: Encoding,
+    pub elements: Vec<Element>,
+    /// In bytes: where the numbers begin.
+    pub length: usize,
+    /// How many lines it has.
+    pub lines: usize,
+}
+
+/// Reads the header; `None` after an error.
+pub(super) fn read(bytes: &[u8], report: &mut Report) -> Option<Header> {
+    let Some((length, lines)) = extent(bytes) else {
+        report.error("mesh-truncated", "the header does not end: there is no line `end_header`");
+        return None;
+    };
+    // Comments may be in any encoding; nothing else needs more than ASCII.
+    let text = String::from_utf8_lossy(&bytes[..length]);
+    let mut encoding = None;
+    let mut elements: Vec<Element> = Vec::new();
+    for (number, line) in text.lines().enumerate() {
+        let words: Vec<&str> = line.split_ascii_whitespace().take(6).collect();
+        let understood = match words[..] {
+            ["ply"] => number == 0,
+            ["format", name, _version] => {
+                encoding = match name {
+                    "ascii" => Some(Encoding::Ascii),
+                    "binary_little_endian" => Some(Encoding::LittleEndian),
+                    "binary_big_endian" => Some(Encoding::BigEndian),
+                    _ => None,
+                };
+                encoding.is_some()
+            }
+            ["element", name, count] => count.parse().is_ok_and(|count| {
+                elements.push(Element { name: name.to_owned(), count, properties: Vec::new() });
+                elements.len() <= MAX_WORDS
+            }),
+            ["property", ..] => match (property(&words), elements.last_mut()) {
+                (Some(property), Some(element)) if element.properties.len() < MAX_WORDS => {
+                    element.properties.push(property);
+                    true
+                }
+                _ => false,
+            },
+            ["comment" | "obj_info", ..] | ["end_header"] | [] => true,
+            _ => false,
+        };
+        if !understood {
+            let shown: String = line.trim().chars().take(80).collect();
+            report.error_at(&text, line, "mesh-syntax", format!("`{shown}` is no line of a PLY header"));
+        }
+    }
+    if encoding.is_none() && !report.has_errors() {
+        report.error("mesh-syntax", "the header has no line `format`");
+    }
+    Some(Header { encoding: encoding?, elements, length, lines }).filter(|_| !report.has_errors())
+}
+
+/// The length in bytes and lines up to and with `end_header` and the end of its line.
+fn extent(bytes: &[u8]) -> Option<(usize, usize)> {
+    let mut length = 0;
+    for (number, line) in bytes.split_inclusive(|&b| b == b'\n').enumerate() {
+        length += line.len();
+        if line.trim_ascii() == b"end_header" && line.ends_with(b"\n") {
+            return Some((length, number + 1));
+        }
+    }
+    None
+}
+
+fn property(words: &[&str]) -> Option<Property> {
+    match *words {
+        ["property", "list", count, kind, name] => {
+            // A count must be whole.
+            let list = number(count).filter(|n| n.max().is_some())?;
+            Some(Property { name: name.to_owned(), list: Some(list), number: number(kind)? })
+        }
+        ["property", kind, name] => Some(Property { name: name.to_owned(), list: None, number: number(kind)? }),
+        _ => None,
+    }
+}
+
+fn number(name: &str) -> Option<Number> {
+    Some(match name {
+        "char" | "int8" => Number::I8,
+        "uchar" | "uint8" => Number::U8,
+        "short" | "int16" => Number::I16,
+        "ushort" | "uint16" => Number::U16,
+        "int" | "int32" => Number::I32,
+        "uint" | "uint32" => Number::U32,
+        "float" | "float32" => Number::F32,
+        "double" | "float64" => Number::F64,
+        _ => return None,
+    })
+}

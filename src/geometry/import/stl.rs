@@ -1,0 +1,139 @@
+//! STL, as text and binary. Facet normals are left out: the winding says the same, and better. Points repeat for every
+//! facet; [`super::super::build`] welds them.
+
+use super::cursor::Cursor;
+use super::report::Report;
+use super::{MAX_TRIANGLES, MAX_VERTICES};
+use crate::geometry::mesh::DEFAULT_MATERIAL;
+use crate::geometry::normals::weld;
+use crate::geometry::soup::{Corner, NONE, Soup};
+
+/// A binary file's comment and count.
+const HEADER: usize = 84;
+/// A binary facet: normal, three points, two bytes of attributes.
+const FACET: usize = 50;
+
+/// Reads either kind. Binary files may begin with `solid` too, so their length decides.
+pub(super) fn read(bytes: &[u8], report: &mut Report) -> Soup {
+    let declared = bytes.get(80..HEADER).map(|b| u64::from(u32::from_le_bytes([b[0], b[1], b[2], b[3]])));
+    let binary_length = declared.map(|count| HEADER as u64 + FACET as u64 * count);
+    let looks_like_text = bytes.trim_ascii_start().starts_with(b"solid");
+    let points = if looks_like_text && binary_length != Some(bytes.len() as u64) {
+        text(&String::from_utf8_lossy(bytes), report)
+    } else {
+        binary(bytes, declared, report)
+    };
+    if report.has_errors() {
+        return Soup::default();
+    }
+    joined(&points)
+}
+
+/// Points that coincide become one, so that the vertices are as few as they can be.
+fn joined(points: &[[f32; 3]]) -> Soup {
+    let welded = weld(points);
+    let mut soup = Soup::default();
+    let material = soup.material(DEFAULT_MATERIAL);
+    let mut index_of = vec![NONE; points.len()];
+    for (i, &first) in welded.iter().enumerate() {
+        if first as usize == i {
+            index_of[i] = soup.points.len() as u32;
+            soup.points.push(points[i]);
+        }
+    }
+    let corner = |i: usize| Corner { point: index_of[welded[i] as usize], normal: NONE, uv: NONE };
+    soup.triangles = (0..points.len() / 3).map(|t| [corner(3 * t), corner(3 * t + 1), corner(3 * t + 2)]).collect();
+    soup.material_of = vec![material; soup.triangles.len()];
+    soup
+}
+
+fn binary(bytes: &[u8], declared: Option<u64>, report: &mut Report) -> Vec<[f32; 3]> {
+    let Some(count) = declared else {
+        report
+            .error("mesh-truncated", format!("the file has {} bytes; an STL file has at least {HEADER}", bytes.len()));
+        return Vec::new();
+    };
+    let there = ((bytes.len() - HEADER) / FACET) as u64;
+    if there < count {
+        report.error("mesh-truncated", format!("the file ends after {there} of its {count} facets"));
+        return Vec::new();
+    }
+    if too_many(count, report) {
+        return Vec::new();
+    }
+    let mut points = Vec::with_capacity(count as usize * 3);
+    let mut cursor = Cursor::little_endian(&bytes[HEADER..]);
+    for facet in 0..count {
+        let (_normal, corners) = (cursor.vec3(), [cursor.vec3(), cursor.vec3(), cursor.vec3()]);
+        let _attributes = cursor.take(2);
+        for corner in corners.into_iter().flatten() {
+            if corner.iter().any(|c| !c.is_finite()) {
+                report.error(
+                    "mesh-not-finite",
+                    format!("facet {} has the point {corner:?}, which is not finite", facet + 1),
+                );
+            }
+            points.push(corner);
+        }
+    }
+    points
+}
+
+fn too_many(facets: u64, report: &mut Report) -> bool {
+    let most = MAX_TRIANGLES.min(MAX_VERTICES) as u64;
+    if facets > most {
+        report.error("mesh-too-large", format!("the file has {facets} facets, more than the {most} allowed"));
+    }
+    facets > most
+}
+
+fn text(text: &str, report: &mut Report) -> Vec<[f32; 3]> {
+    let mut points: Vec<[f32; 3]> = Vec::new();
+    let mut open = false;
+    let mut facet_start = 0;
+    for line in text.lines() {
+        let mut words = line.split_ascii_whitespace();
+        let Some(keyword) = words.next() else { continue };
+        match keyword.to_ascii_lowercase().as_str() {
+            "solid" => open = true,
+            "endsolid" => open = false,
+            "facet" => facet_start = points.len(),
+            "vertex" => points.push(vertex(text, keyword, words, report)),
+            "endfacet" if points.len() - facet_start != 3 => {
+                let message = format!("a facet has {} vertices instead of 3", points.len() - facet_start);
+                report.error_at(text, keyword, "mesh-syntax", message);
+                points.truncate(facet_start);
+            }
+            "endfacet" | "outer" | "endloop" => {}
+            _ => report.error_at(text, keyword, "mesh-syntax", format!("`{keyword}` is no word of an STL file")),
+        }
+        if too_many(points.len() as u64 / 3, report) {
+            return points;
+        }
+    }
+    if open || !points.len().is_multiple_of(3) {
+        report.error("mesh-truncated", "the file ends before `endsolid`");
+    }
+    points
+}
+
+fn vertex<'a>(text: &str, keyword: &str, words: impl Iterator<Item = &'a str>, report: &mut Report) -> [f32; 3] {
+    let mut point = [0.0; 3];
+    let mut count = 0;
+    for word in words {
+        match word.parse::<f32>() {
+            Ok(number) if number.is_finite() => {
+                if let Some(slot) = point.get_mut(count) {
+                    *slot = number;
+                }
+            }
+            Ok(_) => report.error_at(text, word, "mesh-not-finite", format!("the coordinate `{word}` is not finite")),
+            Err(_) => report.error_at(text, word, "mesh-syntax", format!("`{word}` is not a number")),
+        }
+        count += 1;
+    }
+    if count != 3 {
+        report.error_at(text, keyword, "mesh-syntax", format!("a vertex has {count} numbers instead of 3"));
+    }
+    point
+}

@@ -1,0 +1,141 @@
+//! What a renderer draws: indexed triangles with every attribute filled in.
+
+use std::ops::Range;
+
+use glam::{DMat4, DVec3, Vec3};
+
+/// The material of triangles that a file gives none.
+pub const DEFAULT_MATERIAL: &str = "default";
+
+/// Indexed triangles, counter-clockwise seen from outside. All attribute lists are equally long.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// What the file calls it, or the file's own name without its ending.
+    pub name: String,
+    /// Object space, in the file's units.
+    pub positions: Vec<[f32; 3]>,
+    /// Object space, unit length.
+    pub normals: Vec<[f32; 3]>,
+    /// Object space: `xyz` of unit length, orthogonal to the normal, along growing u; the bitangent, along growing v, is
+    /// `w * cross(normal, tangent)` with `w` of 1 or -1. Without UVs a frame that depends on the normal alone, level
+    /// with the ground (y up).
+    pub tangents: Vec<[f32; 4]>,
+    /// u to the right and v up, (0, 0) at the lower left corner of the image; zeros where the file has none.
+    pub uvs: Vec<[f32; 2]>,
+    /// Straight RGBA, display-referred (sRGB curve), 0 to 1; white where the file has none.
+    pub colors: Vec<[f32; 4]>,
+    /// Three per triangle.
+    pub indices: Vec<u32>,
+    /// Runs of triangles of one material each, in the order in which the file first uses them; together all of
+    /// [`Mesh::indices`].
+    pub parts: Vec<Part>,
+    /// Whether the file (or the shape) brings UVs.
+    pub has_uvs: bool,
+    /// Whether the file brings vertex colours.
+    pub has_colors: bool,
+    /// Whether every corner's normal comes from the file; otherwise some were made.
+    pub has_normals: bool,
+}
+
+/// The triangles of one material.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Part {
+    /// The material's name in the file.
+    pub material: String,
+    /// Into [`Mesh::indices`]; begin and end are multiples of 3.
+    pub indices: Range<u32>,
+    /// Whether back faces are drawn too.
+    pub two_sided: bool,
+    /// Fragments of lower alpha are cut out; `None` where the material is solid.
+    pub alpha_cutoff: Option<f32>,
+}
+
+/// The box along the axes that just holds a mesh, and the sphere around the box's centre that does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// The least coordinates.
+    pub min: DVec3,
+    /// The greatest coordinates.
+    pub max: DVec3,
+    /// From the box's centre to the farthest vertex.
+    pub radius: f64,
+}
+
+impl Bounds {
+    /// Of some points; all zero where there are none.
+    pub fn of(positions: &[[f32; 3]]) -> Self {
+        let Some(first) = positions.first() else {
+            return Self { min: DVec3::ZERO, max: DVec3::ZERO, radius: 0.0 };
+        };
+        let first = Vec3::from(*first);
+        let (min, max) = positions.iter().fold((first, first), |(min, max), p| {
+            let p = Vec3::from(*p);
+            (min.min(p), max.max(p))
+        });
+        let (min, max) = (min.as_dvec3(), max.as_dvec3());
+        let center = (min + max) / 2.0;
+        let farthest = positions.iter().map(|p| Vec3::from(*p).as_dvec3().distance_squared(center)).fold(0.0, f64::max);
+        Self { min, max, radius: farthest.sqrt() }
+    }
+
+    /// The middle of the box and of the sphere.
+    pub fn center(&self) -> DVec3 {
+        (self.min + self.max) / 2.0
+    }
+
+    /// The box's edges along x, y and z.
+    pub fn size(&self) -> DVec3 {
+        self.max - self.min
+    }
+}
+
+/// Moves `center` to the origin, then scales: `(p - center) * scale`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fit {
+    /// What comes to the origin, in object space.
+    pub center: DVec3,
+    /// The same along all axes; above 0.
+    pub scale: f64,
+}
+
+impl Fit {
+    /// Fitted space from object space.
+    pub fn matrix(&self) -> DMat4 {
+        DMat4::from_scale(DVec3::splat(self.scale)) * DMat4::from_translation(-self.center)
+    }
+}
+
+impl Mesh {
+    /// How many triangles there are.
+    pub fn triangle_count(&self) -> usize {
+        self.indices.len() / 3
+    }
+
+    /// The box and the sphere around it.
+    pub fn bounds(&self) -> Bounds {
+        Bounds::of(&self.positions)
+    }
+
+    /// What brings the mesh's bounding sphere to the origin and to radius 1; a single point is only moved.
+    pub fn fit(&self) -> Fit {
+        let bounds = self.bounds();
+        let scale = if bounds.radius > 0.0 { 1.0 / bounds.radius } else { 1.0 };
+        Fit { center: bounds.center(), scale }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_fitted_mesh_touches_the_unit_sphere() {
+        let mesh = Mesh { positions: vec![[1.0, 2.0, 3.0], [5.0, 2.0, 3.0], [1.0, 2.0, 6.0]], ..Mesh::default() };
+        let matrix = mesh.fit().matrix();
+        let lengths: Vec<f64> =
+            mesh.positions.iter().map(|p| matrix.transform_point3(Vec3::from(*p).as_dvec3()).length()).collect();
+        assert!(lengths.iter().all(|l| (l - 1.0).abs() < 1e-12), "{lengths:?}");
+        assert_eq!(mesh.bounds().size(), DVec3::new(4.0, 0.0, 3.0));
+        assert_eq!(Mesh::default().fit().scale, 1.0);
+    }
+}

@@ -1,0 +1,147 @@
+//! Normals for files that have none.
+//!
+//! The normal of a corner is the mean of the normals of the triangles around its point, each weighted by its angle
+//! there (so that how a polygon was cut into triangles makes no difference), over the *sector* that the corner lies in:
+//! triangles are in one sector when one gets from one to the other through edges that bend by at most
+//! [`CREASE_ANGLE`]. So one threshold serves both kinds of mesh. A machine's edge is a chain of sharp edges; at every
+//! point on it two of them end, the sectors on either side are apart, and the crease stays. A scan's noise makes single
+//! sharp edges that end nowhere; one gets around them through their neighbours, and the surface stays smooth.
+//!
+//! Points are welded where their coordinates are equal, so a file that repeats points (STL always does, others along
+//! UV seams) is shaded as smoothly as one that does not. Edges may join any number of triangles.
+
+use std::collections::HashMap;
+
+use glam::DVec3;
+
+use super::soup::{NONE, Soup};
+
+/// Edges that bend by more than this, in radians, separate smooth regions where normals are made. 60 degrees lies above
+/// what a sphere of 8 segments (45) or an icosahedron (41.8) has, and below a box's edges (90). Measured: at 60 degrees
+/// at most 1.8% of a scan's points are split (a bust with all its damage; a hare 0.2%), at 45 degrees 4.2%, at 35
+/// degrees 8%.
+pub const CREASE_ANGLE: f64 = std::f64::consts::FRAC_PI_3;
+
+/// At an edge of more triangles than this only neighbours in the list are compared, so that a fan of a million
+/// triangles around one edge takes no quadratic time.
+const MAX_COMPARED: usize = 16;
+
+/// For each point the first point that lies at the same place (-0 and 0 are the same).
+pub(super) fn weld(points: &[[f32; 3]]) -> Vec<u32> {
+    let mut first_at: HashMap<[u32; 3], u32> = HashMap::with_capacity(points.len());
+    points
+        .iter()
+        .enumerate()
+        .map(|(i, p)| *first_at.entry(p.map(|c| (c + 0.0).to_bits())).or_insert(i as u32))
+        .collect()
+}
+
+/// The place of a point in f64.
+pub(super) fn place(points: &[[f32; 3]], index: u32) -> DVec3 {
+    DVec3::from(points[index as usize].map(f64::from))
+}
+
+/// The angle, in radians, of a triangle at the first of its points; 0 where two of them are equal.
+pub(super) fn corner_angle(at: DVec3, b: DVec3, c: DVec3) -> f64 {
+    let (u, v) = (b - at, c - at);
+    f64::atan2(u.cross(v).length(), u.dot(v))
+}
+
+/// Gives every corner that names no normal, or one of length 0, a made one; appends those to `soup.normals`.
+/// `welded` is what [`weld`] gives; triangles must not be degenerate. Returns how many corners were given one.
+pub(super) fn make_missing(soup: &mut Soup, welded: &[u32], crease_angle: f64) -> usize {
+    for corner in soup.triangles.iter_mut().flatten() {
+        if corner.normal != NONE && soup.normals[corner.normal as usize] == [0.0; 3] {
+            corner.normal = NONE;
+        }
+    }
+    let missing = soup.triangles.iter().flatten().filter(|corner| corner.normal == NONE).count();
+    if missing == 0 {
+        return 0;
+    }
+    let faces: Vec<DVec3> = soup.triangles.iter().map(|t| face_normal(&soup.points, t.map(|c| c.point))).collect();
+    let mut sectors = Sectors::new(soup.triangles.len() * 3);
+    join_over_edges(soup, welded, &faces, crease_angle, &mut sectors);
+
+    let mut sums = vec![DVec3::ZERO; soup.triangles.len() * 3];
+    for (t, corners) in soup.triangles.iter().enumerate() {
+        let at = corners.map(|c| place(&soup.points, c.point));
+        for k in 0..3 {
+            let angle = corner_angle(at[k], at[(k + 1) % 3], at[(k + 2) % 3]);
+            sums[sectors.root(t * 3 + k)] += faces[t] * angle;
+        }
+    }
+    let mut made = vec![NONE; sums.len()];
+    for (t, &face) in faces.iter().enumerate() {
+        for k in 0..3 {
+            if soup.triangles[t][k].normal != NONE {
+                continue;
+            }
+            let root = sectors.root(t * 3 + k);
+            if made[root] == NONE {
+                made[root] = soup.normals.len() as u32;
+                // Faces that cancel out exactly leave no direction but their own.
+                soup.normals.push(sums[root].try_normalize().unwrap_or(face).as_vec3().into());
+            }
+            soup.triangles[t][k].normal = made[root];
+        }
+    }
+    missing
+}
+
+/// The unit normal of a triangle that is not degenerate, counter-clockwise seen from where it points.
+fn face_normal(points: &[[f32; 3]], [a, b, c]: [u32; 3]) -> DVec3 {
+    let [a, b, c] = [a, b, c].map(|p| place(points, p));
+    (b - a).cross(c - a).normalize_or_zero()
+}
+
+/// Joins the corners on either side of every edge that bends by at most `crease_angle`.
+fn join_over_edges(soup: &Soup, welded: &[u32], faces: &[DVec3], crease_angle: f64, sectors: &mut Sectors) {
+    // (lower point, upper point, corner at the lower point, corner at the upper point)
+    let mut edges: Vec<[u32; 4]> = Vec::with_capacity(soup.triangles.len() * 3);
+    for (t, corners) in soup.triangles.iter().enumerate() {
+        for k in 0..3 {
+            let next = (k + 1) % 3;
+            let (a, b) = (welded[corners[k].point as usize], welded[corners[next].point as usize]);
+            let (at_a, at_b) = ((t * 3 + k) as u32, (t * 3 + next) as u32);
+            edges.push(if a < b { [a, b, at_a, at_b] } else { [b, a, at_b, at_a] });
+        }
+    }
+    edges.sort_unstable();
+    let smooth = crease_angle.cos() - 1e-9;
+    for run in edges.chunk_by(|a, b| a[..2] == b[..2]) {
+        let reach = if run.len() <= MAX_COMPARED { run.len() } else { 2 };
+        for (i, one) in run.iter().enumerate() {
+            for other in &run[i + 1..run.len().min(i + reach)] {
+                if faces[one[2] as usize / 3].dot(faces[other[2] as usize / 3]) >= smooth {
+                    sectors.join(one[2] as usize, other[2] as usize);
+                    sectors.join(one[3] as usize, other[3] as usize);
+                }
+            }
+        }
+    }
+}
+
+/// Disjoint sets of corners.
+struct Sectors(Vec<u32>);
+
+impl Sectors {
+    fn new(count: usize) -> Self {
+        Self((0..count as u32).collect())
+    }
+
+    fn root(&mut self, mut corner: usize) -> usize {
+        while self.0[corner] as usize != corner {
+            // Halve the way for whoever comes next.
+            self.0[corner] = self.0[self.0[corner] as usize];
+            corner = self.0[corner] as usize;
+        }
+        corner
+    }
+
+    fn join(&mut self, a: usize, b: usize) {
+        let (a, b) = (self.root(a), self.root(b));
+        // The lower index leads, so that the result does not depend on the order of joins.
+        self.0[a.max(b)] = a.min(b) as u32;
+    }
+}

@@ -1,0 +1,88 @@
+//! Shapes of our own to judge a look on: each of known curvature or of many kinds of it.
+//!
+//! All but the plane are closed; all lie within about 1.5 units of the origin, y up, the front towards +z. They are made
+//! once, at first use, from formulas alone, so they are the same everywhere.
+
+mod blob;
+mod creature;
+mod cube;
+mod curve;
+mod nets;
+mod revolve;
+mod sculpture;
+mod sweep;
+mod uv;
+
+use std::sync::OnceLock;
+
+use super::build::build;
+use super::mesh::Mesh;
+use super::normals::CREASE_ANGLE;
+use super::soup::Soup;
+
+/// One of the own shapes.
+#[derive(Clone, Copy, Debug)]
+pub struct Shape {
+    /// What documents call it, after `shape:`.
+    pub name: &'static str,
+    /// What people read.
+    pub label: &'static str,
+    /// What it is good for, in a sentence.
+    pub help: &'static str,
+    /// How it is made.
+    make: fn() -> Soup,
+}
+
+/// Every own shape, in the order of menus.
+pub const SHAPES: &[Shape] = &[
+    Shape {
+        name: "sphere",
+        label: "Sphere",
+        help: "Every direction once and one curvature: the plainest view of a look.",
+        make: revolve::sphere,
+    },
+    Shape {
+        name: "torus",
+        label: "Torus",
+        help: "Curved outwards outside and like a saddle inside.",
+        make: revolve::torus,
+    },
+    Shape {
+        name: "blob",
+        label: "Blob",
+        help: "Balls run together: convex lobes with soft hollows between them.",
+        make: || uv::spherical(&nets::polygonize(&blob::sculpture(), blob::CELLS)),
+    },
+    Shape { name: "knot", label: "Knot", help: "A trefoil tube that passes over and under itself.", make: sweep::knot },
+    Shape {
+        name: "creature",
+        label: "Creature",
+        help: "A seated cub with brows, eyes, mouth, ears and folds: a character with real hollows.",
+        make: || uv::boxed(&nets::polygonize(&creature::sculpture(), creature::CELLS)),
+    },
+    Shape {
+        name: "cube",
+        label: "Rounded cube",
+        help: "Flat faces between rounded edges: where curvature is nothing, or high.",
+        make: cube::cube,
+    },
+    Shape {
+        name: "vase",
+        label: "Vase",
+        help: "A thin wall, hollow inside, with a lip and a foot.",
+        make: revolve::vase,
+    },
+    Shape { name: "plane", label: "Plane", help: "A flat square, for textures and thresholds.", make: cube::plane },
+];
+
+/// The shape of that name; made at first use, then copied.
+pub fn shape(name: &str) -> Option<Mesh> {
+    static MADE: [OnceLock<Mesh>; SHAPES.len()] = [const { OnceLock::new() }; SHAPES.len()];
+    let index = SHAPES.iter().position(|shape| shape.name == name)?;
+    let make = || {
+        let mut soup = (SHAPES[index].make)();
+        SHAPES[index].name.clone_into(&mut soup.name);
+        build(soup, CREASE_ANGLE).0
+    };
+    Some(MADE[index].get_or_init(make).clone())
+}

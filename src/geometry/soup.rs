@@ -1,0 +1,86 @@
+//! What a file says, before it becomes a [`super::Mesh`]: points, and triangles whose corners name a point, a normal
+//! and a UV separately, as OBJ does. Every other format is a special case of that.
+
+use glam::DVec3;
+
+use super::normals::place;
+use super::triangulate::triangulate;
+
+/// In a [`Corner`]: there is none.
+pub(super) const NONE: u32 = u32::MAX;
+
+/// One corner of a triangle: indices into the lists of a [`Soup`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Corner {
+    /// Into [`Soup::points`].
+    pub point: u32,
+    /// Into [`Soup::normals`], or [`NONE`].
+    pub normal: u32,
+    /// Into [`Soup::uvs`], or [`NONE`].
+    pub uv: u32,
+}
+
+/// What a file says of a material, as far as geometry goes.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Material {
+    pub name: String,
+    pub two_sided: bool,
+    pub alpha_cutoff: Option<f32>,
+}
+
+impl Material {
+    /// A solid one-sided material.
+    pub(super) fn named(name: impl Into<String>) -> Self {
+        Self { name: name.into(), two_sided: false, alpha_cutoff: None }
+    }
+}
+
+/// Points, corners and materials. Readers have checked every index and every number.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Soup {
+    pub name: String,
+    pub points: Vec<[f32; 3]>,
+    /// By point: display-referred straight RGBA; empty where the file has none.
+    pub colors: Vec<[f32; 4]>,
+    /// By point, and only where the file has some: a tangent of length 0 is to be made.
+    pub tangents: Vec<[f32; 4]>,
+    /// Of any length; one of length 0 is to be made.
+    pub normals: Vec<[f32; 3]>,
+    pub uvs: Vec<[f32; 2]>,
+    /// One entry a triangle.
+    pub triangles: Vec<[Corner; 3]>,
+    /// By triangle, into `materials`.
+    pub material_of: Vec<u32>,
+    pub materials: Vec<Material>,
+}
+
+impl Soup {
+    /// The index of the material of that name, made if there is none.
+    pub(super) fn material(&mut self, name: &str) -> u32 {
+        let known = self.materials.iter().position(|m| m.name == name);
+        known.unwrap_or_else(|| {
+            self.materials.push(Material::named(name));
+            self.materials.len() - 1
+        }) as u32
+    }
+}
+
+/// The polygon being read; its lists are kept from one to the next, so that nothing is allocated for each.
+#[derive(Default)]
+pub(super) struct Polygon {
+    pub(super) corners: Vec<Corner>,
+    points: Vec<DVec3>,
+    triangles: Vec<[u32; 3]>,
+}
+
+impl Polygon {
+    /// Appends the polygon's triangles to the soup.
+    pub(super) fn cut(&mut self, soup: &mut Soup, material: u32) {
+        self.points.clear();
+        self.points.extend(self.corners.iter().map(|c| place(&soup.points, c.point)));
+        self.triangles.clear();
+        triangulate(&self.points, &mut self.triangles);
+        soup.triangles.extend(self.triangles.iter().map(|t| t.map(|i| self.corners[i as usize])));
+        soup.material_of.resize(soup.triangles.len(), material);
+    }
+}

@@ -1,0 +1,119 @@
+//! Constant expressions, of functions and of the module.
+
+use std::rc::Rc;
+
+use naga::{Expression, Handle, Literal, Span};
+
+use super::Outcome;
+use super::expressions::Operand;
+use super::statements::FunctionCompiler;
+use super::unsupported::expression_name;
+use crate::interp::instruction::Slot;
+
+/// An expression of the function, or of the module.
+#[derive(Clone, Copy)]
+enum Constant {
+    Local(Handle<Expression>),
+    Global(Handle<Expression>),
+}
+
+impl<'a> FunctionCompiler<'a> {
+    /// The slots of a constant expression.
+    pub(super) fn constant(&mut self, root: Handle<Expression>) -> Outcome<Rc<[Slot]>> {
+        let mut pending = vec![Constant::Local(root)];
+        let mut result: Option<Rc<[Slot]>> = None;
+        while let Some(&constant) = pending.last() {
+            result = self.known(constant);
+            if result.is_none() {
+                let before = pending.len();
+                let parts = self.parts(constant, root)?;
+                pending.extend(parts.iter().copied().filter(|&part| self.known(part).is_none()));
+                if pending.len() > before {
+                    continue;
+                }
+                let slots: Rc<[Slot]> = self.join(constant, &parts)?.into();
+                self.remember(constant, slots.clone());
+                result = Some(slots);
+            }
+            pending.pop();
+        }
+        result.ok_or_else(|| self.unsupported_expression(root))
+    }
+
+    fn known(&self, constant: Constant) -> Option<Rc<[Slot]>> {
+        match constant {
+            Constant::Global(handle) => self.assembler.globals.get(&handle).cloned(),
+            Constant::Local(handle) => match &self.operands[handle.index()] {
+                Some(Operand::Value(slots)) => Some(slots.clone()),
+                _ => None,
+            },
+        }
+    }
+
+    fn remember(&mut self, constant: Constant, slots: Rc<[Slot]>) {
+        match constant {
+            Constant::Global(handle) => {
+                self.assembler.globals.insert(handle, slots);
+            }
+            Constant::Local(handle) => self.operands[handle.index()] = Some(Operand::Value(slots)),
+        }
+    }
+
+    fn constant_expression(&self, constant: Constant) -> &'a Expression {
+        match constant {
+            Constant::Local(handle) => &self.function.expressions[handle],
+            Constant::Global(handle) => &self.context.module.global_expressions[handle],
+        }
+    }
+
+    /// What a constant is made of.
+    fn parts(&self, constant: Constant, root: Handle<Expression>) -> Outcome<Vec<Constant>> {
+        let beside = |handle: Handle<Expression>| match constant {
+            Constant::Local(_) => Constant::Local(handle),
+            Constant::Global(_) => Constant::Global(handle),
+        };
+        match self.constant_expression(constant) {
+            Expression::Literal(_) | Expression::ZeroValue(_) => Ok(Vec::new()),
+            Expression::Constant(named) => Ok(vec![Constant::Global(self.context.module.constants[*named].init)]),
+            Expression::Compose { components, .. } => Ok(components.iter().map(|&part| beside(part)).collect()),
+            Expression::Splat { value, .. } => Ok(vec![beside(*value)]),
+            other => Err(self.unsupported(&expression_name(self.context.module, other), self.span(root))),
+        }
+    }
+
+    /// The slots of a constant whose parts are known.
+    fn join(&mut self, constant: Constant, parts: &[Constant]) -> Outcome<Vec<Slot>> {
+        match *self.constant_expression(constant) {
+            Expression::Literal(literal) => Ok(vec![self.literal(literal)?]),
+            Expression::ZeroValue(ty) => {
+                let count = self.slots_of(&self.context.module.types[ty].inner, Span::UNDEFINED)?;
+                self.assembler.list(count as usize)?;
+                Ok(vec![self.assembler.constant(0)?; count as usize])
+            }
+            Expression::Splat { size, .. } => {
+                let value = parts.first().and_then(|&part| self.known(part));
+                Ok(value.map_or_else(Vec::new, |slots| slots.repeat(size as usize)))
+            }
+            _ => {
+                let parts: Vec<Rc<[Slot]>> = parts.iter().filter_map(|&part| self.known(part)).collect();
+                self.assembler.list(parts.iter().map(|slots| slots.len()).sum())?;
+                Ok(parts.iter().flat_map(|slots| slots.iter().copied()).collect())
+            }
+        }
+    }
+
+    fn literal(&mut self, literal: Literal) -> Outcome<Slot> {
+        match literal {
+            Literal::F32(x) => self.assembler.float(f64::from(x)),
+            Literal::F64(x) | Literal::AbstractFloat(x) => self.assembler.float(x),
+            Literal::U32(x) => self.assembler.constant(u64::from(x)),
+            Literal::I32(x) => self.assembler.constant(u64::from(x as u32)),
+            Literal::AbstractInt(x) => self.assembler.constant(u64::from(x as u32)),
+            Literal::Bool(x) => self.assembler.constant(u64::from(x)),
+            Literal::F16(_) => Err(self.unsupported("an f16 (Literal::F16)", Span::UNDEFINED)),
+            Literal::U64(_) | Literal::I64(_) | Literal::U16(_) | Literal::I16(_) => {
+                Err(self.unsupported("an integer not of 32 bits (Literal)", Span::UNDEFINED))
+            }
+        }
+    }
+}

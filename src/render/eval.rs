@@ -1,0 +1,106 @@
+//! Surface samples through a compiled look, at full f32 precision.
+
+use wgpu::util::DeviceExt as _;
+
+use super::error::RenderError;
+use super::gpu::Gpu;
+use super::readback::read_texture;
+use super::target::texture;
+use super::{Renderer, pipeline::LookPipeline};
+use crate::compile::{BindingKind, SAMPLES_PER_ROW};
+use crate::frame::EvalBatch;
+
+/// As many samples are run at once as fit a target that every GPU allows.
+const SAMPLES_PER_RUN: usize = (SAMPLES_PER_ROW as usize) * 1024;
+
+impl Renderer {
+    /// The root's value at each sample of a batch, in the batch's order: up to four numbers, by the root's type.
+    ///
+    /// # Errors
+    /// What the GPU cannot do.
+    pub async fn evaluate(&mut self, batch: &EvalBatch) -> Result<Vec<[f32; 4]>, RenderError> {
+        let count = batch.indices.len();
+        let mut values = Vec::with_capacity(count);
+        let stride = batch.bytes.len().checked_div(count).unwrap_or(0);
+        // A storage binding has a limit too.
+        let fitting = self.gpu.device.limits().max_storage_buffer_binding_size as usize / stride.max(1);
+        let per_run = SAMPLES_PER_RUN.min(fitting).max(1);
+        for first in (0..count).step_by(per_run) {
+            let last = (first + per_run).min(count);
+            values.extend(self.evaluate_run(batch, &batch.bytes[first * stride..last * stride], last - first).await?);
+        }
+        Ok(values)
+    }
+
+    async fn evaluate_run(&mut self, batch: &EvalBatch, bytes: &[u8], count: usize) -> Result<Vec<[f32; 4]>, RenderError> {
+        let guard = self.gpu.guard();
+        let pipeline = self.pipelines.get(&self.gpu, &batch.shader, 1, true);
+        let group = self.bind_samples(batch, bytes, &pipeline)?;
+        let rows = (count as u32).div_ceil(SAMPLES_PER_ROW);
+        let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
+        let size = [2 * SAMPLES_PER_ROW, 2 * rows];
+        self.gpu.check_size(size)?;
+        let target = texture(&self.gpu, size, wgpu::TextureFormat::Rgba32Float, 1, usage);
+        run(&self.gpu, &target, &pipeline, &group);
+        guard.finish().await?;
+        let texels = read_texture(&self.gpu, &target, 16).await?;
+        let value = |index: usize| {
+            let (x, y) = (2 * (index % SAMPLES_PER_ROW as usize), 2 * (index / SAMPLES_PER_ROW as usize));
+            let at = 16 * (y * size[0] as usize + x);
+            let number = |i: usize| {
+                let start = at + 4 * i;
+                f32::from_le_bytes([texels[start], texels[start + 1], texels[start + 2], texels[start + 3]])
+            };
+            [number(0), number(1), number(2), number(3)]
+        };
+        Ok((0..count).map(value).collect())
+    }
+
+    fn bind_samples(&mut self, batch: &EvalBatch, bytes: &[u8], pipeline: &LookPipeline) -> Result<wgpu::BindGroup, RenderError> {
+        let samples = self.gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+            label: Some("samples"),
+            contents: bytes,
+            usage: wgpu::BufferUsages::STORAGE,
+        });
+        let mut textures = Vec::new();
+        let mut samplers = Vec::new();
+        for (image, wanted) in batch.images.iter().zip(&batch.shader.needs.images) {
+            textures.push(self.images.texture(&self.gpu, image)?);
+            samplers.push(self.images.sampler(&self.gpu, wanted));
+        }
+        let mut entries = Vec::new();
+        for binding in &batch.shader.bindings {
+            let resource = match &binding.kind {
+                BindingKind::Samples => Some(samples.as_entire_binding()),
+                BindingKind::Image(index) => textures.get(*index).map(wgpu::BindingResource::TextureView),
+                BindingKind::Sampler(index) => samplers.get(*index).map(wgpu::BindingResource::Sampler),
+                _ => None,
+            };
+            let missing = || RenderError::Refused { message: format!("nothing to bind to `{}`", binding.name) };
+            entries.push(wgpu::BindGroupEntry { binding: binding.binding, resource: resource.ok_or_else(missing)? });
+        }
+        let descriptor = wgpu::BindGroupDescriptor { label: Some("samples"), layout: &pipeline.layout, entries: &entries };
+        Ok(self.gpu.device.create_bind_group(&descriptor))
+    }
+}
+
+fn run(gpu: &Gpu, target: &wgpu::Texture, pipeline: &LookPipeline, group: &wgpu::BindGroup) {
+    let view = target.create_view(&wgpu::TextureViewDescriptor::default());
+    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("samples") });
+    {
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("samples"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &view,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), store: wgpu::StoreOp::Store },
+            })],
+            ..wgpu::RenderPassDescriptor::default()
+        });
+        pass.set_pipeline(&pipeline.pipeline);
+        pass.set_bind_group(0, group, &[]);
+        pass.draw(0..3, 0..1);
+    }
+    gpu.queue.submit([encoder.finish()]);
+}

@@ -1,0 +1,134 @@
+//! A device and its queue.
+
+use std::sync::{Arc, Mutex};
+
+use super::error::RenderError;
+
+/// A device, our own or a window's.
+#[derive(Clone, Debug)]
+pub struct Gpu {
+    /// The device.
+    pub device: wgpu::Device,
+    /// Its queue.
+    pub queue: wgpu::Queue,
+    /// What it is.
+    pub info: wgpu::AdapterInfo,
+    /// Errors that no scope caught, and the loss of the device.
+    problem: Arc<Mutex<Option<RenderError>>>,
+}
+
+/// Waits for a future; for the command line, which has nothing else to do meanwhile.
+#[expect(clippy::disallowed_methods, reason = "the one place that waits for the GPU")]
+pub fn block_on<T>(future: impl Future<Output = T>) -> T {
+    pollster::block_on(future)
+}
+
+/// Catches what goes wrong on the device while it lives.
+pub(super) struct Guard {
+    memory: wgpu::ErrorScopeGuard,
+    validation: wgpu::ErrorScopeGuard,
+    problem: Arc<Mutex<Option<RenderError>>>,
+}
+
+impl Gpu {
+    /// Opens the best adapter that there is, a software one if need be.
+    ///
+    /// # Errors
+    /// Where there is none, or it gives no device.
+    pub async fn headless() -> Result<Self, RenderError> {
+        let mut failure = String::from("no backend was tried");
+        let mut found = None;
+        // OpenGL only where there is nothing better: its libraries talk of missing displays on their way.
+        let wanted = wgpu::Backends::from_env().map_or(vec![wgpu::Backends::PRIMARY, wgpu::Backends::GL], |one| vec![one]);
+        for backends in wanted {
+            let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+            descriptor.backends = backends;
+            let options = wgpu::RequestAdapterOptions {
+                power_preference: wgpu::PowerPreference::HighPerformance,
+                ..wgpu::RequestAdapterOptions::default()
+            };
+            match wgpu::Instance::new(descriptor).request_adapter(&options).await {
+                Ok(adapter) => {
+                    found = Some(adapter);
+                    break;
+                }
+                Err(error) => failure = error.to_string(),
+            }
+        }
+        let adapter = found.ok_or(RenderError::NoAdapter { message: failure })?;
+        let descriptor = wgpu::DeviceDescriptor {
+            label: Some("chiaro"),
+            required_features: adapter.features() & wgpu::Features::TIMESTAMP_QUERY,
+            required_limits: adapter.limits(),
+            ..wgpu::DeviceDescriptor::default()
+        };
+        let refused = |error: wgpu::RequestDeviceError| RenderError::NoAdapter { message: error.to_string() };
+        let (device, queue) = adapter.request_device(&descriptor).await.map_err(refused)?;
+        Ok(Self::new(device, queue, adapter.get_info()))
+    }
+
+    /// Wraps a device that somebody else opened.
+    pub fn new(device: wgpu::Device, queue: wgpu::Queue, info: wgpu::AdapterInfo) -> Self {
+        let problem = Arc::new(Mutex::new(None));
+        let lost = problem.clone();
+        device.set_device_lost_callback(move |reason, message| {
+            if reason != wgpu::DeviceLostReason::Destroyed {
+                set(&lost, RenderError::Lost { message });
+            }
+        });
+        let uncaught = problem.clone();
+        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| set(&uncaught, from_wgpu(error))));
+        Self { device, queue, info, problem }
+    }
+
+    /// What it is called, for reports.
+    pub fn name(&self) -> String {
+        format!("{} ({:?})", self.info.name, self.info.backend)
+    }
+
+    /// Begins to catch what goes wrong.
+    pub(super) fn guard(&self) -> Guard {
+        Guard {
+            memory: self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory),
+            validation: self.device.push_error_scope(wgpu::ErrorFilter::Validation),
+            problem: self.problem.clone(),
+        }
+    }
+
+    /// Whether a target of `size` pixels is possible.
+    pub(super) fn check_size(&self, size: [u32; 2]) -> Result<(), RenderError> {
+        let limit = self.device.limits().max_texture_dimension_2d;
+        let side = size[0].max(size[1]);
+        if side > limit {
+            let what = "a side of the picture in pixels".to_owned();
+            return Err(RenderError::TooLarge { what, size: side.into(), limit: limit.into() });
+        }
+        Ok(())
+    }
+}
+
+fn set(slot: &Mutex<Option<RenderError>>, error: RenderError) {
+    slot.lock().unwrap_or_else(std::sync::PoisonError::into_inner).get_or_insert(error);
+}
+
+fn from_wgpu(error: wgpu::Error) -> RenderError {
+    match error {
+        wgpu::Error::OutOfMemory { .. } => RenderError::OutOfMemory { what: "this picture".to_owned() },
+        wgpu::Error::Validation { description, .. } | wgpu::Error::Internal { description, .. } => {
+            RenderError::Refused { message: description }
+        }
+    }
+}
+
+impl Guard {
+    /// Ends, with the first thing that went wrong.
+    pub(super) async fn finish(self) -> Result<(), RenderError> {
+        let validation = self.validation.pop().await;
+        let memory = self.memory.pop().await;
+        let uncaught = self.problem.lock().unwrap_or_else(std::sync::PoisonError::into_inner).take();
+        match memory.or(validation).map(from_wgpu).or(uncaught) {
+            None => Ok(()),
+            Some(error) => Err(error),
+        }
+    }
+}

@@ -1,0 +1,82 @@
+//! Images and samplers on the GPU.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Weak};
+
+use wgpu::util::DeviceExt as _;
+
+use super::error::RenderError;
+use super::gpu::Gpu;
+use crate::compile::ImageUse;
+use crate::frame::Image;
+
+#[derive(Debug)]
+struct Uploaded {
+    image: Weak<Image>,
+    view: wgpu::TextureView,
+}
+
+/// Every image that was drawn with and is still in use, and the samplers.
+#[derive(Debug, Default)]
+pub(super) struct Images {
+    textures: HashMap<u64, Uploaded>,
+    samplers: HashMap<(String, String), wgpu::Sampler>,
+}
+
+impl Images {
+    /// The texture of an image, rows from the top; image nodes turn v, which points up, themselves.
+    pub(super) fn texture(&mut self, gpu: &Gpu, image: &Arc<Image>) -> Result<wgpu::TextureView, RenderError> {
+        if let Some(known) = self.textures.get(&image.hash) {
+            return Ok(known.view.clone());
+        }
+        let limit = gpu.device.limits().max_texture_dimension_2d;
+        let side = image.size[0].max(image.size[1]);
+        if side > limit {
+            let what = "a side of an image in pixels".to_owned();
+            return Err(RenderError::TooLarge { what, size: side.into(), limit: limit.into() });
+        }
+        let size = wgpu::Extent3d { width: image.size[0], height: image.size[1], depth_or_array_layers: 1 };
+        let descriptor = wgpu::TextureDescriptor {
+            label: Some("image"),
+            size,
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: wgpu::TextureFormat::Rgba8Unorm,
+            usage: wgpu::TextureUsages::TEXTURE_BINDING,
+            view_formats: &[],
+        };
+        let order = wgpu::util::TextureDataOrder::LayerMajor;
+        let texture = gpu.device.create_texture_with_data(&gpu.queue, &descriptor, order, &image.rgba);
+        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+        self.textures.insert(image.hash, Uploaded { image: Arc::downgrade(image), view: view.clone() });
+        Ok(view)
+    }
+
+    /// The sampler that an image node asks for.
+    pub(super) fn sampler(&mut self, gpu: &Gpu, image: &ImageUse) -> wgpu::Sampler {
+        let key = (image.wrap.clone(), image.filter.clone());
+        let made = || {
+            let address = match image.wrap.as_str() {
+                "clamp" => wgpu::AddressMode::ClampToEdge,
+                "mirror" => wgpu::AddressMode::MirrorRepeat,
+                _ => wgpu::AddressMode::Repeat,
+            };
+            let filter = if image.filter == "nearest" { wgpu::FilterMode::Nearest } else { wgpu::FilterMode::Linear };
+            gpu.device.create_sampler(&wgpu::SamplerDescriptor {
+                label: Some("image"),
+                address_mode_u: address,
+                address_mode_v: address,
+                mag_filter: filter,
+                min_filter: filter,
+                ..wgpu::SamplerDescriptor::default()
+            })
+        };
+        self.samplers.entry(key).or_insert_with(made).clone()
+    }
+
+    /// Drops the textures of images that nobody holds any more.
+    pub(super) fn keep_recent(&mut self) {
+        self.textures.retain(|_, uploaded| uploaded.image.strong_count() > 0);
+    }
+}

@@ -1,0 +1,68 @@
+//! Meshes on the GPU: one buffer an attribute, so that a look takes only those that it reads.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Weak};
+
+use wgpu::util::DeviceExt as _;
+
+use super::gpu::Gpu;
+use crate::compile::Attribute;
+use crate::geometry::Mesh;
+
+/// A mesh's buffers.
+#[derive(Debug)]
+pub(super) struct MeshBuffers {
+    mesh: Weak<Mesh>,
+    attributes: HashMap<Attribute, wgpu::Buffer>,
+    indices: wgpu::Buffer,
+}
+
+/// Every mesh that was drawn and is still in use.
+#[derive(Debug, Default)]
+pub(super) struct Meshes(HashMap<usize, MeshBuffers>);
+
+impl Meshes {
+    /// Uploads what is not there yet.
+    pub(super) fn prepare(&mut self, gpu: &Gpu, mesh: &Arc<Mesh>, attributes: &[Attribute]) {
+        let buffer = |label: &str, contents: &[u8], usage: wgpu::BufferUsages| {
+            gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage })
+        };
+        let key = Arc::as_ptr(mesh) as usize;
+        if self.0.get(&key).is_some_and(|known| known.mesh.strong_count() == 0) {
+            // Another mesh lies now where one that is gone lay.
+            self.0.remove(&key);
+        }
+        let buffers = self.0.entry(key).or_insert_with(|| MeshBuffers {
+            mesh: Arc::downgrade(mesh),
+            attributes: HashMap::new(),
+            indices: buffer("indices", bytemuck::cast_slice(&mesh.indices), wgpu::BufferUsages::INDEX),
+        });
+        for &attribute in attributes {
+            let contents: &[u8] = match attribute {
+                Attribute::Position => bytemuck::cast_slice(&mesh.positions),
+                Attribute::Normal => bytemuck::cast_slice(&mesh.normals),
+                Attribute::Tangent => bytemuck::cast_slice(&mesh.tangents),
+                Attribute::Uv => bytemuck::cast_slice(&mesh.uvs),
+                Attribute::Color => bytemuck::cast_slice(&mesh.colors),
+            };
+            let made = || buffer(attribute.name(), contents, wgpu::BufferUsages::VERTEX);
+            buffers.attributes.entry(attribute).or_insert_with(made);
+        }
+    }
+
+    /// Binds a mesh that was prepared.
+    pub(super) fn bind(&self, pass: &mut wgpu::RenderPass<'_>, mesh: &Arc<Mesh>, attributes: &[Attribute]) {
+        let Some(buffers) = self.0.get(&(Arc::as_ptr(mesh) as usize)) else { return };
+        for (slot, attribute) in (0u32..).zip(attributes) {
+            if let Some(buffer) = buffers.attributes.get(attribute) {
+                pass.set_vertex_buffer(slot, buffer.slice(..));
+            }
+        }
+        pass.set_index_buffer(buffers.indices.slice(..), wgpu::IndexFormat::Uint32);
+    }
+
+    /// Drops the buffers of meshes that nobody holds any more.
+    pub(super) fn keep_recent(&mut self) {
+        self.0.retain(|_, buffers| buffers.mesh.strong_count() > 0);
+    }
+}

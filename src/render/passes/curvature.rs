@@ -1,0 +1,76 @@
+//! Curvature of the normals that are on the screen: `shaders/passes/curvature.wgsl`.
+
+use wgpu::util::DeviceExt as _;
+
+use crate::frame::{FramePlan, PassKind};
+use crate::render::Renderer;
+use crate::render::gpu::Gpu;
+use crate::render::target::NUMBER;
+use crate::wgsl::PASSES;
+
+/// The fixed pipeline.
+#[derive(Debug)]
+pub(in crate::render) struct CurvaturePass {
+    pipeline: wgpu::RenderPipeline,
+}
+
+impl CurvaturePass {
+    pub(in crate::render) fn new(gpu: &Gpu) -> Self {
+        let source = PASSES.iter().find(|(path, _)| path.ends_with("/curvature.wgsl")).map_or("", |(_, text)| text);
+        let descriptor = wgpu::ShaderModuleDescriptor { label: Some("curvature"), source: wgpu::ShaderSource::Wgsl(source.into()) };
+        let module = gpu.device.create_shader_module(descriptor);
+        let pipeline = gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some("curvature"),
+            layout: None,
+            vertex: wgpu::VertexState {
+                module: &module,
+                entry_point: Some("vs_main"),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                buffers: &[],
+            },
+            primitive: wgpu::PrimitiveState::default(),
+            depth_stencil: None,
+            multisample: wgpu::MultisampleState::default(),
+            fragment: Some(wgpu::FragmentState {
+                module: &module,
+                entry_point: Some("fs_main"),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                targets: &[Some(NUMBER.into())],
+            }),
+            multiview_mask: None,
+            cache: None,
+        });
+        Self { pipeline }
+    }
+}
+
+impl Renderer {
+    pub(in crate::render) fn draw_curvature(&self, plan: &FramePlan, kind: &PassKind, encoder: &mut wgpu::CommandEncoder) {
+        let Some(targets) = self.targets.of(kind) else { return };
+        let device = &self.gpu.device;
+        let numbers = [plan.view.pixel_size() as f32, f32::from(u8::from(plan.view.is_perspective)), plan.size[1] as f32, 0.0];
+        let uniform = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+            label: Some("curvature"),
+            contents: bytemuck::cast_slice(&numbers),
+            usage: wgpu::BufferUsages::UNIFORM,
+        });
+        let entry = |binding, resource| wgpu::BindGroupEntry { binding, resource };
+        let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("curvature"),
+            layout: &self.curvature.pipeline.get_bind_group_layout(0),
+            entries: &[
+                entry(0, wgpu::BindingResource::TextureView(&targets.normals)),
+                entry(1, wgpu::BindingResource::TextureView(&targets.depths)),
+                entry(2, uniform.as_entire_binding()),
+            ],
+        });
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("curvature"),
+            color_attachments: &[Some(super::look::cleared(&targets.curvature, wgpu::Color::TRANSPARENT))],
+            ..wgpu::RenderPassDescriptor::default()
+        });
+        pass.set_pipeline(&self.curvature.pipeline);
+        pass.set_bind_group(0, &group, &[]);
+        pass.draw(0..3, 0..1);
+    }
+}

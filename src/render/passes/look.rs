@@ -1,0 +1,117 @@
+//! The looks themselves, each object with its own, from back to front.
+
+use wgpu::util::DeviceExt as _;
+
+use crate::compile::{BindingKind, CompiledShader, Stage};
+use crate::frame::{Draw, FramePlan, PassKind};
+use crate::render::pipeline::LookPipeline;
+use crate::render::{RenderError, Renderer};
+
+/// A draw with its pipeline and everything bound.
+pub(super) struct Bound {
+    pipeline: LookPipeline,
+    group: wgpu::BindGroup,
+}
+
+/// An attachment that begins with one colour.
+pub(super) fn cleared(view: &wgpu::TextureView, color: wgpu::Color) -> wgpu::RenderPassColorAttachment<'_> {
+    wgpu::RenderPassColorAttachment {
+        view,
+        depth_slice: None,
+        resolve_target: None,
+        ops: wgpu::Operations { load: wgpu::LoadOp::Clear(color), store: wgpu::StoreOp::Store },
+    }
+}
+
+/// A depth buffer that begins far away and is not kept.
+pub(super) fn depth_attachment(view: &wgpu::TextureView) -> wgpu::RenderPassDepthStencilAttachment<'_> {
+    wgpu::RenderPassDepthStencilAttachment {
+        view,
+        depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store: wgpu::StoreOp::Discard }),
+        stencil_ops: None,
+    }
+}
+
+impl Renderer {
+    pub(in crate::render) fn draw_look(&mut self, plan: &FramePlan, encoder: &mut wgpu::CommandEncoder) -> Result<(), RenderError> {
+        let view = self.uniform(&plan.view.uniform_bytes());
+        let mut bound = Vec::new();
+        for draw in &plan.draws {
+            bound.push(self.bind(&draw.look, Stage::Draw, draw, &view, plan.samples)?);
+        }
+        let (Some(picture), Some(depth)) = (self.picture_view(), &self.targets.depth) else { return Ok(()) };
+        let [r, g, b, a] = plan.backdrop.unwrap_or([0.0; 4]);
+        let background = wgpu::Color { r: r * a, g: g * a, b: b * a, a };
+        let color = match &self.targets.multisampled {
+            Some(multisampled) => {
+                let mut attachment = cleared(multisampled, background);
+                attachment.resolve_target = Some(&picture);
+                attachment.ops.store = wgpu::StoreOp::Discard;
+                attachment
+            }
+            None => cleared(&picture, background),
+        };
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("look"),
+            color_attachments: &[Some(color)],
+            depth_stencil_attachment: Some(depth_attachment(depth)),
+            ..wgpu::RenderPassDescriptor::default()
+        });
+        for (draw, bound) in plan.draws.iter().zip(&bound) {
+            self.submit(&mut pass, draw, bound);
+        }
+        Ok(())
+    }
+
+    pub(super) fn uniform(&self, contents: &[u8]) -> wgpu::Buffer {
+        let usage = wgpu::BufferUsages::UNIFORM;
+        self.gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some("uniform"), contents, usage })
+    }
+
+    /// Makes everything ready that a draw reads.
+    pub(super) fn bind(
+        &mut self,
+        shader: &CompiledShader,
+        stage: Stage,
+        draw: &Draw,
+        view: &wgpu::Buffer,
+        samples: u32,
+    ) -> Result<Bound, RenderError> {
+        let pipeline = self.pipelines.get(&self.gpu, shader, samples, draw.two_sided);
+        self.meshes.prepare(&self.gpu, &draw.mesh, &pipeline.attributes);
+        let object = self.uniform(&draw.object_uniform);
+        let look = draw.look_uniforms.get(&stage).filter(|bytes| !bytes.is_empty()).map(|bytes| self.uniform(bytes));
+        let mut textures = Vec::new();
+        let mut samplers = Vec::new();
+        for (image, wanted) in draw.images.iter().zip(&shader.needs.images) {
+            textures.push(self.images.texture(&self.gpu, image)?);
+            samplers.push(self.images.sampler(&self.gpu, wanted));
+        }
+        let curvature = |kind: PassKind| self.targets.of(&kind).map(|targets| &targets.curvature);
+        let mut entries = Vec::new();
+        for binding in &shader.bindings {
+            let resource = match &binding.kind {
+                BindingKind::View => Some(view.as_entire_binding()),
+                BindingKind::Object => Some(object.as_entire_binding()),
+                BindingKind::Look => look.as_ref().map(wgpu::Buffer::as_entire_binding),
+                BindingKind::Image(index) => textures.get(*index).map(wgpu::BindingResource::TextureView),
+                BindingKind::Sampler(index) => samplers.get(*index).map(wgpu::BindingResource::Sampler),
+                BindingKind::Curvature => curvature(PassKind::Curvature).map(wgpu::BindingResource::TextureView),
+                BindingKind::CurvatureDetail => curvature(PassKind::DetailCurvature).map(wgpu::BindingResource::TextureView),
+                BindingKind::Samples => None,
+            };
+            let missing = || RenderError::Refused { message: format!("nothing to bind to `{}`", binding.name) };
+            entries.push(wgpu::BindGroupEntry { binding: binding.binding, resource: resource.ok_or_else(missing)? });
+        }
+        let descriptor = wgpu::BindGroupDescriptor { label: Some("look"), layout: &pipeline.layout, entries: &entries };
+        let group = self.gpu.device.create_bind_group(&descriptor);
+        Ok(Bound { pipeline, group })
+    }
+
+    pub(super) fn submit(&self, pass: &mut wgpu::RenderPass<'_>, draw: &Draw, bound: &Bound) {
+        pass.set_pipeline(&bound.pipeline.pipeline);
+        pass.set_bind_group(0, &bound.group, &[]);
+        self.meshes.bind(pass, &draw.mesh, &bound.pipeline.attributes);
+        pass.draw_indexed(draw.indices.clone(), 0, 0..1);
+    }
+}

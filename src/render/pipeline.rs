@@ -1,0 +1,171 @@
+//! Pipelines of looks, kept by what they were made of.
+
+use std::collections::HashMap;
+
+use super::gpu::Gpu;
+use super::target::{DEPTH, NORMALS, NUMBER, PICTURE};
+use crate::compile::{Attribute, BindingKind, CompiledShader, Stage};
+
+/// As many pipelines are kept as an editing session comes back to.
+const MOST: usize = 64;
+
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+struct Key {
+    wgsl: String,
+    samples: u32,
+    two_sided: bool,
+}
+
+/// A pipeline with what must be bound to it.
+#[derive(Clone, Debug)]
+pub(super) struct LookPipeline {
+    pub(super) pipeline: wgpu::RenderPipeline,
+    pub(super) layout: wgpu::BindGroupLayout,
+    pub(super) attributes: Vec<Attribute>,
+}
+
+/// Every pipeline of late.
+#[derive(Debug, Default)]
+pub(super) struct Pipelines {
+    known: HashMap<Key, (LookPipeline, u64)>,
+    clock: u64,
+}
+
+impl Pipelines {
+    /// The pipeline of a look's module.
+    pub(super) fn get(&mut self, gpu: &Gpu, shader: &CompiledShader, samples: u32, two_sided: bool) -> LookPipeline {
+        self.clock += 1;
+        let key = Key { wgsl: shader.wgsl.clone(), samples, two_sided };
+        if let Some((pipeline, used)) = self.known.get_mut(&key) {
+            *used = self.clock;
+            return pipeline.clone();
+        }
+        if self.known.len() >= MOST {
+            let oldest = self.known.iter().min_by_key(|(_, (_, used))| *used).map(|(key, _)| key.clone());
+            oldest.and_then(|key| self.known.remove(&key));
+        }
+        let made = make(gpu, shader, samples, two_sided);
+        self.known.insert(key, (made.clone(), self.clock));
+        made
+    }
+}
+
+fn make(gpu: &Gpu, shader: &CompiledShader, samples: u32, two_sided: bool) -> LookPipeline {
+    let device = &gpu.device;
+    let source = wgpu::ShaderSource::Wgsl(shader.wgsl.as_str().into());
+    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some("look"), source });
+    let layout = bind_group_layout(device, shader);
+    let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: Some("look"),
+        bind_group_layouts: &[Some(&layout)],
+        immediate_size: 0,
+    });
+    let is_mesh = shader.stage != Stage::Eval;
+    let attributes = if is_mesh { shader.needs.attributes() } else { Vec::new() };
+    let formats: Vec<[wgpu::VertexAttribute; 1]> = attributes.iter().map(|attribute| [vertex_attribute(*attribute)]).collect();
+    let buffers: Vec<_> = formats
+        .iter()
+        .map(|format| {
+            Some(wgpu::VertexBufferLayout {
+                array_stride: format[0].format.size(),
+                step_mode: wgpu::VertexStepMode::Vertex,
+                attributes: format,
+            })
+        })
+        .collect();
+    let depth_stencil = is_mesh.then(|| wgpu::DepthStencilState {
+        format: DEPTH,
+        depth_write_enabled: Some(true),
+        depth_compare: Some(wgpu::CompareFunction::Less),
+        stencil: wgpu::StencilState::default(),
+        bias: wgpu::DepthBiasState::default(),
+    });
+    let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some("look"),
+        layout: Some(&pipeline_layout),
+        vertex: wgpu::VertexState {
+            module: &module,
+            entry_point: Some("vs_main"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            buffers: &buffers,
+        },
+        primitive: wgpu::PrimitiveState {
+            cull_mode: (is_mesh && !two_sided).then_some(wgpu::Face::Back),
+            ..wgpu::PrimitiveState::default()
+        },
+        depth_stencil,
+        multisample: wgpu::MultisampleState { count: samples, ..wgpu::MultisampleState::default() },
+        fragment: Some(wgpu::FragmentState {
+            module: &module,
+            entry_point: Some("fs_main"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            targets: &targets(shader.stage),
+        }),
+        multiview_mask: None,
+        cache: None,
+    });
+    LookPipeline { pipeline, layout, attributes }
+}
+
+fn targets(stage: Stage) -> Vec<Option<wgpu::ColorTargetState>> {
+    let plain = |format| Some(wgpu::ColorTargetState { format, blend: None, write_mask: wgpu::ColorWrites::ALL });
+    match stage {
+        Stage::Normals | Stage::DetailNormals => vec![plain(NORMALS), plain(NUMBER)],
+        Stage::Eval => vec![plain(wgpu::TextureFormat::Rgba32Float)],
+        Stage::Draw => {
+            // The shader gives straight colour; the target is premultiplied, so that samples can be averaged.
+            let over = |src_factor| wgpu::BlendComponent {
+                src_factor,
+                dst_factor: wgpu::BlendFactor::OneMinusSrcAlpha,
+                operation: wgpu::BlendOperation::Add,
+            };
+            let blend = wgpu::BlendState { color: over(wgpu::BlendFactor::SrcAlpha), alpha: over(wgpu::BlendFactor::One) };
+            vec![Some(wgpu::ColorTargetState { format: PICTURE, blend: Some(blend), write_mask: wgpu::ColorWrites::ALL })]
+        }
+    }
+}
+
+fn vertex_attribute(attribute: Attribute) -> wgpu::VertexAttribute {
+    let format = match attribute {
+        Attribute::Position | Attribute::Normal => wgpu::VertexFormat::Float32x3,
+        Attribute::Tangent | Attribute::Color => wgpu::VertexFormat::Float32x4,
+        Attribute::Uv => wgpu::VertexFormat::Float32x2,
+    };
+    wgpu::VertexAttribute { format, offset: 0, shader_location: attribute.location() }
+}
+
+fn bind_group_layout(device: &wgpu::Device, shader: &CompiledShader) -> wgpu::BindGroupLayout {
+    let entries: Vec<_> = shader
+        .bindings
+        .iter()
+        .map(|binding| wgpu::BindGroupLayoutEntry {
+            binding: binding.binding,
+            visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
+            ty: binding_type(&binding.kind),
+            count: None,
+        })
+        .map(|mut entry| {
+            if matches!(entry.ty, wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { .. }, .. }) {
+                entry.visibility = wgpu::ShaderStages::FRAGMENT;
+            }
+            entry
+        })
+        .collect();
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some("look"), entries: &entries })
+}
+
+fn binding_type(kind: &BindingKind) -> wgpu::BindingType {
+    let buffer = |ty| wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
+    let texture = |filterable| wgpu::BindingType::Texture {
+        sample_type: wgpu::TextureSampleType::Float { filterable },
+        view_dimension: wgpu::TextureViewDimension::D2,
+        multisampled: false,
+    };
+    match kind {
+        BindingKind::View | BindingKind::Object | BindingKind::Look => buffer(wgpu::BufferBindingType::Uniform),
+        BindingKind::Samples => buffer(wgpu::BufferBindingType::Storage { read_only: true }),
+        BindingKind::Image(_) => texture(true),
+        BindingKind::Sampler(_) => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
+        BindingKind::Curvature | BindingKind::CurvatureDetail => texture(false),
+    }
+}

@@ -1,0 +1,83 @@
+//! From the GPU back to memory.
+
+use std::sync::{Arc, Mutex};
+
+use half::f16;
+
+use super::error::RenderError;
+use super::gpu::Gpu;
+
+/// A finished picture: straight RGBA, display-referred, rows from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// Pixels.
+    pub size: [u32; 2],
+    /// Row by row.
+    pub rgba: Vec<[f32; 4]>,
+}
+
+impl Picture {
+    /// Eight bits a channel, rounded.
+    pub fn to_rgba8(&self) -> Vec<u8> {
+        let byte = |x: f32| (x.clamp(0.0, 1.0) * 255.0).round() as u8;
+        self.rgba.iter().flat_map(|pixel| pixel.map(byte)).collect()
+    }
+
+    /// A pixel by column and row.
+    pub fn pixel(&self, x: u32, y: u32) -> [f32; 4] {
+        self.rgba[(y * self.size[0] + x) as usize]
+    }
+}
+
+pub(super) async fn read_picture(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Picture, RenderError> {
+    let size = [texture.width(), texture.height()];
+    let bytes = read_texture(gpu, texture, 8).await?;
+    let rgba = bytes
+        .chunks_exact(8)
+        .map(|pixel| {
+            let channel = |i: usize| f16::from_le_bytes([pixel[2 * i], pixel[2 * i + 1]]).to_f32();
+            let alpha = channel(3);
+            let scale = if alpha > 0.0 { 1.0 / alpha } else { 0.0 };
+            [channel(0) * scale, channel(1) * scale, channel(2) * scale, alpha]
+        })
+        .collect();
+    Ok(Picture { size, rgba })
+}
+
+/// The texels of a texture, without the padding that GPUs put between rows.
+pub(super) async fn read_texture(gpu: &Gpu, texture: &wgpu::Texture, texel_bytes: u32) -> Result<Vec<u8>, RenderError> {
+    let row = texture.width() * texel_bytes;
+    let padded = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+    let size = u64::from(padded) * u64::from(texture.height());
+    let limit = gpu.device.limits().max_buffer_size;
+    if size > limit {
+        return Err(RenderError::TooLarge { what: "the picture in bytes".to_owned(), size, limit });
+    }
+    let guard = gpu.guard();
+    let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("readback"),
+        size,
+        usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+        mapped_at_creation: false,
+    });
+    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("readback") });
+    let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(padded), rows_per_image: None };
+    let target = wgpu::TexelCopyBufferInfo { buffer: &buffer, layout };
+    encoder.copy_texture_to_buffer(texture.as_image_copy(), target, texture.size());
+    gpu.queue.submit([encoder.finish()]);
+    let result = Arc::new(Mutex::new(None));
+    let slot = result.clone();
+    buffer.slice(..).map_async(wgpu::MapMode::Read, move |mapped| {
+        *slot.lock().unwrap_or_else(std::sync::PoisonError::into_inner) = Some(mapped);
+    });
+    let lost = |message: String| RenderError::Lost { message };
+    gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| lost(error.to_string()))?;
+    guard.finish().await?;
+    match result.lock().unwrap_or_else(std::sync::PoisonError::into_inner).take() {
+        Some(Ok(())) => {}
+        Some(Err(error)) => return Err(lost(error.to_string())),
+        None => return Err(lost("the picture never came back".to_owned())),
+    }
+    let mapped = buffer.slice(..).get_mapped_range().map_err(|error| lost(error.to_string()))?;
+    Ok(mapped.chunks_exact(padded as usize).flat_map(|padded| &padded[..row as usize]).copied().collect())
+}

@@ -1,0 +1,647 @@
+//! Small files of every format, whole, wrong and cut short.
+
+use chiaro::diag::{Diagnostic, LineColumn};
+use chiaro::geometry::{Imported, Mesh, Siblings, import, load, no_siblings};
+use glam::{Vec3, Vec4};
+use proptest::prelude::*;
+
+fn read(name: &str, bytes: impl AsRef<[u8]>) -> Imported {
+    import(name, bytes.as_ref(), &no_siblings).unwrap_or_else(|problems| panic!("{name}: {problems:#?}"))
+}
+
+fn errors(name: &str, bytes: impl AsRef<[u8]>) -> Vec<Diagnostic> {
+    let problems = import(name, bytes.as_ref(), &no_siblings).expect_err("this file is wrong");
+    assert!(problems.iter().any(Diagnostic::is_error));
+    assert!(problems.iter().all(|p| p.place.file.as_deref() == Some(name)), "{problems:#?}");
+    problems
+}
+
+/// Asserts that the only error has that code, line and words.
+fn fails(name: &str, bytes: impl AsRef<[u8]>, code: &str, line: Option<u32>, words: &str) {
+    let problems = errors(name, bytes);
+    let problem = &problems[0];
+    assert_eq!(problem.code, code, "{problem}");
+    assert_eq!(problem.place.at.map(|at| at.line), line, "{problem}");
+    assert!(problem.message.contains(words), "{problem}");
+}
+
+fn check(mesh: &Mesh) {
+    let count = mesh.positions.len();
+    assert_eq!([mesh.normals.len(), mesh.tangents.len(), mesh.uvs.len(), mesh.colors.len()], [count; 4]);
+    assert!(mesh.indices.iter().all(|&i| (i as usize) < count));
+    let parts: Vec<u32> = mesh.parts.iter().flat_map(|p| [p.indices.start, p.indices.end]).collect();
+    assert!(parts.chunks(2).zip(parts[2..].chunks(2)).all(|(a, b)| a[1] == b[0]));
+    assert_eq!((parts.first(), parts.last()), (Some(&0), Some(&(mesh.indices.len() as u32))));
+    for v in 0..count {
+        let (normal, tangent) = (Vec3::from(mesh.normals[v]), Vec4::from(mesh.tangents[v]));
+        assert!((normal.length() - 1.0).abs() < 1e-5);
+        assert!((tangent.truncate().length() - 1.0).abs() < 1e-5);
+        assert!(tangent.truncate().dot(normal).abs() < 1e-5);
+        assert_eq!(tangent.w.abs(), 1.0);
+        assert!(mesh.positions[v].iter().chain(&mesh.uvs[v]).chain(&mesh.colors[v]).all(|x| x.is_finite()));
+    }
+}
+
+fn area(mesh: &Mesh) -> f32 {
+    let at = |i: u32| Vec3::from(mesh.positions[i as usize]);
+    mesh.indices.chunks(3).map(|t| (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).length() / 2.0).sum()
+}
+
+const CUBE: &str = "\
+v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1
+f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 1 5 8 4\n";
+
+// --- OBJ
+
+#[test]
+fn a_cube_keeps_its_edges() {
+    let Imported { mesh, notes } = read("dir/cube.obj", CUBE);
+    check(&mesh);
+    assert_eq!(mesh.name, "cube");
+    assert_eq!((mesh.positions.len(), mesh.triangle_count()), (24, 12));
+    for t in mesh.indices.chunks(3) {
+        let [a, b, c] = [t[0], t[1], t[2]].map(|i| Vec3::from(mesh.positions[i as usize]));
+        let face = (b - a).cross(c - a).normalize();
+        assert!(face.dot(a) > 0.9, "outwards");
+        assert!(t.iter().all(|&i| face.distance(mesh.normals[i as usize].into()) < 1e-6));
+    }
+    assert!(!mesh.has_uvs && !mesh.has_colors && !mesh.has_normals);
+    assert_eq!(notes.iter().map(|n| n.code).collect::<Vec<_>>(), ["mesh-normals-made"]);
+}
+
+#[test]
+fn a_faceted_ball_becomes_smooth() {
+    // 12 by 24 quads: edges bend by 15 degrees.
+    let mut text = String::new();
+    for j in 0..=12 {
+        for i in 0..24 {
+            let (a, b) = (f64::from(j) * 15f64.to_radians(), f64::from(i) * 15f64.to_radians());
+            let ring = if j % 12 == 0 { 0.0 } else { a.sin() };
+            text += &format!("v {} {} {}\n", ring * b.cos(), a.cos(), ring * b.sin());
+        }
+    }
+    for j in 0..12 {
+        for i in 0..24 {
+            let at = |j: i32, i: i32| j * 24 + i % 24 + 1;
+            text += &format!("f {} {} {} {}\n", at(j, i), at(j, i + 1), at(j + 1, i + 1), at(j + 1, i));
+        }
+    }
+    let Imported { mesh, notes } = read("ball.obj", &text);
+    check(&mesh);
+    for (p, n) in mesh.positions.iter().zip(&mesh.normals) {
+        assert!(Vec3::from(*p).normalize().angle_between(Vec3::from(*n)) < 0.03, "{p:?} {n:?}");
+    }
+    // At the poles the quads have two equal points, so one of their two triangles has no area.
+    assert!(notes[0].message.starts_with("48 of 576 triangles"), "{}", notes[0]);
+}
+
+#[test]
+fn concave_polygons_materials_and_negative_indices() {
+    let text = "\
+# an L, then a triangle by negative indices, over two lines
+mtllib ignored.mtl
+o thing
+v 0 0 0\nv 3 0 0\nv 3 1 0\nv 1 1 0\nv 1 3 0\nv 0 3 0
+usemtl skin tone
+f 1 2 3 4 5 6
+v 0 0 1\nv 1 0 1\nv 0 1 1
+usemtl eyes
+f -3 -2 \\
+  -1
+usemtl skin tone
+f 7 8 9
+";
+    let Imported { mesh, .. } = read("x.obj", text);
+    check(&mesh);
+    assert_eq!(mesh.name, "thing");
+    assert!((area(&mesh) - (5.0 + 0.5 + 0.5)).abs() < 1e-5, "{}", area(&mesh));
+    let parts: Vec<_> = mesh.parts.iter().map(|p| (p.material.as_str(), p.indices.len())).collect();
+    assert_eq!(parts, [("skin tone", 15), ("eyes", 3)]);
+    assert!(mesh.normals.iter().all(|n| n[2] > 0.999));
+}
+
+#[test]
+fn attributes_of_obj() {
+    let text = "\
+v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 0.5\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 2
+f 1/1/1 2/2/1 3/3/1\n";
+    let Imported { mesh, notes } = read("x.obj", text);
+    check(&mesh);
+    assert!(mesh.has_uvs && mesh.has_colors && mesh.has_normals && notes.is_empty());
+    assert_eq!(mesh.colors[2], [0.0, 0.0, 0.5, 1.0]);
+    assert_eq!(mesh.uvs, [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
+    assert_eq!(mesh.normals, [[0.0, 0.0, 1.0]; 3]);
+    assert_eq!(mesh.tangents, [[1.0, 0.0, 0.0, 1.0]; 3]);
+
+    let bytes = text.replace("1 0 0\nv 1", "255 0 0\nv 1").replace("0 1 0\nv 0", "0 51 0\nv 0");
+    let colors = read("x.obj", bytes).mesh.colors;
+    assert!(colors[0] == [1.0, 0.0, 0.0, 1.0] && Vec4::from(colors[1]).distance(Vec4::new(0.0, 0.2, 0.0, 1.0)) < 1e-6);
+}
+
+#[test]
+fn mirrored_uvs_split_vertices() {
+    // Two squares beside each other; the texture runs from the middle to either side.
+    let text = "\
+v -1 0 0\nv 0 0 0\nv 1 0 0\nv -1 1 0\nv 0 1 0\nv 1 1 0\nvt 1 0\nvt 0 0\nvt 1 1\nvt 0 1
+f 1/1 2/2 5/4 4/3\nf 2/2 3/1 6/3 5/4\n";
+    let Imported { mesh, .. } = read("x.obj", text);
+    check(&mesh);
+    assert_eq!(mesh.positions.len(), 8);
+    for (p, t) in mesh.positions.iter().zip(&mesh.tangents) {
+        assert!(t[0].abs() > 0.999);
+        if p[0] != 0.0 {
+            assert_eq!((t[0].signum(), t[3]), (p[0].signum(), p[0].signum()), "u grows outwards, v up");
+        }
+    }
+}
+
+#[test]
+fn tangents_without_uvs_are_level() {
+    let Imported { mesh, .. } = read("cube.obj", CUBE);
+    for (n, t) in mesh.normals.iter().zip(&mesh.tangents) {
+        assert!(t[1].abs() < 1e-6, "{n:?} {t:?}");
+    }
+}
+
+#[test]
+fn wrong_obj_files() {
+    fails(
+        "x.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n",
+        "mesh-index",
+        Some(4),
+        "vertex 4 is out of range: there are 3",
+    );
+    fails("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n", "mesh-index", Some(4), "vertex -4");
+    fails("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "mesh-index", Some(4), "vertex 0");
+    fails("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1 2 3\n", "mesh-index", Some(4), "UV 1 is out of range");
+    fails("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//9 2 3\n", "mesh-index", Some(4), "normal 9");
+    fails("x.obj", "v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n", "mesh-not-finite", Some(2), "vertex 2");
+    fails("x.obj", "v 0 0 0\nv 1 1e99 0\nv 0 1 0\nf 1 2 3\n", "mesh-not-finite", Some(2), "vertex 2");
+    fails("x.obj", "v 0 0\n", "mesh-syntax", Some(1), "2 of its 3 numbers");
+    fails("x.obj", "v 0 0,5 0\n", "mesh-syntax", Some(1), "`0,5`");
+    fails("x.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "mesh-syntax", Some(3), "2 corners");
+    fails("x.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 x\n", "mesh-syntax", Some(4), "`x`");
+    fails("x.obj", "", "mesh-empty", None, "empty");
+    fails("x.obj", "v 0 0 0\n", "mesh-empty", None, "no faces");
+    fails("x.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\nf 1 1 2\n", "mesh-empty", None, "none of the 2 triangles");
+    fails("x.obj", "v 0 0 0\nv 1e30 0 0\nv 0 1e30 0\nf 1 2 3\n", "mesh-scale", None, "radius");
+    fails("x.xyz", "v 0 0 0", "mesh-format", None, "`xyz`");
+
+    let at = errors("x.obj", "v 0 0 0\n  v 1 0 oh\n")[0].place.at;
+    assert_eq!(at, Some(LineColumn { line: 2, column: 9 }));
+    // All of them, up to a bound.
+    let two = errors("x.obj", "v 0 a 0\nv 1 0 b\n");
+    assert_eq!(two.len(), 2);
+    let many = errors("x.obj", "v a b c\n".repeat(1000));
+    assert_eq!(many.len(), 21);
+    assert!(many[20].message.contains("2980 more"), "{}", many[20]);
+}
+
+#[test]
+fn degenerate_triangles_are_counted() {
+    let text = format!("{CUBE}f 1 1 2\nf 1 2 2 1\n");
+    let Imported { mesh, notes } = read("x.obj", text);
+    assert_eq!(mesh.triangle_count(), 12);
+    assert!(notes[0].message.starts_with("3 of 15 triangles"), "{}", notes[0]);
+}
+
+// --- PLY
+
+fn ply_header(format: &str) -> String {
+    format!(
+        "ply\nformat {format} 1.0\ncomment made by hand\nelement vertex 5\nproperty float x\nproperty double y\n\
+         property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nproperty float s\n\
+         property float t\nelement edge 1\nproperty int a\nproperty list uchar short more\nelement face 2\n\
+         property list uchar int vertex_indices\nproperty uchar flags\nend_header\n"
+    )
+}
+
+/// A square and a triangle on top of it.
+const HOUSE: [[f32; 3]; 5] = [[0., 0., 0.], [2., 0., 0.], [2., 2., 0.], [0., 2., 0.], [1., 3., 0.]];
+
+fn ply_text() -> String {
+    let mut text = ply_header("ascii");
+    for (i, [x, y, z]) in HOUSE.into_iter().enumerate() {
+        text += &format!("{x} {y} {z} 255 {} 0 {} 0.5\n", i * 51, x / 2.0);
+    }
+    text + "7 2 -1 -2\n4 0 1 2 3 9\n3 3 2 4 9\n"
+}
+
+fn ply_binary(big: bool) -> Vec<u8> {
+    let mut bytes = ply_header(if big { "binary_big_endian" } else { "binary_little_endian" }).into_bytes();
+    let mut put = |little: &[u8]| {
+        let mut little = little.to_vec();
+        if big {
+            little.reverse();
+        }
+        bytes.extend(little);
+    };
+    for (i, [x, y, z]) in HOUSE.into_iter().enumerate() {
+        put(&x.to_le_bytes());
+        put(&f64::from(y).to_le_bytes());
+        put(&z.to_le_bytes());
+        [255, i as u8 * 51, 0].iter().for_each(|c| put(&[*c]));
+        put(&(x / 2.0).to_le_bytes());
+        put(&0.5f32.to_le_bytes());
+    }
+    put(&7i32.to_le_bytes());
+    put(&[2]);
+    put(&(-1i16).to_le_bytes());
+    put(&(-2i16).to_le_bytes());
+    for face in [&[0, 1, 2, 3][..], &[3, 2, 4]] {
+        put(&[face.len() as u8]);
+        face.iter().for_each(|i: &i32| put(&i.to_le_bytes()));
+        put(&[9]);
+    }
+    bytes
+}
+
+#[test]
+fn ply_of_every_encoding_is_the_same_mesh() {
+    let text = read("house.ply", ply_text()).mesh;
+    check(&text);
+    assert_eq!((text.positions.len(), text.triangle_count()), (5, 3));
+    assert!(text.has_colors && text.has_uvs);
+    assert!((area(&text) - 5.0).abs() < 1e-6);
+    let top = text.positions.iter().position(|p| p[1] == 3.0).unwrap();
+    assert_eq!((text.colors[top], text.uvs[top]), ([1.0, 0.8, 0.0, 1.0], [0.5, 0.5]));
+    for big in [false, true] {
+        assert_eq!(read("house.ply", ply_binary(big)).mesh, text);
+    }
+    assert_eq!(read("house.ply", ply_text().replace('\n', "\r\n")).mesh, text);
+    // Known by its first bytes, too.
+    assert_eq!(read("house", ply_text()).mesh, text);
+}
+
+#[test]
+fn ply_strips_normals_and_corner_uvs() {
+    let strips = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n\
+        property float nx\nproperty float ny\nproperty float nz\nelement tristrips 1\n\
+        property list int int vertex_indices\nend_header\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n1 1 0 0 0 1\n\
+        8 0 1 2 3 -1 0 1 2\n";
+    let Imported { mesh, notes } = read("x.ply", strips);
+    check(&mesh);
+    assert!(mesh.has_normals && notes.is_empty());
+    assert_eq!(mesh.indices, [0, 1, 2, 2, 1, 3, 0, 1, 2]);
+
+    let wedges = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+        element face 1\nproperty list uchar int vertex_index\nproperty list uchar float texcoord\nend_header\n\
+        0 0 0\n1 0 0\n0 1 0\n3 0 1 2 6 0.25 0 1 0 0 1\n";
+    let mesh = read("x.ply", wedges).mesh;
+    check(&mesh);
+    assert_eq!((mesh.has_uvs, mesh.uvs[0]), (true, [0.25, 0.0]));
+}
+
+#[test]
+fn wrong_ply_files() {
+    let text = ply_text();
+    let lines = |from: &str, to: &str| text.replacen(from, to, 1);
+    fails("x.ply", lines("end_header", "end"), "mesh-truncated", None, "end_header");
+    fails("x.ply", lines("ascii", "utf8"), "mesh-syntax", Some(2), "format utf8");
+    fails("x.ply", lines("format ascii 1.0\n", ""), "mesh-syntax", None, "format");
+    fails("x.ply", lines("property float z\n", "property quad z\n"), "mesh-syntax", Some(7), "quad");
+    fails("x.ply", lines("property float z\n", "property float zed\n"), "mesh-syntax", None, "`x`, `y` and `z`");
+    fails("x.ply", lines("vertex_indices", "corners"), "mesh-syntax", None, "vertex_indices");
+    fails("x.ply", lines("4 0 1 2 3 9", "4 0 1 2 5 9"), "mesh-index", Some(26), "face 0 names vertex 5; there are 5");
+    fails("x.ply", lines("4 0 1 2 3 9", "4 0 1 2 -1 9"), "mesh-index", Some(26), "vertex -1");
+    fails("x.ply", lines("4 0 1 2 3 9", "99 0 1 2 3 9"), "mesh-truncated", Some(26), "list of 99");
+    fails("x.ply", lines("2 0 0 255 51", "2 nan 0 255 51"), "mesh-not-finite", Some(21), "vertex 1 has `y`");
+    fails("x.ply", lines("2 0 0 255 51", "2 0 oh 255 51"), "mesh-syntax", Some(21), "`oh` in vertex 1");
+    fails("x.ply", lines("vertex 5", "vertex 999999999999"), "mesh-too-large", None, "999999999999");
+    fails("x.ply", lines("vertex 5", "vertex 9999999"), "mesh-truncated", None, "9999999");
+    fails("x.ply", lines("edge 1", "edge 18446744073709551615"), "mesh-truncated", None, "edge");
+    fails("x.ply", lines("face 2", "face 0"), "mesh-empty", None, "no faces");
+    fails("x.ply", "ply\nformat ascii 1.0\nelement nothing 99999999999\nend_header\n", "mesh-empty", None, "empty");
+}
+
+// --- STL
+
+fn stl_text() -> String {
+    let mut text = "solid corner\n".to_owned();
+    for [a, b, c] in [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]] {
+        let corners = [[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [0., 0., 1.]];
+        text += " facet normal 0 0 0\n  outer loop\n";
+        for i in [a, b, c] {
+            let [x, y, z]: [f32; 3] = corners[i];
+            text += &format!("   vertex {x:e} {y} {z}\n");
+        }
+        text += "  endloop\n endfacet\n";
+    }
+    text + "endsolid corner\n"
+}
+
+fn stl_binary() -> Vec<u8> {
+    let mut bytes = [&b"solid binary, in spite of the word"[..], &[b' '; 46]].concat();
+    bytes.extend(4u32.to_le_bytes());
+    let text = stl_text();
+    let mut numbers = text.lines().filter_map(|l| l.trim().strip_prefix("vertex ")).flat_map(str::split_whitespace);
+    for _ in 0..4 {
+        bytes.extend([0; 12]);
+        for _ in 0..9 {
+            bytes.extend(numbers.next().unwrap().parse::<f32>().unwrap().to_le_bytes());
+        }
+        bytes.extend([0; 2]);
+    }
+    bytes
+}
+
+#[test]
+fn stl_of_either_kind_is_the_same_mesh() {
+    let text = read("x.stl", stl_text()).mesh;
+    check(&text);
+    assert_eq!((text.triangle_count(), text.positions.len()), (4, 12), "all edges of a tetrahedron are creases");
+    assert_eq!(read("x.STL", stl_binary()).mesh, text);
+    // Welded: a fold of 45 degrees between two facets is smooth, so they share two vertices.
+    let fold = "solid\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendfacet\n\
+        facet\nvertex 1 0 0\nvertex 0 0 0\nvertex 0 -1 -1\nendfacet\nendsolid\n";
+    assert_eq!(read("x.stl", fold).mesh.positions.len(), 4);
+}
+
+#[test]
+fn wrong_stl_files() {
+    let (text, binary) = (stl_text(), stl_binary());
+    fails("x.stl", text.replacen("vertex 0e0 0 0", "vertex 0e0 0", 1), "mesh-syntax", Some(4), "2 numbers");
+    fails("x.stl", text.replacen("vertex 0e0 0 0", "vertex 0e0 0 inf", 1), "mesh-not-finite", Some(4), "`inf`");
+    fails("x.stl", text.replacen("vertex 0e0 0 0", "vertex 0e0 0 o", 1), "mesh-syntax", Some(4), "`o`");
+    fails("x.stl", text.replacen("   vertex 0e0 0 0\n", "", 1), "mesh-syntax", Some(7), "2 vertices");
+    fails("x.stl", text.replacen("outer", "inner", 1), "mesh-syntax", Some(3), "`inner`");
+    fails("x.stl", text.replace("endsolid corner\n", ""), "mesh-truncated", None, "endsolid");
+    fails(
+        "x.stl",
+        [b"other", &binary[5..binary.len() - 1]].concat(),
+        "mesh-truncated",
+        None,
+        "after 3 of its 4 facets",
+    );
+    fails("x.stl", [&[0u8; 80][..], &u32::MAX.to_le_bytes()].concat(), "mesh-truncated", None, "4294967295");
+    fails("x.stl", [0u8; 84], "mesh-empty", None, "empty");
+    fails("x.stl", b"junk", "mesh-truncated", None, "4 bytes");
+    let mut nan = binary;
+    nan[100..104].copy_from_slice(&f32::NAN.to_le_bytes());
+    fails("x.stl", nan, "mesh-not-finite", None, "facet 1");
+}
+
+// --- glTF
+
+const POINTS: [[f32; 3]; 4] = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]];
+
+/// Positions, normals, UVs (0,0 is the upper left), linear colours as normalised u8 with padding, u16 indices.
+fn gltf_bytes() -> Vec<u8> {
+    let mut bytes = Vec::new();
+    POINTS.iter().flatten().for_each(|c| bytes.extend(c.to_le_bytes()));
+    (0..4).for_each(|_| [0f32, 0., 1.].iter().for_each(|c| bytes.extend(c.to_le_bytes())));
+    POINTS.iter().for_each(|p| [p[0], 1.0 - p[1]].iter().for_each(|c| bytes.extend(c.to_le_bytes())));
+    (0..4).for_each(|_| bytes.extend([255, 55, 0, 255]));
+    [0u16, 1, 2, 0, 2, 3].iter().for_each(|i| bytes.extend(i.to_le_bytes()));
+    bytes
+}
+
+fn gltf_json(buffer: &str) -> String {
+    format!(
+        r#"{{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [0]}}],
+ "nodes": [{{"translation": [10, 0, 0], "children": [1, 2]}},
+           {{"mesh": 0, "scale": [2, 2, 2]}},
+           {{"mesh": 0, "scale": [-1, 1, 1], "rotation": [0, 0.7071067811865476, 0, 0.7071067811865476]}}],
+ "meshes": [{{"name": "card", "primitives": [
+   {{"attributes": {{"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2, "COLOR_0": 3}}, "indices": 4, "material": 0}}]}}],
+ "materials": [{{"name": "leaf", "doubleSided": true, "alphaMode": "MASK", "alphaCutoff": 0.25}}],
+ "accessors": [
+  {{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0,0,0], "max": [1,1,0]}},
+  {{"bufferView": 0, "byteOffset": 48, "componentType": 5126, "count": 4, "type": "VEC3"}},
+  {{"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC2"}},
+  {{"bufferView": 2, "componentType": 5121, "normalized": true, "count": 4, "type": "VEC3"}},
+  {{"bufferView": 3, "componentType": 5123, "count": 6, "type": "SCALAR"}}],
+ "bufferViews": [{{"buffer": 0, "byteLength": 96}}, {{"buffer": 0, "byteOffset": 96, "byteLength": 32}},
+  {{"buffer": 0, "byteOffset": 128, "byteLength": 16, "byteStride": 4}},
+  {{"buffer": 0, "byteOffset": 144, "byteLength": 12}}],
+ "buffers": [{{"byteLength": 156{buffer}}}]}}"#
+    )
+}
+
+fn base64(bytes: &[u8]) -> String {
+    let digits = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut text = String::new();
+    for chunk in bytes.chunks(3) {
+        let bits = chunk.iter().fold(0u32, |bits, b| bits << 8 | u32::from(*b)) << (8 * (3 - chunk.len()));
+        for i in 0..4 {
+            text.push(if i <= chunk.len() { digits[(bits >> (18 - 6 * i) & 63) as usize] as char } else { '=' });
+        }
+    }
+    text
+}
+
+fn glb(json: &str, binary: &[u8]) -> Vec<u8> {
+    let mut json = json.as_bytes().to_vec();
+    json.resize(json.len().next_multiple_of(4), b' ');
+    let mut binary = binary.to_vec();
+    binary.resize(binary.len().next_multiple_of(4), 0);
+    let length = 12 + 8 + json.len() + 8 + binary.len();
+    let mut bytes = b"glTF".to_vec();
+    [2, length as u32, json.len() as u32].iter().for_each(|n| bytes.extend(n.to_le_bytes()));
+    bytes.extend(b"JSON");
+    bytes.extend(json);
+    bytes.extend((binary.len() as u32).to_le_bytes());
+    bytes.extend(b"BIN\0");
+    bytes.extend(binary);
+    bytes
+}
+
+#[test]
+fn gltf_by_data_uri_file_and_glb_is_the_same_mesh() {
+    let embedded = gltf_json(&format!(r#", "uri": "data:application/octet-stream;base64,{}""#, base64(&gltf_bytes())));
+    let Imported { mesh, notes } = read("x.gltf", embedded);
+    check(&mesh);
+    assert!(notes.is_empty(), "{notes:?}");
+    assert!(mesh.has_normals && mesh.has_uvs && mesh.has_colors);
+    assert_eq!((mesh.name.as_str(), mesh.positions.len(), mesh.triangle_count()), ("card", 8, 4));
+    let part = &mesh.parts[0];
+    assert_eq!((part.material.as_str(), part.two_sided, part.alpha_cutoff), ("leaf", true, Some(0.25)));
+    // Scaled by 2 and moved; UVs turned up; red stays, 55 of 255 in linear light is 0.5018 on the sRGB curve.
+    let corner = mesh.positions.iter().position(|p| *p == [12.0, 2.0, 0.0]).unwrap();
+    assert_eq!((mesh.uvs[corner], mesh.normals[corner]), ([1.0, 1.0], [0.0, 0.0, 1.0]));
+    assert!((mesh.colors[corner][1] - 0.5018).abs() < 1e-3 && mesh.colors[corner][0] == 1.0);
+    assert_eq!(mesh.tangents[corner], [1.0, 0.0, 0.0, 1.0]);
+    // The mirrored one: x to -x, then a quarter turn about y takes -x to +z and the normal z to +x.
+    let far = mesh.positions.iter().position(|p| p[2] > 0.9).unwrap();
+    assert!(Vec3::from(mesh.normals[far]).distance(Vec3::X) < 1e-6, "{:?}", mesh.normals[far]);
+    assert!(Vec4::from(mesh.tangents[far]).distance(Vec4::new(0., 0., 1., -1.)) < 1e-6, "{:?}", mesh.tangents[far]);
+    for t in mesh.indices.chunks(3) {
+        let [a, b, c] = [t[0], t[1], t[2]].map(|i| Vec3::from(mesh.positions[i as usize]));
+        assert!((b - a).cross(c - a).dot(mesh.normals[t[0] as usize].into()) > 0.0, "winding follows the normal");
+    }
+
+    let beside: Siblings = &|name| (name == "my mesh.bin").then(gltf_bytes).ok_or_else(|| "not found".to_owned());
+    let named = gltf_json(r#", "uri": "my%20mesh.bin""#);
+    assert_eq!(import("x.gltf", named.as_bytes(), beside).unwrap().mesh, mesh);
+    assert_eq!(read("x.glb", glb(&gltf_json(""), &gltf_bytes())).mesh, mesh);
+    assert_eq!(read("no ending", glb(&gltf_json(""), &gltf_bytes())).mesh, mesh);
+}
+
+#[test]
+fn gltf_tangents_strips_and_sparse() {
+    // Positions all zero but for sparse ones; a strip; given tangents.
+    let mut bytes = Vec::new();
+    [1u16, 2, 3].iter().for_each(|i| bytes.extend(i.to_le_bytes()));
+    bytes.extend([0; 2]);
+    [[1f32, 0., 0.], [0., 1., 0.], [1., 1., 0.]].iter().flatten().for_each(|c| bytes.extend(c.to_le_bytes()));
+    (0..4).for_each(|_| [0f32, 1., 0., -1.].iter().for_each(|c| bytes.extend(c.to_le_bytes())));
+    let json = r#"{"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}], "meshes": [{"primitives": [
+      {"mode": 5, "attributes": {"POSITION": 0, "TANGENT": 1}}, {"mode": 0, "attributes": {"POSITION": 0}}]}],
+     "accessors": [{"componentType": 5126, "count": 4, "type": "VEC3", "min": [0,0,0], "max": [1,1,0],
+       "sparse": {"count": 3, "indices": {"bufferView": 0, "componentType": 5123}, "values": {"bufferView": 1}}},
+      {"bufferView": 2, "componentType": 5126, "count": 4, "type": "VEC4"}],
+     "bufferViews": [{"buffer": 0, "byteLength": 6}, {"buffer": 0, "byteOffset": 8, "byteLength": 36},
+      {"buffer": 0, "byteOffset": 44, "byteLength": 64}],
+     "buffers": [{"byteLength": 108}]}"#;
+    let Imported { mesh, notes } = read("x.glb", glb(json, &bytes));
+    check(&mesh);
+    assert_eq!((mesh.triangle_count(), area(&mesh)), (2, 1.0));
+    assert_eq!(mesh.tangents, [[0.0, 1.0, 0.0, -1.0]; 4]);
+    assert!(mesh.normals.iter().all(|n| *n == [0.0, 0.0, 1.0]));
+    assert_eq!(mesh.parts[0].material, "default");
+    assert!(notes.iter().any(|n| n.message.contains("1 primitives of points or lines")), "{notes:?}");
+}
+
+#[test]
+fn wrong_gltf_files() {
+    let bytes = gltf_bytes();
+    let with = |from: &str, to: &str| {
+        let json = gltf_json("");
+        assert!(json.contains(from), "{from}");
+        glb(&json.replacen(from, to, 1), &bytes)
+    };
+    fails("x.gltf", "{\n\"asset\": 1}", "mesh-syntax", Some(2), "JSON");
+    fails("x.gltf", "{\n", "mesh-truncated", Some(2), "JSON");
+    fails("x.gltf", gltf_json(""), "mesh-reference", None, "buffer 0 is missing");
+    fails("x.gltf", gltf_json(r#", "uri": "a.bin""#), "mesh-reference", None, "only the file itself");
+    fails("x.gltf", gltf_json(r#", "uri": "/etc/a.bin""#), "mesh-reference", None, "relative");
+    fails("x.gltf", gltf_json(r#", "uri": "data:;base64,!!""#), "mesh-reference", None, "base64");
+    fails("x.glb", with("\"count\": 6", "\"count\": 7"), "mesh-truncated", None, "accessor 4");
+    fails("x.glb", with("\"indices\": 4", "\"indices\": 3"), "mesh-syntax", None, "accessor 3 holds no indices");
+    fails("x.glb", with("\"byteOffset\": 144", "\"byteOffset\": 94"), "mesh-index", None, "there are 4");
+    fails("x.glb", with("\"mesh\": 0", "\"mesh\": 9"), "mesh-syntax", None, "not valid");
+    fails("x.glb", with("\"POSITION\": 0", "\"POSITION\": 7"), "mesh-syntax", None, "no accessor 7");
+    fails("x.glb", with("[1, 2]", "[1, 0]"), "mesh-syntax", None, "two parents");
+    fails("x.glb", with("[1, 2]", "[1, 1]"), "mesh-syntax", None, "two parents");
+    fails(
+        "x.glb",
+        with("\"count\": 4, \"type\": \"VEC2\"", "\"count\": 3, \"type\": \"VEC2\""),
+        "mesh-syntax",
+        None,
+        "different counts",
+    );
+    fails(
+        "x.glb",
+        with("\"byteOffset\": 144", "\"byteOffset\": 18446744073709551600"),
+        "mesh-truncated",
+        None,
+        "accessor 4",
+    );
+    let huge = with(
+        "\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\", \"min\"",
+        "\"componentType\": 5126, \"count\": 4000000000, \"type\": \"VEC3\", \"min\"",
+    );
+    assert!(["mesh-syntax", "mesh-too-large"].contains(&errors("x.glb", huge)[0].code));
+    fails(
+        "x.glb",
+        with("\"scene\": 0,", "\"extensionsRequired\": [\"KHR_draco_mesh_compression\"],"),
+        "mesh-unsupported",
+        None,
+        "draco",
+    );
+    let mut nan = bytes.clone();
+    nan[12..16].copy_from_slice(&f32::NAN.to_le_bytes());
+    fails("x.glb", glb(&gltf_json(""), &nan), "mesh-not-finite", None, "vertex 1");
+    let mut old = with("leaf", "leaf");
+    old[4] = 1;
+    fails("x.glb", old, "mesh-unsupported", None, "version 1");
+    fails("x.glb", b"glTF\x02\0\0\0\x05\0\0\0", "mesh-truncated", None, "short");
+}
+
+// --- Paths
+
+#[test]
+fn load_reads_the_file_and_those_beside_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("card.gltf");
+    std::fs::write(&path, gltf_json(r#", "uri": "my%20mesh.bin""#)).unwrap();
+    let problems = load(&path).unwrap_err();
+    assert_eq!(problems[0].code, "mesh-reference");
+    assert!(problems[0].message.contains("`my mesh.bin`"), "{}", problems[0]);
+    std::fs::write(folder.path().join("my mesh.bin"), gltf_bytes()).unwrap();
+    assert_eq!(load(&path).unwrap().mesh.triangle_count(), 4);
+    for wrong in [folder.path().join("absent.obj"), folder.path().to_owned()] {
+        let problems = load(&wrong).unwrap_err();
+        assert_eq!(
+            (problems[0].code, problems[0].place.file.clone()),
+            ("mesh-read", Some(wrong.display().to_string()))
+        );
+    }
+}
+
+// --- Strangers' files
+
+fn samples() -> Vec<(&'static str, Vec<u8>)> {
+    let embedded = gltf_json(&format!(r#", "uri": "data:;base64,{}""#, base64(&gltf_bytes())));
+    vec![
+        ("x.obj", format!("{CUBE}vt 0 0\nvn 0 0 1\nusemtl a\nf 1/1/1 2//1 3/1 -1\n").into_bytes()),
+        ("x.ply", ply_text().into_bytes()),
+        ("x.ply", ply_binary(false)),
+        ("x.ply", ply_binary(true)),
+        ("x.stl", stl_text().into_bytes()),
+        ("x.stl", stl_binary()),
+        ("x.gltf", embedded.into_bytes()),
+        ("x.glb", glb(&gltf_json(""), &gltf_bytes())),
+    ]
+}
+
+#[test]
+fn files_cut_short_are_told_so() {
+    for (name, bytes) in samples() {
+        read(name, &bytes);
+        for length in 0..bytes.len() {
+            let result = import(name, &bytes[..length], &no_siblings);
+            // OBJ has no end: what is there may be whole. Elsewhere only the last line's end may be missing.
+            let rest = bytes[length..].trim_ascii();
+            if name != "x.obj" && rest.len() > 1 && !b"endsolid corner".ends_with(rest) {
+                assert!(result.is_err(), "{name} cut at {length} of {}", bytes.len());
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(512))]
+
+    #[test]
+    fn random_bytes_never_panic(kind in 0usize..8, bytes in prop::collection::vec(any::<u8>(), 0..600)) {
+        let start: [(&str, &[u8]); 8] = [
+            ("x.obj", b""), ("x.ply", b""), ("x.stl", b""), ("x.glb", b"glTF"), ("x.gltf", b"{"), ("x.stl", b"solid"), ("x", b""),
+            ("x.ply", b"ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
+              property float z\nelement face 2\nproperty list uchar uchar vertex_indices\nend_header\n"),
+        ];
+        let (name, head) = start[kind];
+        let _ = import(name, &[head, &bytes].concat(), &no_siblings);
+    }
+
+    #[test]
+    fn changed_files_never_panic(
+        kind in 0usize..8,
+        changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>(), 0u8..4), 1..6),
+    ) {
+        let (name, mut bytes) = samples().swap_remove(kind);
+        for (place, byte, way) in changes {
+            let i = place.index(bytes.len());
+            match way {
+                0 => bytes[i] = byte,
+                1 => bytes[i] = b"0123456789-eE./ \n{}[],\""[byte as usize % 23],
+                2 => bytes.insert(i, byte),
+                _ => { bytes.remove(i); }
+            }
+        }
+        if let Ok(Imported { mesh, .. }) = import(name, &bytes, &no_siblings) {
+            check(&mesh);
+        }
+    }
+}
