@@ -11,7 +11,8 @@ struct Curvature {
     perspective: f32,
     /// In pixels.
     viewport_height: f32,
-    padding: f32,
+    /// 1 where the first row of an image is at the bottom of the picture (OpenGL), 0 where it is at the top.
+    rows_up: f32,
 }
 
 /// Camera axes in xyz, the object's number plus 1 in w; 0 where nothing is.
@@ -86,8 +87,9 @@ fn fs_main(@builtin(position) position: vec4f) -> @location(0) f32 {
     let here = slope(center.normal);
     let left = neighbour(center, at + vec2i(-1, 0), vec2f(-1.0, 0.0));
     let right = neighbour(center, at + vec2i(1, 0), vec2f(1.0, 0.0));
-    let above = neighbour(center, at + vec2i(0, -1), vec2f(0.0, 1.0));
-    let below = neighbour(center, at + vec2i(0, 1), vec2f(0.0, -1.0));
+    let up = select(-1, 1, curvature.rows_up > 0.5);
+    let above = neighbour(center, at + vec2i(0, up), vec2f(0.0, 1.0));
+    let below = neighbour(center, at - vec2i(0, up), vec2f(0.0, -1.0));
     let along_x = derivative(here.x, left.xz, right.xz);
     let along_y = derivative(here.y, below.yz, above.yz);
     let kappa = 0.5 * (along_x + along_y) * curvature.viewport_height;

@@ -12,7 +12,8 @@
 //! - `look`: the members that the module's `host` computes.
 //! - `image`, `sampler`: one of `images`, uploaded with its first row first, sampled as it says.
 //! - `pass`: what an earlier pass has drawn.
-//! - `host`: what its name and members say.
+//! - `inputs`: what the pass's `inputs` say, for a module that several passes run.
+//! - `curvature`: numbers of the view, each with its meaning.
 //!
 //! Uniforms are laid out as WGSL does: offsets are bytes from the start of the struct around; a `mat3x3f` is three columns
 //! of three numbers, each column on 16 bytes. GLSL's blocks say std140, where the same offsets hold.
@@ -211,6 +212,12 @@ fn meaningful(member: &Member, feed: &Feed) -> MeaningfulMember {
         (Feed::Object, "world_from_object") => "model matrix",
         (Feed::Object, "world_from_normal") => "inverse transpose of the model matrix's upper left 3x3, for normals",
         (Feed::Object, "id") => "counts objects from 0",
+        (Feed::Curvature, "pixel") => {
+            "a pixel's size in scene units: at depth 1 for perspective, at every depth for parallel projection"
+        }
+        (Feed::Curvature, "perspective") => "1 for perspective, 0 for parallel projection",
+        (Feed::Curvature, "viewport_height") => "in pixels",
+        (Feed::Curvature, "rows_up") => "1 where the API's `first_row` is bottom, 0 where it is top",
         _ => "",
     };
     MeaningfulMember { member: member.clone(), meaning }

@@ -156,7 +156,12 @@ float3 normalize_or(float3 v_2, float3 otherwise_1)
         return otherwise_1;
     }
     float3 scaled = (v_2 * (1.0 / largest));
-    return (scaled * (1.0 / sqrt(dot(scaled, scaled))));
+    float square = dot(scaled, scaled);
+    const bool _e23 = is_finite(square);
+    if (!(_e23)) {
+        return otherwise_1;
+    }
+    return (scaled * (1.0 / sqrt(square)));
 }
 
 float power_of_two(int n)

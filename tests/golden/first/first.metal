@@ -121,7 +121,12 @@ metal::float3 normalize_or(
         return otherwise_1;
     }
     metal::float3 scaled = v_2 * (1.0 / largest);
-    return scaled * (1.0 / metal::sqrt(metal::dot(scaled, scaled)));
+    float square = metal::dot(scaled, scaled);
+    bool _e23 = is_finite(square);
+    if (!(_e23)) {
+        return otherwise_1;
+    }
+    return scaled * (1.0 / metal::sqrt(square));
 }
 
 float power_of_two(

@@ -34,6 +34,10 @@ smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_normal;
 layout(location = 1) out float out_depth;
 
+bool is_finite(float x) {
+    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
+}
+
 vec3 normalize_or(vec3 v, vec3 otherwise) {
     bool local = false;
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
@@ -47,17 +51,16 @@ vec3 normalize_or(vec3 v, vec3 otherwise) {
         return otherwise;
     }
     vec3 scaled = (v * (1.0 / largest));
-    return (scaled * (1.0 / sqrt(dot(scaled, scaled))));
-}
-
-vec3 output_normal(vec3 normal) {
-    vec3 _e5 = normalize_or(normal, vec3(0.0, 0.0, 1.0));
-    return _e5;
+    float square = dot(scaled, scaled);
+    bool _e23 = is_finite(square);
+    if (!(_e23)) {
+        return otherwise;
+    }
+    return (scaled * (1.0 / sqrt(square)));
 }
 
 vec3 shade(Surface surface_1) {
-    vec3 _e2 = output_normal(surface_1.normal);
-    return _e2;
+    return surface_1.normal;
 }
 
 void main() {
@@ -65,8 +68,8 @@ void main() {
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0));
     vec3 _e7 = normalize_or(in_.normal, vec3(0.0, 0.0, 1.0));
-    vec3 normal_1 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_1;
+    vec3 normal = (is_front ? _e7 : -(_e7));
+    surface.normal = normal;
     Surface _e12 = surface;
     vec3 _e13 = shade(_e12);
     mat4x4 _e16 = u_view.camera_from_world;

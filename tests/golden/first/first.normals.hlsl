@@ -46,13 +46,13 @@ cbuffer object : register(b1) { Object object; }
 
 struct VertexOutput_vs_main {
     float3 position : LOC0;
-    float3 normal_1 : LOC1;
+    float3 normal : LOC1;
     float4 clip_ : SV_Position;
 };
 
 struct FragmentInput_fs_main {
     float3 position_1 : LOC0;
-    float3 normal_2 : LOC1;
+    float3 normal_1 : LOC1;
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
@@ -98,19 +98,17 @@ float3 normalize_or(float3 v_2, float3 otherwise_1)
         return otherwise_1;
     }
     float3 scaled = (v_2 * (1.0 / largest));
-    return (scaled * (1.0 / sqrt(dot(scaled, scaled))));
-}
-
-float3 output_normal(float3 normal)
-{
-    const float3 _e5 = normalize_or(normal, float3(0.0, 0.0, 1.0));
-    return _e5;
+    float square = dot(scaled, scaled);
+    const bool _e23 = is_finite(square);
+    if (!(_e23)) {
+        return otherwise_1;
+    }
+    return (scaled * (1.0 / sqrt(square)));
 }
 
 float3 shade(Surface surface_1)
 {
-    const float3 _e2 = output_normal(surface_1.normal);
-    return _e2;
+    return surface_1.normal;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
@@ -139,13 +137,13 @@ Fragment ConstructFragment(float4 arg0, float arg1) {
 
 Fragment fs_main(FragmentInput_fs_main fragmentinput_fs_main)
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
     const float3 _e7 = normalize_or(in_.normal, float3(0.0, 0.0, 1.0));
-    float3 normal_3 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_3;
+    float3 normal_2 = (is_front ? _e7 : -(_e7));
+    surface.normal = normal_2;
     Surface _e12 = surface;
     const float3 _e13 = shade(_e12);
     float4x4 _e16 = view.camera_from_world;

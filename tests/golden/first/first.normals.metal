@@ -86,26 +86,23 @@ metal::float3 normalize_or(
         return otherwise_1;
     }
     metal::float3 scaled = v_2 * (1.0 / largest);
-    return scaled * (1.0 / metal::sqrt(metal::dot(scaled, scaled)));
-}
-
-metal::float3 output_normal(
-    metal::float3 normal
-) {
-    metal::float3 _e5 = normalize_or(normal, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
+    float square = metal::dot(scaled, scaled);
+    bool _e23 = is_finite(square);
+    if (!(_e23)) {
+        return otherwise_1;
+    }
+    return scaled * (1.0 / metal::sqrt(square));
 }
 
 metal::float3 shade(
     Surface surface_1
 ) {
-    metal::float3 _e2 = output_normal(surface_1.normal);
-    return _e2;
+    return surface_1.normal;
 }
 
 struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
-    metal::float3 normal_1 [[attribute(1)]];
+    metal::float3 normal [[attribute(1)]];
 };
 struct vs_mainOutput {
     metal::float4 clip [[position]];
@@ -117,7 +114,7 @@ vertex vs_mainOutput vs_main(
 , constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
-    const Vertex vertex_ = { varyings.position, varyings.normal_1 };
+    const Vertex vertex_ = { varyings.position, varyings.normal };
     Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
@@ -134,7 +131,7 @@ vertex vs_mainOutput vs_main(
 
 struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
-    metal::float3 normal_1 [[user(loc1), center_perspective]];
+    metal::float3 normal [[user(loc1), center_perspective]];
 };
 struct fs_mainOutput {
     metal::float4 normal [[color(0)]];
@@ -147,11 +144,11 @@ fragment fs_mainOutput fs_main(
 , constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
-    const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
+    const Varyings in = { clip, varyings_1.position, varyings_1.normal };
     Surface surface = {};
     metal::float3 _e7 = normalize_or(in.normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 normal_1 = is_front ? _e7 : -(_e7);
-    surface.normal = normal_1;
+    metal::float3 normal = is_front ? _e7 : -(_e7);
+    surface.normal = normal;
     Surface _e12 = surface;
     metal::float3 _e13 = shade(_e12);
     metal::float4x4 _e16 = view.camera_from_world;

@@ -45,25 +45,25 @@ fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
 
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction. Scaled by the largest
-/// component first, so that neither tiny nor huge vectors under- or overflow.
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a NaN. Scaled by the
+/// largest component first, so that neither tiny nor huge vectors under- or overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if !(largest > 1e-30 && largest < 1e30) {
         return otherwise;
     }
     let scaled = v * (1.0 / largest);
-    return scaled * (1.0 / sqrt(dot(scaled, scaled)));
-}
-
-fn output_normal(normal: vec3f) -> vec3f {
-    return normalize_or(normal, vec3f(0.0, 0.0, 1.0));
+    let square = dot(scaled, scaled);
+    // max() passes over a NaN.
+    if !is_finite(square) {
+        return otherwise;
+    }
+    return scaled * (1.0 / sqrt(square));
 }
 
 /// The normal that the curvature pass sees.
 fn shade(surface: Surface) -> vec3f {
-    let output = output_normal(surface.normal);
-    return output;
+    return surface.normal;
 }
 
 struct Vertex {
