@@ -178,10 +178,12 @@ impl Emitter<'_> {
             if !self.host.members.is_empty() {
                 push(BindingKind::Look, "look", "var<uniform> look: Look;".to_owned());
             }
-            if self.needs.context(Context::Kappa) {
+            // Curvature is made from normals, so that what draws those cannot read it.
+            let reads = |context| self.needs.context(context) && !self.options.stage.is_normals();
+            if reads(Context::Kappa) {
                 push(BindingKind::Curvature, "curvature_map", format!("var curvature_map: {texture};"));
             }
-            if self.needs.context(Context::KappaDetail) {
+            if reads(Context::KappaDetail) {
                 push(BindingKind::CurvatureDetail, "curvature_detail_map", format!("var curvature_detail_map: {texture};"));
             }
         }
@@ -280,7 +282,7 @@ impl Emitter<'_> {
             self.out.push_str("    var surface: Surface;\n");
             for index in 0..self.needs.contexts.len() {
                 let context = self.needs.contexts[index];
-                let _ = writeln!(self.out, "    surface.{} = {};", context.word(), surface_value(context));
+                let _ = writeln!(self.out, "    surface.{} = {};", context.word(), surface_value(context, self.options.stage));
             }
             "surface"
         } else {
@@ -328,8 +330,10 @@ impl Emitter<'_> {
 }
 
 /// How a fragment's surroundings are found where a mesh is drawn.
-fn surface_value(context: Context) -> &'static str {
+fn surface_value(context: Context, stage: Stage) -> &'static str {
     match context {
+        // An alpha cutoff may depend on a colour that curvature tints; before the curvature pass everything is flat.
+        Context::Kappa | Context::KappaDetail if stage.is_normals() => "0.0",
         Context::Normal => "normal",
         Context::View => "normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, vec3f(0.0, 0.0, 1.0)))",
         Context::Position => "in.position",
