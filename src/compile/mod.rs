@@ -118,6 +118,15 @@ pub fn compile(look: &Look, library: &Library, options: &Options) -> Result<Comp
     compile_typed(&typed, options, warnings)
 }
 
+/// The WGSL of a look that was checked, before naga has seen it: our own share of the work, for benchmarks.
+///
+/// # Errors
+/// What the interpreter refuses to fold.
+pub fn compile_source(typed: &TypedGraph, options: &Options) -> Result<String, Vec<Diagnostic>> {
+    let specialized = specialize::specialize(typed, options)?;
+    Ok(emit::emit(typed, &specialized, options).text)
+}
+
 /// Compiles a look that was checked.
 ///
 /// # Errors
