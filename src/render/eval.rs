@@ -6,7 +6,8 @@ use super::error::RenderError;
 use super::gpu::Gpu;
 use super::readback::read_texture;
 use super::target::texture;
-use super::{Renderer, pipeline::LookPipeline};
+use super::Renderer;
+use super::pipeline::{LookPipeline, Sides};
 use crate::compile::{BindingKind, SAMPLES_PER_ROW};
 use crate::frame::EvalBatch;
 
@@ -34,7 +35,7 @@ impl Renderer {
 
     async fn evaluate_run(&mut self, batch: &EvalBatch, bytes: &[u8], count: usize) -> Result<Vec<[f32; 4]>, RenderError> {
         let guard = self.gpu.guard();
-        let pipeline = self.pipelines.get(&self.gpu, &batch.shader, 1, true);
+        let pipeline = self.pipelines.get(&self.gpu, &batch.shader, 1, Sides { both: true, is_mirrored: false });
         let group = self.bind_samples(batch, bytes, &pipeline)?;
         let rows = (count as u32).div_ceil(SAMPLES_PER_ROW);
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
@@ -65,7 +66,7 @@ impl Renderer {
         let mut textures = Vec::new();
         let mut samplers = Vec::new();
         for (image, wanted) in batch.images.iter().zip(&batch.shader.needs.images) {
-            textures.push(self.images.texture(&self.gpu, image)?);
+            textures.push(self.images.texture(&self.gpu, image, wanted)?);
             samplers.push(self.images.sampler(&self.gpu, wanted));
         }
         let mut entries = Vec::new();

@@ -93,6 +93,8 @@ struct Object {
     /// The inverse transpose, for normals.
     world_from_normal: mat3x3f,
     id: f32,
+    /// The alpha cutoff of the material, 0 for none.
+    cutoff: f32,
 }
 ";
 
@@ -111,6 +113,7 @@ impl Emitter<'_> {
             "angle_radians" => is_mesh && self.special.values[self.special.root].ty == Type::Angle,
             "finite_vec4" => is_mesh,
             "display_from_linear" => self.encodes(),
+            "linear_from_display" => is_mesh && self.graph.color_space == ColorSpace::Linear,
             _ => false,
         }
     }
@@ -282,7 +285,11 @@ impl Emitter<'_> {
             self.out.push_str("    var surface: Surface;\n");
             for index in 0..self.needs.contexts.len() {
                 let context = self.needs.contexts[index];
-                let _ = writeln!(self.out, "    surface.{} = {};", context.word(), surface_value(context, self.options.stage));
+                let mut value = surface_value(context, self.options.stage).to_owned();
+                if context == Context::VertexColor && self.graph.color_space == ColorSpace::Linear {
+                    value = format!("linear_from_display({value})");
+                }
+                let _ = writeln!(self.out, "    surface.{} = {value};", context.word());
             }
             "surface"
         } else {
@@ -290,7 +297,8 @@ impl Emitter<'_> {
         };
         let _ = writeln!(self.out, "    let shaded = shade({arguments});");
         let value = if self.special.cutoff.is_some() {
-            self.out.push_str("    if shaded.color.w < shaded.cutoff {\n        discard;\n    }\n");
+            let cutoff = if self.options.cutout { "max(shaded.cutoff, object.cutoff)" } else { "shaded.cutoff" };
+            let _ = writeln!(self.out, "    if shaded.color.w < {cutoff} {{\n        discard;\n    }}");
             "shaded.value"
         } else {
             "shaded"
