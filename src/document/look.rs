@@ -8,6 +8,9 @@ use super::value::{Interpolation, Value, Values};
 use crate::ids::{DefinitionId, FrameId, LightId, NodeId, NodePath, PortName};
 
 /// Fields that this version does not know. They survive a save, and loading warns about them.
+///
+/// Parts without an `unknown` of their own (lights, wires, a curve) leave theirs to what they belong to: under the name
+/// of its field and what tells the part apart (an id, a wire's input), e.g. `{"lights": {"key": {"flare": 2}}}`.
 pub type Unknown = serde_json::Map<String, serde_json::Value>;
 
 /// One shading graph; compiles to one WGSL module.
@@ -78,6 +81,7 @@ pub struct Node {
     /// Which implementation is asked for.
     pub tier: Tier,
     /// Fields of later versions or of other programs.
+    #[serde(default, skip_serializing_if = "Unknown::is_empty")]
     pub unknown: Unknown,
 }
 
@@ -175,6 +179,7 @@ pub struct Definition {
     /// What is in it.
     pub graph: Graph,
     /// Fields of later versions or of other programs.
+    #[serde(default, skip_serializing_if = "Unknown::is_empty")]
     pub unknown: Unknown,
 }
 
@@ -363,6 +368,9 @@ pub struct DirectionKeys {
     pub scheme: KeyScheme,
     /// The keys; where a key leaves a target out, it has the look's own value there.
     pub keys: Vec<DirectionKey>,
+    /// Fields of later versions or of other programs.
+    #[serde(default, skip_serializing_if = "Unknown::is_empty")]
+    pub unknown: Unknown,
 }
 
 /// Which direction decides between direction keys.
@@ -395,6 +403,9 @@ pub struct DirectionKey {
     pub direction: [f64; 3],
     /// The values there.
     pub values: IndexMap<Target, Value>,
+    /// Fields of later versions or of other programs.
+    #[serde(default, skip_serializing_if = "Unknown::is_empty")]
+    pub unknown: Unknown,
 }
 
 /// The values of one target over time.
@@ -404,6 +415,9 @@ pub struct TimeKeys {
     pub target: Target,
     /// In increasing time.
     pub keys: Vec<TimeKey>,
+    /// Fields of later versions or of other programs.
+    #[serde(default, skip_serializing_if = "Unknown::is_empty")]
+    pub unknown: Unknown,
 }
 
 /// One key of [`TimeKeys`].
@@ -415,4 +429,7 @@ pub struct TimeKey {
     pub value: Value,
     /// How it goes on to the next key.
     pub interpolation: Interpolation,
+    /// Fields of later versions or of other programs.
+    #[serde(default, skip_serializing_if = "Unknown::is_empty")]
+    pub unknown: Unknown,
 }

@@ -5,6 +5,7 @@
 //! [`History`] applies every [`Edit`], and undoes it. docs/format.md documents the files.
 
 mod color;
+mod edit;
 mod json;
 mod look;
 mod read;
@@ -19,6 +20,7 @@ mod word;
 mod write;
 
 pub use color::{parse_hex, srgb_to_linear};
+pub use edit::{Applied, Edit, Editable, History, SceneEdit};
 pub use look::*;
 pub use read::Document;
 pub use scene::*;

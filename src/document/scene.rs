@@ -59,6 +59,7 @@ pub struct Object {
     /// Whether it is drawn.
     pub visible: bool,
     /// Fields of later versions or of other programs.
+    #[serde(default, skip_serializing_if = "Unknown::is_empty")]
     pub unknown: Unknown,
 }
 

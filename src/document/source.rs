@@ -8,7 +8,7 @@ use crate::diag::{Diagnostic, LineColumn, Severity};
 use crate::ids::NodePath;
 
 /// As many errors, and as many warnings, as are told of one file; the rest is counted.
-const MAX_PROBLEMS: usize = 1000;
+pub(super) const MAX_PROBLEMS: usize = 1000;
 /// How far apart the known places of [`Lines`] are, in bytes.
 const STRIDE: usize = 4096;
 
@@ -74,7 +74,7 @@ impl SourceMap {
         if let Some(path) = &place.json_path {
             let (at, path_in_text) = self.find_translated(path);
             place.json_path = Some(path_in_text);
-            place.at = at.map(|at| self.lines.at(self.text(), self.tree.key_start(at)));
+            place.at = at.map(|at| self.lines.at(self.text(), self.tree.start(at)));
         }
     }
 
@@ -88,7 +88,7 @@ impl SourceMap {
     /// The line and column of the value at a JSON path, or of the nearest thing around it.
     pub fn place_of(&self, json_path: &str) -> Option<LineColumn> {
         let (at, _) = self.find_translated(json_path);
-        at.map(|at| self.lines.at(self.text(), self.tree.key_start(at)))
+        at.map(|at| self.lines.at(self.text(), self.tree.start(at)))
     }
 
     /// The JSON path of a node, found by its id through the groups around it.
@@ -285,9 +285,44 @@ impl Problems {
         let mut all: Vec<Diagnostic> = self.found.into_iter().map(place).collect();
         let left_out = self.errors.saturating_sub(MAX_PROBLEMS) + self.warnings.saturating_sub(MAX_PROBLEMS);
         if left_out > 0 {
-            let message = format!("there are {left_out} more problems, which are not listed");
-            all.push(Diagnostic::note("more-problems", message).in_file(file));
+            all.push(more_problems(left_out).in_file(file));
         }
         all
+    }
+}
+
+/// Tells how many problems are not told.
+pub(super) fn more_problems(count: usize) -> Diagnostic {
+    Diagnostic::note("more-problems", format!("there are {count} more problems, which are not listed"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_are_taken_apart() {
+        let key = |key: &str| Segment::Key(key.to_owned());
+        assert_eq!(segments("nodes[3].values.offset"), [key("nodes"), Segment::Index(3), key("values"), key("offset")]);
+        assert_eq!(segments("looks[\"a]\\\".b\"][0]"), [key("looks"), key("a]\".b"), Segment::Index(0)]);
+        assert_eq!(segments(""), []);
+        // What was put together comes apart again.
+        for name in ["plain", "two words", "a.b", "", "\"", "\\", "光", "[0]"] {
+            assert_eq!(segments(&member_path("lights", name)), [key("lights"), key(name)]);
+        }
+        // Nonsense gives something, and no panic.
+        for text in ["[", "]", "[\"", "a..b", ".", "[\"a", "[x]", "[\"\\"] {
+            segments(text);
+        }
+    }
+
+    #[test]
+    fn lines_agree_with_counting() {
+        let text: String = (0..4000).map(|i| ["a", "é\n", "🙂", "\n\n", "xyz"][i * 7 % 5]).collect();
+        let lines = Lines::new(&text);
+        for offset in (0..=text.len() + 10).filter(|offset| *offset > text.len() || text.is_char_boundary(*offset)) {
+            assert_eq!(lines.at(&text, offset), LineColumn::of(&text, offset), "{offset}");
+        }
+        assert_eq!(Lines::new("").at("", 5), LineColumn { line: 1, column: 1 });
     }
 }

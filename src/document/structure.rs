@@ -5,6 +5,7 @@
 use std::collections::{HashMap, HashSet};
 use std::hash::Hash;
 
+use super::source::{MAX_PROBLEMS, more_problems};
 use super::{Definition, Endpoint, Graph, KeyDirection, Light, Look, Node, Scene, Target, Wire};
 use crate::diag::Diagnostic;
 use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, NodeId, NodePath, PortName};
@@ -112,7 +113,7 @@ impl Scene {
 }
 
 pub(super) fn check_look(look: &Look) -> Vec<Diagnostic> {
-    let mut check = Check { found: Vec::new(), suggestions: 0 };
+    let mut check = Check::default();
     check.lights(&look.lights);
     check.graph(&look.graph, "", false);
     for (id, definition) in &look.definitions {
@@ -121,11 +122,18 @@ pub(super) fn check_look(look: &Look) -> Vec<Diagnostic> {
     check.exposed(look);
     check.direction_keys(look);
     check.time_keys(look);
-    check.found
+    check.finish()
+}
+
+/// What is wrong with a target.
+pub(super) fn check_target(look: &Look, target: &Target) -> Vec<Diagnostic> {
+    let mut check = Check::default();
+    check.target(look, target, String::new());
+    check.finish()
 }
 
 pub(super) fn check_scene(scene: &Scene) -> Vec<Diagnostic> {
-    let mut check = Check { found: Vec::new(), suggestions: 0 };
+    let mut check = Check::default();
     check.lights(&scene.lights);
     let camera = &scene.camera;
     let view = [0, 1, 2].map(|i| camera.target[i] - camera.eye[i]);
@@ -135,27 +143,38 @@ pub(super) fn check_scene(scene: &Scene) -> Vec<Diagnostic> {
     // Not `<=`, so that NaN is told too.
     if !(length(view) > 1e-9) {
         let problem = Diagnostic::error("bad-camera", "the camera looks at the place where it is");
-        check.found.push(problem.json_path("camera").hint("move `eye` or `target`"));
+        check.push("camera".to_owned(), problem.hint("move `eye` or `target`"));
     } else if !(length(side) > 1e-6 * length(view) * length(camera.up)) {
         let problem =
             Diagnostic::error("bad-camera", "`up` lies along the view, so the picture could be turned any way");
-        check.found.push(problem.json_path("camera.up").hint("choose an `up` across the view"));
+        check.push("camera.up".to_owned(), problem.hint("choose an `up` across the view"));
     }
     if scene.time.end < scene.time.start {
         let problem = Diagnostic::error("out-of-range", "the time range ends before it starts");
-        check.found.push(problem.json_path("time.end").hint(format!("write {} or more", scene.time.start)));
+        check.push("time.end".to_owned(), problem.hint(format!("write {} or more", scene.time.start)));
     }
-    check.found
+    check.finish()
 }
 
+#[derive(Default)]
 struct Check {
     found: Vec<Diagnostic>,
     suggestions: usize,
+    left_out: usize,
 }
 
 impl Check {
     fn push(&mut self, path: String, problem: Diagnostic) {
-        self.found.push(problem.json_path(path));
+        if self.found.len() < MAX_PROBLEMS {
+            self.found.push(problem.json_path(path));
+        } else {
+            self.left_out += 1;
+        }
+    }
+
+    fn finish(mut self) -> Vec<Diagnostic> {
+        self.found.extend((self.left_out > 0).then(|| more_problems(self.left_out)));
+        self.found
     }
 
     /// Reports a name that leads nowhere, with near ones.

@@ -85,7 +85,11 @@ impl<'t> Parser<'t> {
             self.problems.push(self.at, not_json(self.text, self.at));
             return false;
         }
+        let is_string = self.peek() == Some(b'"');
         self.value(0..0);
+        if is_string && self.items.iter().all(|item| item.kind == Kind::Bad) && self.mistakes == 0 {
+            self.problem(self.at, Diagnostic::error("truncated", "the file ends in the middle of a string"));
+        }
         while !self.open.is_empty() {
             if self.mistakes > MAX_MISTAKES {
                 let message = format!("more than {MAX_MISTAKES} mistakes: the rest of the file is not looked at");
@@ -346,6 +350,10 @@ impl<'t> Parser<'t> {
 
     fn bad_escape(&mut self) {
         let rest = &self.text[self.at + 1..];
+        if rest.len() < "uD83D\\uDE00".len() && !rest.contains(['"', '\'', '\n']) {
+            self.at = self.text.len(); // The file ends in it.
+            return;
+        }
         match rest.chars().next() {
             None => self.at += 1,
             Some('\n' | '\r') => self.at += 1,
@@ -400,7 +408,7 @@ impl<'t> Parser<'t> {
             "true" => return Kind::Bool(true),
             "false" => return Kind::Bool(false),
             "null" => return Kind::Null,
-            _ if self.at == self.text.len() => return Kind::Bad, // Cut off.
+            _ if self.at == self.text.len() && !self.open.is_empty() => return Kind::Bad, // Cut off.
             "True" | "TRUE" | "yes" | "on" => "write true".to_owned(),
             "False" | "FALSE" | "no" | "off" => "write false".to_owned(),
             "None" | "nil" | "undefined" | "NULL" | "Null" => "leave the field out, or write null".to_owned(),

@@ -18,11 +18,18 @@ pub(in crate::document) struct Writer {
     text: String,
     /// Of every object and list that is open: how it is laid out and whether something is in it.
     open: Vec<(Layout, bool)>,
+    /// What numbers that are not finite become.
+    not_finite: &'static str,
 }
 
 impl Writer {
     pub(in crate::document) fn new() -> Self {
-        Self { text: String::new(), open: Vec::new() }
+        Self { text: String::new(), open: Vec::new(), not_finite: "null" }
+    }
+
+    /// A writer whose text is only read back, to see whether it can be.
+    pub(in crate::document) fn trial() -> Self {
+        Self { not_finite: "NaN", ..Self::new() }
     }
 
     /// The text, with a line end at its end.
@@ -41,7 +48,11 @@ impl Writer {
 
     /// A finite number; others, which no document holds, become null.
     pub(in crate::document) fn number(&mut self, number: f64) {
-        self.text.push_str(&if number.is_finite() { format_number(number) } else { "null".to_owned() });
+        if number.is_finite() {
+            self.text.push_str(&format_number(number));
+        } else {
+            self.text.push_str(self.not_finite);
+        }
     }
 
     pub(in crate::document) fn numbers(&mut self, numbers: &[f64]) {

@@ -27,8 +27,8 @@ pub(super) fn look(r: &mut Reader<'_>, at: At) -> Option<Look> {
         graph: graph(r, &mut fields),
         definitions: r.map(&mut fields, "definitions", |r, at, _| definition(r, at)),
         exposed: exposed(r, &mut fields),
-        direction_keys: direction_keys(r, &mut fields),
-        time_keys: time_keys(r, &mut fields),
+        direction_keys: direction_keys(r, &fields),
+        time_keys: time_keys(r, &fields),
         unknown: fields.unknown,
     })
 }
@@ -171,7 +171,7 @@ fn interface(r: &mut Reader<'_>, fields: &mut Fields, name: &'static str) -> Vec
         r,
         fields,
         name,
-        |port: &InterfacePort, _| port.name.to_string(),
+        |port: &InterfacePort| port.name.to_string(),
         |r, at| {
             let mut fields = r.object(at, &INTERFACE_PORT)?;
             let port = InterfacePort {
@@ -192,7 +192,7 @@ fn exposed(r: &mut Reader<'_>, fields: &mut Fields) -> Vec<Exposed> {
         r,
         fields,
         "exposed",
-        |exposed: &Exposed, _| exposed.name.to_string(),
+        |exposed: &Exposed| exposed.name.to_string(),
         |r, at| {
             let fields = r.object(at, &EXPOSED)?;
             let (name, target) = (r.slug(&fields, "name"), r.target(&fields, "target"));
@@ -202,24 +202,18 @@ fn exposed(r: &mut Reader<'_>, fields: &mut Fields) -> Vec<Exposed> {
     )
 }
 
-fn direction_keys(r: &mut Reader<'_>, fields: &mut Fields) -> Vec<DirectionKeys> {
-    parts(
-        r,
-        fields,
-        "direction_keys",
-        |_: &DirectionKeys, index| index.to_string(),
-        |r, at| {
-            let mut fields = r.object(at, &DIRECTION_KEYS)?;
-            let name = r.text(&fields, "name").unwrap_or_default();
-            let by = r.field(&fields, "by", |r, at, _| key_direction(r, at));
-            let scheme = r.word(&fields, "scheme").unwrap_or_default();
-            let keys = parts(r, &mut fields, "keys", |_: &DirectionKey, index| index.to_string(), direction_key);
-            Some((DirectionKeys { name, by: by?, scheme, keys }, fields.unknown))
-        },
-    )
+fn direction_keys(r: &mut Reader<'_>, fields: &Fields) -> Vec<DirectionKeys> {
+    r.items(fields, "direction_keys", |r, at| {
+        let fields = r.object(at, &DIRECTION_KEYS)?;
+        let name = r.text(&fields, "name").unwrap_or_default();
+        let by = r.field(&fields, "by", |r, at, _| key_direction(r, at));
+        let scheme = r.word(&fields, "scheme").unwrap_or_default();
+        let keys = r.items(&fields, "keys", direction_key);
+        Some(DirectionKeys { name, by: by?, scheme, keys, unknown: fields.unknown })
+    })
 }
 
-fn direction_key(r: &mut Reader<'_>, at: At) -> Option<(DirectionKey, Unknown)> {
+fn direction_key(r: &mut Reader<'_>, at: At) -> Option<DirectionKey> {
     let mut fields = r.object(at, &DIRECTION_KEY)?;
     let direction = r.array(&fields, "direction");
     let mut shadows = Vec::new();
@@ -235,7 +229,7 @@ fn direction_key(r: &mut Reader<'_>, at: At) -> Option<(DirectionKey, Unknown)> 
     for (key, extras) in shadows {
         fields.shadow("values", Some(&key), extras);
     }
-    Some((DirectionKey { direction: direction?, values: values.unwrap_or_default() }, fields.unknown))
+    Some(DirectionKey { direction: direction?, values: values.unwrap_or_default(), unknown: fields.unknown })
 }
 
 fn key_direction(r: &mut Reader<'_>, at: At) -> Option<KeyDirection> {
@@ -253,30 +247,18 @@ fn key_direction(r: &mut Reader<'_>, at: At) -> Option<KeyDirection> {
     None
 }
 
-fn time_keys(r: &mut Reader<'_>, fields: &mut Fields) -> Vec<TimeKeys> {
-    parts(
-        r,
-        fields,
-        "time_keys",
-        |keys: &TimeKeys, _| keys.target.to_string(),
-        |r, at| {
-            let mut fields = r.object(at, &TIME_KEYS)?;
-            let target = r.target(&fields, "target");
-            let keys = parts(
-                r,
-                &mut fields,
-                "keys",
-                |_: &TimeKey, index| index.to_string(),
-                |r, at| {
-                    let mut fields = r.object(at, &TIME_KEY)?;
-                    let (time, value) = (r.number(&fields, "time"), r.value(&mut fields, "value"));
-                    let interpolation = r.word(&fields, "interpolation").unwrap_or_default();
-                    Some((TimeKey { time: time?, value: value?, interpolation }, fields.unknown))
-                },
-            );
-            Some((TimeKeys { target: target?, keys }, fields.unknown))
-        },
-    )
+fn time_keys(r: &mut Reader<'_>, fields: &Fields) -> Vec<TimeKeys> {
+    r.items(fields, "time_keys", |r, at| {
+        let fields = r.object(at, &TIME_KEYS)?;
+        let target = r.target(&fields, "target");
+        let keys = r.items(&fields, "keys", |r, at| {
+            let mut fields = r.object(at, &TIME_KEY)?;
+            let (time, value) = (r.number(&fields, "time"), r.value(&mut fields, "value"));
+            let interpolation = r.word(&fields, "interpolation").unwrap_or_default();
+            Some(TimeKey { time: time?, value: value?, interpolation, unknown: fields.unknown })
+        });
+        Some(TimeKeys { target: target?, keys, unknown: fields.unknown })
+    })
 }
 
 /// The items of a list; their unknown fields are kept under what tells them apart.
@@ -284,13 +266,13 @@ fn parts<T>(
     r: &mut Reader<'_>,
     fields: &mut Fields,
     name: &'static str,
-    identity: impl Fn(&T, usize) -> String,
+    identity: impl Fn(&T) -> String,
     read: impl Fn(&mut Reader<'_>, At) -> Option<(T, Unknown)>,
 ) -> Vec<T> {
     let read = r.items(fields, name, |r, at| read(r, at));
     let mut items = Vec::with_capacity(read.len());
-    for (index, (item, unknown)) in read.into_iter().enumerate() {
-        fields.shadow(name, Some(&identity(&item, index)), unknown);
+    for (item, unknown) in read {
+        fields.shadow(name, Some(&identity(&item)), unknown);
         items.push(item);
     }
     items

@@ -59,6 +59,11 @@ impl Look {
         Parsed::new(text, file).look()
     }
 
+    /// What is wrong with the text itself, whatever its parts name.
+    pub(super) fn read_alone(text: &str) -> Vec<Diagnostic> {
+        Parsed::new(text, "").read(&shape::LOOK, look::look).diagnostics
+    }
+
     /// Reads a look from a file.
     pub fn load(path: &Path) -> Loaded<Self> {
         match store::read_text(path) {
@@ -184,7 +189,8 @@ fn with_structure<T>(mut loaded: Loaded<T>, check: impl Fn(&T) -> Vec<Diagnostic
         let mut found = check(value);
         loaded.source.locate_all(&mut found);
         loaded.diagnostics.extend(found);
-        loaded.diagnostics.sort_by_key(|problem| problem.place.at);
+        // What has no place, such as the number of problems left out, comes last.
+        loaded.diagnostics.sort_by_key(|problem| (problem.place.at.is_none(), problem.place.at));
     }
     loaded
 }

@@ -93,6 +93,12 @@ impl<'t> Reader<'t> {
         })
     }
 
+    /// Reports a problem with the name of the member where the reader is.
+    fn report_name(&mut self, at: At, problem: Diagnostic) {
+        let path = self.json_path();
+        self.problems.push(self.tree.key_start(at), problem.json_path(path));
+    }
+
     /// Reports a problem with an item of a list.
     pub(super) fn report_item(&mut self, list: &'static str, index: u32, at: At, problem: Diagnostic) {
         self.path.push(Step::Field(list));
@@ -106,7 +112,8 @@ impl<'t> Reader<'t> {
             return; // The parser has told it.
         }
         let mut problem = Diagnostic::error("wrong-type", format!("expected {expected}, found {}", kind.noun()));
-        if kind == Kind::Null {
+        let is_item = matches!(self.path.last(), Some(Step::Index(_)));
+        if kind == Kind::Null && !is_item {
             problem = problem.hint("leave the field out for its default");
         } else if let Some(number) = self.tree.string(at).filter(|text| text.parse::<f64>().is_ok_and(f64::is_finite)) {
             problem = problem.hint(format!("write {number} without quotes"));
@@ -140,16 +147,14 @@ impl<'t> Reader<'t> {
         let message = format!("{} has no field `{name}`; it is kept as it is", with_article(shape.name));
         let known = shape.fields.iter().map(|field| field.name);
         self.path.push(Step::Key(at));
-        let problem = Diagnostic::warning("unknown-field", message).suggest(name, known).json_path(self.json_path());
-        self.problems.push(self.tree.key_start(at), problem);
+        self.report_name(at, Diagnostic::warning("unknown-field", message).suggest(name, known));
         self.path.pop();
     }
 
     fn duplicate_key(&mut self, at: At, name: &str) {
         let message = format!("`{name}` is given twice; the first is used");
         self.path.push(Step::Key(at));
-        let problem = Diagnostic::error("duplicate-key", message).hint("remove one").json_path(self.json_path());
-        self.problems.push(self.tree.key_start(at), problem);
+        self.report_name(at, Diagnostic::error("duplicate-key", message).hint("remove one"));
         self.path.pop();
     }
 
@@ -295,11 +300,16 @@ impl<'t> Reader<'t> {
         None
     }
 
-    pub(super) fn bad_slug(&mut self, at: At, text: &str) {
+    fn bad_slug(&mut self, at: At, text: &str) {
+        let problem = Self::no_slug(text);
+        self.report(at, problem);
+    }
+
+    fn no_slug(text: &str) -> Diagnostic {
         let shown: String = text.chars().take(80).collect();
         let message = format!("`{shown}` is no id: one has 1 to 64 of a-z A-Z 0-9 _ - and begins with a letter or _");
         let hint = format!("write `{}`", make_slug(text, |_| false));
-        self.report(at, Diagnostic::error("bad-id", message).hint(hint));
+        Diagnostic::error("bad-id", message).hint(hint)
     }
 
     /// One of some words.
@@ -395,7 +405,7 @@ impl<'t> Reader<'t> {
         let map = self.field(fields, name, |r, at, kind| {
             r.members(at, kind, |r, member, key| {
                 if !is_slug(key) {
-                    r.bad_slug(member, key);
+                    r.report_name(member, Self::no_slug(key));
                     return None;
                 }
                 let mut extras = Unknown::new();

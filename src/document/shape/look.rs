@@ -123,7 +123,7 @@ pub(in crate::document) static NODE: Shape = Shape {
         field("name", Text(LINE), Json("\"\""), "What the artist calls it; empty for the kind's label."),
         field(
             "at",
-            Numbers(2, 2, Bounds::new(-1e7, 1e7)),
+            Numbers(2, 2, Bounds::new(-1e9, 1e9)),
             Json("[0, 0]"),
             "Where it lies on the canvas, in points, x right and y down.",
         ),

@@ -1,11 +1,182 @@
-//! JSON Schemas (draft 2020-12) of the documents.
+//! JSON Schemas (draft 2020-12) of the documents, made from the tables of their fields.
 
-/// The schema of a look.
-pub fn look_schema() -> serde_json::Value {
-    serde_json::Value::Null
+use std::collections::BTreeMap;
+
+use serde_json::{Map, Value, json};
+
+use super::{Bounds, CURVE, Default, F32, FAR, Field, Kind, LONG, MAX_NUMBERS, RAMP, Shape};
+
+const SLUG: &str = "^[A-Za-z_][A-Za-z0-9_-]{0,63}$";
+const INPUT: &str = r"^[A-Za-z_][A-Za-z0-9_-]{0,63}\.[A-Za-z_][A-Za-z0-9_-]{0,63}$";
+const OUTPUT: &str = r"^[A-Za-z_][A-Za-z0-9_-]{0,63}(\.[A-Za-z_][A-Za-z0-9_-]{0,63})?$";
+const TARGET: &str =
+    r"^(lights\.[A-Za-z_][A-Za-z0-9_-]{0,63}\.[a-z_]+|[A-Za-z_][A-Za-z0-9_/-]*\.[A-Za-z_][A-Za-z0-9_-]{0,63})$";
+
+/// The JSON Schema of looks, as `docs/look.schema.json` has it.
+pub fn look_schema() -> Value {
+    schema(&super::LOOK)
 }
 
-/// The schema of a scene.
-pub fn scene_schema() -> serde_json::Value {
-    serde_json::Value::Null
+/// The JSON Schema of scenes, as `docs/scene.schema.json` has it.
+pub fn scene_schema() -> Value {
+    schema(&super::SCENE)
+}
+
+fn schema(shape: &'static Shape) -> Value {
+    let mut definitions = BTreeMap::new();
+    let top = object(shape, &mut definitions);
+    let mut schema = Map::new();
+    schema.insert("$schema".into(), "https://json-schema.org/draft/2020-12/schema".into());
+    schema.insert("title".into(), format!("Chiaro {}", shape.name).into());
+    schema.extend(top);
+    schema.insert("$defs".into(), definitions.into_iter().collect());
+    Value::Object(schema)
+}
+
+/// The definitions that a schema refers to, by name.
+type Definitions = BTreeMap<String, Value>;
+
+fn object(shape: &Shape, definitions: &mut Definitions) -> Map<String, Value> {
+    let mut properties = Map::new();
+    for field in shape.fields {
+        let mut property = kind(&field.kind, definitions);
+        if let Some(property) = property.as_object_mut() {
+            property.insert("description".into(), field.help.into());
+            if let Default::Json(default) = field.default {
+                let default = serde_json::from_str(default).unwrap_or(Value::Null);
+                property.insert("default".into(), default);
+            }
+        }
+        properties.insert(field.name.into(), property);
+    }
+    let is_required = |field: &&Field| matches!(field.default, Default::Required);
+    let required: Vec<&str> = shape.fields.iter().filter(is_required).map(|field| field.name).collect();
+    let mut object = Map::new();
+    object.insert("description".into(), shape.help.into());
+    object.insert("type".into(), "object".into());
+    object.insert("properties".into(), properties.into());
+    if !required.is_empty() {
+        object.insert("required".into(), required.into());
+    }
+    object
+}
+
+/// A reference to a definition, which is made where it is not there yet.
+fn refer(name: &str, definitions: &mut Definitions, make: impl FnOnce(&mut Definitions) -> Value) -> Value {
+    let name = name.replace(' ', "_");
+    if !definitions.contains_key(&name) {
+        // It is there before it is made, so that it may refer to itself.
+        definitions.insert(name.clone(), Value::Null);
+        let made = make(definitions);
+        definitions.insert(name.clone(), made);
+    }
+    json!({ "$ref": format!("#/$defs/{name}") })
+}
+
+fn kind(of: &Kind, definitions: &mut Definitions) -> Value {
+    match of {
+        Kind::Bool => json!({ "type": "boolean" }),
+        Kind::Number(bounds) => number(bounds),
+        Kind::Numbers(least, most, bounds) => numbers(*least, *most, bounds),
+        Kind::Direction => refer("direction", definitions, |_| {
+            let mut direction = numbers(3, 3, &FAR);
+            direction["not"] = json!({ "items": { "const": 0 } });
+            direction
+        }),
+        Kind::Color { alpha } => {
+            let name = if *alpha { "color with alpha" } else { "color" };
+            refer(name, definitions, |_| color(*alpha))
+        }
+        Kind::Backdrop => {
+            let mut choices = color(true);
+            if let Some(choices) = choices["anyOf"].as_array_mut() {
+                choices.extend([json!({ "const": "none" }), json!({ "type": "null" })]);
+            }
+            choices
+        }
+        Kind::Rotation => refer("rotation", definitions, rotation),
+        Kind::Text(most) => json!({ "type": "string", "maxLength": most }),
+        Kind::Slug => json!({ "type": "string", "pattern": SLUG }),
+        Kind::Word(words) => choice(words),
+        Kind::Output => json!({ "type": "string", "pattern": OUTPUT }),
+        Kind::Input => json!({ "type": "string", "pattern": INPUT }),
+        Kind::Target => json!({ "type": "string", "pattern": TARGET }),
+        Kind::KeyDirection => json!({ "anyOf": [
+            { "const": "view" },
+            {
+                "type": "object",
+                "properties": { "light": { "type": "string", "pattern": SLUG } },
+                "required": ["light"],
+                "additionalProperties": false
+            }
+        ] }),
+        Kind::Value => refer("value", definitions, value),
+        Kind::Looks => json!({ "anyOf": [path(), { "type": "object", "additionalProperties": path() }] }),
+        Kind::Object(shape) => refer(shape.name, definitions, |definitions| object(shape, definitions).into()),
+        Kind::List(item, most) => json!({ "type": "array", "items": kind(item, definitions), "maxItems": most }),
+        Kind::Map(item, most) => json!({
+            "type": "object",
+            "propertyNames": { "pattern": SLUG },
+            "additionalProperties": kind(item, definitions),
+            "maxProperties": most
+        }),
+        Kind::TargetValues => json!({
+            "type": "object",
+            "propertyNames": { "pattern": TARGET },
+            "additionalProperties": kind(&Kind::Value, definitions),
+            "maxProperties": 10_000
+        }),
+    }
+}
+
+fn path() -> Value {
+    json!({ "type": "string", "maxLength": 4096 })
+}
+
+fn number(bounds: &Bounds) -> Value {
+    let least = if bounds.above { "exclusiveMinimum" } else { "minimum" };
+    let what = if bounds.whole { "integer" } else { "number" };
+    json!({ "type": what, least: plain(bounds.min), "maximum": plain(bounds.max) })
+}
+
+/// A number without a needless point.
+fn plain(number: f64) -> Value {
+    if number.fract() == 0.0 && number.abs() < 1e15 { (number as i64).into() } else { number.into() }
+}
+
+fn numbers(least: usize, most: usize, bounds: &Bounds) -> Value {
+    json!({ "type": "array", "items": number(bounds), "minItems": least, "maxItems": most })
+}
+
+fn choice(words: &[(&str, &str)]) -> Value {
+    let words: Vec<Value> = words.iter().map(|(word, help)| json!({ "const": word, "description": help })).collect();
+    json!({ "anyOf": words })
+}
+
+fn color(alpha: bool) -> Value {
+    let pattern = if alpha { "^#[0-9a-fA-F]{6}([0-9a-fA-F]{2})?$" } else { "^#[0-9a-fA-F]{6}$" };
+    json!({ "anyOf": [
+        numbers(3, if alpha { 4 } else { 3 }, &FAR),
+        { "type": "string", "pattern": pattern }
+    ] })
+}
+
+fn rotation(definitions: &mut Definitions) -> Value {
+    json!({ "anyOf": [
+        numbers(4, 4, &FAR),
+        { "type": "array", "items": numbers(3, 3, &FAR), "minItems": 3, "maxItems": 3 },
+        kind(&Kind::Object(&super::AXIS_ANGLE), definitions)
+    ] })
+}
+
+/// What [`Reader`](crate::document::read) takes for a value.
+fn value(definitions: &mut Definitions) -> Value {
+    json!({ "anyOf": [
+        { "type": "boolean" },
+        number(&F32),
+        numbers(1, MAX_NUMBERS, &F32),
+        { "type": "string", "maxLength": LONG },
+        kind(&Kind::Object(&CURVE), definitions),
+        kind(&Kind::Object(&RAMP), definitions)
+    ] })
 }

@@ -1,6 +1,92 @@
 //! The tables of docs/format.md.
 
-/// One table in Markdown for each kind of object, by the name that docs/format.md has it under.
+use super::{Default, Kind, Shape, say_number};
+
+/// One table in Markdown for each kind of object, by the object's name, as docs/format.md has them.
 pub fn field_tables() -> Vec<(&'static str, String)> {
-    Vec::new()
+    let shapes: [&Shape; 20] = [
+        &super::LOOK,
+        &super::NODE,
+        &super::WIRE,
+        &super::LIGHT,
+        &super::FRAME,
+        &super::DEFINITION,
+        &super::INTERFACE_PORT,
+        &super::EXPOSED,
+        &super::DIRECTION_KEYS,
+        &super::DIRECTION_KEY,
+        &super::TIME_KEYS,
+        &super::TIME_KEY,
+        &super::CURVE,
+        &super::RAMP,
+        &super::RAMP_STOP,
+        &super::SCENE,
+        &super::OBJECT,
+        &super::TRANSFORM,
+        &super::CAMERA,
+        &super::TIME_RANGE,
+    ];
+    shapes.into_iter().map(|shape| (shape.name, table(shape))).collect()
+}
+
+fn table(shape: &Shape) -> String {
+    let mut table = String::from("| field | takes | default | meaning |\n| --- | --- | --- | --- |\n");
+    for field in shape.fields {
+        let default = match field.default {
+            Default::Required => "required".to_owned(),
+            Default::Json(json) => format!("`{json}`"),
+            Default::Words(words) => words.to_owned(),
+        };
+        let mut help = field.help.replace('|', "\\|");
+        if let Kind::Word(words) = &field.kind
+            && words.len() > 1
+        {
+            let all: Vec<String> = words.iter().map(|(word, meaning)| format!("`{word}`: {meaning}")).collect();
+            help = format!("{help} {}.", all.join("; "));
+        }
+        table += &format!("| `{}` | {} | {default} | {help} |\n", field.name, say(&field.kind));
+    }
+    table
+}
+
+fn say(kind: &Kind) -> String {
+    match kind {
+        Kind::Bool => "`true` or `false`".to_owned(),
+        Kind::Number(bounds) => bounds.say(),
+        Kind::Numbers(least, most, bounds) => {
+            let count = if least == most { format!("{least}") } else { format!("{least} to {most}") };
+            format!("{count} numbers from {} to {}", say_number(bounds.min), say_number(bounds.max))
+        }
+        Kind::Direction => "3 numbers, not all 0".to_owned(),
+        Kind::Color { alpha: false } => "a [colour](#colours) without alpha".to_owned(),
+        Kind::Color { alpha: true } | Kind::Backdrop => "a [colour](#colours)".to_owned(),
+        Kind::Rotation => "a [rotation](#rotations)".to_owned(),
+        Kind::Text(most) => format!("a string of at most {most} bytes"),
+        Kind::Slug => "an [id](#ids)".to_owned(),
+        Kind::Word(words) => words.iter().map(|(word, _)| format!("`\"{word}\"`")).collect::<Vec<_>>().join(", "),
+        Kind::Output => "`\"node.port\"` or `\"node\"`".to_owned(),
+        Kind::Input => "`\"node.port\"`".to_owned(),
+        Kind::Target => "a [target](#targets)".to_owned(),
+        Kind::KeyDirection => "`\"view\"` or `{\"light\": id}`".to_owned(),
+        Kind::Value => "a [value](#values)".to_owned(),
+        Kind::Looks => "a path, or an object of paths".to_owned(),
+        Kind::Object(shape) => format!("{}, an object", linked(shape)),
+        Kind::List(item, most) => format!("a list of {}, at most {most}", plural(item)),
+        Kind::Map(item, most) => format!("an object of {} by id, at most {most}", plural(item)),
+        Kind::TargetValues => "an object of [values](#values) by [target](#targets), at most 10000".to_owned(),
+    }
+}
+
+fn plural(kind: &Kind) -> String {
+    match kind {
+        Kind::Object(shape) => linked(shape),
+        Kind::Slug => "[ids](#ids)".to_owned(),
+        Kind::Value => "[values](#values)".to_owned(),
+        Kind::Numbers(..) => "`[x, y]`".to_owned(),
+        other => say(other),
+    }
+}
+
+fn linked(shape: &Shape) -> String {
+    format!("[{}](#{})", shape.name, shape.name.replace(' ', "-"))
 }

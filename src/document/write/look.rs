@@ -31,19 +31,15 @@ pub(super) fn look(w: &mut Writer, look: &Look) {
                 });
             });
         }
-        w.lines("exposed", &look.exposed, |w, _, exposed| {
+        w.lines("exposed", &look.exposed, |w, exposed| {
             w.shaped(Layout::Inline, &EXPOSED, part(Some(unknown), "exposed", Some(exposed.name.as_str())), |w| {
                 w.member("name", |w| w.string(exposed.name.as_str()));
                 w.member("target", |w| w.string(&exposed.target.to_string()));
                 w.text_unless_empty("label", &exposed.label);
             });
         });
-        w.lines("direction_keys", &look.direction_keys, |w, index, keys| {
-            direction_keys(w, keys, part(Some(unknown), "direction_keys", Some(&index.to_string())));
-        });
-        w.lines("time_keys", &look.time_keys, |w, _, keys| {
-            time_keys(w, keys, part(Some(unknown), "time_keys", Some(&keys.target.to_string())));
-        });
+        w.lines("direction_keys", &look.direction_keys, direction_keys);
+        w.lines("time_keys", &look.time_keys, time_keys);
     });
 }
 
@@ -84,7 +80,7 @@ fn graph(w: &mut Writer, graph: &Graph, unknown: &Unknown) {
     if !graph.nodes.is_empty() {
         w.member("nodes", |w| w.list(Layout::Lines, &graph.nodes, |w, (id, of_id)| node(w, id, of_id)));
     }
-    w.lines("wires", &graph.wires, |w, _, wire| {
+    w.lines("wires", &graph.wires, |w, wire| {
         let to = wire.to.to_string();
         w.shaped(Layout::Inline, &WIRE, part(Some(unknown), "wires", Some(&to)), |w| {
             w.member("from", |w| w.string(&wire.from.to_string()));
@@ -128,7 +124,7 @@ fn definition(w: &mut Writer, definition: &Definition) {
         w.text_unless_empty("label", &definition.label);
         w.text_unless_empty("help", &definition.help);
         for (name, ports) in [("inputs", &definition.inputs), ("outputs", &definition.outputs)] {
-            w.lines(name, ports, |w, _, port| {
+            w.lines(name, ports, |w, port| {
                 let extras = part(Some(unknown), name, Some(port.name.as_str()));
                 w.shaped(Layout::Inline, &INTERFACE_PORT, extras, |w| {
                     w.member("name", |w| w.string(port.name.as_str()));
@@ -152,21 +148,20 @@ fn definition(w: &mut Writer, definition: &Definition) {
     });
 }
 
-fn direction_keys(w: &mut Writer, keys: &DirectionKeys, unknown: Option<&Unknown>) {
-    w.shaped(Layout::Lines, &DIRECTION_KEYS, unknown, |w| {
+fn direction_keys(w: &mut Writer, keys: &DirectionKeys) {
+    w.shaped(Layout::Lines, &DIRECTION_KEYS, Some(&keys.unknown), |w| {
         w.text_unless_empty("name", &keys.name);
         w.member("by", |w| match &keys.by {
             KeyDirection::View => w.string("view"),
             KeyDirection::Light(id) => w.object(Layout::Inline, |w| w.member("light", |w| w.string(id.as_str()))),
         });
         w.word_unless("scheme", keys.scheme, KeyScheme::default());
-        w.lines("keys", &keys.keys, |w, index, key| {
-            direction_key(w, key, part(unknown, "keys", Some(&index.to_string())));
-        });
+        w.lines("keys", &keys.keys, direction_key);
     });
 }
 
-fn direction_key(w: &mut Writer, key: &DirectionKey, unknown: Option<&Unknown>) {
+fn direction_key(w: &mut Writer, key: &DirectionKey) {
+    let unknown = Some(&key.unknown);
     w.shaped(Layout::Inline, &DIRECTION_KEY, unknown, |w| {
         w.member("direction", |w| w.numbers(&key.direction));
         if key.values.is_empty() {
@@ -183,14 +178,14 @@ fn direction_key(w: &mut Writer, key: &DirectionKey, unknown: Option<&Unknown>) 
     });
 }
 
-fn time_keys(w: &mut Writer, keys: &TimeKeys, unknown: Option<&Unknown>) {
-    w.shaped(Layout::Lines, &TIME_KEYS, unknown, |w| {
+fn time_keys(w: &mut Writer, keys: &TimeKeys) {
+    w.shaped(Layout::Lines, &TIME_KEYS, Some(&keys.unknown), |w| {
         w.member("target", |w| w.string(&keys.target.to_string()));
-        w.lines("keys", &keys.keys, |w, index, key| {
-            let extras = part(unknown, "keys", Some(&index.to_string()));
-            w.shaped(Layout::Inline, &TIME_KEY, extras, |w| {
+        w.lines("keys", &keys.keys, |w, key| {
+            let unknown = Some(&key.unknown);
+            w.shaped(Layout::Inline, &TIME_KEY, unknown, |w| {
                 w.member("time", |w| w.number(key.time));
-                w.member("value", |w| value(w, &key.value, part(extras, "value", None)));
+                w.member("value", |w| value(w, &key.value, part(unknown, "value", None)));
                 w.word_unless("interpolation", key.interpolation, Interpolation::default());
             });
         });

@@ -21,6 +21,13 @@ impl Look {
         w.finish()
     }
 
+    /// As [`to_text`](Self::to_text), but numbers that are none are written as such, which no reader takes.
+    pub(super) fn to_trial_text(&self) -> String {
+        let mut w = Writer::trial();
+        look::look(&mut w, self);
+        w.finish()
+    }
+
     /// The text that the look was read from, byte for byte, where that says the same; else the canonical form.
     pub fn to_text_like(&self, source: &SourceMap) -> String {
         let own = self.to_text();
@@ -42,6 +49,13 @@ impl Scene {
     /// The scene as JSON in the canonical form, with a line end at its end.
     pub fn to_text(&self) -> String {
         let mut w = Writer::new();
+        scene::scene(&mut w, self);
+        w.finish()
+    }
+
+    /// As [`to_text`](Self::to_text), but numbers that are none are written as such, which no reader takes.
+    pub(super) fn to_trial_text(&self) -> String {
+        let mut w = Writer::trial();
         scene::scene(&mut w, self);
         w.finish()
     }
@@ -72,7 +86,7 @@ fn top(w: &mut Writer, chiaro: &str, unknown: &Unknown) {
     w.member("version", |w| w.number(f64::from(VERSION)));
 }
 
-/// The unknown fields of a part of a field; see [`Fields`](super::read).
+/// The unknown fields of a part of a field; see [`Unknown`].
 fn part<'u>(unknown: Option<&'u Unknown>, field: &str, part: Option<&str>) -> Option<&'u Unknown> {
     let of_field = unknown?.get(field)?.as_object()?;
     match part {
@@ -119,17 +133,10 @@ impl Writer {
     }
 
     /// A list member with one item on each line, not written where it is empty.
-    fn lines<'a, T: 'a>(&mut self, name: &str, items: &'a [T], mut write: impl FnMut(&mut Self, usize, &'a T)) {
-        if items.is_empty() {
-            return;
+    fn lines<'a, T: 'a>(&mut self, name: &str, items: &'a [T], write: impl FnMut(&mut Self, &'a T)) {
+        if !items.is_empty() {
+            self.member(name, |w| w.list(Layout::Lines, items, write));
         }
-        let mut index = 0;
-        self.member(name, |w| {
-            w.list(Layout::Lines, items, |w, item| {
-                write(w, index, item);
-                index += 1;
-            });
-        });
     }
 }
 

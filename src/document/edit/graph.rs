@@ -1,0 +1,211 @@
+//! Edits of nodes, wires and frames.
+
+use indexmap::IndexMap;
+
+use super::parts::{insert, remove_named};
+use super::{Applied, Edit, group, impossible, missing, nothing};
+use crate::diag::Diagnostic;
+use crate::document::{Frame, Graph, GraphId, Look, Node, Target, Value, Wire};
+use crate::ids::{DefinitionId, FrameId, NodeId, PortName};
+
+fn graph_mut<'l>(look: &'l mut Look, graph: &GraphId) -> Result<&'l mut Graph, Box<Diagnostic>> {
+    match graph {
+        GraphId::Look => Ok(&mut look.graph),
+        GraphId::Definition(id) => {
+            look.definitions.get_mut(id).map(|found| &mut found.graph).ok_or_else(|| missing("group", id))
+        }
+    }
+}
+
+pub(super) fn node_mut<'l>(look: &'l mut Look, graph: &GraphId, id: &NodeId) -> Result<&'l mut Node, Box<Diagnostic>> {
+    graph_mut(look, graph)?.nodes.get_mut(id).ok_or_else(|| missing("node", id))
+}
+
+pub(super) fn add_node(look: &mut Look, graph: GraphId, id: NodeId, node: Node, index: Option<usize>) -> Applied<Edit> {
+    insert(&mut graph_mut(look, &graph)?.nodes, "node", id.clone(), node, index)?;
+    Ok(Edit::RemoveNode { graph, id })
+}
+
+pub(super) fn remove_node(look: &mut Look, graph: GraphId, id: NodeId) -> Applied<Edit> {
+    let of = graph_mut(look, &graph)?;
+    if !of.nodes.contains_key(&id) {
+        return Err(missing("node", id));
+    }
+    let names_it = |wire: &&Wire| wire.from.node == id || wire.to.node == id;
+    let remove_wire = |wire: &Wire| Edit::RemoveWire { graph: graph.clone(), wire: wire.clone() };
+    let mut edits: Vec<Edit> = of.wires.iter().filter(names_it).map(remove_wire).collect();
+    for (frame_id, frame) in of.frames.iter().filter(|(_, frame)| frame.nodes.contains(&id)) {
+        let mut frame = frame.clone();
+        frame.nodes.retain(|node| *node != id);
+        edits.push(Edit::SetFrame { graph: graph.clone(), id: frame_id.clone(), frame });
+    }
+    edits.extend(drop_targets(look, |look, target| leads_through(look, target, &graph, &id)));
+    if edits.is_empty() {
+        let (index, node) = remove_named(&mut graph_mut(look, &graph)?.nodes, "node", &id)?;
+        return Ok(Edit::AddNode { graph, id, node, index: Some(index) });
+    }
+    edits.push(Edit::RemoveNode { graph, id });
+    group(look, edits, true)
+}
+
+/// The edits that remove what exposes or keys these targets.
+pub(super) fn drop_targets(look: &Look, drops: impl Fn(&Look, &Target) -> bool) -> Vec<Edit> {
+    let mut edits = Vec::new();
+    for (index, keys) in look.time_keys.iter().enumerate().rev().filter(|(_, keys)| drops(look, &keys.target)) {
+        let _ = keys;
+        edits.push(Edit::RemoveTimeKeys { index });
+    }
+    for (index, keys) in look.direction_keys.iter().enumerate() {
+        let dropped = |target: &Target| drops(look, target);
+        if keys.keys.iter().any(|key| key.values.keys().any(dropped)) {
+            let mut keys = keys.clone();
+            for key in &mut keys.keys {
+                key.values.retain(|target, _| !drops(look, target));
+            }
+            edits.push(Edit::SetDirectionKeys { index, keys });
+        }
+    }
+    for (index, _) in look.exposed.iter().enumerate().rev().filter(|(_, exposed)| drops(look, &exposed.target)) {
+        edits.push(Edit::RemoveExposed { index });
+    }
+    edits
+}
+
+/// Whether a target is an input of this node or lies in the group that it is.
+fn leads_through(look: &Look, target: &Target, graph: &GraphId, id: &NodeId) -> bool {
+    steps(look, target).any(|(of, step)| of == *graph && step == *id)
+}
+
+/// Whether a target lies in the group that this node is.
+fn leads_into(look: &Look, target: &Target, graph: &GraphId, id: &NodeId) -> bool {
+    let mut steps = steps(look, target);
+    steps.any(|(of, step)| of == *graph && step == *id) && steps.next().is_some()
+}
+
+/// The nodes on the way to a target's input, each with the graph it lies in, as far as this document knows.
+fn steps<'l>(look: &'l Look, target: &'l Target) -> impl Iterator<Item = (GraphId, NodeId)> + 'l {
+    let ids = match target {
+        Target::Input { node, .. } => node.ids(),
+        Target::Light { .. } => &[],
+    };
+    let mut graph = Some(GraphId::Look);
+    ids.iter().map_while(move |id| {
+        let of = graph.take()?;
+        let node = look.graph_of(&of).and_then(|graph| graph.nodes.get(id));
+        graph = node.map(|node| GraphId::Definition(DefinitionId::from(node.kind.as_str())));
+        Some((of, id.clone()))
+    })
+}
+
+pub(super) fn set_kind(look: &mut Look, graph: GraphId, id: NodeId, kind: String) -> Applied<Edit> {
+    let old = std::mem::replace(&mut node_mut(look, &graph, &id)?.kind, kind.clone());
+    let broken = |look: &Look, target: &Target| {
+        let Target::Input { node, .. } = target else { return false };
+        let is_own = look.definitions.contains_key(kind.as_str());
+        leads_into(look, target, &graph, &id) && (!is_own || look.find(node).is_none())
+    };
+    let edits = drop_targets(look, broken);
+    if edits.is_empty() {
+        return Ok(Edit::SetKind { graph, id, kind: old });
+    }
+    // The targets go first, so that they come back last, when there is again what they name.
+    node_mut(look, &graph, &id)?.kind = old;
+    let mut edits = edits;
+    edits.push(Edit::SetKind { graph, id, kind });
+    group(look, edits, true)
+}
+
+pub(super) fn move_nodes(look: &mut Look, graph: GraphId, positions: IndexMap<NodeId, [f64; 2]>) -> Applied<Edit> {
+    let of = graph_mut(look, &graph)?;
+    if let Some(id) = positions.keys().find(|&id| !of.nodes.contains_key(id)) {
+        return Err(missing("node", id));
+    }
+    let mut old = IndexMap::with_capacity(positions.len());
+    for (id, position) in positions {
+        if let Some(node) = of.nodes.get_mut(&id) {
+            old.insert(id, std::mem::replace(&mut node.position, position));
+        }
+    }
+    Ok(if old.is_empty() { nothing() } else { Edit::MoveNodes { graph, positions: old } })
+}
+
+pub(super) fn set_value(
+    look: &mut Look,
+    graph: GraphId,
+    id: NodeId,
+    port: PortName,
+    value: Value,
+    index: Option<usize>,
+) -> Applied<Edit> {
+    let values = &mut node_mut(look, &graph, &id)?.values;
+    if let Some(old) = values.get_mut(&port) {
+        if *old == value {
+            return Ok(nothing());
+        }
+        let value = std::mem::replace(old, value);
+        return Ok(Edit::SetValue { graph, id, port, value, index: None });
+    }
+    insert(values, "value", port.clone(), value, index)?;
+    Ok(Edit::ClearValue { graph, id, port })
+}
+
+pub(super) fn clear_value(look: &mut Look, graph: GraphId, id: NodeId, port: PortName) -> Applied<Edit> {
+    let values = &mut node_mut(look, &graph, &id)?.values;
+    if !values.contains_key(&port) {
+        return Ok(nothing());
+    }
+    let (index, value) = remove_named(values, "value", &port)?;
+    Ok(Edit::SetValue { graph, id, port, value, index: Some(index) })
+}
+
+pub(super) fn add_wire(look: &mut Look, graph: GraphId, wire: Wire, index: Option<usize>) -> Applied<Edit> {
+    let wires = &mut graph_mut(look, &graph)?.wires;
+    let feeds = |other: &Wire| other.to == wire.to;
+    let old: Vec<Wire> = wires.iter().filter(|other| feeds(other)).cloned().collect();
+    if index.is_some() || old.is_empty() {
+        let index = index.unwrap_or(wires.len());
+        if index > wires.len() {
+            return Err(impossible(format!("there is no place {index} among {} wires", wires.len())));
+        }
+        wires.insert(index, wire.clone());
+        return Ok(Edit::RemoveWire { graph, wire });
+    }
+    if old == [wire.clone()] {
+        return Ok(nothing());
+    }
+    let index = wires.iter().position(feeds);
+    let remove = |wire| Edit::RemoveWire { graph: graph.clone(), wire };
+    let mut edits: Vec<Edit> = old.into_iter().map(remove).collect();
+    edits.push(Edit::AddWire { graph, wire, index });
+    group(look, edits, true)
+}
+
+pub(super) fn remove_wire(look: &mut Look, graph: GraphId, wire: Wire) -> Applied<Edit> {
+    let wires = &mut graph_mut(look, &graph)?.wires;
+    let index = wires.iter().position(|other| *other == wire);
+    let index = index.ok_or_else(|| impossible(format!("there is no wire from `{}` to `{}`", wire.from, wire.to)))?;
+    let wire = wires.remove(index);
+    Ok(Edit::AddWire { graph, wire, index: Some(index) })
+}
+
+pub(super) fn add_frame(
+    look: &mut Look,
+    graph: GraphId,
+    id: FrameId,
+    frame: Frame,
+    index: Option<usize>,
+) -> Applied<Edit> {
+    insert(&mut graph_mut(look, &graph)?.frames, "frame", id.clone(), frame, index)?;
+    Ok(Edit::RemoveFrame { graph, id })
+}
+
+pub(super) fn set_frame(look: &mut Look, graph: GraphId, id: FrameId, frame: Frame) -> Applied<Edit> {
+    let old = graph_mut(look, &graph)?.frames.get_mut(&id).ok_or_else(|| missing("frame", &id))?;
+    let frame = std::mem::replace(old, frame);
+    Ok(Edit::SetFrame { graph, id, frame })
+}
+
+pub(super) fn remove_frame(look: &mut Look, graph: GraphId, id: FrameId) -> Applied<Edit> {
+    let (index, frame) = remove_named(&mut graph_mut(look, &graph)?.frames, "frame", &id)?;
+    Ok(Edit::AddFrame { graph, id, frame, index: Some(index) })
+}

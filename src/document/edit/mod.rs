@@ -1,0 +1,278 @@
+//! The one way in which documents change: edits that know their inverses.
+//!
+//! [`Look::apply`] checks an [`Edit`], applies it and returns the edit that takes it back. [`History`] owns a document
+//! and keeps those, so that everything can be undone; serialized edits are what a journal holds.
+//!
+//! An edit that takes away what other parts name (a node with its wires, a light with its keys) is first spelled out
+//! as a group of single edits, so that its inverse restores all of it in its old order.
+
+mod graph;
+mod history;
+mod parts;
+mod scene;
+mod trial;
+
+use indexmap::IndexMap;
+use serde::{Deserialize, Serialize};
+
+use super::{
+    ColorSpace, Definition, DirectionKeys, Exposed, Frame, GraphId, InterfacePort, Light, Look, Node, Tier, TimeKeys,
+    Value, Wire,
+};
+use crate::diag::Diagnostic;
+use crate::ids::{DefinitionId, FrameId, LightId, NodeId, PortName};
+
+pub use history::{Editable, History};
+pub use scene::SceneEdit;
+
+/// What an edit comes to: the edit that takes it back.
+pub type Applied<E> = Result<E, Box<Diagnostic>>;
+
+/// A change of a look. Edits of nodes, wires and frames name the graph; without one it is the look's own.
+///
+/// An `index` says where something new lies among its like; without one it comes last.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "edit", rename_all = "snake_case")]
+#[allow(missing_docs, reason = "the fields are named after what they set")]
+pub enum Edit {
+    /// Several edits as one: all or none.
+    Group { edits: Vec<Edit> },
+    /// Names the look.
+    SetLookName { name: String },
+    /// Says what colours mean.
+    SetColorSpace { color_space: ColorSpace },
+
+    /// Adds a node under a new id.
+    AddNode { graph: GraphId, id: NodeId, node: Node, index: Option<usize> },
+    /// Removes a node with its wires, its place in frames, and what exposes or keys its inputs.
+    RemoveNode { graph: GraphId, id: NodeId },
+    /// Gives a node the artist's name; the id stays.
+    SetName { graph: GraphId, id: NodeId, name: String },
+    /// Makes a node another kind; values and wires stay. What is exposed or keyed in a group that goes away goes too.
+    SetKind { graph: GraphId, id: NodeId, kind: String },
+    /// Asks for another implementation.
+    SetTier { graph: GraphId, id: NodeId, tier: Tier },
+    /// Moves nodes on the canvas, to these places.
+    MoveNodes { graph: GraphId, positions: IndexMap<NodeId, [f64; 2]> },
+    /// Gives an input a value.
+    SetValue { graph: GraphId, id: NodeId, port: PortName, value: Value, index: Option<usize> },
+    /// Takes an input's value away, so that it has its default.
+    ClearValue { graph: GraphId, id: NodeId, port: PortName },
+
+    /// Adds a wire in place of what fed its input; with an index, to an input that nothing feeds.
+    AddWire { graph: GraphId, wire: Wire, index: Option<usize> },
+    /// Removes a wire.
+    RemoveWire { graph: GraphId, wire: Wire },
+
+    /// Adds a frame under a new id.
+    AddFrame { graph: GraphId, id: FrameId, frame: Frame, index: Option<usize> },
+    /// Changes a frame's title, colour or nodes.
+    SetFrame { graph: GraphId, id: FrameId, frame: Frame },
+    /// Removes a frame; its nodes stay.
+    RemoveFrame { graph: GraphId, id: FrameId },
+
+    /// Adds a light under a new id.
+    AddLight { id: LightId, light: Light, index: Option<usize> },
+    /// Changes a light.
+    SetLight { id: LightId, light: Light },
+    /// Removes a light and what exposes or keys it. Nodes that name it stay.
+    RemoveLight { id: LightId },
+
+    /// Adds a group definition under a new id.
+    AddDefinition { id: DefinitionId, definition: Definition, index: Option<usize> },
+    /// Changes what a group is called and its inputs and outputs; its graph stays.
+    SetInterface {
+        id: DefinitionId,
+        label: String,
+        help: String,
+        inputs: Vec<InterfacePort>,
+        outputs: Vec<InterfacePort>,
+    },
+    /// Removes a group definition that no node uses.
+    RemoveDefinition { id: DefinitionId },
+
+    /// Exposes an input.
+    AddExposed { exposed: Exposed, index: Option<usize> },
+    /// Changes an exposed parameter.
+    SetExposed { index: usize, exposed: Exposed },
+    /// Removes an exposed parameter.
+    RemoveExposed { index: usize },
+
+    /// Adds a set of direction keys.
+    AddDirectionKeys { keys: DirectionKeys, index: Option<usize> },
+    /// Changes a set of direction keys.
+    SetDirectionKeys { index: usize, keys: DirectionKeys },
+    /// Removes a set of direction keys.
+    RemoveDirectionKeys { index: usize },
+
+    /// Keys a target over time.
+    AddTimeKeys { keys: TimeKeys, index: Option<usize> },
+    /// Changes the keys of a target.
+    SetTimeKeys { index: usize, keys: TimeKeys },
+    /// Removes the keys of a target.
+    RemoveTimeKeys { index: usize },
+}
+
+impl Edit {
+    /// What undo calls it, e.g. `add rim`.
+    pub fn label(&self) -> String {
+        match self {
+            Self::Group { edits } => edits.first().map_or_else(|| "nothing".to_owned(), Self::label),
+            Self::SetLookName { .. } => "rename the look".to_owned(),
+            Self::SetColorSpace { .. } => "change the colour space".to_owned(),
+            Self::AddNode { id, .. } => format!("add {id}"),
+            Self::RemoveNode { id, .. } => format!("remove {id}"),
+            Self::SetName { id, .. } => format!("rename {id}"),
+            Self::SetKind { id, .. } => format!("change the kind of {id}"),
+            Self::SetTier { id, .. } => format!("change the tier of {id}"),
+            Self::MoveNodes { positions, .. } => match positions.keys().next() {
+                Some(id) if positions.len() == 1 => format!("move {id}"),
+                _ => format!("move {} nodes", positions.len()),
+            },
+            Self::SetValue { id, port, .. } => format!("change {id}.{port}"),
+            Self::ClearValue { id, port, .. } => format!("reset {id}.{port}"),
+            Self::AddWire { wire, .. } => format!("wire {} to {}", wire.from, wire.to),
+            Self::RemoveWire { wire, .. } => format!("unwire {}", wire.to),
+            Self::AddFrame { .. } => "add a frame".to_owned(),
+            Self::SetFrame { .. } => "change a frame".to_owned(),
+            Self::RemoveFrame { .. } => "remove a frame".to_owned(),
+            Self::AddLight { id, .. } => format!("add the light {id}"),
+            Self::SetLight { id, .. } => format!("change the light {id}"),
+            Self::RemoveLight { id } => format!("remove the light {id}"),
+            Self::AddDefinition { id, .. } => format!("add the group {id}"),
+            Self::SetInterface { id, .. } => format!("change the group {id}"),
+            Self::RemoveDefinition { id } => format!("remove the group {id}"),
+            Self::AddExposed { exposed, .. } => format!("expose {}", exposed.name),
+            Self::SetExposed { .. } => "change a parameter".to_owned(),
+            Self::RemoveExposed { .. } => "remove a parameter".to_owned(),
+            Self::AddDirectionKeys { .. } | Self::AddTimeKeys { .. } => "add keys".to_owned(),
+            Self::SetDirectionKeys { .. } | Self::SetTimeKeys { .. } => "change keys".to_owned(),
+            Self::RemoveDirectionKeys { .. } | Self::RemoveTimeKeys { .. } => "remove keys".to_owned(),
+        }
+    }
+}
+
+impl Look {
+    /// Applies an edit and returns the one that takes it back.
+    ///
+    /// # Errors
+    /// A diagnostic where the edit is impossible: it names what does not exist, or sets what no document holds. The
+    /// look is then as it was.
+    pub fn apply(&mut self, edit: Edit) -> Applied<Edit> {
+        apply(self, edit, false)
+    }
+}
+
+impl Editable for Look {
+    type Edit = Edit;
+
+    fn edit(&mut self, edit: Edit, is_known_good: bool) -> Applied<Edit> {
+        apply(self, edit, is_known_good)
+    }
+
+    fn label(edit: &Edit) -> String {
+        edit.label()
+    }
+
+    fn does_nothing(edit: &Edit) -> bool {
+        matches!(edit, Edit::Group { edits } if edits.is_empty())
+    }
+
+    fn covers(older: &Edit, newer: &Edit) -> bool {
+        match (older, newer) {
+            (
+                Edit::SetValue { graph: g, id: i, port: p, index: None, .. },
+                Edit::SetValue { graph, id, port, index: None, .. },
+            ) => (g, i, p) == (graph, id, port),
+            (Edit::SetLight { id: i, .. }, Edit::SetLight { id, .. }) => i == id,
+            (Edit::MoveNodes { graph: g, positions: p }, Edit::MoveNodes { graph, positions }) => {
+                g == graph && p.len() == positions.len() && positions.keys().all(|id| p.contains_key(id))
+            }
+            (Edit::SetName { graph: g, id: i, .. }, Edit::SetName { graph, id, .. }) => (g, i) == (graph, id),
+            (Edit::SetFrame { graph: g, id: i, .. }, Edit::SetFrame { graph, id, .. }) => (g, i) == (graph, id),
+            (Edit::SetDirectionKeys { index: i, .. }, Edit::SetDirectionKeys { index, .. })
+            | (Edit::SetTimeKeys { index: i, .. }, Edit::SetTimeKeys { index, .. }) => i == index,
+            _ => false,
+        }
+    }
+}
+
+/// Applies one edit. What is known to be good, because it takes back or repeats an edit, is not checked: a document
+/// that was broken before an edit is as broken after its undoing.
+fn apply(look: &mut Look, edit: Edit, is_known_good: bool) -> Applied<Edit> {
+    if !is_known_good {
+        trial::check(look, &edit)?;
+    }
+    match edit {
+        Edit::Group { edits } => group(look, edits, is_known_good),
+        Edit::SetLookName { name } => Ok(Edit::SetLookName { name: std::mem::replace(&mut look.name, name) }),
+        Edit::SetColorSpace { color_space } => {
+            let color_space = std::mem::replace(&mut look.color_space, color_space);
+            Ok(Edit::SetColorSpace { color_space })
+        }
+        Edit::AddNode { graph, id, node, index } => graph::add_node(look, graph, id, node, index),
+        Edit::RemoveNode { graph, id } => graph::remove_node(look, graph, id),
+        Edit::SetName { graph, id, name } => {
+            let old = std::mem::replace(&mut graph::node_mut(look, &graph, &id)?.name, name);
+            Ok(Edit::SetName { graph, id, name: old })
+        }
+        Edit::SetKind { graph, id, kind } => graph::set_kind(look, graph, id, kind),
+        Edit::SetTier { graph, id, tier } => {
+            let tier = std::mem::replace(&mut graph::node_mut(look, &graph, &id)?.tier, tier);
+            Ok(Edit::SetTier { graph, id, tier })
+        }
+        Edit::MoveNodes { graph, positions } => graph::move_nodes(look, graph, positions),
+        Edit::SetValue { graph, id, port, value, index } => graph::set_value(look, graph, id, port, value, index),
+        Edit::ClearValue { graph, id, port } => graph::clear_value(look, graph, id, port),
+        Edit::AddWire { graph, wire, index } => graph::add_wire(look, graph, wire, index),
+        Edit::RemoveWire { graph, wire } => graph::remove_wire(look, graph, wire),
+        Edit::AddFrame { graph, id, frame, index } => graph::add_frame(look, graph, id, frame, index),
+        Edit::SetFrame { graph, id, frame } => graph::set_frame(look, graph, id, frame),
+        Edit::RemoveFrame { graph, id } => graph::remove_frame(look, graph, id),
+        part => parts::apply(look, part),
+    }
+}
+
+/// All edits, or none of them.
+fn group(look: &mut Look, edits: Vec<Edit>, is_known_good: bool) -> Applied<Edit> {
+    all_or_none(look, edits, is_known_good).map(|edits| Edit::Group { edits })
+}
+
+/// Applies edits in order; where one fails, those before it are taken back. Returns the inverses in the order in which
+/// they are to be applied.
+fn all_or_none<D: Editable>(document: &mut D, edits: Vec<D::Edit>, is_known_good: bool) -> Applied<Vec<D::Edit>> {
+    let mut inverses = Vec::with_capacity(edits.len());
+    let mut failure = None;
+    for edit in edits {
+        match document.edit(edit, is_known_good) {
+            Ok(inverse) if D::does_nothing(&inverse) => {}
+            Ok(inverse) => inverses.push(inverse),
+            Err(problem) => {
+                failure = Some(problem);
+                break;
+            }
+        }
+    }
+    inverses.reverse();
+    let Some(problem) = failure else { return Ok(inverses) };
+    for inverse in inverses {
+        let undone = document.edit(inverse, true);
+        debug_assert!(undone.is_ok(), "an inverse applies to what its edit made: {undone:?}");
+    }
+    Err(problem)
+}
+
+/// What an edit that changes nothing is taken back by.
+fn nothing() -> Edit {
+    Edit::Group { edits: Vec::new() }
+}
+
+/// An edit names something that is not there.
+fn missing(what: &str, name: impl std::fmt::Display) -> Box<Diagnostic> {
+    Box::new(Diagnostic::error("impossible-edit", format!("there is no {what} `{name}`")))
+}
+
+/// An edit cannot be applied.
+fn impossible(message: impl Into<String>) -> Box<Diagnostic> {
+    Box::new(Diagnostic::error("impossible-edit", message))
+}

@@ -1,0 +1,129 @@
+//! Edits of scenes.
+
+use serde::{Deserialize, Serialize};
+
+use super::parts::{insert, remove_named};
+use super::{Applied, Editable, all_or_none, missing, trial};
+use crate::document::{Camera, Light, Object, Scene, TimeRange};
+use crate::ids::{LightId, ObjectId};
+
+/// A change of a scene.
+///
+/// An `index` says where something new lies among its like; without one it comes last.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "edit", rename_all = "snake_case")]
+#[allow(missing_docs, reason = "the fields are named after what they set")]
+pub enum SceneEdit {
+    /// Several edits as one: all or none.
+    Group { edits: Vec<SceneEdit> },
+    /// Names the scene.
+    SetSceneName { name: String },
+    /// Adds an object under a new id.
+    AddObject { id: ObjectId, object: Object, index: Option<usize> },
+    /// Changes an object.
+    SetObject { id: ObjectId, object: Object },
+    /// Removes an object.
+    RemoveObject { id: ObjectId },
+    /// Adds a light under a new id.
+    AddLight { id: LightId, light: Light, index: Option<usize> },
+    /// Changes a light.
+    SetLight { id: LightId, light: Light },
+    /// Removes a light.
+    RemoveLight { id: LightId },
+    /// Turns the illumination frame: a unit quaternion `[x, y, z, w]`.
+    SetIllumination { rotation: [f64; 4] },
+    /// Moves the camera.
+    SetCamera { camera: Camera },
+    /// Changes the backdrop; `None` for transparent.
+    SetBackdrop { color: Option<[f64; 4]> },
+    /// Changes the times.
+    SetTime { time: TimeRange },
+}
+
+impl Scene {
+    /// Applies an edit and returns the one that takes it back.
+    ///
+    /// # Errors
+    /// A diagnostic where the edit is impossible; the scene is then as it was.
+    pub fn apply(&mut self, edit: SceneEdit) -> Applied<SceneEdit> {
+        self.edit(edit, false)
+    }
+}
+
+impl Editable for Scene {
+    type Edit = SceneEdit;
+
+    fn edit(&mut self, edit: SceneEdit, is_known_good: bool) -> Applied<SceneEdit> {
+        use std::mem::replace;
+        if !is_known_good {
+            trial::check_scene(&edit)?;
+        }
+        Ok(match edit {
+            SceneEdit::Group { edits } => SceneEdit::Group { edits: all_or_none(self, edits, is_known_good)? },
+            SceneEdit::SetSceneName { name } => SceneEdit::SetSceneName { name: replace(&mut self.name, name) },
+            SceneEdit::AddObject { id, object, index } => {
+                insert(&mut self.objects, "object", id.clone(), object, index)?;
+                SceneEdit::RemoveObject { id }
+            }
+            SceneEdit::SetObject { id, object } => {
+                let old = self.objects.get_mut(&id).ok_or_else(|| missing("object", &id))?;
+                SceneEdit::SetObject { object: replace(old, object), id }
+            }
+            SceneEdit::RemoveObject { id } => {
+                let (index, object) = remove_named(&mut self.objects, "object", &id)?;
+                SceneEdit::AddObject { id, object, index: Some(index) }
+            }
+            SceneEdit::AddLight { id, light, index } => {
+                insert(&mut self.lights, "light", id.clone(), light, index)?;
+                SceneEdit::RemoveLight { id }
+            }
+            SceneEdit::SetLight { id, light } => {
+                let old = self.lights.get_mut(&id).ok_or_else(|| missing("light", &id))?;
+                SceneEdit::SetLight { light: replace(old, light), id }
+            }
+            SceneEdit::RemoveLight { id } => {
+                let (index, light) = remove_named(&mut self.lights, "light", &id)?;
+                SceneEdit::AddLight { id, light, index: Some(index) }
+            }
+            SceneEdit::SetIllumination { rotation } => {
+                SceneEdit::SetIllumination { rotation: replace(&mut self.illumination, rotation) }
+            }
+            SceneEdit::SetCamera { camera } => SceneEdit::SetCamera { camera: replace(&mut self.camera, camera) },
+            SceneEdit::SetBackdrop { color } => SceneEdit::SetBackdrop { color: replace(&mut self.backdrop, color) },
+            SceneEdit::SetTime { time } => SceneEdit::SetTime { time: replace(&mut self.time, time) },
+        })
+    }
+
+    fn label(edit: &SceneEdit) -> String {
+        match edit {
+            SceneEdit::Group { edits } => edits.first().map_or_else(|| "nothing".to_owned(), Self::label),
+            SceneEdit::SetSceneName { .. } => "rename the scene".to_owned(),
+            SceneEdit::AddObject { id, .. } => format!("add {id}"),
+            SceneEdit::SetObject { id, .. } => format!("change {id}"),
+            SceneEdit::RemoveObject { id } => format!("remove {id}"),
+            SceneEdit::AddLight { id, .. } => format!("add the light {id}"),
+            SceneEdit::SetLight { id, .. } => format!("change the light {id}"),
+            SceneEdit::RemoveLight { id } => format!("remove the light {id}"),
+            SceneEdit::SetIllumination { .. } => "turn the lights".to_owned(),
+            SceneEdit::SetCamera { .. } => "move the camera".to_owned(),
+            SceneEdit::SetBackdrop { .. } => "change the backdrop".to_owned(),
+            SceneEdit::SetTime { .. } => "change the time range".to_owned(),
+        }
+    }
+
+    fn does_nothing(edit: &SceneEdit) -> bool {
+        matches!(edit, SceneEdit::Group { edits } if edits.is_empty())
+    }
+
+    fn covers(older: &SceneEdit, newer: &SceneEdit) -> bool {
+        match (older, newer) {
+            (SceneEdit::SetObject { id: a, .. }, SceneEdit::SetObject { id: b, .. }) => a == b,
+            (SceneEdit::SetLight { id: a, .. }, SceneEdit::SetLight { id: b, .. }) => a == b,
+            (SceneEdit::SetIllumination { .. }, SceneEdit::SetIllumination { .. })
+            | (SceneEdit::SetCamera { .. }, SceneEdit::SetCamera { .. })
+            | (SceneEdit::SetBackdrop { .. }, SceneEdit::SetBackdrop { .. })
+            | (SceneEdit::SetTime { .. }, SceneEdit::SetTime { .. }) => true,
+            _ => false,
+        }
+    }
+}

@@ -1,0 +1,213 @@
+//! Whether an edit may be applied: what it sets must be something that a document can hold, and it must name things
+//! that exist.
+//!
+//! The first is tried rather than written down again: a small document with nothing but the new part is written and
+//! read, so that an edit obeys every bound of the reader.
+
+use super::{Edit, SceneEdit, impossible, missing};
+use crate::diag::Diagnostic;
+use crate::document::structure::check_target;
+use crate::document::{
+    DirectionKeys, Endpoint, Exposed, Frame, Graph, GraphId, KeyDirection, Look, Node, Object, Scene, Target, TimeKeys,
+    Wire,
+};
+use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, NodePath, is_slug};
+
+type Check = Result<(), Box<Diagnostic>>;
+
+/// Checks an edit of a look, groups aside: their edits are checked one after the other.
+pub(super) fn check(look: &Look, edit: &Edit) -> Check {
+    match edit {
+        Edit::SetLookName { name } => readable(|trial| trial.name = name.clone()),
+        Edit::AddNode { graph, id, node, .. } => {
+            slug(id.as_str())?;
+            if *graph != GraphId::Look && matches!(id.as_str(), GROUP_INPUTS | GROUP_OUTPUTS) {
+                return Err(impossible(format!("`{id}` is the name of the group's own {id}")));
+            }
+            readable_node(node.clone())
+        }
+        Edit::SetName { name, .. } => readable_node(Node { name: name.clone(), ..Node::default() }),
+        Edit::SetKind { kind, .. } => readable_node(Node { kind: kind.clone(), ..Node::default() }),
+        Edit::MoveNodes { positions, .. } => {
+            positions.values().try_for_each(|&position| readable_node(Node { position, ..Node::default() }))
+        }
+        Edit::SetValue { port, value, .. } => {
+            slug(port.as_str())?;
+            let values = [(port.clone(), value.clone())].into_iter().collect();
+            readable_node(Node { values, ..Node::default() })
+        }
+        Edit::AddWire { graph, wire, index } => check_wire(look, graph, wire, index.is_some()),
+        Edit::AddFrame { graph, id, frame, .. } => {
+            slug(id.as_str())?;
+            check_frame(look, graph, frame)
+        }
+        Edit::SetFrame { graph, frame, .. } => check_frame(look, graph, frame),
+        Edit::AddLight { id, light, .. } | Edit::SetLight { id, light } => {
+            slug(id.as_str())?;
+            readable(|trial| drop(trial.lights.insert(id.clone(), light.clone())))
+        }
+        Edit::AddDefinition { id, definition, .. } => {
+            slug(id.as_str())?;
+            readable(|trial| drop(trial.definitions.insert(id.clone(), definition.clone())))?;
+            keeps_targets(look, id, &definition.graph)
+        }
+        Edit::SetInterface { id, label, help, inputs, outputs } => readable(|trial| {
+            let of = trial.definitions.entry(id.clone()).or_default();
+            (of.label, of.help) = (label.clone(), help.clone());
+            (of.inputs, of.outputs) = (inputs.clone(), outputs.clone());
+        }),
+        Edit::AddExposed { exposed, .. } => check_exposed(look, exposed, usize::MAX),
+        Edit::SetExposed { exposed, index } => check_exposed(look, exposed, *index),
+        Edit::AddDirectionKeys { keys, .. } | Edit::SetDirectionKeys { keys, .. } => check_direction_keys(look, keys),
+        Edit::AddTimeKeys { keys, .. } => check_time_keys(look, keys, usize::MAX),
+        Edit::SetTimeKeys { keys, index } => check_time_keys(look, keys, *index),
+        _ => Ok(()),
+    }
+}
+
+/// Checks an edit of a scene, groups aside.
+pub(super) fn check_scene(edit: &SceneEdit) -> Check {
+    let mut trial = Scene::default();
+    match edit {
+        SceneEdit::SetSceneName { name } => trial.name.clone_from(name),
+        SceneEdit::AddObject { id, object, .. } | SceneEdit::SetObject { id, object } => {
+            slug(id.as_str())?;
+            trial.objects.insert(id.clone(), Object::clone(object));
+        }
+        SceneEdit::AddLight { id, light, .. } | SceneEdit::SetLight { id, light } => {
+            slug(id.as_str())?;
+            trial.lights.insert(id.clone(), light.clone());
+        }
+        SceneEdit::SetIllumination { rotation } => {
+            let length = rotation.iter().map(|x| x * x).sum::<f64>().sqrt();
+            if !((length - 1.0).abs() < 1e-6) {
+                return Err(impossible("the rotation is no quaternion of length 1"));
+            }
+        }
+        SceneEdit::SetCamera { camera } => trial.camera = *camera,
+        SceneEdit::SetBackdrop { color } => trial.backdrop = *color,
+        SceneEdit::SetTime { time } => trial.time = *time,
+        _ => return Ok(()),
+    }
+    first_error(Scene::read(&trial.to_trial_text(), "").diagnostics)
+}
+
+/// Whether a look with nothing but this part is read without an error.
+fn readable(part: impl FnOnce(&mut Look)) -> Check {
+    let mut trial = Look::default();
+    part(&mut trial);
+    first_error(Look::read(&trial.to_trial_text(), "").diagnostics)
+}
+
+fn readable_node(node: Node) -> Check {
+    readable(|trial| drop(trial.graph.nodes.insert("trial".into(), node)))
+}
+
+/// As [`readable`], but for parts that name others, which are not in the trial.
+fn readable_alone(part: impl FnOnce(&mut Look)) -> Check {
+    let mut trial = Look::default();
+    part(&mut trial);
+    first_error(Look::read_alone(&trial.to_trial_text()))
+}
+
+/// The first error, without its place in the trial.
+fn first_error(diagnostics: Vec<Diagnostic>) -> Check {
+    match diagnostics.into_iter().find(Diagnostic::is_error) {
+        None => Ok(()),
+        Some(mut problem) => {
+            problem.place = Default::default();
+            Err(Box::new(problem))
+        }
+    }
+}
+
+fn slug(id: &str) -> Check {
+    if is_slug(id) { Ok(()) } else { Err(impossible(format!("`{id}` is no id"))) }
+}
+
+fn graph_of<'l>(look: &'l Look, graph: &GraphId) -> Result<&'l Graph, Box<Diagnostic>> {
+    look.graph_of(graph).ok_or_else(|| match graph {
+        GraphId::Definition(id) => missing("group", id),
+        GraphId::Look => impossible("there is no graph"),
+    })
+}
+
+fn check_wire(look: &Look, graph: &GraphId, wire: &Wire, needs_free_input: bool) -> Check {
+    let of = graph_of(look, graph)?;
+    let end = |end: &Endpoint, own: &str| {
+        let is_own = *graph != GraphId::Look && end.node.as_str() == own;
+        if is_own || of.nodes.contains_key(&end.node) { Ok(()) } else { Err(missing("node", &end.node)) }
+    };
+    end(&wire.from, GROUP_INPUTS)?;
+    end(&wire.to, GROUP_OUTPUTS)?;
+    if !wire.from.port.as_str().is_empty() {
+        slug(wire.from.port.as_str())?;
+    }
+    slug(wire.to.port.as_str())?;
+    if needs_free_input && of.wire_into(&wire.to.node, &wire.to.port).is_some() {
+        return Err(impossible(format!("a wire leads into `{}` already", wire.to)));
+    }
+    Ok(())
+}
+
+fn check_frame(look: &Look, graph: &GraphId, frame: &Frame) -> Check {
+    let of = graph_of(look, graph)?;
+    if let Some(id) = frame.nodes.iter().find(|&id| !of.nodes.contains_key(id)) {
+        return Err(missing("node", id));
+    }
+    readable_alone(|trial| drop(trial.graph.frames.insert("trial".into(), frame.clone())))
+}
+
+/// A definition may not take targets away from a group of the library of the same name.
+fn keeps_targets(look: &Look, id: &DefinitionId, graph: &Graph) -> Check {
+    let targets = look.exposed.iter().map(|exposed| &exposed.target);
+    let targets = targets.chain(look.time_keys.iter().map(|keys| &keys.target));
+    let keyed = look.direction_keys.iter().flat_map(|keys| keys.keys.iter().flat_map(|key| key.values.keys()));
+    for target in targets.chain(keyed) {
+        let Target::Input { node, .. } = target else { continue };
+        let ids = node.ids();
+        let loses = (1..ids.len()).any(|depth| {
+            let around = ids[1..depth].iter().fold(NodePath::root(ids[0].clone()), |path, id| path.join(id.clone()));
+            look.find(&around).is_some_and(|found| found.node.kind == id.as_str())
+                && !graph.nodes.contains_key(&ids[depth])
+        });
+        if loses {
+            return Err(impossible(format!("the group `{id}` has nothing for `{target}`, which is exposed or keyed")));
+        }
+    }
+    Ok(())
+}
+
+fn check_exposed(look: &Look, exposed: &Exposed, own: usize) -> Check {
+    let is_taken = |(index, other): (usize, &Exposed)| index != own && other.name == exposed.name;
+    if look.exposed.iter().enumerate().any(is_taken) {
+        return Err(impossible(format!("there is a parameter `{}` already", exposed.name)));
+    }
+    slug(exposed.name.as_str())?;
+    first_error(check_target(look, &exposed.target))?;
+    readable_alone(|trial| trial.exposed.push(exposed.clone()))
+}
+
+fn check_direction_keys(look: &Look, keys: &DirectionKeys) -> Check {
+    if let KeyDirection::Light(light) = &keys.by
+        && !look.lights.contains_key(light)
+    {
+        return Err(missing("light", light));
+    }
+    for target in keys.keys.iter().flat_map(|key| key.values.keys()) {
+        first_error(check_target(look, target))?;
+    }
+    readable_alone(|trial| trial.direction_keys.push(keys.clone()))
+}
+
+fn check_time_keys(look: &Look, keys: &TimeKeys, own: usize) -> Check {
+    let is_taken = |(index, other): (usize, &TimeKeys)| index != own && other.target == keys.target;
+    if look.time_keys.iter().enumerate().any(is_taken) {
+        return Err(impossible(format!("`{}` has keys already", keys.target)));
+    }
+    first_error(check_target(look, &keys.target))?;
+    if !keys.keys.windows(2).all(|pair| pair[0].time < pair[1].time) {
+        return Err(impossible("the times of the keys do not increase"));
+    }
+    readable_alone(|trial| trial.time_keys.push(keys.clone()))
+}

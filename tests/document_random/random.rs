@@ -1,0 +1,426 @@
+//! Random documents and edits from a seed; small sizes make small ones.
+
+use chiaro::document::{
+    Camera, ColorSpace, Curve, Definition, DirectionKey, DirectionKeys, Endpoint, Exposed, Frame, Graph, InterfacePort,
+    Interpolation, KeyDirection, KeyScheme, Light, LightKind, LightSpace, Look, Node, Object, Projection, Ramp,
+    RampStop, Scene, Target, Tier, TimeKey, TimeKeys, TimeRange, Transform, Unknown, Value, Values, Wire,
+};
+use chiaro::ids::{LightId, NodeId, NodePath, PortName};
+use serde_json::json;
+
+/// SplitMix64, and how large things get.
+pub struct Random {
+    state: u64,
+    size: usize,
+}
+
+impl Random {
+    pub fn new(seed: u64, size: usize) -> Self {
+        Self { state: seed, size }
+    }
+
+    pub fn bits(&mut self) -> u64 {
+        self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let z = (self.state ^ (self.state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        z ^ (z >> 31)
+    }
+
+    pub fn below(&mut self, count: usize) -> usize {
+        (self.bits() % count.max(1) as u64) as usize
+    }
+
+    pub fn chance(&mut self, in_ten: usize) -> bool {
+        self.below(10) < in_ten
+    }
+
+    pub fn pick<'a, T>(&mut self, from: &'a [T]) -> Option<&'a T> {
+        (!from.is_empty()).then(|| &from[self.below(from.len())])
+    }
+
+    fn choose<T: Copy>(&mut self, from: &[T]) -> T {
+        from[self.below(from.len())]
+    }
+
+    fn count(&mut self) -> usize {
+        let size = self.size;
+        self.below(size + 1)
+    }
+
+    /// Any number up to a magnitude: round ones, tiny ones, both zeros, and full 53 bits.
+    fn number(&mut self, bound: f64) -> f64 {
+        let unit = self.bits() as f64 / u64::MAX as f64;
+        let number = match self.below(8) {
+            0 => 0.0,
+            1 => -0.0,
+            2 => self.below(10) as f64,
+            3 => unit * 1e-300,
+            4 => f64::MIN_POSITIVE / 8.0,
+            5 => -unit * bound,
+            6 => bound,
+            _ => unit * bound.min(10.0),
+        };
+        number.clamp(-bound, bound)
+    }
+
+    fn positive(&mut self, bound: f64) -> f64 {
+        self.number(bound).abs()
+    }
+
+    fn numbers<const N: usize>(&mut self, bound: f64) -> [f64; N] {
+        std::array::from_fn(|_| self.number(bound))
+    }
+
+    fn direction(&mut self) -> [f64; 3] {
+        let mut direction = self.numbers::<3>(1e6);
+        direction[self.below(3)] = 1.0 + self.positive(9.0);
+        direction
+    }
+
+    pub fn slug(&mut self) -> String {
+        let mut slug = String::from(self.choose(&["a", "b", "_", "Node", "x-y"]));
+        slug.push_str(&self.below(40).to_string());
+        slug
+    }
+
+    fn port(&mut self) -> PortName {
+        PortName::from(self.choose(&["below", "offset", "color", "light", "p_1"]))
+    }
+
+    fn text(&mut self) -> String {
+        let pieces = ["", "Rim", "光", "\"quoted\"", "back\\slash", "\n\t\r\0\u{7f}\u{1f}", "/", "🙂", "\u{2028}", " "];
+        (0..self.below(4)).map(|_| self.choose(&pieces)).collect()
+    }
+
+    fn maybe_text(&mut self) -> Option<String> {
+        self.chance(3).then(|| self.text())
+    }
+
+    fn json(&mut self, depth: usize) -> serde_json::Value {
+        match self.below(if depth == 0 { 6 } else { 8 }) {
+            0 => json!(null),
+            1 => json!(self.chance(5)),
+            2 => json!(self.bits()),
+            3 => json!(-(self.below(1000) as i64) - 1),
+            4 => json!(self.number(1e300)),
+            5 => json!(self.text()),
+            6 => (0..self.below(3)).map(|_| self.json(depth - 1)).collect(),
+            _ => (0..self.below(3))
+                .map(|i| (format!("{}{i}", self.text()), self.json(depth - 1)))
+                .collect::<Unknown>()
+                .into(),
+        }
+    }
+
+    fn unknown(&mut self) -> Unknown {
+        if !self.chance(2) {
+            return Unknown::new();
+        }
+        (0..1 + self.below(2)).map(|i| (format!("x_{i} {}", self.text()), self.json(2))).collect()
+    }
+
+    /// Unknown fields of the parts of a field, as documents keep them.
+    fn shadows<'a>(&mut self, into: &mut Unknown, field: &str, parts: impl Iterator<Item = String> + 'a) {
+        for part in parts {
+            let extras = self.unknown();
+            if !extras.is_empty() {
+                let of_field = into.entry(field).or_insert_with(|| json!({}));
+                of_field.as_object_mut().unwrap().insert(part, extras.into());
+            }
+        }
+    }
+
+    fn places(&mut self) -> Vec<f64> {
+        let mut places: Vec<f64> = (0..1 + self.below(6)).map(|_| self.number(1e30)).collect();
+        places.sort_by(f64::total_cmp);
+        places.dedup_by(|a, b| a <= b);
+        places
+    }
+
+    fn interpolation(&mut self) -> Interpolation {
+        self.choose(&[Interpolation::Linear, Interpolation::Smooth, Interpolation::Stepped])
+    }
+
+    pub fn value(&mut self) -> Value {
+        match self.below(6) {
+            0 => Value::Bool(self.chance(5)),
+            1 => Value::Number(self.number(3e38)),
+            2 => Value::Vector((0..1 + self.below(16)).map(|_| self.number(3e38)).collect()),
+            3 => Value::Text(self.text()),
+            4 => {
+                let points = self.places().into_iter().map(|x| [x, self.number(1e10)]).collect();
+                Value::Curve(Curve { points, interpolation: self.interpolation() })
+            }
+            _ => {
+                let color = |r: &mut Self| (0..3 + r.below(2)).map(|_| r.number(10.0)).collect();
+                let stops = self.places().into_iter().map(|at| RampStop { at, color: color(self) }).collect();
+                Value::Ramp(Ramp { stops, interpolation: self.interpolation() })
+            }
+        }
+    }
+
+    fn values(&mut self) -> Values {
+        (0..self.below(4)).map(|_| (self.port(), self.value())).collect()
+    }
+
+    pub fn light(&mut self) -> Light {
+        let outer = 1e-6 + self.positive(3.1);
+        Light {
+            name: self.text(),
+            kind: self.choose(&[LightKind::Directional, LightKind::Point, LightKind::Spot]),
+            space: self.choose(&[LightSpace::Illumination, LightSpace::World, LightSpace::Camera]),
+            direction: self.direction(),
+            position: self.numbers(1e6),
+            aim: self.direction(),
+            inner: outer * self.positive(1.0),
+            outer,
+            color: self.numbers(1e6),
+            intensity: self.positive(1e6),
+            half_distance: self.positive(1e6),
+            range: self.positive(1e6),
+        }
+    }
+
+    pub fn node(&mut self, kinds: &[String]) -> Node {
+        let mut node = Node {
+            kind: match self.pick(kinds).cloned() {
+                Some(kind) if self.chance(3) => kind,
+                _ => self.choose(&["base", "light_layer", "output", "maths/add"]).to_owned(),
+            },
+            name: self.text(),
+            position: self.numbers(1e6),
+            values: self.values(),
+            tier: self.choose(&[Tier::Exact, Tier::Balanced, Tier::Fast]),
+            unknown: self.unknown(),
+        };
+        let with_fields = |value: &&PortName| matches!(node.values[*value], Value::Curve(_) | Value::Ramp(_));
+        let parts: Vec<String> = node.values.keys().filter(with_fields).map(ToString::to_string).collect();
+        let mut unknown = std::mem::take(&mut node.unknown);
+        self.shadows(&mut unknown, "values", parts.into_iter());
+        node.unknown = unknown;
+        node
+    }
+
+    pub fn frame(&mut self, nodes: Vec<NodeId>) -> Frame {
+        let color = if self.chance(5) { Vec::new() } else { self.numbers::<3>(1.0).to_vec() };
+        Frame { title: self.text(), color, nodes }
+    }
+
+    fn graph(&mut self, kinds: &[String], unknown: &mut Unknown) -> Graph {
+        let mut graph = Graph::default();
+        for _ in 0..self.count() {
+            graph.nodes.insert(self.slug().into(), self.node(kinds));
+        }
+        let ids: Vec<NodeId> = graph.nodes.keys().cloned().collect();
+        for _ in 0..self.count() {
+            if let Some(wire) = self.wire(&ids)
+                && graph.wire_into(&wire.to.node, &wire.to.port).is_none()
+            {
+                graph.wires.push(wire);
+            }
+        }
+        self.shadows(
+            unknown,
+            "wires",
+            graph.wires.iter().map(|wire| wire.to.to_string()).collect::<Vec<_>>().into_iter(),
+        );
+        for nodes in ids.chunks(3) {
+            if self.chance(3) {
+                graph.frames.insert(self.slug().into(), self.frame(nodes.to_vec()));
+            }
+        }
+        self.shadows(unknown, "frames", graph.frames.keys().map(ToString::to_string).collect::<Vec<_>>().into_iter());
+        graph
+    }
+
+    pub fn wire(&mut self, ids: &[NodeId]) -> Option<Wire> {
+        let (from, to) = (self.pick(ids)?.clone(), self.pick(ids)?.clone());
+        let out = if self.chance(5) { PortName::default() } else { self.port() };
+        Some(Wire { from: Endpoint::new(from, out), to: Endpoint::new(to, self.port()) })
+    }
+
+    pub fn definition(&mut self, kinds: &[String]) -> Definition {
+        let mut unknown = self.unknown();
+        let inputs = self.interface();
+        self.shadows(&mut unknown, "inputs", inputs.iter().map(|port| port.name.to_string()));
+        Definition {
+            label: self.text(),
+            help: self.text(),
+            inputs,
+            outputs: self.interface(),
+            graph: self.graph(kinds, &mut unknown),
+            unknown,
+        }
+    }
+
+    pub fn interface(&mut self) -> Vec<InterfacePort> {
+        let names = ["a", "b", "c"];
+        let count = self.below(4);
+        let port = |r: &mut Self, name: &str| {
+            let min = r.number(1e9);
+            InterfacePort {
+                name: name.into(),
+                label: r.maybe_text(),
+                help: r.maybe_text(),
+                default: r.chance(5).then(|| r.value()),
+                min: r.chance(5).then_some(min),
+                max: r.chance(5).then_some(min + r.positive(9.0)),
+            }
+        };
+        names[..count].iter().map(|name| port(self, name)).collect()
+    }
+
+    /// A target that exists, as far as the document knows.
+    pub fn target(&mut self, look: &Look) -> Option<Target> {
+        if self.chance(3) {
+            let lights: Vec<&LightId> = look.lights.keys().collect();
+            let light = (*self.pick(&lights)?).clone();
+            return Some(Target::Light { light, field: self.choose(&Target::LIGHT_FIELDS).to_owned() });
+        }
+        let mut graph = &look.graph;
+        let mut path: Option<NodePath> = None;
+        loop {
+            let nodes: Vec<(&NodeId, &Node)> = graph.nodes.iter().collect();
+            let Some((id, node)) = self.pick(&nodes).copied() else { break };
+            path = Some(path.map_or_else(|| NodePath::root(id.clone()), |path| path.join(id.clone())));
+            match look.definitions.get(node.kind.as_str()) {
+                Some(inner) if self.chance(8) => graph = &inner.graph,
+                _ => break,
+            }
+        }
+        Some(Target::Input { node: path?, port: self.port() })
+    }
+
+    pub fn exposed(&mut self, look: &Look) -> Option<Exposed> {
+        Some(Exposed { name: self.slug().into(), target: self.target(look)?, label: self.text() })
+    }
+
+    pub fn direction_keys(&mut self, look: &Look) -> DirectionKeys {
+        let lights: Vec<&LightId> = look.lights.keys().collect();
+        let light = self.pick(&lights).map(|id| KeyDirection::Light((*id).clone())).filter(|_| self.chance(5));
+        let key = |r: &mut Self| DirectionKey {
+            direction: r.direction(),
+            values: (0..r.below(3)).filter_map(|_| Some((r.target(look)?, r.value()))).collect(),
+            unknown: r.unknown(),
+        };
+        DirectionKeys {
+            name: self.text(),
+            by: light.unwrap_or(KeyDirection::View),
+            scheme: self.choose(&[KeyScheme::Biharmonic, KeyScheme::AppendixB, KeyScheme::Tessellated]),
+            keys: (0..self.below(4)).map(|_| key(self)).collect(),
+            unknown: self.unknown(),
+        }
+    }
+
+    pub fn time_keys(&mut self, look: &Look) -> Option<TimeKeys> {
+        let mut times: Vec<f64> = (0..self.below(5)).map(|_| self.number(1e6)).collect();
+        times.sort_by(f64::total_cmp);
+        times.dedup_by(|a, b| a <= b);
+        let key = |r: &mut Self, time| TimeKey {
+            time,
+            value: r.value(),
+            interpolation: r.interpolation(),
+            unknown: r.unknown(),
+        };
+        let keys = times.into_iter().map(|time| key(self, time)).collect();
+        Some(TimeKeys { target: self.target(look)?, keys, unknown: self.unknown() })
+    }
+
+    /// A look that has nothing wrong with it.
+    pub fn look(&mut self) -> Look {
+        let mut look = Look { name: self.text(), unknown: self.unknown(), ..Look::default() };
+        look.color_space = self.choose(&[ColorSpace::Display, ColorSpace::Linear]);
+        for _ in 0..self.below(4) {
+            look.lights.insert(self.slug().into(), self.light());
+        }
+        let mut kinds: Vec<String> = Vec::new();
+        for _ in 0..self.below(3) {
+            let definition = self.definition(&kinds);
+            let id = self.slug();
+            look.definitions.insert(id.as_str().into(), definition);
+            kinds.push(id);
+        }
+        let mut unknown = std::mem::take(&mut look.unknown);
+        look.graph = self.graph(&kinds, &mut unknown);
+        self.shadows(&mut unknown, "lights", look.lights.keys().map(ToString::to_string));
+        for _ in 0..self.below(4) {
+            if let Some(exposed) = self.exposed(&look)
+                && look.exposed.iter().all(|other| other.name != exposed.name)
+            {
+                look.exposed.push(exposed);
+            }
+            let keys = self.direction_keys(&look);
+            look.direction_keys.push(keys);
+            if let Some(keys) = self.time_keys(&look)
+                && look.time_keys.iter().all(|other| other.target != keys.target)
+            {
+                look.time_keys.push(keys);
+            }
+        }
+        self.shadows(&mut unknown, "exposed", look.exposed.iter().map(|exposed| exposed.name.to_string()));
+        look.unknown = unknown;
+        look
+    }
+
+    pub fn rotation(&mut self) -> [f64; 4] {
+        let q: [f64; 4] = std::array::from_fn(|_| self.bits() as f64 / u64::MAX as f64 - 0.5);
+        let length = q.iter().map(|x| x * x).sum::<f64>().sqrt();
+        q.map(|x| x / length)
+    }
+
+    pub fn object(&mut self) -> Object {
+        let scale = std::array::from_fn(|_| if self.chance(5) { 1.0 } else { -0.5 - self.positive(1e3) });
+        let mut object = Object {
+            mesh: self.choose(&["shape:torus", "meshes/a b.obj", ""]).to_owned(),
+            transform: Transform { translate: self.numbers(1e6), rotate: self.rotation(), scale, fit: self.chance(5) },
+            looks: (0..self.below(3)).map(|_| (self.text(), self.text())).collect(),
+            values: self.values(),
+            visible: self.chance(5),
+            unknown: self.unknown(),
+        };
+        if self.chance(3) {
+            object.looks = [("*".to_owned(), self.text())].into();
+        }
+        object
+    }
+
+    pub fn camera(&mut self) -> Camera {
+        Camera {
+            eye: [self.number(5.0), self.number(5.0), 10.0],
+            target: [self.number(5.0), 0.0, self.number(5.0)],
+            up: [0.1, 1.0, self.number(0.1)],
+            projection: self.choose(&[Projection::Perspective, Projection::Orthographic]),
+            fov: 0.1 + self.positive(3.0),
+            height: 0.1 + self.positive(100.0),
+        }
+    }
+
+    pub fn time(&mut self) -> TimeRange {
+        let start = self.number(1e3);
+        TimeRange { start, end: start + self.positive(1e3), fps: 0.5 + self.positive(100.0) }
+    }
+
+    /// A scene that has nothing wrong with it.
+    pub fn scene(&mut self) -> Scene {
+        let mut scene = Scene {
+            name: self.text(),
+            objects: (0..self.count()).map(|_| (self.slug().into(), self.object())).collect(),
+            lights: (0..self.below(4)).map(|_| (self.slug().into(), self.light())).collect(),
+            illumination: self.rotation(),
+            camera: self.camera(),
+            backdrop: self.chance(7).then(|| self.numbers(1.0)),
+            time: self.time(),
+            unknown: self.unknown(),
+        };
+        let mut unknown = std::mem::take(&mut scene.unknown);
+        self.shadows(&mut unknown, "lights", scene.lights.keys().map(ToString::to_string));
+        for part in ["camera", "time"] {
+            let extras = self.unknown();
+            if !extras.is_empty() {
+                unknown.insert(part.to_owned(), extras.into());
+            }
+        }
+        scene.unknown = unknown;
+        scene
+    }
+}

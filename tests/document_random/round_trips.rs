@@ -1,0 +1,66 @@
+//! Writing and reading loses nothing, and the schemas agree.
+
+use chiaro::diag::has_errors;
+use chiaro::document::{Document, Look, Scene};
+use proptest::prelude::*;
+
+use super::random::Random;
+
+proptest! {
+    #[test]
+    fn looks_survive(seed: u64, size in 0..12usize) {
+        let look = Random::new(seed, size).look();
+        prop_assert_eq!(look.check().iter().map(ToString::to_string).collect::<Vec<_>>(), Vec::<String>::new());
+        let text = look.to_text();
+        let loaded = Look::read(&text, "random.json");
+        prop_assert!(!has_errors(&loaded.diagnostics), "{:?}\n{}", loaded.diagnostics, text);
+        let read = loaded.value.unwrap();
+        prop_assert_eq!(&read, &look);
+        // The order of nodes and members too, and the sign of zeros.
+        prop_assert_eq!(read.to_text(), text.clone());
+        // Not only serde_json, but any reader takes it.
+        prop_assert!(serde_json::from_str::<serde_json::Value>(&text).is_ok());
+    }
+
+    #[test]
+    fn scenes_survive(seed: u64, size in 0..6usize) {
+        let scene = Random::new(seed, size).scene();
+        let text = scene.to_text();
+        let loaded = Scene::read(&text, "random.json");
+        prop_assert!(!has_errors(&loaded.diagnostics), "{:?}\n{}", loaded.diagnostics, text);
+        let read = loaded.value.unwrap();
+        prop_assert_eq!(&read, &scene);
+        prop_assert_eq!(read.to_text(), text.clone());
+        prop_assert!(matches!(Document::read(&text, ""), Document::Scene(_)));
+    }
+
+    /// White space, line ends, order of fields and spelling of numbers stay while nothing is changed.
+    #[test]
+    fn unchanged_texts_stay_as_they_are(seed: u64, size in 0..6usize) {
+        let look = Random::new(seed, size).look();
+        let json: serde_json::Value = serde_json::from_str(&look.to_text()).unwrap();
+        let text = format!("\u{feff}\r\n{}  ", serde_json::to_string_pretty(&json).unwrap().replace('\n', "\r\n\t"));
+        let loaded = Look::read(&text, "own.json");
+        let read = loaded.value.unwrap();
+        prop_assert_eq!(&read, &look);
+        prop_assert_eq!(read.to_text_like(&loaded.source), text.clone());
+        let mut other = read.clone();
+        other.name.push('!');
+        prop_assert_eq!(other.to_text_like(&loaded.source), other.to_text());
+    }
+
+    #[test]
+    fn random_documents_fit_the_schemas(seed: u64, size in 0..6usize) {
+        let mut random = Random::new(seed, size);
+        for (text, schema) in [
+            (random.look().to_text(), chiaro::document::look_schema()),
+            (random.scene().to_text(), chiaro::document::scene_schema()),
+        ] {
+            let validator = jsonschema::draft202012::new(&schema).unwrap();
+            let json: serde_json::Value = serde_json::from_str(&text).unwrap();
+            let errors: Vec<String> =
+                validator.iter_errors(&json).map(|e| format!("{}: {e}", e.instance_path())).collect();
+            prop_assert!(errors.is_empty(), "{:?}\n{}", errors, text);
+        }
+    }
+}
