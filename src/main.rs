@@ -1,1 +1,24 @@
-fn main() {}
+//! The `chiaro` program: reads the command line and hands over to the command line tools or the editor.
+
+use std::process::ExitCode;
+
+use chiaro::cli::{Outcome, run};
+
+fn main() -> ExitCode {
+    match run() {
+        Outcome::Done(code) => code,
+        Outcome::Edit(files) => edit(files),
+    }
+}
+
+#[cfg(feature = "editor")]
+fn edit(_files: Vec<std::path::PathBuf>) -> ExitCode {
+    ExitCode::FAILURE
+}
+
+#[cfg(not(feature = "editor"))]
+#[expect(clippy::print_stderr, reason = "the program's last words")]
+fn edit(_files: Vec<std::path::PathBuf>) -> ExitCode {
+    eprintln!("error: this chiaro was built without its editor; build it with the feature `editor`");
+    ExitCode::FAILURE
+}

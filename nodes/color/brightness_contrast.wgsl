@@ -12,5 +12,5 @@ import chiaro::total;
 /// @return color "Color" : Straight RGBA.
 /// @bypass color when brightness = 0 and contrast = 0 : it changes nothing
 fn brightness_contrast(color: Color, brightness: f32, contrast: f32, middle: f32) -> Color {
-    return vec4f(bounded_vec3(color.xyz + (contrast * (color.xyz - middle) + brightness)), color.w);
+    return vec4f(bounded_vec3(color.xyz + (contrast * (color.xyz - middle) + brightness)), bounded(color.w));
 }

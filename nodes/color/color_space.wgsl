@@ -1,5 +1,6 @@
 import chiaro::types;
 import chiaro::color;
+import chiaro::total;
 
 /// Color space
 ///
@@ -13,9 +14,9 @@ import chiaro::color;
 /// @unit when color = unit
 /// @source IEC 61966-2-1
 fn color_space_srgb_to_linear(color: Color) -> Color {
-    return vec4f(linear_of_srgb(color.x), linear_of_srgb(color.y), linear_of_srgb(color.z), color.w);
+    return vec4f(linear_of_srgb(color.x), linear_of_srgb(color.y), linear_of_srgb(color.z), bounded(color.w));
 }
 
 fn color_space_linear_to_srgb(color: Color) -> Color {
-    return vec4f(srgb_of_linear(color.x), srgb_of_linear(color.y), srgb_of_linear(color.z), color.w);
+    return vec4f(srgb_of_linear(color.x), srgb_of_linear(color.y), srgb_of_linear(color.z), bounded(color.w));
 }

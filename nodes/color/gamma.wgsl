@@ -12,5 +12,5 @@ import chiaro::total;
 /// @bypass color when gamma = 1 : its gamma is 1
 /// @unit when color = unit
 fn gamma(color: Color, gamma: f32) -> Color {
-    return vec4f(powered_vec3(color.xyz, max(bounded(gamma), 0.01)), color.w);
+    return vec4f(powered_vec3(color.xyz, max(bounded(gamma), 0.01)), bounded(color.w));
 }

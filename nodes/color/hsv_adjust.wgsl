@@ -1,5 +1,6 @@
 import chiaro::types;
 import chiaro::color;
+import chiaro::total;
 
 /// Hue, saturation, value
 ///
@@ -13,8 +14,8 @@ import chiaro::color;
 /// @bypass color when hue = 0 and saturation = 1 and value = 1 : it changes nothing
 fn hsv_adjust(color: Color, hue: f32, saturation: f32, value: f32) -> Color {
     if hue == 0.0 && saturation == 1.0 && value == 1.0 {
-        return color;
+        return bounded_vec4(color);
     }
     let rgb = bounded_vec3(color.xyz);
-    return vec4f(hsv_adjusted(rgb, bounded(hue) * 0.159154943, bounded(saturation), bounded(value)), color.w);
+    return vec4f(hsv_adjusted(rgb, bounded(hue) * 0.159154943, bounded(saturation), bounded(value)), bounded(color.w));
 }

@@ -12,5 +12,5 @@ import chiaro::total;
 /// @unit when color = unit
 fn negative_color(color: Color, amount: f32) -> Color {
     let rgb = bounded_vec3(color.xyz);
-    return vec4f(mixed_vec3(rgb, bounded_vec3(1.0 - rgb), clamp(bounded(amount), 0.0, 1.0)), color.w);
+    return vec4f(mixed_vec3(rgb, bounded_vec3(1.0 - rgb), clamp(bounded(amount), 0.0, 1.0)), bounded(color.w));
 }

@@ -17,5 +17,5 @@ fn bump_map(height: f32, scale: f32, normal: vec3f, position: vec3f) -> vec3f {
     let raised = bounded(height * scale);
     let along_x = vec4f(dpdx(position), dpdx(raised));
     let along_y = vec4f(dpdy(position), dpdy(raised));
-    return select(bumped_normal(along_x, along_y, normal), normal, scale == 0.0);
+    return select(bumped_normal(along_x, along_y, normal), bounded_vec3(normal), scale == 0.0);
 }

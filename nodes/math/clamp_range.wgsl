@@ -30,5 +30,5 @@ fn clamp_range_vec4(value: vec4f, low: f32, high: f32) -> vec4f {
 
 fn clamp_range_color(value: Color, low: f32, high: f32) -> Color {
     let rgb = min(max(bounded_vec3(value.xyz), vec3f(bounded(low))), vec3f(bounded(high)));
-    return vec4f(rgb, clamp(value.w, 0.0, 1.0));
+    return vec4f(rgb, factor_of(value.w, true));
 }

@@ -27,5 +27,5 @@ fn divide_vec4(a: vec4f, b: vec4f) -> vec4f {
 }
 
 fn divide_color(a: Color, b: Color) -> Color {
-    return vec4f(divided(a.x, b.x), divided(a.y, b.y), divided(a.z, b.z), a.w);
+    return vec4f(divided(a.x, b.x), divided(a.y, b.y), divided(a.z, b.z), bounded(a.w));
 }

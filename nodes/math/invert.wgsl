@@ -25,5 +25,5 @@ fn invert_vec4(value: vec4f) -> vec4f {
 }
 
 fn invert_color(value: Color) -> Color {
-    return vec4f(bounded_vec3(1.0 - value.xyz), value.w);
+    return vec4f(bounded_vec3(1.0 - value.xyz), bounded(value.w));
 }

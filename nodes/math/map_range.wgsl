@@ -3,8 +3,8 @@ import chiaro::total;
 
 /// Map range
 ///
-/// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first range is empty, all that is
-/// below it becomes the new low and the rest the new high. A colour keeps its alpha, within 0 and 1 while clamped.
+/// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first range is empty, all that
+/// is below it becomes the new low and the rest the new high. A colour keeps its alpha, within 0 and 1 while clamped.
 ///
 /// @param value "Value" default=0 : What is moved.
 /// @param from_low "From low" default=0 : This becomes the new low.
@@ -47,6 +47,6 @@ fn map_range_color(value: Color, from_low: f32, from_high: f32, to_low: f32, to_
         remapped(value.x, from_low, from_high, to_low, to_high, clamped),
         remapped(value.y, from_low, from_high, to_low, to_high, clamped),
         remapped(value.z, from_low, from_high, to_low, to_high, clamped),
-        select(value.w, clamp(value.w, 0.0, 1.0), clamped),
+        factor_of(value.w, clamped),
     );
 }

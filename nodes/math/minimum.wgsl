@@ -26,5 +26,5 @@ fn minimum_vec4(a: vec4f, b: vec4f) -> vec4f {
 }
 
 fn minimum_color(a: Color, b: Color) -> Color {
-    return vec4f(min(bounded_vec3(a.xyz), bounded_vec3(b.xyz)), a.w);
+    return vec4f(min(bounded_vec3(a.xyz), bounded_vec3(b.xyz)), bounded(a.w));
 }

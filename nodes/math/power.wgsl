@@ -35,5 +35,5 @@ fn power_vec4(base: vec4f, exponent: f32) -> vec4f {
 }
 
 fn power_color(base: Color, exponent: f32) -> Color {
-    return vec4f(powered_vec3(base.xyz, exponent), base.w);
+    return vec4f(powered_vec3(base.xyz, exponent), bounded(base.w));
 }

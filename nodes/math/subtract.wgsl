@@ -26,5 +26,5 @@ fn subtract_vec4(a: vec4f, b: vec4f) -> vec4f {
 }
 
 fn subtract_color(a: Color, b: Color) -> Color {
-    return vec4f(bounded_vec3(a.xyz - b.xyz), a.w);
+    return vec4f(bounded_vec3(a.xyz - b.xyz), bounded(a.w));
 }

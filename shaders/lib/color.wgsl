@@ -63,5 +63,5 @@ fn soft_light(a: f32, b: f32) -> f32 {
 
 /// From the colour a to the blended numbers by a factor in [0, 1]; a keeps its alpha.
 fn color_mixed(a: vec4f, blended: vec3f, factor: f32) -> vec4f {
-    return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(blended), factor_of(factor, true)), a.w);
+    return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(blended), factor_of(factor, true)), bounded(a.w));
 }

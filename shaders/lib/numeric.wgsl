@@ -28,15 +28,20 @@ fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
 
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction. Scaled by the largest
-/// component first, so that neither tiny nor huge vectors under- or overflow.
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a NaN. Scaled by the
+/// largest component first, so that neither tiny nor huge vectors under- or overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if !(largest > 1e-30 && largest < 1e30) {
         return otherwise;
     }
     let scaled = v * (1.0 / largest);
-    return scaled * (1.0 / sqrt(dot(scaled, scaled)));
+    let square = dot(scaled, scaled);
+    // max() passes over a NaN.
+    if !is_finite(square) {
+        return otherwise;
+    }
+    return scaled * (1.0 / sqrt(square));
 }
 
 /// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of two. 0 below -149,

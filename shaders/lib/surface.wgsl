@@ -27,7 +27,7 @@ fn any_orthogonal(n: vec3f) -> vec3f {
 /// proper map has, counts as nearly flat on the surface.
 fn mapped_normal(vector: vec3f, strength: f32, normal: vec3f, tangent: vec3f, bitangent: vec3f) -> vec3f {
     if strength == 0.0 {
-        return normal;
+        return bounded_vec3(normal);
     }
     let frame = world_from_tangent(tangent, bitangent, normal);
     let v = bounded_vec3(vector);

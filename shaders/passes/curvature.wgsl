@@ -46,29 +46,38 @@ fn slope(normal: vec3f) -> vec2f {
     return normal.xy / max(normal.z, LEAST_NZ);
 }
 
-/// The slope at a neighbour in xy, and whether it counts in z. `step` is in pixels, y up.
-fn neighbour(center: Texel, at: vec2i, step: vec2f) -> vec3f {
+/// The slope at a neighbour in xy, and whether it counts in z. `offset` is in pixels, y up.
+fn neighbour(center: Texel, at: vec2i, offset: vec2f) -> vec3f {
     let other = texel(at);
     if other.object != center.object {
         return vec3f(0.0);
     }
     let pixel = curvature.pixel * mix(1.0, center.depth, curvature.perspective);
     let gradient = -center.normal.xy / max(center.normal.z, 0.02);
-    let expected = dot(gradient, step) * pixel;
+    let expected = dot(gradient, offset) * pixel;
     let error = abs((center.depth - other.depth) - expected);
-    let is_near = error <= DEPTH_TOLERANCE * pixel * (1.0 + length(gradient));
+    let is_near = error <= DEPTH_TOLERANCE * pixel * length(offset) * (1.0 + length(gradient));
     return select(vec3f(0.0), vec3f(slope(other.normal), 1.0), is_near);
 }
 
-/// The derivative along one axis from what counts of the two sides.
-fn derivative(here: f32, before: vec2f, after: vec2f) -> f32 {
-    let total = before.y + after.y;
-    if total == 0.0 {
-        return 0.0;
-    }
-    let forward = (after.x - here) * after.y;
-    let backward = (here - before.x) * before.y;
-    return (forward + backward) / total;
+/// A derivative under way: what both sides give, each with its weight.
+struct Sides {
+    forward: f32,
+    forward_weight: f32,
+    backward: f32,
+    backward_weight: f32,
+}
+
+/// How the differences at one, two and three steps are weighted: a derivative of a Gaussian, which does not see the
+/// noise of single normals.
+const WEIGHTS = array<f32, 3>(1.0, 0.85, 0.5);
+
+/// The derivative from what counts of the two sides; 0 where nothing does.
+fn derivative(sides: Sides) -> f32 {
+    let forward = sides.forward / max(sides.forward_weight, 1e-6);
+    let backward = sides.backward / max(sides.backward_weight, 1e-6);
+    let count = select(0.0, 1.0, sides.forward_weight > 0.0) + select(0.0, 1.0, sides.backward_weight > 0.0);
+    return (forward + backward) / max(count, 1.0);
 }
 
 @vertex
@@ -84,12 +93,27 @@ fn fs_main(@builtin(position) position: vec4f) -> @location(0) f32 {
         return 0.0;
     }
     let here = slope(center.normal);
-    let left = neighbour(center, at + vec2i(-1, 0), vec2f(-1.0, 0.0));
-    let right = neighbour(center, at + vec2i(1, 0), vec2f(1.0, 0.0));
-    let above = neighbour(center, at + vec2i(0, -1), vec2f(0.0, 1.0));
-    let below = neighbour(center, at + vec2i(0, 1), vec2f(0.0, -1.0));
-    let along_x = derivative(here.x, left.xz, right.xz);
-    let along_y = derivative(here.y, below.yz, above.yz);
-    let kappa = 0.5 * (along_x + along_y) * curvature.viewport_height;
+    var along_x = Sides(0.0, 0.0, 0.0, 0.0);
+    var along_y = Sides(0.0, 0.0, 0.0, 0.0);
+    // A step is a share of the picture's height, so that a larger picture measures the same curvature, not a finer one.
+    let stride = max(i32(round(curvature.viewport_height / 800.0)), 1);
+    for (var k = 1; k <= 3; k++) {
+        let reach = k * stride;
+        let distance = f32(reach);
+        let weight = WEIGHTS[k - 1] * distance * distance;
+        let left = neighbour(center, at + vec2i(-reach, 0), vec2f(-distance, 0.0));
+        let right = neighbour(center, at + vec2i(reach, 0), vec2f(distance, 0.0));
+        let above = neighbour(center, at + vec2i(0, -reach), vec2f(0.0, distance));
+        let below = neighbour(center, at + vec2i(0, reach), vec2f(0.0, -distance));
+        along_x.forward += weight * right.z * (right.x - here.x) / distance;
+        along_x.forward_weight += weight * right.z;
+        along_x.backward += weight * left.z * (here.x - left.x) / distance;
+        along_x.backward_weight += weight * left.z;
+        along_y.forward += weight * above.z * (above.y - here.y) / distance;
+        along_y.forward_weight += weight * above.z;
+        along_y.backward += weight * below.z * (here.y - below.y) / distance;
+        along_y.backward_weight += weight * below.z;
+    }
+    let kappa = 0.5 * (derivative(along_x) + derivative(along_y)) * curvature.viewport_height;
     return clamp(kappa, -MOST, MOST);
 }

@@ -8,6 +8,7 @@ use indexmap::IndexMap;
 
 use super::flatten::ParamId;
 use super::layout::StructLayout;
+use super::specialize::Function;
 use super::value::typed_value;
 use crate::diag::Diagnostic;
 use crate::document::{Light, LightKind, LightSpace, Value};
@@ -106,8 +107,15 @@ pub(super) enum Step {
     Constant(interp::Value),
     Param { id: ParamId, ty: Type, value: interp::Value },
     Context(Context, Option<LightId>),
-    Call { program: Arc<Program>, arguments: Vec<usize> },
+    Call { program: Arc<Program>, callee: Callee, arguments: Vec<usize> },
     Member { value: usize, index: usize },
+}
+
+/// What a step calls, so that its source can be found again.
+#[derive(Clone, Debug)]
+pub(super) enum Callee {
+    Function(Function),
+    Conversion { from: Type, to: Type },
 }
 
 /// A member of the `Look` uniform.
@@ -119,8 +127,8 @@ pub struct UniformMember {
     pub ty: Type,
     /// The node that it belongs to, and what of it.
     pub origin: String,
-    /// The step that computes it.
-    pub(super) step: usize,
+    /// The step that computes it, as [`HostProgram::source`] lists them.
+    pub step: usize,
     /// Its first byte in the uniform.
     pub offset: u32,
 }
@@ -163,7 +171,7 @@ impl HostProgram {
                     set.unwrap_or_else(|| value.clone())
                 }
                 Step::Context(context, light) => inputs.context(*context, light.as_ref()),
-                Step::Call { program, arguments } => {
+                Step::Call { program, arguments, .. } => {
                     let arguments: Vec<_> = arguments.iter().map(|&index| values[index].clone()).collect();
                     program.call(&arguments, Precision::F64)?
                 }

@@ -403,7 +403,7 @@ impl<'a> Builder<'a> {
         };
         let image = ImageUse {
             path,
-            wrap: setting("wrap", "repeat"),
+            wrap: setting("wrap", "clamp"),
             filter: setting("filter", "linear"),
             encoding: setting("encoding", "color"),
             node: node.path.clone(),

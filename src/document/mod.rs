@@ -4,10 +4,12 @@
 //! [`Look::to_text`] writes the canonical form, and a document equal to what was read is written back byte for byte.
 //! [`History`] applies every [`Edit`], and undoes it. docs/format.md documents the files.
 
+mod check;
 mod color;
 mod edit;
 mod json;
 mod look;
+mod problems;
 mod read;
 mod rotation;
 mod scene;

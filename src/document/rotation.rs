@@ -25,8 +25,9 @@ pub(super) fn from_matrix(m: [[f64; 3]; 3]) -> Result<[f64; 4], &'static str> {
         for j in 0..3 {
             let dot: f64 = (0..3).map(|k| m[i][k] * m[j][k]).sum();
             let expected = if i == j { 1.0 } else { 0.0 };
-            // Beyond the tolerance, or no number at all.
-            if !((dot - expected).abs() <= TOLERANCE) {
+            // Asked so that NaN is no good either.
+            let holds = (dot - expected).abs() <= TOLERANCE;
+            if !holds {
                 return Err("the rows of the matrix are not of length 1 and at right angles, so it is no rotation");
             }
         }

@@ -1,1 +1,109 @@
-//! Shaders in other languages.
+//! Looks as files for other programs.
+//!
+//! [`export`] compiles a look with its exposed parameters alive, adds the passes that it needs, has each language write
+//! every module, and describes it all in one JSON file: what to bind, what to feed, in which order to draw, and how
+//! the parameters that an artist sets become the numbers that the shader reads. [`description`] documents that file.
+//!
+//! A language is one file here and one line in [`LANGUAGES`]; naga's back ends write the text. Positions in clip space
+//! are left exactly as `view.clip_from_world` gives them in every language, so that a host uses the projection
+//! matrices of its own API.
+
+pub mod description;
+mod exposed;
+mod glsl;
+mod glsl_330;
+mod glsl_450;
+mod glsl_es300;
+mod header;
+mod hlsl;
+mod host;
+mod language;
+mod modules;
+mod msl;
+mod pretty;
+mod reflect;
+mod spirv;
+mod wgsl;
+
+use crate::compile::check;
+use crate::diag::Diagnostic;
+use crate::document::Look;
+use crate::library::Library;
+
+pub use language::Language;
+
+/// Every language, in the order of the issue.
+pub const LANGUAGES: [&Language; 7] = [
+    &wgsl::LANGUAGE,
+    &glsl_es300::LANGUAGE,
+    &glsl_330::LANGUAGE,
+    &glsl_450::LANGUAGE,
+    &hlsl::LANGUAGE,
+    &msl::LANGUAGE,
+    &spirv::LANGUAGE,
+];
+
+/// The language that `chiaro export --to` names.
+pub fn language(slug: &str) -> Option<&'static Language> {
+    LANGUAGES.into_iter().find(|language| language.slug == slug)
+}
+
+/// A file to be written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct File {
+    /// Its name, without folders.
+    pub name: String,
+    /// What it holds.
+    pub bytes: Vec<u8>,
+}
+
+impl File {
+    fn text(name: String, text: String) -> Self {
+        Self { name, bytes: text.into_bytes() }
+    }
+}
+
+/// An exported look.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Export {
+    /// What to write, in order; no two have the same name.
+    pub files: Vec<File>,
+    /// What is odd about the look, but stopped nothing.
+    pub warnings: Vec<Diagnostic>,
+}
+
+/// Exports `look` in `languages` as files whose names begin with `stem`, such as `rim` for `rim.frag`.
+///
+/// # Errors
+/// Everything that is wrong with the look, or what a language cannot express.
+pub fn export(
+    look: &Look,
+    library: &Library,
+    stem: &str,
+    languages: &[&'static Language],
+) -> Result<Export, Vec<Diagnostic>> {
+    let (typed, mut warnings) = check(look, library, None)?;
+    let mut modules = modules::compile(&typed, stem)?;
+    warnings.append(&mut modules.warnings);
+    let mut files = Vec::new();
+    let mut written = Vec::new();
+    let mut problems = Vec::new();
+    for &language in languages {
+        for module in &modules.modules {
+            match language.write(module, &modules.title, stem) {
+                Ok(found) => {
+                    files.extend(found.files);
+                    written.push((language, found.described));
+                }
+                Err(problem) => problems.push(problem),
+            }
+        }
+    }
+    if !problems.is_empty() {
+        return Err(problems);
+    }
+    let description = description::describe(look, library, &typed, &modules, &written);
+    files.extend(modules.prepare_files());
+    files.push(File::text(format!("{stem}.json"), description));
+    Ok(Export { files, warnings })
+}

@@ -344,10 +344,11 @@ pub fn set_light_field(light: &mut Light, field: &str, value: &Value) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::Unknown;
 
     fn track(interpolation: Interpolation) -> Vec<TimeKey> {
         [(1.0, 10.0), (3.0, 20.0)]
-            .map(|(time, value)| TimeKey { time, value: Value::Number(value), interpolation })
+            .map(|(time, value)| TimeKey { time, value: Value::Number(value), interpolation, unknown: Unknown::new() })
             .to_vec()
     }
 

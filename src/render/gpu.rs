@@ -36,22 +36,34 @@ impl Gpu {
     /// # Errors
     /// Where there is none, or it gives no device.
     pub async fn headless() -> Result<Self, RenderError> {
-        let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
-        descriptor.backends = wgpu::Backends::from_env().unwrap_or(wgpu::Backends::PRIMARY | wgpu::Backends::GL);
-        let instance = wgpu::Instance::new(descriptor);
-        let options = wgpu::RequestAdapterOptions {
-            power_preference: wgpu::PowerPreference::HighPerformance,
-            ..wgpu::RequestAdapterOptions::default()
-        };
-        let no_adapter = |error: &dyn std::fmt::Display| RenderError::NoAdapter { message: error.to_string() };
-        let adapter = instance.request_adapter(&options).await.map_err(|error| no_adapter(&error))?;
+        let mut failure = String::from("no backend was tried");
+        let mut found = None;
+        // OpenGL only where there is nothing better: its libraries talk of missing displays on their way.
+        let wanted = wgpu::Backends::from_env().map_or(vec![wgpu::Backends::PRIMARY, wgpu::Backends::GL], |one| vec![one]);
+        for backends in wanted {
+            let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+            descriptor.backends = backends;
+            let options = wgpu::RequestAdapterOptions {
+                power_preference: wgpu::PowerPreference::HighPerformance,
+                ..wgpu::RequestAdapterOptions::default()
+            };
+            match wgpu::Instance::new(descriptor).request_adapter(&options).await {
+                Ok(adapter) => {
+                    found = Some(adapter);
+                    break;
+                }
+                Err(error) => failure = error.to_string(),
+            }
+        }
+        let adapter = found.ok_or(RenderError::NoAdapter { message: failure })?;
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("chiaro"),
             required_features: adapter.features() & wgpu::Features::TIMESTAMP_QUERY,
             required_limits: adapter.limits(),
             ..wgpu::DeviceDescriptor::default()
         };
-        let (device, queue) = adapter.request_device(&descriptor).await.map_err(|error| no_adapter(&error))?;
+        let refused = |error: wgpu::RequestDeviceError| RenderError::NoAdapter { message: error.to_string() };
+        let (device, queue) = adapter.request_device(&descriptor).await.map_err(refused)?;
         Ok(Self::new(device, queue, adapter.get_info()))
     }
 

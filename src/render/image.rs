@@ -24,7 +24,7 @@ pub(super) struct Images {
 }
 
 impl Images {
-    /// The texture of an image, with its rows turned so that v points up as the meshes' does.
+    /// The texture of an image, rows from the top; image nodes turn v, which points up, themselves.
     pub(super) fn texture(&mut self, gpu: &Gpu, image: &Arc<Image>) -> Result<wgpu::TextureView, RenderError> {
         if let Some(known) = self.textures.get(&image.hash) {
             return Ok(known.view.clone());
@@ -35,8 +35,6 @@ impl Images {
             let what = "a side of an image in pixels".to_owned();
             return Err(RenderError::TooLarge { what, size: side.into(), limit: limit.into() });
         }
-        let row = image.size[0] as usize * 4;
-        let upward: Vec<u8> = image.rgba.chunks_exact(row.max(1)).rev().flatten().copied().collect();
         let size = wgpu::Extent3d { width: image.size[0], height: image.size[1], depth_or_array_layers: 1 };
         let descriptor = wgpu::TextureDescriptor {
             label: Some("image"),
@@ -49,7 +47,7 @@ impl Images {
             view_formats: &[],
         };
         let order = wgpu::util::TextureDataOrder::LayerMajor;
-        let texture = gpu.device.create_texture_with_data(&gpu.queue, &descriptor, order, &upward);
+        let texture = gpu.device.create_texture_with_data(&gpu.queue, &descriptor, order, &image.rgba);
         let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
         self.textures.insert(image.hash, Uploaded { image: Arc::downgrade(image), view: view.clone() });
         Ok(view)

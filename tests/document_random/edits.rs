@@ -1,5 +1,6 @@
 //! Every edit can be undone and redone, and keeps a good document good.
 
+use chiaro::diag::Diagnostic;
 use chiaro::document::{Edit, Editable, GraphId, History, Look, SceneEdit};
 use chiaro::ids::NodeId;
 use proptest::prelude::*;
@@ -117,7 +118,7 @@ proptest! {
                 // Impossible edits and such as change nothing leave everything alone.
                 _ => prop_assert_eq!(&all_of(&history), &before, "{:?}", edit),
             }
-            let errors: Vec<_> = history.document().check().into_iter().filter(|d| d.is_error()).collect();
+            let errors: Vec<_> = history.document().check().into_iter().filter(Diagnostic::is_error).collect();
             prop_assert!(errors.is_empty(), "after {:?}: {:?}", edit, errors);
             let text = history.document().to_text();
             prop_assert_eq!(Look::read(&text, "").value.map(|look| look.to_text()), Some(text));
@@ -185,6 +186,19 @@ proptest! {
         while history.redo().is_some() {}
         prop_assert_eq!(history.document().to_text(), end);
     }
+}
+
+/// The edits of the tests above are not for the most part impossible.
+#[test]
+fn most_random_edits_can_be_applied() {
+    let mut applied = 0;
+    for seed in 0..1000 {
+        let mut random = Random::new(seed, 6);
+        let mut look = random.look();
+        let edit = random.edit(&look);
+        applied += usize::from(look.apply(edit).is_ok());
+    }
+    assert!(applied > 600, "{applied} of 1000");
 }
 
 #[test]

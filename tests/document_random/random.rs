@@ -9,32 +9,32 @@ use chiaro::ids::{LightId, NodeId, NodePath, PortName};
 use serde_json::json;
 
 /// SplitMix64, and how large things get.
-pub struct Random {
+pub(crate) struct Random {
     state: u64,
     size: usize,
 }
 
 impl Random {
-    pub fn new(seed: u64, size: usize) -> Self {
+    pub(crate) fn new(seed: u64, size: usize) -> Self {
         Self { state: seed, size }
     }
 
-    pub fn bits(&mut self) -> u64 {
+    pub(crate) fn bits(&mut self) -> u64 {
         self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let z = (self.state ^ (self.state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
         let z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
         z ^ (z >> 31)
     }
 
-    pub fn below(&mut self, count: usize) -> usize {
+    pub(crate) fn below(&mut self, count: usize) -> usize {
         (self.bits() % count.max(1) as u64) as usize
     }
 
-    pub fn chance(&mut self, in_ten: usize) -> bool {
+    pub(crate) fn chance(&mut self, in_ten: usize) -> bool {
         self.below(10) < in_ten
     }
 
-    pub fn pick<'a, T>(&mut self, from: &'a [T]) -> Option<&'a T> {
+    pub(crate) fn pick<'a, T>(&mut self, from: &'a [T]) -> Option<&'a T> {
         (!from.is_empty()).then(|| &from[self.below(from.len())])
     }
 
@@ -77,7 +77,7 @@ impl Random {
         direction
     }
 
-    pub fn slug(&mut self) -> String {
+    pub(crate) fn slug(&mut self) -> String {
         let mut slug = String::from(self.choose(&["a", "b", "_", "Node", "x-y"]));
         slug.push_str(&self.below(40).to_string());
         slug
@@ -141,7 +141,7 @@ impl Random {
         self.choose(&[Interpolation::Linear, Interpolation::Smooth, Interpolation::Stepped])
     }
 
-    pub fn value(&mut self) -> Value {
+    pub(crate) fn value(&mut self) -> Value {
         match self.below(6) {
             0 => Value::Bool(self.chance(5)),
             1 => Value::Number(self.number(3e38)),
@@ -163,7 +163,7 @@ impl Random {
         (0..self.below(4)).map(|_| (self.port(), self.value())).collect()
     }
 
-    pub fn light(&mut self) -> Light {
+    pub(crate) fn light(&mut self) -> Light {
         let outer = 1e-6 + self.positive(3.1);
         Light {
             name: self.text(),
@@ -181,7 +181,7 @@ impl Random {
         }
     }
 
-    pub fn node(&mut self, kinds: &[String]) -> Node {
+    pub(crate) fn node(&mut self, kinds: &[String]) -> Node {
         let mut node = Node {
             kind: match self.pick(kinds).cloned() {
                 Some(kind) if self.chance(3) => kind,
@@ -201,7 +201,7 @@ impl Random {
         node
     }
 
-    pub fn frame(&mut self, nodes: Vec<NodeId>) -> Frame {
+    pub(crate) fn frame(&mut self, nodes: Vec<NodeId>) -> Frame {
         let color = if self.chance(5) { Vec::new() } else { self.numbers::<3>(1.0).to_vec() };
         Frame { title: self.text(), color, nodes }
     }
@@ -233,13 +233,13 @@ impl Random {
         graph
     }
 
-    pub fn wire(&mut self, ids: &[NodeId]) -> Option<Wire> {
+    pub(crate) fn wire(&mut self, ids: &[NodeId]) -> Option<Wire> {
         let (from, to) = (self.pick(ids)?.clone(), self.pick(ids)?.clone());
         let out = if self.chance(5) { PortName::default() } else { self.port() };
         Some(Wire { from: Endpoint::new(from, out), to: Endpoint::new(to, self.port()) })
     }
 
-    pub fn definition(&mut self, kinds: &[String]) -> Definition {
+    pub(crate) fn definition(&mut self, kinds: &[String]) -> Definition {
         let mut unknown = self.unknown();
         let inputs = self.interface();
         self.shadows(&mut unknown, "inputs", inputs.iter().map(|port| port.name.to_string()));
@@ -253,7 +253,7 @@ impl Random {
         }
     }
 
-    pub fn interface(&mut self) -> Vec<InterfacePort> {
+    pub(crate) fn interface(&mut self) -> Vec<InterfacePort> {
         let names = ["a", "b", "c"];
         let count = self.below(4);
         let port = |r: &mut Self, name: &str| {
@@ -271,7 +271,7 @@ impl Random {
     }
 
     /// A target that exists, as far as the document knows.
-    pub fn target(&mut self, look: &Look) -> Option<Target> {
+    pub(crate) fn target(&mut self, look: &Look) -> Option<Target> {
         if self.chance(3) {
             let lights: Vec<&LightId> = look.lights.keys().collect();
             let light = (*self.pick(&lights)?).clone();
@@ -291,11 +291,11 @@ impl Random {
         Some(Target::Input { node: path?, port: self.port() })
     }
 
-    pub fn exposed(&mut self, look: &Look) -> Option<Exposed> {
+    pub(crate) fn exposed(&mut self, look: &Look) -> Option<Exposed> {
         Some(Exposed { name: self.slug().into(), target: self.target(look)?, label: self.text() })
     }
 
-    pub fn direction_keys(&mut self, look: &Look) -> DirectionKeys {
+    pub(crate) fn direction_keys(&mut self, look: &Look) -> DirectionKeys {
         let lights: Vec<&LightId> = look.lights.keys().collect();
         let light = self.pick(&lights).map(|id| KeyDirection::Light((*id).clone())).filter(|_| self.chance(5));
         let key = |r: &mut Self| DirectionKey {
@@ -312,7 +312,7 @@ impl Random {
         }
     }
 
-    pub fn time_keys(&mut self, look: &Look) -> Option<TimeKeys> {
+    pub(crate) fn time_keys(&mut self, look: &Look) -> Option<TimeKeys> {
         let mut times: Vec<f64> = (0..self.below(5)).map(|_| self.number(1e6)).collect();
         times.sort_by(f64::total_cmp);
         times.dedup_by(|a, b| a <= b);
@@ -327,7 +327,7 @@ impl Random {
     }
 
     /// A look that has nothing wrong with it.
-    pub fn look(&mut self) -> Look {
+    pub(crate) fn look(&mut self) -> Look {
         let mut look = Look { name: self.text(), unknown: self.unknown(), ..Look::default() };
         look.color_space = self.choose(&[ColorSpace::Display, ColorSpace::Linear]);
         for _ in 0..self.below(4) {
@@ -362,13 +362,13 @@ impl Random {
         look
     }
 
-    pub fn rotation(&mut self) -> [f64; 4] {
+    pub(crate) fn rotation(&mut self) -> [f64; 4] {
         let q: [f64; 4] = std::array::from_fn(|_| self.bits() as f64 / u64::MAX as f64 - 0.5);
         let length = q.iter().map(|x| x * x).sum::<f64>().sqrt();
         q.map(|x| x / length)
     }
 
-    pub fn object(&mut self) -> Object {
+    pub(crate) fn object(&mut self) -> Object {
         let scale = std::array::from_fn(|_| if self.chance(5) { 1.0 } else { -0.5 - self.positive(1e3) });
         let mut object = Object {
             mesh: self.choose(&["shape:torus", "meshes/a b.obj", ""]).to_owned(),
@@ -384,7 +384,7 @@ impl Random {
         object
     }
 
-    pub fn camera(&mut self) -> Camera {
+    pub(crate) fn camera(&mut self) -> Camera {
         Camera {
             eye: [self.number(5.0), self.number(5.0), 10.0],
             target: [self.number(5.0), 0.0, self.number(5.0)],
@@ -395,13 +395,13 @@ impl Random {
         }
     }
 
-    pub fn time(&mut self) -> TimeRange {
+    pub(crate) fn time(&mut self) -> TimeRange {
         let start = self.number(1e3);
         TimeRange { start, end: start + self.positive(1e3), fps: 0.5 + self.positive(100.0) }
     }
 
     /// A scene that has nothing wrong with it.
-    pub fn scene(&mut self) -> Scene {
+    pub(crate) fn scene(&mut self) -> Scene {
         let mut scene = Scene {
             name: self.text(),
             objects: (0..self.count()).map(|_| (self.slug().into(), self.object())).collect(),

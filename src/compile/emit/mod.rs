@@ -13,7 +13,7 @@ use std::fmt::Write as _;
 use std::ops::Range;
 
 use super::check::TypedGraph;
-use super::host::{HostProgram, Step, UniformMember, conversion_program};
+use super::host::{Callee, HostProgram, Step, UniformMember, conversion_program};
 use super::items::{Collected, Items};
 use super::names::Names;
 use super::specialize::{Argument, Needs, Operation, SpecializedGraph, ValueId, operands, reachable};
@@ -316,8 +316,12 @@ impl<'a> Emitter<'a> {
             Operation::Context(context, light) => Step::Context(*context, light.clone()),
             Operation::Member { value, index, .. } => Step::Member { value: self.host_steps[value], index: *index },
             Operation::Convert { value: from, .. } => {
-                match conversion_program(&self.special.values[*from].ty, &value.ty) {
-                    Some(program) => Step::Call { program, arguments: vec![self.host_steps[from]] },
+                let (from_type, to) = (self.special.values[*from].ty.clone(), value.ty.clone());
+                match conversion_program(&from_type, &to) {
+                    Some(program) => {
+                        let callee = Callee::Conversion { from: from_type, to };
+                        Step::Call { program, callee, arguments: vec![self.host_steps[from]] }
+                    }
                     // Between two names of one type.
                     None => Step::Member { value: self.host_steps[from], index: 0 },
                 }
@@ -329,7 +333,7 @@ impl<'a> Emitter<'a> {
                 });
                 let arguments = arguments.collect();
                 match function.module.program(&function.name) {
-                    Ok(program) => Step::Call { program, arguments },
+                    Ok(program) => Step::Call { program, callee: Callee::Function(function.clone()), arguments },
                     // The specializer keeps what the interpreter refuses at fragment rate.
                     Err(_) => Step::Constant(crate::interp::Value::Float(0.0)),
                 }

@@ -180,9 +180,9 @@ pub(super) fn add_wire(look: &mut Look, graph: GraphId, wire: Wire, index: Optio
     group(look, edits, true)
 }
 
-pub(super) fn remove_wire(look: &mut Look, graph: GraphId, wire: Wire) -> Applied<Edit> {
+pub(super) fn remove_wire(look: &mut Look, graph: GraphId, wire: &Wire) -> Applied<Edit> {
     let wires = &mut graph_mut(look, &graph)?.wires;
-    let index = wires.iter().position(|other| *other == wire);
+    let index = wires.iter().position(|other| other == wire);
     let index = index.ok_or_else(|| impossible(format!("there is no wire from `{}` to `{}`", wire.from, wire.to)))?;
     let wire = wires.remove(index);
     Ok(Edit::AddWire { graph, wire, index: Some(index) })

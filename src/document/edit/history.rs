@@ -83,9 +83,10 @@ impl<D: Editable> History<D> {
 
     fn apply_to_step(&mut self, edit: D::Edit, gesture: Option<u64>) -> Result<(), Box<Diagnostic>> {
         let label = D::label(&edit);
-        let inverse = self.document.edit(edit.clone(), false)?;
+        let repeated = edit.clone();
+        let inverse = self.document.edit(edit, false)?;
         // What sets the value that was there is taken back by itself.
-        if D::does_nothing(&inverse) || inverse == edit {
+        if D::does_nothing(&inverse) || inverse == repeated {
             return Ok(());
         }
         let before = self.state;

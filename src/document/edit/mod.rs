@@ -225,7 +225,7 @@ fn apply(look: &mut Look, edit: Edit, is_known_good: bool) -> Applied<Edit> {
         Edit::SetValue { graph, id, port, value, index } => graph::set_value(look, graph, id, port, value, index),
         Edit::ClearValue { graph, id, port } => graph::clear_value(look, graph, id, port),
         Edit::AddWire { graph, wire, index } => graph::add_wire(look, graph, wire, index),
-        Edit::RemoveWire { graph, wire } => graph::remove_wire(look, graph, wire),
+        Edit::RemoveWire { graph, wire } => graph::remove_wire(look, graph, &wire),
         Edit::AddFrame { graph, id, frame, index } => graph::add_frame(look, graph, id, frame, index),
         Edit::SetFrame { graph, id, frame } => graph::set_frame(look, graph, id, frame),
         Edit::RemoveFrame { graph, id } => graph::remove_frame(look, graph, id),

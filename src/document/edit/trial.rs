@@ -6,7 +6,7 @@
 
 use super::{Edit, SceneEdit, impossible, missing};
 use crate::diag::Diagnostic;
-use crate::document::structure::check_target;
+use crate::document::check::check_target;
 use crate::document::{
     DirectionKeys, Endpoint, Exposed, Frame, Graph, GraphId, KeyDirection, Look, Node, Object, Scene, Target, TimeKeys,
     Wire,
@@ -80,7 +80,8 @@ pub(super) fn check_scene(edit: &SceneEdit) -> Check {
         }
         SceneEdit::SetIllumination { rotation } => {
             let length = rotation.iter().map(|x| x * x).sum::<f64>().sqrt();
-            if !((length - 1.0).abs() < 1e-6) {
+            let is_unit = (length - 1.0).abs() < 1e-6;
+            if !is_unit {
                 return Err(impossible("the rotation is no quaternion of length 1"));
             }
         }

@@ -7,12 +7,15 @@ mod parser;
 mod scan;
 #[cfg(test)]
 mod tests;
+mod tokens;
 mod writer;
 
 use std::borrow::Cow;
 use std::sync::Arc;
 
-pub(super) use parser::{MAX_BYTES, MAX_DEPTH, MAX_VALUES, parse};
+#[cfg(test)]
+use parser::MAX_DEPTH;
+pub(super) use parser::{MAX_BYTES, parse};
 pub(super) use writer::{Layout, Writer};
 
 /// The index of a value in its [`Tree`].
@@ -131,7 +134,7 @@ impl Tree {
 
     /// The value with everything in it, as serde_json holds it; what is no JSON becomes null.
     ///
-    /// Recursive, which is safe: the parser lets nothing through that is nested deeper than [`MAX_DEPTH`].
+    /// Recursive, which is safe: the parser lets nothing through that is nested deeper than [`parser::MAX_DEPTH`].
     pub(super) fn to_json(&self, at: At) -> serde_json::Value {
         match self.kind(at) {
             Kind::Null | Kind::Bad => serde_json::Value::Null,

@@ -5,10 +5,11 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::scan::{escape, is_json_number, unquote};
+use super::scan::unquote;
 use super::{Item, Kind, Tree};
 use crate::diag::{Diagnostic, LineColumn};
-use crate::document::source::{Lines, Problems, member_path};
+use crate::document::problems::{Lines, Problems};
+use crate::document::source::member_path;
 
 /// The largest document, in bytes.
 pub(in crate::document) const MAX_BYTES: usize = 64 << 20;
@@ -20,7 +21,7 @@ pub(in crate::document) const MAX_VALUES: usize = 8_000_000;
 const MAX_MISTAKES: usize = 100;
 
 /// Parses a text; what is wrong goes to `problems`.
-pub(in crate::document) fn parse(text: Arc<str>, lines: &Lines, problems: &mut Problems) -> Tree {
+pub(in crate::document) fn parse(text: &Arc<str>, lines: &Lines, problems: &mut Problems) -> Tree {
     let mut tree = Tree { text: text.clone(), items: Vec::new(), cut: true };
     if text.len() > MAX_BYTES {
         let mib = text.len().div_ceil(1 << 20);
@@ -30,7 +31,7 @@ pub(in crate::document) fn parse(text: Arc<str>, lines: &Lines, problems: &mut P
         return tree;
     }
     let mut parser =
-        Parser { text: &text, lines, problems, at: 0, items: Vec::new(), open: Vec::new(), mistakes: 0, reading: None };
+        Parser { text, lines, problems, at: 0, items: Vec::new(), open: Vec::new(), mistakes: 0, reading: None };
     let cut = !parser.document();
     tree.items = parser.items;
     tree.cut = cut;
@@ -55,11 +56,11 @@ enum Expects {
     AfterComma(usize),
 }
 
-struct Parser<'t> {
-    text: &'t str,
+pub(super) struct Parser<'t> {
+    pub(super) text: &'t str,
     lines: &'t Lines,
     problems: &'t mut Problems,
-    at: usize,
+    pub(super) at: usize,
     items: Vec<Item>,
     open: Vec<Open>,
     mistakes: usize,
@@ -309,157 +310,6 @@ impl<'t> Parser<'t> {
         self.problem(self.at, problem.hint("take the whole file from where it came from, or close what is open"));
     }
 
-    /// A string, quotes and all; false where its end is missing.
-    fn string(&mut self) -> bool {
-        let bytes = self.text.as_bytes();
-        let start = self.at;
-        let quote = bytes[start];
-        if quote == b'\'' {
-            self.mistake(start, "strings stand in double quotes", "write `\"` where there is `'`");
-        }
-        self.at += 1;
-        let mut has_control = false;
-        while let Some(&c) = bytes.get(self.at) {
-            match c {
-                b'\\' => match escape(&self.text[self.at..]) {
-                    Some((_, length)) => self.at += length,
-                    None => self.bad_escape(),
-                },
-                b'\n' | b'\r' => {
-                    self.mistake(
-                        start,
-                        "the string is not closed on its line",
-                        "write `\"` at its end, `\\n` for a new line",
-                    );
-                    return false;
-                }
-                0..0x20 if !has_control => {
-                    has_control = true;
-                    self.mistake(self.at, "there is a control character in the string", "write a tab as `\\t`");
-                    self.at += 1;
-                }
-                _ if c == quote => {
-                    self.at += 1;
-                    return true;
-                }
-                _ => self.at += 1,
-            }
-        }
-        false
-    }
-
-    fn bad_escape(&mut self) {
-        let rest = &self.text[self.at + 1..];
-        if rest.len() < "uD83D\\uDE00".len() && !rest.contains(['"', '\'', '\n']) {
-            self.at = self.text.len(); // The file ends in it.
-            return;
-        }
-        match rest.chars().next() {
-            None => self.at += 1,
-            Some('\n' | '\r') => self.at += 1,
-            Some(c) => {
-                let message = format!("`\\{c}` is no escape of JSON");
-                self.mistake(self.at, &message, "write a backslash itself as `\\\\`; paths may use `/`");
-                self.at += if c.is_ascii() && !c.is_ascii_control() { 1 + usize::from(c != '"') } else { 1 };
-            }
-        }
-    }
-
-    fn number(&mut self) -> Kind {
-        let start = self.at;
-        let end = self.text[start..].find(|c: char| !(c.is_ascii_alphanumeric() || "+-._".contains(c)));
-        self.at = end.map_or(self.text.len(), |end| start + end);
-        let text = &self.text[start..self.at];
-        if self.at == self.text.len() && !self.open.is_empty() {
-            return Kind::Bad; // Cut off, so nobody knows its last digits.
-        }
-        if !is_json_number(text) {
-            if is_not_finite(text.trim_start_matches(['+', '-'])) {
-                self.not_finite(start, text);
-            } else {
-                let hint = match text.parse::<f64>() {
-                    Ok(number) if number.is_finite() => format!("write {}", super::scan::format_number(number)),
-                    _ => "write numbers like 2, -0.5 or 1e-3".to_owned(),
-                };
-                self.mistake(start, &format!("`{}` is no number of JSON", short(text)), &hint);
-            }
-            return Kind::Bad;
-        }
-        if text.parse::<f64>().is_ok_and(f64::is_finite) {
-            return Kind::Number;
-        }
-        self.not_finite(start, text);
-        Kind::Bad
-    }
-
-    fn not_finite(&mut self, start: usize, text: &str) {
-        let message = format!("`{}` is no finite number", short(text));
-        self.problem(
-            start,
-            Diagnostic::error("not-finite", message).hint("write a number that is not beyond all bounds"),
-        );
-    }
-
-    /// `true`, `false`, `null`, or a word that is none of them.
-    fn literal(&mut self) -> Kind {
-        let start = self.at;
-        let word = self.word();
-        let hint = match word {
-            "true" => return Kind::Bool(true),
-            "false" => return Kind::Bool(false),
-            "null" => return Kind::Null,
-            _ if self.at == self.text.len() && !self.open.is_empty() => return Kind::Bad, // Cut off.
-            "True" | "TRUE" | "yes" | "on" => "write true".to_owned(),
-            "False" | "FALSE" | "no" | "off" => "write false".to_owned(),
-            "None" | "nil" | "undefined" | "NULL" | "Null" => "leave the field out, or write null".to_owned(),
-            _ if is_not_finite(word) => {
-                self.not_finite(start, word);
-                return Kind::Bad;
-            }
-            _ => format!("strings stand in double quotes: \"{}\"", short(word)),
-        };
-        self.mistake(start, &format!("`{}` is no value of JSON", short(word)), &hint);
-        Kind::Bad
-    }
-
-    /// Letters, digits and what joins them.
-    fn word(&mut self) -> &'t str {
-        let start = self.at;
-        let end = self.text[start..].find(|c: char| !(c.is_alphanumeric() || "_-$.".contains(c)));
-        self.at = end.map_or(self.text.len(), |end| start + end);
-        &self.text[start..self.at]
-    }
-
-    /// Skips what cannot be understood, up to something that can.
-    fn unexpected(&mut self) {
-        let start = self.at;
-        let rest = &self.text[start..];
-        let first = rest.chars().next().map_or(0, char::len_utf8);
-        let more =
-            rest[first..].find(|c: char| c.is_whitespace() || "{}[],\"".contains(c)).unwrap_or(rest.len() - first);
-        self.at += first + more;
-        let message = format!("did not expect `{}` here", short(&self.text[start..self.at]));
-        self.mistake(start, &message, "remove it");
-    }
-
-    /// White space; comments too, which are mistakes.
-    fn space(&mut self) {
-        loop {
-            let rest = &self.text[self.at..];
-            self.at += rest.len() - rest.trim_start_matches([' ', '\t', '\n', '\r']).len();
-            let rest = &self.text[self.at..];
-            let length = if rest.starts_with("//") {
-                rest.find('\n').unwrap_or(rest.len())
-            } else if rest.starts_with("/*") {
-                rest.find("*/").map_or(rest.len(), |end| end + 2)
-            } else {
-                return;
-            };
-            self.mistake(self.at, "JSON has no comments", "remove it, or say it in a `name`, `title` or `help`");
-            self.at += length;
-        }
-    }
-
     fn push(&mut self, kind: Kind, start: usize, key: Range<usize>) {
         self.reading = None;
         let next = self.items.len() as u32 + 1;
@@ -468,7 +318,7 @@ impl<'t> Parser<'t> {
         self.items.push(Item { kind, cut: false, start, end, next, key_start, key_end });
     }
 
-    fn mistake(&mut self, at: usize, message: &str, hint: &str) {
+    pub(super) fn mistake(&mut self, at: usize, message: &str, hint: &str) {
         self.mistakes += 1;
         if self.mistakes <= MAX_MISTAKES {
             self.problem(at, Diagnostic::error("syntax", message).hint(hint));
@@ -476,7 +326,7 @@ impl<'t> Parser<'t> {
     }
 
     /// Reports a problem with the value that is being read, or else with what is open.
-    fn problem(&mut self, at: usize, problem: Diagnostic) {
+    pub(super) fn problem(&mut self, at: usize, problem: Diagnostic) {
         if !self.problems.takes(&problem) {
             self.problems.push(at, problem);
             return; // It is only counted.
@@ -496,6 +346,11 @@ impl<'t> Parser<'t> {
         self.problems.push(at, if path.is_empty() { problem } else { problem.json_path(path) });
     }
 
+    /// Whether a list or an object is open.
+    pub(super) fn is_inside(&self) -> bool {
+        !self.open.is_empty()
+    }
+
     fn peek(&self) -> Option<u8> {
         self.text.as_bytes().get(self.at).copied()
     }
@@ -503,10 +358,6 @@ impl<'t> Parser<'t> {
 
 fn begins_value(c: Option<u8>) -> bool {
     c.is_some_and(|c| c.is_ascii_alphanumeric() || b"{[\"'+-._".contains(&c))
-}
-
-fn is_not_finite(word: &str) -> bool {
-    ["nan", "inf", "infinity"].iter().any(|name| word.eq_ignore_ascii_case(name))
 }
 
 fn empty() -> Diagnostic {
@@ -521,7 +372,7 @@ fn not_json(text: &str, at: usize) -> Diagnostic {
 }
 
 /// The beginning of a text that may be long.
-fn short(text: &str) -> String {
+pub(super) fn short(text: &str) -> String {
     let shown: String = text.chars().take(40).collect();
     if shown.len() < text.len() { shown + "…" } else { shown }
 }

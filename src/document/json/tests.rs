@@ -4,12 +4,12 @@ use proptest::prelude::*;
 
 use super::{At, Kind, MAX_DEPTH, Tree, parse};
 use crate::diag::Diagnostic;
-use crate::document::source::{Lines, Problems};
+use crate::document::problems::{Lines, Problems};
 
 fn parsed(text: &str) -> (Tree, Vec<Diagnostic>) {
     let lines = Lines::new(text);
     let mut problems = Problems::new();
-    let tree = parse(Arc::from(text), &lines, &mut problems);
+    let tree = parse(&Arc::from(text), &lines, &mut problems);
     (tree, problems.finish("", text, &lines))
 }
 

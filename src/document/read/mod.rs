@@ -3,6 +3,7 @@
 //! The parser makes a tree with a place for every value, [`Reader`](reader::Reader) takes typed fields out of it, and
 //! one file a document says which fields there are.
 
+mod lists;
 mod look;
 mod reader;
 mod scene;
@@ -12,9 +13,9 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::json::{self, At, Kind};
+use super::problems::{Lines, Problems};
 use super::shape::{self, Shape};
-use super::source::{Lines, Loaded, Problems, SourceMap};
-use super::structure;
+use super::source::{Loaded, SourceMap};
 use super::{Look, Scene, VERSION, store};
 use crate::diag::Diagnostic;
 use reader::Reader;
@@ -92,7 +93,7 @@ impl Scene {
 fn failed<T>(path: &Path, problem: Diagnostic) -> Loaded<T> {
     let file = path.display().to_string();
     let lines = Lines::new("");
-    let tree = json::parse(Arc::from(""), &lines, &mut Problems::new());
+    let tree = json::parse(&Arc::from(""), &lines, &mut Problems::new());
     let source = SourceMap { file, lines, tree, kept: Default::default() };
     Loaded { value: None, source, diagnostics: vec![problem] }
 }
@@ -107,7 +108,7 @@ impl Parsed {
     fn new(text: &str, file: &str) -> Self {
         let mut problems = Problems::new();
         let lines = Lines::new(text);
-        let tree = json::parse(Arc::from(text), &lines, &mut problems);
+        let tree = json::parse(&Arc::from(text), &lines, &mut problems);
         Self { source: SourceMap { file: file.to_owned(), lines, tree, kept: Default::default() }, problems }
     }
 
@@ -130,12 +131,12 @@ impl Parsed {
 
     fn look(self) -> Loaded<Look> {
         let loaded = self.read(&shape::LOOK, look::look);
-        with_structure(loaded, |look: &Look| structure::check_look(look))
+        with_structure(loaded, Look::check)
     }
 
     fn scene(self) -> Loaded<Scene> {
         let loaded = self.read(&shape::SCENE, scene::scene);
-        with_structure(loaded, |scene: &Scene| structure::check_scene(scene))
+        with_structure(loaded, Scene::check)
     }
 
     fn read<T>(mut self, shape: &'static Shape, read: fn(&mut Reader<'_>, At) -> Option<T>) -> Loaded<T> {

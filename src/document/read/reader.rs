@@ -2,22 +2,20 @@
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::hash::Hash;
-
-use indexmap::IndexMap;
 
 use crate::diag::Diagnostic;
 use crate::document::color::{parse_hex, srgb_to_linear};
 use crate::document::json::{At, Kind, Tree};
+use crate::document::problems::Problems;
 use crate::document::shape::{self, Bounds, Shape};
-use crate::document::source::{Problems, member_path};
+use crate::document::source::member_path;
 use crate::document::word::Word;
 use crate::document::{ColorSpace, Unknown};
 use crate::ids::{is_slug, make_slug};
 
 /// A step from a value to one in it.
 #[derive(Clone, Copy)]
-enum Step {
+pub(super) enum Step {
     Field(&'static str),
     Key(At),
     Index(u32),
@@ -27,7 +25,7 @@ enum Step {
 pub(super) struct Reader<'t> {
     pub(super) tree: &'t Tree,
     problems: &'t mut Problems,
-    path: Vec<Step>,
+    pub(super) path: Vec<Step>,
     /// See [`SourceMap`](crate::document::source::SourceMap).
     pub(super) kept: BTreeMap<String, Vec<u32>>,
     /// What colours are; decides what `#rrggbb` becomes.
@@ -85,7 +83,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Where the reader is, e.g. `nodes[3].values.offset`.
-    fn json_path(&self) -> String {
+    pub(super) fn json_path(&self) -> String {
         self.path.iter().fold(String::new(), |path, step| match step {
             Step::Field(name) => member_path(&path, name),
             Step::Key(at) => member_path(&path, &self.tree.key(*at)),
@@ -94,7 +92,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Reports a problem with the name of the member where the reader is.
-    fn report_name(&mut self, at: At, problem: Diagnostic) {
+    pub(super) fn report_name(&mut self, at: At, problem: Diagnostic) {
         let path = self.json_path();
         self.problems.push(self.tree.key_start(at), problem.json_path(path));
     }
@@ -106,7 +104,7 @@ impl<'t> Reader<'t> {
         self.path.pop();
     }
 
-    fn wrong_type(&mut self, at: At, expected: &str) {
+    pub(super) fn wrong_type(&mut self, at: At, expected: &str) {
         let kind = self.tree.kind(at);
         if kind == Kind::Bad {
             return; // The parser has told it.
@@ -147,11 +145,13 @@ impl<'t> Reader<'t> {
         let message = format!("{} has no field `{name}`; it is kept as it is", with_article(shape.name));
         let known = shape.fields.iter().map(|field| field.name);
         self.path.push(Step::Key(at));
-        self.report_name(at, Diagnostic::warning("unknown-field", message).suggest(name, known));
+        let problem = Diagnostic::warning("unknown-field", message);
+        let is_told = self.problems.takes(&problem);
+        self.report_name(at, if is_told { problem.suggest(name, known) } else { problem });
         self.path.pop();
     }
 
-    fn duplicate_key(&mut self, at: At, name: &str) {
+    pub(super) fn duplicate_key(&mut self, at: At, name: &str) {
         let message = format!("`{name}` is given twice; the first is used");
         self.path.push(Step::Key(at));
         self.report_name(at, Diagnostic::error("duplicate-key", message).hint("remove one"));
@@ -305,7 +305,7 @@ impl<'t> Reader<'t> {
         self.report(at, problem);
     }
 
-    fn no_slug(text: &str) -> Diagnostic {
+    pub(super) fn no_slug(text: &str) -> Diagnostic {
         let shown: String = text.chars().take(80).collect();
         let message = format!("`{shown}` is no id: one has 1 to 64 of a-z A-Z 0-9 _ - and begins with a letter or _");
         let hint = format!("write `{}`", make_slug(text, |_| false));
@@ -351,117 +351,6 @@ impl<'t> Reader<'t> {
             return None;
         }
         self.numbers_at(at, 3, if alpha { 4 } else { 3 }, shape::FAR)
-    }
-
-    /// The items of a list that could be read, each with its index in the text.
-    pub(super) fn list<T>(
-        &mut self,
-        fields: &Fields,
-        name: &'static str,
-        mut read: impl FnMut(&mut Self, At) -> Option<T>,
-    ) -> Vec<(u32, T)> {
-        let items = self.field(fields, name, |r, at, kind| {
-            if r.tree.kind(at) != Kind::List {
-                r.wrong_type(at, "a list");
-                return None;
-            }
-            let tree = r.tree;
-            let most = r.bounded(at, kind);
-            let read_item = |(index, item)| r.at_index(index, |r| read(r, item)).map(|value| (index as u32, value));
-            Some(tree.children(at).take(most).enumerate().filter_map(read_item).collect())
-        });
-        items.unwrap_or_default()
-    }
-
-    /// The items of a list, and which ones they are in the text, for [`keep`](Self::keep).
-    pub(super) fn items<T>(
-        &mut self,
-        fields: &Fields,
-        name: &'static str,
-        read: impl FnMut(&mut Self, At) -> Option<T>,
-    ) -> Vec<T> {
-        let (indices, items): (Vec<u32>, Vec<T>) = self.list(fields, name, read).into_iter().unzip();
-        self.keep(name, indices);
-        items
-    }
-
-    /// Remembers which items of a list the value has, if it does not have all before the last of them.
-    pub(super) fn keep(&mut self, name: &'static str, indices: Vec<u32>) {
-        if indices.iter().enumerate().any(|(own, &index)| own as u32 != index) {
-            self.path.push(Step::Field(name));
-            self.kept.insert(self.json_path(), indices);
-            self.path.pop();
-        }
-    }
-
-    /// The members of an object whose names are ids.
-    pub(super) fn map<K: From<String> + Hash + Eq, T>(
-        &mut self,
-        fields: &mut Fields,
-        name: &'static str,
-        mut read: impl FnMut(&mut Self, At, &mut Unknown) -> Option<T>,
-    ) -> IndexMap<K, T> {
-        let mut shadows = Vec::new();
-        let map = self.field(fields, name, |r, at, kind| {
-            r.members(at, kind, |r, member, key| {
-                if !is_slug(key) {
-                    r.report_name(member, Self::no_slug(key));
-                    return None;
-                }
-                let mut extras = Unknown::new();
-                let value = read(r, member, &mut extras)?;
-                if !extras.is_empty() {
-                    shadows.push((key.to_owned(), extras));
-                }
-                Some((K::from(key.to_owned()), value))
-            })
-        });
-        for (key, extras) in shadows {
-            fields.shadow(name, Some(&key), extras);
-        }
-        map.unwrap_or_default()
-    }
-
-    /// The members of an object with any names.
-    pub(super) fn members<K: Hash + Eq, T>(
-        &mut self,
-        at: At,
-        kind: &'static shape::Kind,
-        mut read: impl FnMut(&mut Self, At, &str) -> Option<(K, T)>,
-    ) -> Option<IndexMap<K, T>> {
-        if self.tree.kind(at) != Kind::Object {
-            self.wrong_type(at, "an object");
-            return None;
-        }
-        let tree = self.tree;
-        let most = self.bounded(at, kind);
-        let mut map = IndexMap::new();
-        for member in tree.children(at).take(most) {
-            let key = tree.key(member);
-            self.path.push(Step::Key(member));
-            let entry = read(self, member, &key);
-            self.path.pop();
-            match entry {
-                Some((id, _)) if map.contains_key(&id) => self.duplicate_key(member, &key),
-                Some((id, value)) => drop(map.insert(id, value)),
-                None => {}
-            }
-        }
-        Some(map)
-    }
-
-    /// How many items are read; more are told.
-    fn bounded(&mut self, at: At, kind: &shape::Kind) -> usize {
-        let most = match kind {
-            shape::Kind::List(_, most) | shape::Kind::Map(_, most) => *most,
-            _ => 10_000,
-        };
-        let count = self.tree.children(at).count();
-        if count > most {
-            let message = format!("there are {count} here; at most {most} are read");
-            self.report(at, Diagnostic::error("too-many", message));
-        }
-        most
     }
 }
 

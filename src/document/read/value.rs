@@ -11,7 +11,7 @@ use crate::ids::{PortName, is_slug};
 impl Reader<'_> {
     /// The values of inputs, by port.
     pub(super) fn values(&mut self, fields: &mut Fields) -> Values {
-        self.map::<PortName, _>(fields, "values", |r, at, extras| r.value_at(at, extras))
+        self.map::<PortName, _>(fields, "values", Self::value_at)
     }
 
     /// A value in a field of its own.

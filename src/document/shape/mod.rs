@@ -153,7 +153,7 @@ pub(super) const F32: Bounds = Bounds::new(-(f32::MAX as f64), f32::MAX as f64);
 pub(super) const LINE: usize = 1000;
 /// A longer text: help, WGSL source.
 pub(super) const LONG: usize = 1 << 20;
-/// Nodes of one graph and of one document.
+/// Nodes of one graph.
 pub(super) const MAX_NODES: usize = 200_000;
 /// Wires of one graph.
 pub(super) const MAX_WIRES: usize = 1_000_000;

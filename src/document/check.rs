@@ -1,0 +1,272 @@
+//! What can be said of a document without the library: whether wires, frames, keys and parameters name what exists.
+//!
+//! The compiler calls [`Look::check`] too, so that looks made by programs are held to the same.
+
+use std::collections::{HashMap, HashSet};
+use std::hash::Hash;
+
+use super::problems::{MAX_PROBLEMS, more_problems};
+use super::{Camera, Definition, Endpoint, Graph, KeyDirection, Light, Look, Scene, Target, Wire};
+use crate::diag::Diagnostic;
+use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, LightId, NodeId, NodePath};
+
+/// How many broken references get a suggestion: looking for near names in 100,000 takes its time.
+const MAX_SUGGESTIONS: usize = 10;
+
+impl Look {
+    /// Everything that is wrong with the look as a whole, whatever the library has: wires from and to nodes that do
+    /// not exist, two wires into one input, ids used twice, keys and parameters that name nothing. Reading a look
+    /// tells the same, with lines.
+    pub fn check(&self) -> Vec<Diagnostic> {
+        let mut check = Check::default();
+        check.lights(&self.lights);
+        check.graph(&self.graph, "", false);
+        for (id, definition) in &self.definitions {
+            check.definition(id, definition);
+        }
+        check.exposed(self);
+        check.direction_keys(self);
+        check.time_keys(self);
+        check.finish()
+    }
+}
+
+impl Scene {
+    /// Everything that is wrong with the scene as a whole. Reading a scene tells the same, with lines.
+    pub fn check(&self) -> Vec<Diagnostic> {
+        let mut check = Check::default();
+        check.lights(&self.lights);
+        check.camera(&self.camera);
+        if self.time.end < self.time.start {
+            let problem = Diagnostic::error("out-of-range", "the time range ends before it starts");
+            check.push("time.end".to_owned(), problem.hint(format!("write {} or more", self.time.start)));
+        }
+        check.finish()
+    }
+}
+
+/// What is wrong with a target.
+pub(super) fn check_target(look: &Look, target: &Target) -> Vec<Diagnostic> {
+    let mut check = Check::default();
+    check.target(look, target, String::new());
+    check.finish()
+}
+
+#[derive(Default)]
+struct Check {
+    found: Vec<Diagnostic>,
+    suggestions: usize,
+    left_out: usize,
+}
+
+impl Check {
+    fn push(&mut self, path: String, problem: Diagnostic) {
+        if self.found.len() < MAX_PROBLEMS {
+            self.found.push(problem.json_path(path));
+        } else {
+            self.left_out += 1;
+        }
+    }
+
+    fn finish(mut self) -> Vec<Diagnostic> {
+        self.found.extend((self.left_out > 0).then(|| more_problems(self.left_out)));
+        self.found
+    }
+
+    /// Reports a name that leads nowhere, with near ones.
+    fn unknown<'a>(&mut self, path: String, problem: Diagnostic, wrong: &str, known: impl Iterator<Item = &'a str>) {
+        self.suggestions += 1;
+        let problem = if self.suggestions <= MAX_SUGGESTIONS { problem.suggest(wrong, known) } else { problem };
+        self.push(path, problem);
+    }
+
+    fn lights(&mut self, lights: &indexmap::IndexMap<LightId, Light>) {
+        for (id, light) in lights.iter().filter(|(_, light)| light.inner > light.outer) {
+            let message = format!("`inner` ({}) is greater than `outer` ({})", light.inner, light.outer);
+            let problem = Diagnostic::error("out-of-range", message);
+            self.push(format!("lights.{id}.inner"), problem.hint("the full cone lies inside the whole one"));
+        }
+    }
+
+    fn camera(&mut self, camera: &Camera) {
+        let view = [0, 1, 2].map(|i| camera.target[i] - camera.eye[i]);
+        let [up_x, up_y, up_z] = camera.up;
+        let side = [view[1] * up_z - view[2] * up_y, view[2] * up_x - view[0] * up_z, view[0] * up_y - view[1] * up_x];
+        let length = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
+        // Asked so that NaN, which a program may have made, is no good either.
+        let sees = length(view) > 1e-9;
+        let stands = length(side) > 1e-6 * length(view) * length(camera.up);
+        if !sees {
+            let problem = Diagnostic::error("bad-camera", "the camera looks at the place where it is");
+            self.push("camera".to_owned(), problem.hint("move `eye` or `target`"));
+        } else if !stands {
+            let message = "`up` lies along the view, so the picture could be turned any way";
+            let problem = Diagnostic::error("bad-camera", message);
+            self.push("camera.up".to_owned(), problem.hint("choose an `up` across the view"));
+        }
+    }
+
+    fn definition(&mut self, id: &DefinitionId, definition: &Definition) {
+        let prefix = format!("definitions.{id}.");
+        for (list, ports) in [("inputs", &definition.inputs), ("outputs", &definition.outputs)] {
+            let path = |index| format!("{prefix}{list}[{index}].name");
+            self.unique(ports.iter().map(|port| &port.name), path, "port");
+            for (index, port) in ports.iter().enumerate() {
+                if port.min.zip(port.max).is_some_and(|(min, max)| min > max) {
+                    let problem = Diagnostic::error("out-of-range", "`min` is greater than `max`");
+                    self.push(format!("{prefix}{list}[{index}].min"), problem.hint("exchange them"));
+                }
+            }
+        }
+        self.graph(&definition.graph, &prefix, true);
+    }
+
+    fn graph(&mut self, graph: &Graph, prefix: &str, is_inner: bool) {
+        for (index, id) in graph.nodes.keys().enumerate().filter(|(_, id)| is_inner && is_group_end(id)) {
+            let message = format!("`{id}` is the name of the group's own {id}, so no node in it can have that id");
+            self.push(format!("{prefix}nodes[{index}].id"), Diagnostic::error("reserved-id", message));
+        }
+        let mut into: HashMap<&Endpoint, &Wire> = HashMap::with_capacity(graph.wires.len());
+        for (index, wire) in graph.wires.iter().enumerate() {
+            let path = format!("{prefix}wires[{index}]");
+            self.wire_end(graph, &wire.from, path.clone() + ".from", is_inner, GROUP_OUTPUTS);
+            self.wire_end(graph, &wire.to, path.clone() + ".to", is_inner, GROUP_INPUTS);
+            if wire.to.port.as_str().is_empty() {
+                let problem =
+                    Diagnostic::error("wire-to-nothing", format!("the wire leads to no input of `{}`", wire.to));
+                self.push(path.clone() + ".to", problem.hint("write \"node.input\""));
+            }
+            match into.get(&wire.to) {
+                Some(other) => {
+                    let (one, two) = (&other.from, &wire.from);
+                    let message = format!("two wires lead into `{}`: from `{one}` and from `{two}`", wire.to);
+                    self.push(path, Diagnostic::error("two-wires", message).hint("remove one of them"));
+                }
+                None => drop(into.insert(&wire.to, wire)),
+            }
+        }
+        self.frames(graph, prefix);
+    }
+
+    fn wire_end(&mut self, graph: &Graph, end: &Endpoint, path: String, is_inner: bool, wrong_end: &str) {
+        if graph.nodes.contains_key(&end.node) {
+            return;
+        }
+        if is_inner && is_group_end(&end.node) {
+            if end.node.as_str() == wrong_end {
+                let message = "in a group, wires come from `inputs` and lead to `outputs`";
+                self.push(path, Diagnostic::error("wire-direction", message).hint("exchange the ends of the wire"));
+            }
+            return;
+        }
+        let problem =
+            Diagnostic::error("unknown-node", format!("the wire names the node `{}`, which does not exist", end.node));
+        self.unknown(path, problem, end.node.as_str(), graph.nodes.keys().map(NodeId::as_str));
+    }
+
+    fn frames(&mut self, graph: &Graph, prefix: &str) {
+        let mut framed: HashMap<&NodeId, &str> = HashMap::new();
+        for (id, frame) in &graph.frames {
+            for (index, node) in frame.nodes.iter().enumerate() {
+                let path = format!("{prefix}frames.{id}.nodes[{index}]");
+                if !graph.nodes.contains_key(node) {
+                    let message = format!("the frame names the node `{node}`, which does not exist");
+                    let problem = Diagnostic::warning("unknown-node", message);
+                    self.unknown(path, problem, node.as_str(), graph.nodes.keys().map(NodeId::as_str));
+                } else if let Some(other) = framed.insert(node, id.as_str()) {
+                    let message = format!("the node `{node}` is in the frame `{other}` already");
+                    self.push(path, Diagnostic::warning("two-frames", message).hint("leave it in one of them"));
+                }
+            }
+        }
+    }
+
+    fn unique<'a, T: Hash + Eq + std::fmt::Display + 'a>(
+        &mut self,
+        names: impl Iterator<Item = &'a T>,
+        path: impl Fn(usize) -> String,
+        what: &str,
+    ) {
+        let mut seen = HashSet::new();
+        for (index, name) in names.enumerate().filter(|(_, name)| !seen.insert(*name)).collect::<Vec<_>>() {
+            let problem = Diagnostic::error("duplicate-id", format!("another {what} is named `{name}` already"));
+            self.push(path(index), problem.hint("give it another name"));
+        }
+    }
+
+    fn exposed(&mut self, look: &Look) {
+        self.unique(look.exposed.iter().map(|e| &e.name), |index| format!("exposed[{index}].name"), "parameter");
+        for (index, exposed) in look.exposed.iter().enumerate() {
+            self.target(look, &exposed.target, format!("exposed[{index}].target"));
+        }
+    }
+
+    fn direction_keys(&mut self, look: &Look) {
+        for (index, keys) in look.direction_keys.iter().enumerate() {
+            let path = format!("direction_keys[{index}]");
+            if let KeyDirection::Light(light) = &keys.by
+                && !look.lights.contains_key(light)
+            {
+                let problem = Diagnostic::error("unknown-light", format!("there is no light `{light}`"));
+                self.unknown(path.clone() + ".by", problem, light.as_str(), look.lights.keys().map(LightId::as_str));
+            }
+            // Each target is looked for once, not once a key.
+            let mut seen = HashSet::new();
+            for (index, key) in keys.keys.iter().enumerate() {
+                for target in key.values.keys().filter(|&target| seen.insert(target)).collect::<Vec<_>>() {
+                    let name = serde_json::Value::from(target.to_string());
+                    self.target(look, target, format!("{path}.keys[{index}].values[{name}]"));
+                }
+            }
+        }
+    }
+
+    fn time_keys(&mut self, look: &Look) {
+        let path = |index| format!("time_keys[{index}].target");
+        self.unique(look.time_keys.iter().map(|keys| &keys.target), path, "list of keys");
+        for (index, keys) in look.time_keys.iter().enumerate() {
+            self.target(look, &keys.target, path(index));
+            for (key, pair) in keys.keys.windows(2).enumerate().filter(|(_, pair)| pair[0].time >= pair[1].time) {
+                let message = format!("times must increase, but {} follows {}", pair[1].time, pair[0].time);
+                let path = format!("time_keys[{index}].keys[{}].time", key + 1);
+                self.push(path, Diagnostic::error("not-increasing", message).hint("sort the keys, and remove doubles"));
+            }
+        }
+    }
+
+    fn target(&mut self, look: &Look, target: &Target, path: String) {
+        match target {
+            Target::Light { light, field } => {
+                if !look.lights.contains_key(light) {
+                    let problem = Diagnostic::error("unknown-light", format!("there is no light `{light}`"));
+                    self.unknown(path, problem, light.as_str(), look.lights.keys().map(LightId::as_str));
+                } else if !Target::LIGHT_FIELDS.contains(&field.as_str()) {
+                    let problem = Diagnostic::error("bad-target", format!("a light has no `{field}` that can be set"));
+                    self.unknown(path, problem, field, Target::LIGHT_FIELDS.into_iter());
+                }
+            }
+            Target::Input { node, .. } => self.input_target(look, node, path),
+        }
+    }
+
+    fn input_target(&mut self, look: &Look, node: &NodePath, path: String) {
+        let mut graph = &look.graph;
+        for (depth, id) in node.ids().iter().enumerate() {
+            let Some(found) = graph.nodes.get(id) else {
+                let problem = Diagnostic::error("unknown-node", format!("there is no node `{id}`"));
+                self.unknown(path, problem, id.as_str(), graph.nodes.keys().map(NodeId::as_str));
+                return;
+            };
+            match look.definitions.get(found.kind.as_str()) {
+                Some(definition) => graph = &definition.graph,
+                // A group of the library, or no group: the compiler knows.
+                None if depth + 1 < node.ids().len() => return,
+                None => {}
+            }
+        }
+    }
+}
+
+fn is_group_end(id: &NodeId) -> bool {
+    matches!(id.as_str(), GROUP_INPUTS | GROUP_OUTPUTS)
+}

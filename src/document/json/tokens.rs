@@ -1,0 +1,163 @@
+//! What the parser reads without looking at what is open: strings, numbers, words, white space, and what is none of them.
+
+use super::Kind;
+use super::parser::{Parser, short};
+use super::scan::{escape, format_number, is_json_number};
+use crate::diag::Diagnostic;
+
+impl<'t> Parser<'t> {
+    /// A string, quotes and all; false where its end is missing.
+    pub(super) fn string(&mut self) -> bool {
+        let bytes = self.text.as_bytes();
+        let start = self.at;
+        let quote = bytes[start];
+        if quote == b'\'' {
+            self.mistake(start, "strings stand in double quotes", "write `\"` where there is `'`");
+        }
+        self.at += 1;
+        let mut has_control = false;
+        while let Some(&c) = bytes.get(self.at) {
+            match c {
+                b'\\' => match escape(&self.text[self.at..]) {
+                    Some((_, length)) => self.at += length,
+                    None => self.bad_escape(),
+                },
+                b'\n' | b'\r' => {
+                    self.mistake(
+                        start,
+                        "the string is not closed on its line",
+                        "write `\"` at its end, `\\n` for a new line",
+                    );
+                    return false;
+                }
+                0..0x20 if !has_control => {
+                    has_control = true;
+                    self.mistake(self.at, "there is a control character in the string", "write a tab as `\\t`");
+                    self.at += 1;
+                }
+                _ if c == quote => {
+                    self.at += 1;
+                    return true;
+                }
+                _ => self.at += 1,
+            }
+        }
+        false
+    }
+
+    fn bad_escape(&mut self) {
+        let rest = &self.text[self.at + 1..];
+        if rest.len() < "uD83D\\uDE00".len() && !rest.contains(['"', '\'', '\n']) {
+            self.at = self.text.len(); // The file ends in it.
+            return;
+        }
+        match rest.chars().next() {
+            None => self.at += 1,
+            Some('\n' | '\r') => self.at += 1,
+            Some(c) => {
+                let message = format!("`\\{c}` is no escape of JSON");
+                self.mistake(self.at, &message, "write a backslash itself as `\\\\`; paths may use `/`");
+                self.at += if c.is_ascii() && !c.is_ascii_control() { 1 + usize::from(c != '"') } else { 1 };
+            }
+        }
+    }
+
+    pub(super) fn number(&mut self) -> Kind {
+        let start = self.at;
+        let end = self.text[start..].find(|c: char| !(c.is_ascii_alphanumeric() || "+-._".contains(c)));
+        self.at = end.map_or(self.text.len(), |end| start + end);
+        let text = &self.text[start..self.at];
+        if self.at == self.text.len() && self.is_inside() {
+            return Kind::Bad; // Cut off, so nobody knows its last digits.
+        }
+        if !is_json_number(text) {
+            if is_not_finite(text.trim_start_matches(['+', '-'])) {
+                self.not_finite(start, text);
+            } else {
+                let hint = match text.parse::<f64>() {
+                    Ok(number) if number.is_finite() => format!("write {}", format_number(number)),
+                    _ => "write numbers like 2, -0.5 or 1e-3".to_owned(),
+                };
+                self.mistake(start, &format!("`{}` is no number of JSON", short(text)), &hint);
+            }
+            return Kind::Bad;
+        }
+        if text.parse::<f64>().is_ok_and(f64::is_finite) {
+            return Kind::Number;
+        }
+        self.not_finite(start, text);
+        Kind::Bad
+    }
+
+    fn not_finite(&mut self, start: usize, text: &str) {
+        let message = format!("`{}` is no finite number", short(text));
+        self.problem(
+            start,
+            Diagnostic::error("not-finite", message).hint("write a number that is not beyond all bounds"),
+        );
+    }
+
+    /// `true`, `false`, `null`, or a word that is none of them.
+    pub(super) fn literal(&mut self) -> Kind {
+        let start = self.at;
+        let word = self.word();
+        let hint = match word {
+            "true" => return Kind::Bool(true),
+            "false" => return Kind::Bool(false),
+            "null" => return Kind::Null,
+            _ if self.at == self.text.len() && self.is_inside() => return Kind::Bad, // Cut off.
+            "True" | "TRUE" | "yes" | "on" => "write true".to_owned(),
+            "False" | "FALSE" | "no" | "off" => "write false".to_owned(),
+            "None" | "nil" | "undefined" | "NULL" | "Null" => "leave the field out, or write null".to_owned(),
+            _ if is_not_finite(word) => {
+                self.not_finite(start, word);
+                return Kind::Bad;
+            }
+            _ => format!("strings stand in double quotes: \"{}\"", short(word)),
+        };
+        self.mistake(start, &format!("`{}` is no value of JSON", short(word)), &hint);
+        Kind::Bad
+    }
+
+    /// Letters, digits and what joins them.
+    pub(super) fn word(&mut self) -> &'t str {
+        let start = self.at;
+        let end = self.text[start..].find(|c: char| !(c.is_alphanumeric() || "_-$.".contains(c)));
+        self.at = end.map_or(self.text.len(), |end| start + end);
+        &self.text[start..self.at]
+    }
+
+    /// Skips what cannot be understood, up to something that can.
+    pub(super) fn unexpected(&mut self) {
+        let start = self.at;
+        let rest = &self.text[start..];
+        let first = rest.chars().next().map_or(0, char::len_utf8);
+        let more =
+            rest[first..].find(|c: char| c.is_whitespace() || "{}[],\"".contains(c)).unwrap_or(rest.len() - first);
+        self.at += first + more;
+        let message = format!("did not expect `{}` here", short(&self.text[start..self.at]));
+        self.mistake(start, &message, "remove it");
+    }
+
+    /// White space; comments too, which are mistakes.
+    pub(super) fn space(&mut self) {
+        loop {
+            let rest = &self.text[self.at..];
+            self.at += rest.len() - rest.trim_start_matches([' ', '\t', '\n', '\r']).len();
+            let rest = &self.text[self.at..];
+            let length = if rest.starts_with("//") {
+                rest.find('\n').unwrap_or(rest.len())
+            } else if rest.starts_with("/*") {
+                rest.find("*/").map_or(rest.len(), |end| end + 2)
+            } else {
+                return;
+            };
+            self.mistake(self.at, "JSON has no comments", "remove it, or say it in a `name`, `title` or `help`");
+            self.at += length;
+        }
+    }
+}
+
+fn is_not_finite(word: &str) -> bool {
+    ["nan", "inf", "infinity"].iter().any(|name| word.eq_ignore_ascii_case(name))
+}

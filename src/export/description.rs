@@ -1,0 +1,239 @@
+//! The JSON file that says what an exported look needs.
+//!
+//! # How to draw
+//!
+//! Run the `passes` in order, all at the size of the picture. A pass runs one of the `modules`; `languages` says in which
+//! files that module lies, what its entry points and bindings are called there, and where they are bound. For each
+//! binding, `feed` says what to put in:
+//!
+//! - `view`, `object`: uniforms with the members that are listed, each with its meaning. Positions are transformed by
+//!   `clip_from_world` and by nothing else: make it for the API's own clip space, which is given as the language's
+//!   `clip_space`.
+//! - `look`: the members that the module's `host` computes.
+//! - `image`, `sampler`: one of `images`.
+//! - `pass`: what an earlier pass has drawn.
+//! - `host`: what its name and members say.
+//!
+//! Uniforms are laid out as WGSL does: offsets are bytes from the start of the struct around; a `mat3x3f` is three columns
+//! of three numbers, each column on 16 bytes. GLSL's blocks say std140, where the same offsets hold.
+//!
+//! # How parameters become uniforms
+//!
+//! `host.steps` is a program without branches. A step gives a constant, a parameter, something of the surroundings, the
+//! result of a function, or a member of an earlier step's struct; `host.members` says which steps are written into the
+//! uniform. The functions are WGSL, in the file that `host.functions` names: call them in a compute shader, or port
+//! them (they are short, pure, and meant for double precision). Where nothing is ever set, a member's `default` will do.
+//!
+//! A parameter is given as the step's type: a number for a vector fills it, and a colour's alpha is 1 where it is not
+//! given. Curves and ramps are structs whose members the file of functions declares.
+//!
+//! # Versions
+//!
+//! `format` counts up where a reader has to change; new fields may come without that.
+
+use serde::Serialize;
+use serde_json::{Map, Value, json};
+
+use super::language::Language;
+use super::modules::{Modules, ShaderModule};
+use super::pretty::pretty;
+use super::reflect::Bound;
+use super::{exposed, host};
+use crate::compile::{ParamId, TypedGraph};
+use crate::document::{ColorSpace, Look};
+use crate::library::Library;
+
+pub use super::exposed::{LightDescription, Parameter};
+pub use super::host::{ContextDescription, HostDescription, MemberDescription, StepDescription};
+pub use super::language::{
+    ClipSpace, LanguageAttribute, LanguageBinding, LanguageEntryPoint, LanguageFile, LanguageModule,
+};
+pub use super::modules::{Feed, Image, Pass, PassInput, Target};
+pub use super::reflect::{Attribute, EntryPoint, Kind, Located, Member};
+
+/// The version of the description's form.
+const FORMAT: u32 = 1;
+
+/// An exported look.
+#[derive(Clone, Debug, Serialize)]
+pub struct Description {
+    /// The look's name.
+    pub look: String,
+    /// The version of Chiaro.
+    pub chiaro: &'static str,
+    /// The version of this form.
+    pub format: u32,
+    /// What the numbers of the picture mean: as shown (sRGB-encoded), or linear light. Straight alpha.
+    pub color_space: ColorSpace,
+    /// What to run, in order.
+    pub passes: Vec<Pass>,
+    /// What passes run.
+    pub modules: Vec<ModuleDescription>,
+    /// How the modules go in each language, by slug.
+    pub languages: Map<String, Value>,
+    /// What may be set.
+    pub parameters: Vec<Parameter>,
+    /// The lights that the look reads.
+    pub lights: Vec<LightDescription>,
+    /// The images that the look reads.
+    pub images: Vec<Image>,
+    /// The look's direction keys, as its document has them, where it has any.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub direction_keys: Vec<crate::document::DirectionKeys>,
+    /// The look's time keys, as its document has them, where it has any.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub time_keys: Vec<crate::document::TimeKeys>,
+}
+
+/// A module, apart from any language.
+#[derive(Clone, Debug, Serialize)]
+pub struct ModuleDescription {
+    /// Its name.
+    pub name: &'static str,
+    /// What it does.
+    pub purpose: &'static str,
+    /// A vertex and a fragment shader.
+    pub entry_points: Vec<EntryPoint>,
+    /// What to bind.
+    pub bindings: Vec<BindingDescription>,
+    /// What computes the `Look` uniform; none where there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub host: Option<HostDescription>,
+}
+
+/// A binding, apart from any language.
+#[derive(Clone, Debug, Serialize)]
+pub struct BindingDescription {
+    /// Its name in WGSL.
+    pub name: String,
+    /// What it is to a graphics API.
+    pub kind: Kind,
+    /// Its type in WGSL.
+    #[serde(rename = "type")]
+    pub ty: String,
+    /// What to put in.
+    pub feed: Feed,
+    /// Bytes of a uniform buffer.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub size: Option<u32>,
+    /// The members of a uniform buffer.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub members: Vec<MeaningfulMember>,
+}
+
+/// A member with its meaning.
+#[derive(Clone, Debug, Serialize)]
+pub struct MeaningfulMember {
+    /// Where it lies.
+    #[serde(flatten)]
+    pub member: Member,
+    /// What to write there; empty for members of `Look`, which `host` computes.
+    #[serde(skip_serializing_if = "str::is_empty")]
+    pub meaning: &'static str,
+}
+
+/// A language, and how the modules go in it.
+#[derive(Clone, Debug, Serialize)]
+pub struct LanguageDescription<'a> {
+    /// What people call it.
+    pub label: &'static str,
+    /// The program that accepts the golden outputs of Chiaro's own tests; none for what nobody has compiled.
+    pub verified_by: Option<&'static str>,
+    /// What the API expects.
+    pub clip_space: ClipSpace,
+    /// What else there is to know.
+    #[serde(skip_serializing_if = "str::is_empty")]
+    pub note: &'static str,
+    /// Each module.
+    pub modules: Vec<&'a LanguageModule>,
+}
+
+/// Writes the description.
+pub(super) fn describe(
+    look: &Look,
+    library: &Library,
+    typed: &TypedGraph,
+    found: &Modules,
+    written: &[(&'static Language, LanguageModule)],
+) -> String {
+    let parameters = exposed::parameters(look, library, typed, found);
+    let modules: Vec<_> = found.modules.iter().map(|module| describe_module(module, &parameters.index)).collect();
+    let mut lights = exposed::lights(look, found);
+    for light in &mut lights {
+        light.members = members_of(light, &modules);
+    }
+    let description = Description {
+        look: look.name.clone(),
+        chiaro: env!("CARGO_PKG_VERSION"),
+        format: FORMAT,
+        color_space: look.color_space,
+        passes: found.passes.clone(),
+        modules,
+        languages: languages(written),
+        parameters: parameters.list,
+        lights,
+        images: found.images.clone(),
+        direction_keys: look.direction_keys.clone(),
+        time_keys: look.time_keys.clone(),
+    };
+    pretty(&json!(description))
+}
+
+fn describe_module(module: &ShaderModule, parameters: &std::collections::HashMap<ParamId, usize>) -> ModuleDescription {
+    let binding = |(bound, feed): (&Bound, &Feed)| BindingDescription {
+        name: bound.name.clone(),
+        kind: bound.kind,
+        ty: bound.ty.clone(),
+        feed: feed.clone(),
+        size: (bound.kind == Kind::Uniform).then_some(bound.size),
+        members: bound.members.iter().map(|member| meaningful(member, feed)).collect(),
+    };
+    ModuleDescription {
+        name: module.name,
+        purpose: module.purpose,
+        entry_points: module.entry_points.clone(),
+        bindings: module.bindings.iter().zip(&module.feeds).map(binding).collect(),
+        host: module.host().and_then(|host| host::describe(host, parameters)),
+    }
+}
+
+fn meaningful(member: &Member, feed: &Feed) -> MeaningfulMember {
+    let meaning = match (feed, member.name.as_str()) {
+        (Feed::View, "clip_from_world") => "projection times view matrix, for the API's own clip space",
+        (Feed::View, "camera_from_world") => "view matrix; camera axes: x right, y up, z toward the viewer",
+        (Feed::View, "eye") => {
+            "the eye in world space and 1; for parallel projection the direction toward the viewer and 0"
+        }
+        (Feed::Object, "world_from_object") => "model matrix",
+        (Feed::Object, "world_from_normal") => "inverse transpose of the model matrix's upper left 3x3, for normals",
+        (Feed::Object, "id") => "counts objects from 0",
+        _ => "",
+    };
+    MeaningfulMember { member: member.clone(), meaning }
+}
+
+fn members_of(light: &LightDescription, modules: &[ModuleDescription]) -> Vec<String> {
+    let mut members = Vec::new();
+    for module in modules {
+        let of_module = module.host.iter().flat_map(|host| &host.members);
+        let dependent = of_module.filter(|member| member.lights.contains(&light.id));
+        members.extend(dependent.map(|member| format!("{}.{}", module.name, member.name)));
+    }
+    members
+}
+
+fn languages(written: &[(&'static Language, LanguageModule)]) -> Map<String, Value> {
+    let mut found = Map::new();
+    for (language, _) in written {
+        let of_language = written.iter().filter(|(other, _)| other.slug == language.slug).map(|(_, module)| module);
+        let described = LanguageDescription {
+            label: language.label,
+            verified_by: language.verified_by,
+            clip_space: language.clip_space,
+            note: language.note,
+            modules: of_language.collect(),
+        };
+        found.insert(language.slug.to_owned(), json!(described));
+    }
+    found
+}

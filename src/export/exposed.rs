@@ -1,0 +1,196 @@
+//! What may be set from outside: parameters and lights.
+
+use std::collections::{BTreeSet, HashMap};
+
+use serde::Serialize;
+use serde_json::{Value, json};
+
+use super::modules::Modules;
+use crate::compile::{HostStep, ParamId, TypedGraph, TypedSource};
+use crate::document::{Definition, InterfacePort, Light, Look, Target};
+use crate::ids::{LightId, NodePath, PortName};
+use crate::library::{Context, Input, Library};
+
+/// A value that may be set from outside, or that keys move.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Parameter {
+    /// The name that the artist exposed it by; none for what only keys move.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub name: Option<PortName>,
+    /// What people read.
+    pub label: String,
+    /// What is said about it.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub help: String,
+    /// What it sets: `path/to/node.port`, or `lights.key.direction`.
+    pub target: String,
+    /// Chiaro's type.
+    #[serde(rename = "type")]
+    pub ty: String,
+    /// What the look has.
+    pub default: Value,
+    /// The least value.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub min: Option<f64>,
+    /// The greatest value.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max: Option<f64>,
+    /// The unit of its numbers.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub unit: String,
+    /// Whether setting it changes the picture. What is not live was decided when the shader was made (choices), or
+    /// reaches nothing.
+    pub live: bool,
+    /// Whether keys move it.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub keyed: bool,
+}
+
+/// A light of the look.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LightDescription {
+    /// Its id, as steps name it.
+    pub id: LightId,
+    /// What people read.
+    pub label: String,
+    /// As the look has it: `type`, `space`, `direction` and the rest.
+    pub values: Light,
+    /// The fields that steps ask for.
+    pub fields: BTreeSet<&'static str>,
+    /// The uniform members that depend on it, `module.member`; filled in by the description.
+    pub members: Vec<String>,
+}
+
+/// The parameters, and for each live value its index among them.
+pub(super) struct Parameters {
+    pub(super) list: Vec<Parameter>,
+    pub(super) index: HashMap<ParamId, usize>,
+}
+
+/// What is exposed in the artist's order, then what only keys move.
+pub(super) fn parameters(look: &Look, library: &Library, typed: &TypedGraph, modules: &Modules) -> Parameters {
+    let steps = || modules.modules.iter().filter_map(|module| module.host()).flat_map(|host| &host.source.steps);
+    let live: BTreeSet<ParamId> =
+        steps().filter_map(|step| if let HostStep::Param { id, .. } = step { Some(*id) } else { None }).collect();
+    let live_lights: BTreeSet<&LightId> =
+        steps().filter_map(|step| if let HostStep::Context(_, light) = step { light.as_ref() } else { None }).collect();
+    let mut found = Parameters { list: Vec::new(), index: HashMap::new() };
+    let keyed = |target: &Target| typed.keyed.contains(target);
+    for exposed in &look.exposed {
+        let mut parameter = match &exposed.target {
+            Target::Input { node, port } => {
+                let id = typed.params.iter().position(|param| param.path == *node && param.port == *port);
+                let Some(id) = id else { continue };
+                found.index.entry(id).or_insert(found.list.len());
+                Parameter { live: live.contains(&id), ..input(look, library, typed, id) }
+            }
+            Target::Light { light, field } => {
+                Parameter { live: live_lights.contains(light), ..light_field(look, light, field) }
+            }
+        };
+        parameter.name = Some(exposed.name.clone());
+        parameter.keyed = keyed(&exposed.target);
+        if !exposed.label.is_empty() {
+            parameter.label.clone_from(&exposed.label);
+        }
+        found.list.push(parameter);
+    }
+    for id in live {
+        if let std::collections::hash_map::Entry::Vacant(entry) = found.index.entry(id) {
+            entry.insert(found.list.len());
+            let target = Target::Input { node: typed.params[id].path.clone(), port: typed.params[id].port.clone() };
+            found.list.push(Parameter { live: true, keyed: keyed(&target), ..input(look, library, typed, id) });
+        }
+    }
+    found
+}
+
+/// What the library says about an input, or the group around it where that says more.
+fn input(look: &Look, library: &Library, typed: &TypedGraph, id: ParamId) -> Parameter {
+    let param = &typed.params[id];
+    let reads = |node: &crate::compile::TypedNode| {
+        node.inputs.iter().enumerate().find_map(|(index, input)| match input.as_ref().map(|input| &input.source) {
+            Some(TypedSource::Param(found, value)) if *found == id => Some((index, value.clone())),
+            _ => None,
+        })
+    };
+    let mut parameter = Parameter { target: format!("{}.{}", param.path, param.port), ..Parameter::default() };
+    let found = typed.nodes.iter().find_map(|node| reads(node).map(|(index, value)| (&node.def.inputs[index], value)));
+    if let Some((input, value)) = found {
+        let Input { label, help, ty, min, max, unit, .. } = input;
+        parameter.label.clone_from(label);
+        parameter.help.clone_from(help);
+        parameter.ty = ty.to_string();
+        parameter.default = json!(value);
+        (parameter.min, parameter.max) = (*min, *max);
+        parameter.unit.clone_from(unit);
+    }
+    if let Some(port) = interface_port(look, library, &param.path, &param.port) {
+        let InterfacePort { label, help, min, max, .. } = port;
+        if let Some(label) = label {
+            parameter.label.clone_from(label);
+        }
+        if let Some(help) = help {
+            parameter.help.clone_from(help);
+        }
+        parameter.min = min.or(parameter.min);
+        parameter.max = max.or(parameter.max);
+    }
+    parameter
+}
+
+/// The port of a group that a path names, if it is one of a group.
+fn interface_port<'a>(
+    look: &'a Look,
+    library: &'a Library,
+    path: &NodePath,
+    port: &PortName,
+) -> Option<&'a InterfacePort> {
+    let mut graph = &look.graph;
+    let mut definition: Option<&Definition> = None;
+    for id in path.ids() {
+        let kind = &graph.nodes.get(id)?.kind;
+        let own = look.definitions.get(kind.as_str());
+        let found = own.or_else(|| library.groups.get(kind).map(|group| &group.definition))?;
+        graph = &found.graph;
+        definition = Some(found);
+    }
+    definition?.inputs.iter().find(|interface| interface.name == *port)
+}
+
+fn light_field(look: &Look, light: &LightId, field: &str) -> Parameter {
+    let document = look.lights.get(light).map_or(Value::Null, |light| json!(light));
+    let is_angle = matches!(field, "inner" | "outer");
+    let (ty, min) = match field {
+        "direction" | "position" | "aim" => ("vec3", None),
+        "color" => ("color", None),
+        _ => ("float", Some(0.0)),
+    };
+    Parameter {
+        label: field.replace('_', " "),
+        target: format!("lights.{light}.{field}"),
+        ty: ty.to_owned(),
+        default: document.get(field).cloned().unwrap_or_default(),
+        min,
+        max: is_angle.then_some(std::f64::consts::PI),
+        unit: if is_angle { "rad".to_owned() } else { String::new() },
+        ..Parameter::default()
+    }
+}
+
+/// The lights that any step asks for, in the look's order.
+pub(super) fn lights(look: &Look, modules: &Modules) -> Vec<LightDescription> {
+    let hosts = modules.modules.iter().filter_map(|module| module.host());
+    let mut fields: HashMap<&LightId, BTreeSet<&'static str>> = HashMap::new();
+    for step in hosts.flat_map(|host| &host.source.steps) {
+        if let HostStep::Context(context @ Context::Light(_), Some(light)) = step {
+            fields.entry(light).or_default().insert(context.word());
+        }
+    }
+    let describe = |(id, light): (&LightId, &Light)| {
+        let fields = fields.get(id)?.clone();
+        let label = if light.name.is_empty() { id.to_string() } else { light.name.clone() };
+        Some(LightDescription { id: id.clone(), label, values: light.clone(), fields, members: Vec::new() })
+    };
+    look.lights.iter().filter_map(describe).collect()
+}

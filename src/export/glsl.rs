@@ -1,0 +1,203 @@
+//! What the versions of GLSL share: a file for each stage.
+//!
+//! naga names interface blocks, varyings and attributes by numbers; here they get the names of the WGSL source back,
+//! the same in both stages, so that a uniform block is one block of the linked program.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use naga::back::glsl::{self, Version};
+use naga::proc::BoundsCheckPolicies;
+use serde_json::json;
+
+use super::File;
+use super::header::list;
+use super::language::{
+    LanguageAttribute, LanguageBinding, LanguageEntryPoint, LanguageFile, LanguageModule, Request, Written,
+};
+use super::modules::ShaderModule;
+use super::reflect::{self, Bound, Kind};
+use crate::wgsl::{identifiers, rename_identifiers};
+
+/// One stage, as naga writes it.
+struct StageText {
+    stage: naga::ShaderStage,
+    text: String,
+    /// Handles of blocks with naga's names for them.
+    blocks: Vec<(naga::Handle<naga::GlobalVariable>, String)>,
+    /// naga's name of each joined texture, the texture, its sampler.
+    textures: Vec<(String, naga::Handle<naga::GlobalVariable>, Option<naga::Handle<naga::GlobalVariable>>)>,
+}
+
+/// Writes a module; `suffix` stands between the stem and the extension.
+pub(super) fn write(request: &Request<'_>, version: Version, suffix: &str) -> Result<Written, String> {
+    let module = request.module;
+    let slots = slots(&module.bindings);
+    let binding_map = slots.iter().map(|(bound, slot)| (resource(bound), *slot)).collect();
+    // Positions stay as the host's matrix gives them.
+    let options =
+        glsl::Options { version, writer_flags: glsl::WriterFlags::empty(), binding_map, ..glsl::Options::default() };
+    let stages = module.valid().module.entry_points.iter().map(|point| stage_text(module, point, &options));
+    let stages: Vec<StageText> = stages.collect::<Result<_, _>>()?;
+    let names = Names::choose(module, &stages);
+    let mut described = LanguageModule { module: module.name.to_owned(), ..LanguageModule::default() };
+    described.bindings = bindings(module, &names, &stages, &slots, version.supports_explicit_locations());
+    described.attributes = names.attributes.clone();
+    let mut files = Vec::new();
+    for stage in &stages {
+        let text = rename_identifiers(&stage.text, |word| names.of.get(word).cloned());
+        let file = format!("{}.{suffix}.{}", request.stem, extension(stage.stage));
+        let stage_name = reflect::stage_name(stage.stage);
+        let point = LanguageEntryPoint { stage: stage_name, name: "main".to_owned() };
+        described.files.push(LanguageFile { file: file.clone(), entry_points: vec![point] });
+        let header = request.header(&format!("The {stage_name} shader. "), &binds(&described.bindings, &slots));
+        files.push(File::text(file, after_version(&text, &header)));
+    }
+    Ok(Written { files, described })
+}
+
+fn stage_text(module: &ShaderModule, point: &naga::EntryPoint, options: &glsl::Options) -> Result<StageText, String> {
+    let valid = module.valid();
+    let pipeline =
+        glsl::PipelineOptions { shader_stage: point.stage, entry_point: point.name.clone(), multiview: None };
+    let mut text = String::new();
+    let policies = BoundsCheckPolicies::default();
+    let mut writer = glsl::Writer::new(&mut text, &valid.module, &valid.info, options, &pipeline, policies)
+        .map_err(|error| error.to_string())?;
+    let info = writer.write().map_err(|error| error.to_string())?;
+    let mut textures: Vec<_> = info.texture_mapping.into_iter().map(|(name, t)| (name, t.texture, t.sampler)).collect();
+    textures.sort();
+    let mut blocks: Vec<_> = info.uniforms.into_iter().collect();
+    blocks.sort();
+    Ok(StageText { stage: point.stage, text, blocks, textures })
+}
+
+/// A number for each buffer and for each texture, counted apart: OpenGL's binding points and texture units.
+fn slots(bindings: &[Bound]) -> Vec<(&Bound, u8)> {
+    let mut counts: BTreeMap<bool, u8> = BTreeMap::new();
+    let mut slots = Vec::new();
+    for bound in bindings.iter().filter(|bound| bound.kind != Kind::Sampler) {
+        let count = counts.entry(bound.kind == Kind::Texture).or_default();
+        slots.push((bound, *count));
+        *count = count.saturating_add(1);
+    }
+    slots
+}
+
+fn resource(bound: &Bound) -> naga::ResourceBinding {
+    naga::ResourceBinding { group: bound.group, binding: bound.binding }
+}
+
+fn extension(stage: naga::ShaderStage) -> &'static str {
+    match stage {
+        naga::ShaderStage::Vertex => "vert",
+        naga::ShaderStage::Fragment => "frag",
+        _ => "comp",
+    }
+}
+
+/// What naga's names become.
+struct Names {
+    of: BTreeMap<String, String>,
+    attributes: Vec<LanguageAttribute>,
+}
+
+impl Names {
+    fn choose(module: &ShaderModule, stages: &[StageText]) -> Self {
+        let taken = stages.iter().flat_map(|stage| identifiers(&stage.text)).collect();
+        let mut names = Choice { of: BTreeMap::new(), taken };
+        for stage in stages {
+            for (handle, block) in &stage.blocks {
+                if let Some(bound) = module.bindings.iter().find(|bound| bound.handle == *handle) {
+                    names.give(block, &format!("{}Block", bound.ty));
+                }
+            }
+        }
+        for bound in &module.bindings {
+            for stage in ["vs", "fs", "cs"] {
+                names.give(&format!("_group_{}_binding_{}_{stage}", bound.group, bound.binding), &bound.name);
+            }
+        }
+        let mut attributes = Vec::new();
+        for attribute in module.entry_points.iter().flat_map(|point| &point.attributes) {
+            let name = names.give(&format!("_p2vs_location{}", attribute.location), &format!("a_{}", attribute.name));
+            attributes.push(LanguageAttribute { attribute: attribute.name.clone(), name });
+        }
+        for varying in reflect::varyings(&module.valid().module) {
+            names.give(&format!("_vs2fs_location{}", varying.location), &format!("v_{}", varying.name));
+        }
+        for output in module.entry_points.iter().flat_map(|point| &point.outputs) {
+            let name = if output.name.is_empty() { "color" } else { &output.name };
+            names.give(&format!("_fs2p_location{}", output.location), &format!("out_{name}"));
+        }
+        Self { of: names.of, attributes }
+    }
+}
+
+struct Choice {
+    of: BTreeMap<String, String>,
+    taken: BTreeSet<String>,
+}
+
+impl Choice {
+    /// The name for what naga calls `old`; two of naga's names for one thing of the source get the same one.
+    fn give(&mut self, old: &str, wanted: &str) -> String {
+        let mut name = wanted.to_owned();
+        while self.taken.contains(&name) {
+            name.push('_');
+        }
+        self.of.insert(old.to_owned(), name.clone());
+        name
+    }
+}
+
+/// Where everything is; `is_explicit` where the text itself says so.
+fn bindings(
+    module: &ShaderModule,
+    names: &Names,
+    stages: &[StageText],
+    slots: &[(&Bound, u8)],
+    is_explicit: bool,
+) -> Vec<LanguageBinding> {
+    let mut found = Vec::new();
+    for (bound, slot) in slots {
+        let block = stages.iter().flat_map(|stage| &stage.blocks).find(|(handle, _)| *handle == bound.handle);
+        let texture = stages.iter().flat_map(|stage| &stage.textures).find(|(_, texture, _)| *texture == bound.handle);
+        let new_name = |old: &str| names.of.get(old).map_or_else(|| old.to_owned(), Clone::clone);
+        // What neither stage reads is not in the text.
+        let Some(old) = block.map(|(_, old)| old).or(texture.map(|(old, _, _)| old)) else { continue };
+        let key = match (bound.kind, is_explicit) {
+            (Kind::Texture, true) => "unit",
+            (Kind::Texture, false) => "suggested_unit",
+            (_, true) => "binding",
+            (_, false) => "suggested_binding",
+        };
+        let mut binding = LanguageBinding::new(&bound.name, &new_name(old), &[(key, json!(slot))]);
+        let sampler = texture.and_then(|(_, _, sampler)| *sampler);
+        let sampler = module.bindings.iter().find(|other| Some(other.handle) == sampler);
+        binding.sampler = sampler.map(|sampler| sampler.name.clone());
+        found.push(binding);
+    }
+    found
+}
+
+/// What to bind, in words.
+fn binds(bindings: &[LanguageBinding], slots: &[(&Bound, u8)]) -> Vec<String> {
+    let named = |is_texture: bool| {
+        let of_kind = bindings.iter().filter(move |binding| {
+            let bound = slots.iter().find(|(bound, _)| bound.name == binding.binding);
+            bound.is_some_and(|(bound, _)| (bound.kind == Kind::Texture) == is_texture)
+        });
+        let text = of_kind.map(|binding| {
+            let slot = slots.iter().find(|(bound, _)| bound.name == binding.binding).map_or(0, |(_, slot)| *slot);
+            format!("{} {slot}", binding.name)
+        });
+        text.collect::<Vec<_>>()
+    };
+    vec![list("Uniform blocks (std140)", &named(false)), list("Textures", &named(true))]
+}
+
+/// Puts the header after the first line, where `#version` has to be.
+fn after_version(text: &str, header: &str) -> String {
+    let (version, rest) = text.split_once('\n').unwrap_or((text, ""));
+    format!("{version}\n{header}{rest}")
+}

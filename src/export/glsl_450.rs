@@ -1,0 +1,15 @@
+//! GLSL 4.50, for OpenGL 4.5.
+
+use naga::back::glsl::Version;
+
+use super::glsl;
+use super::language::{ClipSpace, Language};
+
+pub(super) const LANGUAGE: Language = Language {
+    slug: "glsl-450",
+    label: "GLSL 4.50",
+    verified_by: Some("glslangValidator"),
+    clip_space: ClipSpace::OPENGL,
+    note: "",
+    write: |request| glsl::write(request, Version::Desktop(450), "450"),
+};

@@ -1,0 +1,15 @@
+//! GLSL ES 3.00, for OpenGL ES 3.0 and WebGL2.
+
+use naga::back::glsl::Version;
+
+use super::glsl;
+use super::language::{ClipSpace, Language};
+
+pub(super) const LANGUAGE: Language = Language {
+    slug: "glsl-es300",
+    label: "GLSL ES 3.00",
+    verified_by: Some("glslangValidator"),
+    clip_space: ClipSpace::OPENGL,
+    note: "Bind blocks and samplers by name: glUniformBlockBinding, glUniform1i.",
+    write: |request| glsl::write(request, Version::Embedded { version: 300, is_webgl: false }, "es300"),
+};

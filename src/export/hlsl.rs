@@ -1,0 +1,116 @@
+//! HLSL, shader model 5.1, for Direct3D 12: one file with both entry points.
+//!
+//! naga reaches samplers through a heap of 2048 of them, as wgpu binds them. Here each gets a register of its own
+//! instead, so that the file fits any engine.
+
+use naga::back::hlsl;
+use serde_json::json;
+
+use super::File;
+use super::header::list;
+use super::language::{
+    ClipSpace, Language, LanguageBinding, LanguageEntryPoint, LanguageFile, LanguageModule, Request, Written,
+};
+use super::modules::ShaderModule;
+use super::reflect::{Bound, Kind};
+
+pub(super) const LANGUAGE: Language = Language {
+    slug: "hlsl",
+    label: "HLSL, shader model 5.1",
+    verified_by: None,
+    clip_space: ClipSpace::WEBGPU,
+    note: "Unverified: written by naga, seen by no HLSL compiler. Attributes have the semantic LOC followed by their location. Matrices are declared row_major, each row holding a column of the uniform's bytes.",
+    write,
+};
+
+fn write(request: &Request<'_>) -> Result<Written, String> {
+    let module = request.module;
+    let registers = registers(&module.bindings);
+    let mut options = hlsl::Options { fake_missing_bindings: false, ..hlsl::Options::default() };
+    let textures = registers.iter().filter(|(_, letter, _)| *letter == 't').count() as u32;
+    for (bound, _, register) in &registers {
+        let target = hlsl::BindTarget { register: *register, ..hlsl::BindTarget::default() };
+        let resource = naga::ResourceBinding { group: bound.group, binding: bound.binding };
+        options.binding_map.insert(resource, target);
+        // The heap's index, which is taken out again, has a register after the textures.
+        let index = hlsl::BindTarget { register: textures, ..hlsl::BindTarget::default() };
+        options.sampler_buffer_binding_map.insert(hlsl::SamplerIndexBufferKey { group: bound.group }, index);
+    }
+    let (text, points) = naga_text(module, &options)?;
+    let text = own_samplers(&text, &registers)?;
+    let place = |(bound, letter, register): &(&Bound, char, u32)| {
+        let at = [("register", json!(format!("{letter}{register}"))), ("space", json!(0))];
+        LanguageBinding::new(&bound.name, &bound.name, &at)
+    };
+    let names: Vec<_> = registers.iter().map(|(bound, letter, n)| format!("{} {letter}{n}", bound.name)).collect();
+    let header = request.header("", &[list("Registers of space 0", &names)]);
+    let file = format!("{}.hlsl", request.stem);
+    let described = LanguageModule {
+        module: module.name.to_owned(),
+        files: vec![LanguageFile { file: file.clone(), entry_points: points }],
+        bindings: registers.iter().map(place).collect(),
+        attributes: Vec::new(),
+    };
+    Ok(Written { files: vec![File::text(file, format!("{header}\n{text}"))], described })
+}
+
+/// Each binding's register: `b` buffers, `t` textures and `s` samplers are counted apart.
+fn registers(bindings: &[Bound]) -> Vec<(&Bound, char, u32)> {
+    let mut counts = [0u32; 3];
+    let mut register = |bound| {
+        let (index, letter) = match bound {
+            Kind::Uniform => (0, 'b'),
+            Kind::Texture | Kind::Storage => (1, 't'),
+            Kind::Sampler => (2, 's'),
+        };
+        counts[index] += 1;
+        (letter, counts[index] - 1)
+    };
+    bindings
+        .iter()
+        .map(|bound| {
+            let (letter, number) = register(bound.kind);
+            (bound, letter, number)
+        })
+        .collect()
+}
+
+fn naga_text(module: &ShaderModule, options: &hlsl::Options) -> Result<(String, Vec<LanguageEntryPoint>), String> {
+    let valid = module.valid();
+    let mut text = String::new();
+    let pipeline = hlsl::PipelineOptions::default();
+    let mut writer = hlsl::Writer::new(&mut text, options, &pipeline);
+    let info = writer.write(&valid.module, &valid.info, None).map_err(|error| error.to_string())?;
+    let mut points = Vec::new();
+    for (point, name) in module.entry_points.iter().zip(info.entry_point_names) {
+        points.push(LanguageEntryPoint { stage: point.stage, name: name.map_err(|error| error.to_string())? });
+    }
+    Ok((text, points))
+}
+
+/// Takes the sampler heap out: every sampler gets its register.
+fn own_samplers(text: &str, registers: &[(&Bound, char, u32)]) -> Result<String, String> {
+    const HEAPS: [&str; 3] = [
+        "SamplerState nagaSamplerHeap[",
+        "SamplerComparisonState nagaComparisonSamplerHeap[",
+        "StructuredBuffer<uint> nagaGroup",
+    ];
+    let mut result = String::with_capacity(text.len());
+    for line in text.lines().filter(|line| !HEAPS.iter().any(|heap| line.starts_with(heap))) {
+        let name =
+            line.strip_prefix("static const SamplerState ").and_then(|rest| rest.split_once(" = nagaSamplerHeap["));
+        match name {
+            Some((name, _)) => {
+                let register = registers.iter().find(|(bound, letter, _)| *letter == 's' && bound.name == name);
+                let (_, _, number) = register.ok_or_else(|| format!("the sampler `{name}` has no register"))?;
+                result.push_str(&format!("SamplerState {name} : register(s{number});"));
+            }
+            None => result.push_str(line),
+        }
+        result.push('\n');
+    }
+    if result.contains("nagaSamplerHeap") {
+        return Err("a sampler is used in a way that only the heap allows".to_owned());
+    }
+    Ok(result)
+}

@@ -1,0 +1,279 @@
+//! How the numbers of a module's `Look` uniform come about, as data.
+
+use std::collections::{BTreeSet, HashMap};
+
+use glam::{DMat3, DQuat};
+use indexmap::IndexMap;
+use serde::Serialize;
+use serde_json::{Value, json};
+
+use super::modules::Host;
+use crate::compile::{HostInputs, HostStep, LightValues, ParamId};
+use crate::document::Light;
+use crate::ids::LightId;
+use crate::interp;
+use crate::library::{Context, LightField};
+
+/// What computes the members of a module's `Look` uniform: run the steps in order, each from the values of earlier
+/// ones, then write each member's step into the uniform at the member's offset.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct HostDescription {
+    /// The WGSL file with the functions that steps call; none where no step calls any.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub functions: Option<String>,
+    /// Every surrounding that steps ask for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub contexts: Vec<ContextDescription>,
+    /// Their indices are how later ones name them.
+    pub steps: Vec<StepDescription>,
+    /// In the order of the struct.
+    pub members: Vec<MemberDescription>,
+}
+
+/// A value of the surroundings.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ContextDescription {
+    /// Its name in steps.
+    pub name: &'static str,
+    /// As WGSL writes it.
+    #[serde(rename = "type")]
+    pub ty: &'static str,
+    /// What it is.
+    pub meaning: &'static str,
+}
+
+/// One step. Vectors, matrices (column after column), arrays and structs (in the order of their members) are lists.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "op", rename_all = "snake_case")]
+pub enum StepDescription {
+    /// A value.
+    Constant {
+        /// The value.
+        value: Value,
+    },
+    /// The value of a parameter.
+    Parameter {
+        /// Its index in `parameters`.
+        parameter: usize,
+        /// What it is taken as; the same parameter may be a float in one step and a colour in another.
+        #[serde(rename = "type")]
+        ty: String,
+        /// The parameter's default as that type, ready for use.
+        value: Value,
+    },
+    /// A surrounding.
+    Context {
+        /// Its name in `contexts`.
+        context: &'static str,
+        /// The light that it is a field of.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        light: Option<LightId>,
+    },
+    /// A call of a function.
+    Call {
+        /// Its name in the file.
+        function: String,
+        /// Steps.
+        arguments: Vec<usize>,
+    },
+    /// A member of a struct.
+    Member {
+        /// The step that gives the struct.
+        of: usize,
+        /// Counts from 0.
+        member: usize,
+    },
+}
+
+/// A member of the `Look` uniform.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MemberDescription {
+    /// Its name in the struct.
+    pub name: String,
+    /// What it is to the look. A `switch` is written as the unsigned integer 0 or 1.
+    #[serde(rename = "type")]
+    pub ty: String,
+    /// Its first byte in the uniform.
+    pub offset: u32,
+    /// The node that reads it, and the input or part.
+    pub origin: String,
+    /// The step that computes it.
+    pub step: usize,
+    /// The parameters that it depends on, by index.
+    #[serde(skip_serializing_if = "BTreeSet::is_empty")]
+    pub parameters: BTreeSet<usize>,
+    /// The lights that it depends on.
+    #[serde(skip_serializing_if = "BTreeSet::is_empty")]
+    pub lights: BTreeSet<LightId>,
+    /// The surroundings that it depends on.
+    #[serde(skip_serializing_if = "BTreeSet::is_empty")]
+    pub contexts: BTreeSet<&'static str>,
+    /// What it is while parameters have their defaults; none where it depends on anything else.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub default: Option<Value>,
+}
+
+/// Describes a host; `parameters` gives each live value's index in the description. `None` where the module reads no
+/// such value.
+pub(super) fn describe(host: &Host, parameters: &HashMap<ParamId, usize>) -> Option<HostDescription> {
+    let program = &host.shader.host;
+    if program.members.is_empty() {
+        return None;
+    }
+    let steps = &host.source.steps;
+    let used: BTreeSet<Context> = steps.iter().filter_map(context).collect();
+    let contexts = used.into_iter().map(|context| ContextDescription {
+        name: context.word(),
+        ty: context.wgsl_type(),
+        meaning: meaning(context),
+    });
+    let defaults = defaults(host);
+    let member = |(index, member): (usize, &crate::compile::UniformMember)| {
+        let mut found = MemberDescription {
+            name: member.name.clone(),
+            ty: member.ty.to_string(),
+            offset: member.offset,
+            origin: member.origin.clone(),
+            step: member.step,
+            parameters: BTreeSet::new(),
+            lights: BTreeSet::new(),
+            contexts: BTreeSet::new(),
+            default: None,
+        };
+        found.depend(steps, parameters);
+        if found.lights.is_empty() && found.contexts.is_empty() {
+            found.default = defaults.get(index).map(stored);
+        }
+        found
+    };
+    Some(HostDescription {
+        functions: host.file.clone(),
+        contexts: contexts.collect(),
+        steps: steps.iter().map(|step| describe_step(step, parameters)).collect(),
+        members: program.members.iter().enumerate().map(member).collect(),
+    })
+}
+
+fn context(step: &HostStep) -> Option<Context> {
+    if let HostStep::Context(context, _) = step { Some(*context) } else { None }
+}
+
+fn describe_step(step: &HostStep, parameters: &HashMap<ParamId, usize>) -> StepDescription {
+    match step {
+        HostStep::Constant(constant) => StepDescription::Constant { value: value(constant) },
+        HostStep::Param { id, ty, value: default } => StepDescription::Parameter {
+            parameter: parameters.get(id).copied().unwrap_or_default(),
+            ty: ty.to_string(),
+            value: value(default),
+        },
+        HostStep::Context(context, light) => StepDescription::Context { context: context.word(), light: light.clone() },
+        HostStep::Call { function, arguments } => {
+            StepDescription::Call { function: function.clone(), arguments: arguments.clone() }
+        }
+        HostStep::Member { value, index } => StepDescription::Member { of: *value, member: *index },
+    }
+}
+
+impl MemberDescription {
+    /// Collects what the member's step depends on.
+    fn depend(&mut self, steps: &[HostStep], parameters: &HashMap<ParamId, usize>) {
+        let mut seen = BTreeSet::new();
+        let mut open = vec![self.step];
+        while let Some(index) = open.pop() {
+            if !seen.insert(index) {
+                continue;
+            }
+            match steps.get(index) {
+                Some(HostStep::Param { id, .. }) => self.parameters.extend(parameters.get(id)),
+                Some(HostStep::Context(_, Some(light))) => {
+                    self.lights.insert(light.clone());
+                }
+                Some(HostStep::Context(context, None)) => {
+                    self.contexts.insert(context.word());
+                }
+                Some(HostStep::Call { arguments, .. }) => open.extend(arguments),
+                Some(HostStep::Member { value, .. }) => open.push(*value),
+                Some(HostStep::Constant(_)) | None => {}
+            }
+        }
+    }
+}
+
+/// The members with every parameter at its default.
+fn defaults(host: &Host) -> Vec<interp::Value> {
+    let lights: IndexMap<LightId, LightValues> =
+        [(LightId::new(""), LightValues::new(&Light::default(), DQuat::IDENTITY, DMat3::IDENTITY))].into();
+    let inputs = HostInputs {
+        params: &HashMap::new(),
+        lights: &lights,
+        camera_from_world: DMat3::IDENTITY,
+        viewport: [1.0; 2],
+        time: 0.0,
+        frame: 0.0,
+        object_id: 0.0,
+    };
+    // What cannot be run has no default; compiling has reported it.
+    host.shader.host.run(&inputs).unwrap_or_default()
+}
+
+/// A value in JSON.
+pub(super) fn value(value: &interp::Value) -> Value {
+    match value {
+        interp::Value::Bool(b) => json!(b),
+        interp::Value::I32(i) => json!(i),
+        interp::Value::U32(u) => json!(u),
+        interp::Value::Float(x) => number(*x),
+        interp::Value::Vector(scalars) => scalars.iter().map(|scalar| self::value(&(*scalar).into())).collect(),
+        interp::Value::Matrix { components, .. } => components.iter().map(|x| number(*x)).collect(),
+        interp::Value::Array(parts) | interp::Value::Struct(parts) => parts.iter().map(self::value).collect(),
+    }
+}
+
+/// A value as the uniform holds it: with floats of 32 bits.
+fn stored(value: &interp::Value) -> Value {
+    match self::value(value) {
+        Value::Array(parts) => parts.into_iter().map(rounded).collect(),
+        other => rounded(other),
+    }
+}
+
+fn rounded(value: Value) -> Value {
+    match value {
+        Value::Array(parts) => parts.into_iter().map(rounded).collect(),
+        Value::Number(x) if x.is_f64() => {
+            // The shortest text that reads back as the same f32.
+            let text = x.as_f64().map_or_else(String::new, |x| format!("{:?}", x as f32));
+            text.parse().map_or(Value::Null, number)
+        }
+        other => other,
+    }
+}
+
+/// Whole numbers without a point, as people write them.
+fn number(x: f64) -> Value {
+    if x.fract() == 0.0 && x.abs() < 1e15 { json!(x as i64) } else { json!(x) }
+}
+
+/// What a surrounding is.
+fn meaning(context: Context) -> &'static str {
+    match context {
+        Context::CameraFromWorld => "rotation from world to camera axes: x right, y up, z toward the viewer",
+        Context::ObjectId => "counts objects from 0",
+        Context::Time => "seconds",
+        Context::Frame => "frames since the start of the time range",
+        Context::Viewport => "width and height in pixels",
+        Context::Light(LightField::Direction) => "unit, toward a directional light, world space",
+        Context::Light(LightField::OwnDirection) => "unit, toward a directional light, in the light's own frame",
+        Context::Light(LightField::Position) => "world space",
+        Context::Light(LightField::Aim) => "unit, the way a spot light shines, world space",
+        Context::Light(LightField::OwnFromWorld) => "rotation from world space to the light's own frame",
+        Context::Light(LightField::Color) => "straight RGB in the look's colour space",
+        Context::Light(LightField::Intensity) => "0 or more",
+        Context::Light(LightField::Cone) => {
+            "cosines of a spot light's inner and outer half-angles; the inner at most the outer angle"
+        }
+        Context::Light(LightField::Fading) => "half distance and range; 0 for none",
+        // Of fragment rate, and so never asked for by a step.
+        _ => "",
+    }
+}

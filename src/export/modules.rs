@@ -1,0 +1,332 @@
+//! The modules of an export, and the passes that run them.
+
+use serde::Serialize;
+
+use super::File;
+use super::header;
+use super::reflect::{self, Bound, EntryPoint, Kind};
+use crate::compile::{
+    BindingKind, CompiledShader, HostSource, Live, Options, Stage, TypedGraph, TypedSource, compile_typed,
+};
+use crate::diag::Diagnostic;
+use crate::library::{Context, Conversion};
+use crate::wgsl::{self, PASSES, Source, Valid};
+
+/// The name of the module that draws the look itself.
+const DRAW: &str = "draw";
+
+/// A WGSL module with what a host has to know.
+pub(super) struct ShaderModule {
+    /// `draw`, `normals`, `detail_normals` or `curvature`.
+    pub(super) name: &'static str,
+    /// What it does, as a sentence.
+    pub(super) purpose: &'static str,
+    pub(super) entry_points: Vec<EntryPoint>,
+    pub(super) bindings: Vec<Bound>,
+    /// For each binding.
+    pub(super) feeds: Vec<Feed>,
+    code: Code,
+}
+
+enum Code {
+    /// Made from a look.
+    Look(Box<Host>),
+    /// A file of `shaders/passes`.
+    Fixed(String, Valid),
+}
+
+/// What computes a module's `Look` uniform.
+pub(super) struct Host {
+    pub(super) shader: CompiledShader,
+    pub(super) source: HostSource,
+    /// The file that holds the functions; `None` where there are none.
+    pub(super) file: Option<String>,
+}
+
+/// What a host puts into a binding.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "from", rename_all = "snake_case")]
+pub enum Feed {
+    /// The camera: once a view.
+    View,
+    /// The object's place: once an object.
+    Object,
+    /// The members that the module's `host` computes: once an object and frame.
+    Look,
+    /// One of `images`.
+    Image {
+        /// Its index.
+        image: usize,
+    },
+    /// The sampler of one of `images`.
+    Sampler {
+        /// Its index.
+        image: usize,
+    },
+    /// What an earlier pass has drawn, at the same size.
+    Pass {
+        /// The pass.
+        pass: &'static str,
+        /// Its output.
+        output: &'static str,
+    },
+    /// What its name and members say.
+    Host,
+}
+
+/// One step of drawing a frame.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Pass {
+    /// Its name.
+    pub name: &'static str,
+    /// The module that it runs.
+    pub module: &'static str,
+    /// `meshes`: every mesh, depth-tested. `screen`: one triangle over the whole target, made from the vertex index.
+    pub draws: &'static str,
+    /// The textures that it reads from earlier passes.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub inputs: Vec<PassInput>,
+    /// What it draws into, in the order of locations.
+    pub outputs: Vec<Target>,
+}
+
+/// A texture that a pass reads from an earlier one.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PassInput {
+    /// The module's binding.
+    pub binding: String,
+    /// The earlier pass.
+    pub pass: &'static str,
+    /// Its output.
+    pub output: &'static str,
+}
+
+/// What a pass draws into.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Target {
+    /// Its name.
+    pub name: &'static str,
+    /// A WebGPU format; `any` for the host's own colour target.
+    pub format: &'static str,
+    /// What it is cleared to.
+    pub clear: [f64; 4],
+}
+
+const NORMAL_TARGETS: [Target; 2] = [
+    Target { name: "normal", format: "rgba16float", clear: [0.0; 4] },
+    Target { name: "depth", format: "r32float", clear: [0.0; 4] },
+];
+const CURVATURE_TARGET: Target = Target { name: "curvature", format: "r32float", clear: [0.0; 4] };
+const COLOR_TARGET: Target = Target { name: "color", format: "any", clear: [0.0; 4] };
+
+/// An image that the look reads, and how it is sampled.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Image {
+    /// The file, relative to the look's document.
+    pub path: String,
+    /// `repeat`, `clamp` or `mirror`.
+    pub wrap: String,
+    /// `linear` or `nearest`.
+    pub filter: String,
+    /// `color`, decoded into the look's colour space, or `data`, taken as it is.
+    pub encoding: String,
+}
+
+/// Everything that is drawn.
+#[derive(Default)]
+pub(super) struct Modules {
+    /// The look's name, fit for a comment.
+    pub(super) title: String,
+    /// Each before those that read what it draws.
+    pub(super) modules: Vec<ShaderModule>,
+    pub(super) passes: Vec<Pass>,
+    pub(super) images: Vec<Image>,
+    pub(super) warnings: Vec<Diagnostic>,
+}
+
+impl ShaderModule {
+    pub(super) fn is_draw(&self) -> bool {
+        self.name == DRAW
+    }
+
+    pub(super) fn wgsl(&self) -> &str {
+        match &self.code {
+            Code::Look(host) => &host.shader.wgsl,
+            Code::Fixed(text, _) => text,
+        }
+    }
+
+    pub(super) fn valid(&self) -> &Valid {
+        match &self.code {
+            Code::Look(host) => &host.shader.valid,
+            Code::Fixed(_, valid) => valid,
+        }
+    }
+
+    pub(super) fn host(&self) -> Option<&Host> {
+        match &self.code {
+            Code::Look(host) => Some(host),
+            Code::Fixed(..) => None,
+        }
+    }
+
+    fn of_look(
+        name: &'static str,
+        purpose: &'static str,
+        shader: CompiledShader,
+        stem: &str,
+        images: &mut Vec<Image>,
+    ) -> Self {
+        let source = shader.host.source();
+        let file = match name {
+            DRAW => format!("{stem}.prepare.wgsl"),
+            _ => format!("{stem}.{name}.prepare.wgsl"),
+        };
+        let file = (!source.wgsl.is_empty()).then_some(file);
+        let bindings = reflect::bindings(&shader.valid.module);
+        let feeds = bindings.iter().map(|bound| feed(&shader, bound, images)).collect();
+        let entry_points = reflect::entry_points(&shader.valid.module);
+        let code = Code::Look(Box::new(Host { shader, source, file }));
+        Self { name, purpose, entry_points, bindings, feeds, code }
+    }
+
+    fn fixed(name: &'static str, purpose: &'static str, (path, text): (&str, &str)) -> Result<Self, Vec<Diagnostic>> {
+        let linked = wgsl::link(&[Source { name: path, text }])?;
+        let valid = wgsl::parse(&linked.text)
+            .map_err(|error| vec![Diagnostic::error("internal-invalid-wgsl", format!("{path}: {error}"))])?;
+        let bindings = reflect::bindings(&valid.module);
+        // Which pass a texture comes from is the pass's business: the module may run twice.
+        let feeds = bindings.iter().map(|_| Feed::Host).collect();
+        let entry_points = reflect::entry_points(&valid.module);
+        Ok(Self { name, purpose, entry_points, bindings, feeds, code: Code::Fixed(linked.text, valid) })
+    }
+}
+
+fn feed(shader: &CompiledShader, bound: &Bound, images: &mut Vec<Image>) -> Feed {
+    let mut image = |index: usize| {
+        let used = &shader.needs.images[index];
+        let image = Image {
+            path: used.path.clone(),
+            wrap: used.wrap.clone(),
+            filter: used.filter.clone(),
+            encoding: used.encoding.clone(),
+        };
+        images.iter().position(|known| *known == image).unwrap_or_else(|| {
+            images.push(image);
+            images.len() - 1
+        })
+    };
+    let binding = shader.bindings.iter().find(|binding| binding.name == bound.name);
+    match binding.map(|binding| &binding.kind) {
+        Some(BindingKind::View) => Feed::View,
+        Some(BindingKind::Object) => Feed::Object,
+        Some(BindingKind::Look) => Feed::Look,
+        Some(BindingKind::Image(index)) => Feed::Image { image: image(*index) },
+        Some(BindingKind::Sampler(index)) => Feed::Sampler { image: image(*index) },
+        Some(BindingKind::Curvature) => Feed::Pass { pass: "curvature", output: "curvature" },
+        Some(BindingKind::CurvatureDetail) => Feed::Pass { pass: "detail_curvature", output: "curvature" },
+        Some(BindingKind::Samples) | None => Feed::Host,
+    }
+}
+
+/// Compiles a look's modules and plans its passes.
+pub(super) fn compile(typed: &TypedGraph, stem: &str) -> Result<Modules, Vec<Diagnostic>> {
+    let stage = |typed: &TypedGraph, stage| {
+        let options = Options { live: Live::Exposed, stage, ..Options::default() };
+        compile_typed(typed, &options, Vec::new())
+    };
+    let draw = stage(typed, Stage::Draw)?;
+    let (kappa, detail) = (draw.needs.context(Context::Kappa), draw.needs.context(Context::KappaDetail));
+    let mut found = Modules { title: header::title(&typed.name), ..Modules::default() };
+    let purpose = "Draws normals and depth, for the curvature pass.";
+    if kappa {
+        let normals = stage(&without_detail(typed), Stage::Normals)?;
+        found.modules.push(ShaderModule::of_look("normals", purpose, normals, stem, &mut found.images));
+        found.passes.push(Pass::meshes("normals", &NORMAL_TARGETS));
+    }
+    if detail {
+        let normals = stage(typed, Stage::Normals)?;
+        found.modules.push(ShaderModule::of_look("detail_normals", purpose, normals, stem, &mut found.images));
+        found.passes.push(Pass::meshes("detail_normals", &NORMAL_TARGETS));
+    }
+    if kappa || detail {
+        found.add_curvature(kappa, detail)?;
+    }
+    let draw = ShaderModule::of_look(
+        DRAW,
+        "Draws a mesh with the look; the result is straight RGBA.",
+        draw,
+        stem,
+        &mut found.images,
+    );
+    let inputs = draw.bindings.iter().zip(&draw.feeds).filter_map(|(bound, feed)| match feed {
+        Feed::Pass { pass, output } => Some(PassInput { binding: bound.name.clone(), pass, output }),
+        _ => None,
+    });
+    found.passes.push(Pass { inputs: inputs.collect(), ..Pass::meshes(DRAW, &[COLOR_TARGET]) });
+    found.modules.push(draw);
+    Ok(found)
+}
+
+/// The look with the surface's own normal for the curvature pass; its alpha cutoff stays.
+fn without_detail(typed: &TypedGraph) -> TypedGraph {
+    let mut typed = typed.clone();
+    let node = &mut typed.nodes[typed.root.0];
+    let normal = node.def.input("normal").and_then(|index| node.inputs.get_mut(index)).and_then(Option::as_mut);
+    if let Some(normal) = normal {
+        normal.source = TypedSource::Context(Context::Normal);
+        normal.conversion = Conversion::None;
+    }
+    typed
+}
+
+impl Pass {
+    fn meshes(name: &'static str, outputs: &[Target]) -> Self {
+        Self { name, module: name, draws: "meshes", inputs: Vec::new(), outputs: outputs.to_vec() }
+    }
+}
+
+impl Modules {
+    fn add_curvature(&mut self, kappa: bool, detail: bool) -> Result<(), Vec<Diagnostic>> {
+        let Some(pass) = PASSES.iter().find(|(path, _)| path.ends_with("/curvature.wgsl")) else {
+            let problem = Diagnostic::warning("missing-pass", "the curvature pass is not in this build of Chiaro");
+            self.warnings.push(problem.hint("bind textures of curvature of your own"));
+            return Ok(());
+        };
+        let module = ShaderModule::fixed("curvature", "Finds curvature from normals and depth.", *pass)?;
+        for (name, normals, _) in [("curvature", "normals", kappa), ("detail_curvature", "detail_normals", detail)]
+            .into_iter()
+            .filter(|p| p.2)
+        {
+            let textures = module.bindings.iter().filter(|bound| bound.kind == Kind::Texture);
+            let inputs = textures.map(|bound| {
+                let output = if bound.name.contains("depth") { "depth" } else { "normal" };
+                PassInput { binding: bound.name.clone(), pass: normals, output }
+            });
+            let inputs = inputs.collect();
+            self.passes.push(Pass {
+                name,
+                module: "curvature",
+                draws: "screen",
+                inputs,
+                outputs: vec![CURVATURE_TARGET],
+            });
+        }
+        self.modules.push(module);
+        Ok(())
+    }
+
+    /// The functions that hosts call, one file for each module that has any.
+    pub(super) fn prepare_files(&self) -> Vec<File> {
+        let file = |module: &ShaderModule| {
+            let host = module.host()?;
+            let lines = [
+                format!("{}: made by Chiaro {}, WGSL.", self.title, env!("CARGO_PKG_VERSION")),
+                format!("What turns parameters and lights into the `Look` uniform of the module `{}`,", module.name),
+                "called before drawing by the steps of `host` in the JSON file. Run it or port it.".to_owned(),
+            ];
+            Some(File::text(host.file.clone()?, header::comment(&lines) + "\n" + &host.source.wgsl))
+        };
+        self.modules.iter().filter_map(file).collect()
+    }
+}

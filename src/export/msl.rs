@@ -1,0 +1,85 @@
+//! Metal Shading Language 2.0: one file with both entry points.
+
+use naga::back::msl;
+use serde_json::json;
+
+use super::File;
+use super::header::list;
+use super::language::{
+    ClipSpace, Language, LanguageBinding, LanguageEntryPoint, LanguageFile, LanguageModule, Request, Written,
+};
+use super::modules::ShaderModule;
+use super::reflect::{Bound, Kind};
+
+pub(super) const LANGUAGE: Language = Language {
+    slug: "msl",
+    label: "Metal Shading Language 2.0",
+    verified_by: None,
+    clip_space: ClipSpace::WEBGPU,
+    note: "Unverified: written by naga, seen by no Metal compiler. Attributes are [[attribute(location)]] of the stage input; give vertex buffers indices after those of the uniform buffers.",
+    write,
+};
+
+fn write(request: &Request<'_>) -> Result<Written, String> {
+    let module = request.module;
+    let slots = slots(&module.bindings);
+    let mut resources = msl::EntryPointResources::default();
+    for (bound, _, slot) in &slots {
+        let target = match bound.kind {
+            Kind::Texture => msl::BindTarget { texture: Some(*slot), ..msl::BindTarget::default() },
+            Kind::Sampler => {
+                msl::BindTarget { sampler: Some(msl::BindSamplerTarget::Resource(*slot)), ..msl::BindTarget::default() }
+            }
+            Kind::Uniform | Kind::Storage => msl::BindTarget { buffer: Some(*slot), ..msl::BindTarget::default() },
+        };
+        resources.resources.insert(naga::ResourceBinding { group: bound.group, binding: bound.binding }, target);
+    }
+    let (text, points) = naga_text(module, &resources)?;
+    let place = |(bound, kind, slot): &(&Bound, &'static str, u8)| {
+        LanguageBinding::new(&bound.name, &bound.name, &[(*kind, json!(slot))])
+    };
+    let names: Vec<_> = slots.iter().map(|(bound, kind, slot)| format!("{} {kind}({slot})", bound.name)).collect();
+    let header = request.header("", &[list("Arguments of both functions", &names)]);
+    let file = format!("{}.metal", request.stem);
+    let described = LanguageModule {
+        module: module.name.to_owned(),
+        files: vec![LanguageFile { file: file.clone(), entry_points: points }],
+        bindings: slots.iter().map(place).collect(),
+        attributes: Vec::new(),
+    };
+    Ok(Written { files: vec![File::text(file, format!("{header}\n{text}"))], described })
+}
+
+/// Each binding's slot: buffers, textures and samplers are counted apart.
+fn slots(bindings: &[Bound]) -> Vec<(&Bound, &'static str, u8)> {
+    let mut counts = [0u8; 3];
+    let mut slots = Vec::new();
+    for bound in bindings {
+        let (index, kind) = match bound.kind {
+            Kind::Uniform | Kind::Storage => (0, "buffer"),
+            Kind::Texture => (1, "texture"),
+            Kind::Sampler => (2, "sampler"),
+        };
+        slots.push((bound, kind, counts[index]));
+        counts[index] = counts[index].saturating_add(1);
+    }
+    slots
+}
+
+fn naga_text(
+    module: &ShaderModule,
+    resources: &msl::EntryPointResources,
+) -> Result<(String, Vec<LanguageEntryPoint>), String> {
+    let valid = module.valid();
+    let mut options = msl::Options { lang_version: (2, 0), fake_missing_bindings: false, ..msl::Options::default() };
+    for point in &module.entry_points {
+        options.per_entry_point_map.insert(point.name.clone(), resources.clone());
+    }
+    let pipeline = msl::PipelineOptions::default();
+    let (text, info) = msl::write_string(&valid.module, &valid.info, &options, &pipeline).map_err(|e| e.to_string())?;
+    let mut points = Vec::new();
+    for (point, name) in module.entry_points.iter().zip(info.entry_point_names) {
+        points.push(LanguageEntryPoint { stage: point.stage, name: name.map_err(|error| error.to_string())? });
+    }
+    Ok((text, points))
+}

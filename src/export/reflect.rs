@@ -1,0 +1,266 @@
+//! What naga knows of a module: entry points, bindings, and where every number of a uniform lies.
+
+use naga::{AddressSpace, ImageClass, Module, ShaderStage, TypeInner};
+use serde::Serialize;
+
+/// An entry point.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct EntryPoint {
+    /// Its name in WGSL; a language may call it something else.
+    pub name: String,
+    /// `vertex` or `fragment`.
+    pub stage: &'static str,
+    /// A vertex shader's attributes; nothing for a fragment shader.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub attributes: Vec<Attribute>,
+    /// What a fragment shader writes; nothing for a vertex shader.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub outputs: Vec<Located>,
+}
+
+/// A vertex attribute.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Attribute {
+    /// Its location.
+    pub location: u32,
+    /// Its name.
+    pub name: String,
+    /// As WGSL writes it.
+    #[serde(rename = "type")]
+    pub ty: String,
+    /// What a mesh gives here.
+    pub semantic: &'static str,
+}
+
+/// Something at a location.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Located {
+    /// Its location.
+    pub location: u32,
+    /// Its name; empty where it has none.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub name: String,
+    /// As WGSL writes it.
+    #[serde(rename = "type")]
+    pub ty: String,
+}
+
+/// What a binding is to a graphics API.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Kind {
+    /// A uniform buffer.
+    Uniform,
+    /// A storage buffer, read only.
+    Storage,
+    /// A sampled texture.
+    Texture,
+    /// A sampler.
+    Sampler,
+}
+
+/// A global variable with a binding.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Bound {
+    /// Its group.
+    pub group: u32,
+    /// Its number in the group.
+    pub binding: u32,
+    /// Its name.
+    pub name: String,
+    /// What it is.
+    pub kind: Kind,
+    /// Its type, as WGSL writes it.
+    pub ty: String,
+    /// Bytes of a buffer, to the next 16; 0 for what is none.
+    pub size: u32,
+    /// The members of a buffer's struct.
+    pub members: Vec<Member>,
+    /// The variable in the module.
+    pub handle: naga::Handle<naga::GlobalVariable>,
+}
+
+/// A member of a struct in a buffer.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Member {
+    /// Its name.
+    pub name: String,
+    /// As WGSL writes it.
+    #[serde(rename = "type")]
+    pub ty: String,
+    /// Its first byte, counted from the start of the struct that it is a member of.
+    pub offset: u32,
+    /// Bytes.
+    pub size: u32,
+    /// Bytes from one column of a matrix or one element of an array to the next; 0 for anything else.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub stride: u32,
+    /// The members of a struct, or of an array's elements.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub members: Vec<Member>,
+}
+
+fn is_zero(number: &u32) -> bool {
+    *number == 0
+}
+
+/// The entry points, vertex before fragment.
+pub(super) fn entry_points(module: &Module) -> Vec<EntryPoint> {
+    let point = |point: &naga::EntryPoint| {
+        let arguments = point.function.arguments.iter().map(|a| (a.name.clone(), a.ty, a.binding.as_ref()));
+        let inputs: Vec<Located> =
+            arguments.flat_map(|(name, ty, binding)| located(module, name, ty, binding)).collect();
+        let outputs = point.function.result.iter().flat_map(|r| located(module, None, r.ty, r.binding.as_ref()));
+        let is_vertex = point.stage == ShaderStage::Vertex;
+        EntryPoint {
+            name: point.name.clone(),
+            stage: stage_name(point.stage),
+            attributes: if is_vertex { inputs.into_iter().map(attribute).collect() } else { Vec::new() },
+            outputs: if is_vertex { Vec::new() } else { outputs.collect() },
+        }
+    };
+    module.entry_points.iter().map(point).collect()
+}
+
+/// A stage's name.
+pub(super) fn stage_name(stage: ShaderStage) -> &'static str {
+    match stage {
+        ShaderStage::Vertex => "vertex",
+        ShaderStage::Fragment => "fragment",
+        _ => "compute",
+    }
+}
+
+fn attribute(found: Located) -> Attribute {
+    let semantic = match found.name.as_str() {
+        "position" => "position in object space",
+        "normal" => "unit normal in object space",
+        "tangent" => "unit tangent along u in object space; w is 1, or -1 where the bitangent is mirrored",
+        "uv" => "texture coordinates, v up",
+        "color" => "straight RGBA; white where the mesh has none",
+        _ => "",
+    };
+    Attribute { location: found.location, name: found.name, ty: found.ty, semantic }
+}
+
+/// Everything with a location in an argument or a result.
+fn located(
+    module: &Module,
+    name: Option<String>,
+    ty: naga::Handle<naga::Type>,
+    binding: Option<&naga::Binding>,
+) -> Vec<Located> {
+    if let Some(naga::Binding::Location { location, .. }) = binding {
+        return vec![Located { location: *location, name: name.unwrap_or_default(), ty: type_name(module, ty) }];
+    }
+    let TypeInner::Struct { members, .. } = &module.types[ty].inner else { return Vec::new() };
+    let of_member = |member: &naga::StructMember| match &member.binding {
+        Some(naga::Binding::Location { location, .. }) => Some(Located {
+            location: *location,
+            name: member.name.clone().unwrap_or_default(),
+            ty: type_name(module, member.ty),
+        }),
+        _ => None,
+    };
+    members.iter().filter_map(of_member).collect()
+}
+
+/// What goes from the vertex shader to the fragment shader.
+pub(super) fn varyings(module: &Module) -> Vec<Located> {
+    let vertex = module.entry_points.iter().filter(|point| point.stage == ShaderStage::Vertex);
+    let results = vertex.filter_map(|point| point.function.result.as_ref());
+    results.flat_map(|result| located(module, None, result.ty, result.binding.as_ref())).collect()
+}
+
+/// The bindings, in the order of the source.
+pub(super) fn bindings(module: &Module) -> Vec<Bound> {
+    module.global_variables.iter().filter_map(|(handle, variable)| bound(module, handle, variable)).collect()
+}
+
+fn bound(
+    module: &Module,
+    handle: naga::Handle<naga::GlobalVariable>,
+    variable: &naga::GlobalVariable,
+) -> Option<Bound> {
+    let at = variable.binding.as_ref()?;
+    let inner = &module.types[variable.ty].inner;
+    let kind = match (variable.space, inner) {
+        (AddressSpace::Uniform, _) => Kind::Uniform,
+        (_, TypeInner::Image { .. }) => Kind::Texture,
+        (_, TypeInner::Sampler { .. }) => Kind::Sampler,
+        _ => Kind::Storage,
+    };
+    let members = match inner {
+        TypeInner::Struct { members, .. } => members.iter().map(|m| member(module, m)).collect(),
+        _ => Vec::new(),
+    };
+    let size = if kind == Kind::Uniform { inner.size(module.to_ctx()).next_multiple_of(16) } else { 0 };
+    let (group, binding) = (at.group, at.binding);
+    let (name, ty) = (variable.name.clone().unwrap_or_default(), type_name(module, variable.ty));
+    Some(Bound { group, binding, name, kind, ty, size, members, handle })
+}
+
+/// WGSL has no recursive types, and those of a look nest a few levels deep.
+fn member(module: &Module, found: &naga::StructMember) -> Member {
+    let inner = &module.types[found.ty].inner;
+    let (stride, element) = match inner {
+        TypeInner::Matrix { rows, .. } => (if *rows == naga::VectorSize::Bi { 8 } else { 16 }, None),
+        TypeInner::Array { base, stride, .. } => (*stride, Some(*base)),
+        TypeInner::Struct { .. } => (0, Some(found.ty)),
+        _ => (0, None),
+    };
+    let members = match element.map(|element| &module.types[element].inner) {
+        Some(TypeInner::Struct { members, .. }) => members.iter().map(|inside| member(module, inside)).collect(),
+        _ => Vec::new(),
+    };
+    Member {
+        name: found.name.clone().unwrap_or_default(),
+        ty: type_name(module, found.ty),
+        offset: found.offset,
+        size: inner.size(module.to_ctx()),
+        stride,
+        members,
+    }
+}
+
+/// A type as WGSL writes it.
+fn type_name(module: &Module, ty: naga::Handle<naga::Type>) -> String {
+    let named = &module.types[ty];
+    match &named.inner {
+        TypeInner::Scalar(scalar) => scalar_name(*scalar),
+        TypeInner::Vector { size, scalar } => format!("vec{}{}", *size as u32, suffix(*scalar)),
+        TypeInner::Matrix { columns, rows, scalar } => {
+            format!("mat{}x{}{}", *columns as u32, *rows as u32, suffix(*scalar))
+        }
+        TypeInner::Array { base, size, .. } => match size {
+            naga::ArraySize::Constant(count) => format!("array<{}, {count}>", type_name(module, *base)),
+            _ => format!("array<{}>", type_name(module, *base)),
+        },
+        TypeInner::Image { class: ImageClass::Depth { .. }, .. } => "texture_depth_2d".to_owned(),
+        TypeInner::Image { .. } => "texture_2d<f32>".to_owned(),
+        TypeInner::Sampler { .. } => "sampler".to_owned(),
+        _ => named.name.clone().unwrap_or_default(),
+    }
+}
+
+fn scalar_name(scalar: naga::Scalar) -> String {
+    match scalar.kind {
+        naga::ScalarKind::Bool => "bool".to_owned(),
+        kind => format!("{}{}", letter(kind), u32::from(scalar.width) * 8),
+    }
+}
+
+fn suffix(scalar: naga::Scalar) -> String {
+    match scalar.kind {
+        naga::ScalarKind::Bool => "<bool>".to_owned(),
+        kind => letter(kind).to_string(),
+    }
+}
+
+fn letter(kind: naga::ScalarKind) -> char {
+    match kind {
+        naga::ScalarKind::Sint => 'i',
+        naga::ScalarKind::Uint => 'u',
+        _ => 'f',
+    }
+}

@@ -1,0 +1,48 @@
+//! WGSL, for WebGPU: the modules as they are.
+
+use serde_json::json;
+
+use super::File;
+use super::header::list;
+use super::language::{
+    ClipSpace, Language, LanguageBinding, LanguageFile, LanguageModule, Request, Written, entry_points,
+};
+
+pub(super) const LANGUAGE: Language =
+    Language { slug: "wgsl", label: "WGSL", verified_by: Some("Tint"), clip_space: ClipSpace::WEBGPU, note: "", write };
+
+fn write(request: &Request<'_>) -> Result<Written, String> {
+    let module = request.module;
+    let bindings: Vec<_> = module
+        .bindings
+        .iter()
+        .map(|bound| {
+            let at = [("group", json!(bound.group)), ("binding", json!(bound.binding))];
+            LanguageBinding::new(&bound.name, &bound.name, &at)
+        })
+        .collect();
+    let names: Vec<_> = module.bindings.iter().map(|bound| format!("{} {}", bound.name, bound.binding)).collect();
+    let header = request.header("", &[list("Bindings of group 0", &names)]);
+    let file = format!("{}.wgsl", request.stem);
+    let described = LanguageModule {
+        module: module.name.to_owned(),
+        files: vec![LanguageFile { file: file.clone(), entry_points: entry_points(module) }],
+        bindings,
+        attributes: Vec::new(),
+    };
+    let text = format!("{header}\n{}", without_header(module.wgsl()));
+    Ok(Written { files: vec![File::text(file, text)], described })
+}
+
+/// The source after the comment that it begins with, for which ours stands.
+fn without_header(source: &str) -> &str {
+    let mut rest = source;
+    while let Some((line, after)) = rest.split_once('\n') {
+        let is_header = line.is_empty() || (line.starts_with("//") && !line.starts_with("///"));
+        if !is_header {
+            break;
+        }
+        rest = after;
+    }
+    rest
+}
