@@ -108,7 +108,10 @@ impl Kind {
             category: def.category.clone(),
             help: def.help.clone(),
             sources: def.sources.clone(),
-            inputs: (0..def.inputs.len()).filter(|&index| !def.inputs[index].hidden).map(|i| input_port(def, i)).collect(),
+            inputs: (0..def.inputs.len())
+                .filter(|&index| !def.inputs[index].hidden)
+                .map(|i| input_port(def, i))
+                .collect(),
             outputs: def
                 .outputs
                 .iter()

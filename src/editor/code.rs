@@ -1,10 +1,11 @@
 //! The generated WGSL: coloured, with the lines of the selected nodes marked; a click on a line selects its node.
 
+use eframe::egui;
 use std::ops::Range;
 use std::sync::Arc;
 
-use egui::text::{LayoutJob, TextFormat};
-use egui::{Color32, FontId, RichText, ScrollArea, Sense, TextStyle, Ui, vec2};
+use eframe::egui::text::{LayoutJob, TextFormat};
+use eframe::egui::{Color32, FontId, RichText, ScrollArea, Sense, TextStyle, Ui, vec2};
 
 use super::command::Command;
 use super::session::Session;
@@ -78,7 +79,8 @@ impl Code {
             let what = format!("{} lines", self.lines.len());
             ui.label(RichText::new(what).color(theme::DIM));
             if !shader.removed.is_empty() {
-                let removed: Vec<String> = shader.removed.iter().take(20).map(|r| format!("{}: {}", r.path, r.reason)).collect();
+                let removed: Vec<String> =
+                    shader.removed.iter().take(20).map(|r| format!("{}: {}", r.path, r.reason)).collect();
                 ui.label(RichText::new(format!("{} left out", shader.removed.len())).color(theme::DIM))
                     .on_hover_text(removed.join("\n"));
             }
@@ -103,7 +105,14 @@ impl Code {
         marked
     }
 
-    fn show_line(&self, ui: &mut Ui, shader: &CompiledShader, line: usize, height: f32, is_marked: bool) -> Option<NodeId> {
+    fn show_line(
+        &self,
+        ui: &mut Ui,
+        shader: &CompiledShader,
+        line: usize,
+        height: f32,
+        is_marked: bool,
+    ) -> Option<NodeId> {
         let range = self.lines[line].clone();
         let galley = ui.fonts_mut(|fonts| fonts.layout_job(job(line + 1, &shader.wgsl[range.clone()])));
         let width = galley.size().x.max(ui.available_width());
@@ -129,15 +138,37 @@ const FUNCTION: Color32 = Color32::from_rgb(232, 196, 132);
 const ATTRIBUTE: Color32 = Color32::from_rgb(160, 150, 210);
 
 const KEYWORDS: &[&str] = &[
-    "fn", "let", "var", "const", "return", "if", "else", "for", "loop", "while", "break", "continue", "struct", "switch",
-    "case", "default", "true", "false", "override", "alias", "discard", "enable", "diagnostic",
+    "fn",
+    "let",
+    "var",
+    "const",
+    "return",
+    "if",
+    "else",
+    "for",
+    "loop",
+    "while",
+    "break",
+    "continue",
+    "struct",
+    "switch",
+    "case",
+    "default",
+    "true",
+    "false",
+    "override",
+    "alias",
+    "discard",
+    "enable",
+    "diagnostic",
 ];
 
 /// A line with its number, coloured.
 fn job(number: usize, line: &str) -> LayoutJob {
     let font = FontId::monospace(12.0);
     let mut job = LayoutJob::default();
-    let mut add = |text: &str, color| job.append(text, 0.0, TextFormat { font_id: font.clone(), color, ..TextFormat::default() });
+    let mut add =
+        |text: &str, color| job.append(text, 0.0, TextFormat { font_id: font.clone(), color, ..TextFormat::default() });
     add(&format!("{number:>4}  "), COMMENT.gamma_multiply(0.7));
     for (text, color) in pieces(line) {
         add(text, color);
@@ -172,7 +203,9 @@ fn pieces(line: &str) -> Vec<(&str, Color32)> {
 }
 
 fn color(word: &str, first: char, after: &str) -> Color32 {
-    const TYPES: &[&str] = &["f32", "i32", "u32", "bool", "vec2f", "vec3f", "vec4f", "mat3x3f", "mat4x4f", "array", "vec2", "vec3", "vec4"];
+    const TYPES: &[&str] = &[
+        "f32", "i32", "u32", "bool", "vec2f", "vec3f", "vec4f", "mat3x3f", "mat4x4f", "array", "vec2", "vec3", "vec4",
+    ];
     if first == '@' {
         ATTRIBUTE
     } else if first.is_ascii_digit() {
@@ -194,7 +227,9 @@ mod tests {
 
     #[test]
     fn pieces_make_up_the_line() {
-        for line in ["let x = vec3f(1.0, 2e-3, y_1); // done", "@fragment fn main() -> vec4f {", "a/b", "ä + 光", "/", ""] {
+        for line in
+            ["let x = vec3f(1.0, 2e-3, y_1); // done", "@fragment fn main() -> vec4f {", "a/b", "ä + 光", "/", ""]
+        {
             let joined: String = pieces(line).iter().map(|(text, _)| *text).collect();
             assert_eq!(joined, line);
         }

@@ -1,5 +1,6 @@
 //! What panels ask for. They change nothing themselves: [`App`](super::App) applies commands, in one place.
 
+use eframe::egui;
 use std::path::PathBuf;
 
 use crate::document::Edit;
@@ -24,8 +25,8 @@ pub(crate) enum Command {
     /// Saves to the look's own file; asks where there is none.
     Save,
     SaveAs,
+    /// Saves to this file.
+    SaveTo(PathBuf),
     /// Copies text to the clipboard.
     Copy(String),
-    /// Says something below the canvas.
-    Say(String),
 }

@@ -3,8 +3,8 @@
 
 use std::sync::Arc;
 
+use eframe::egui::TextureId;
 use eframe::egui_wgpu::RenderState;
-use egui::TextureId;
 use glam::DQuat;
 
 use super::orbit::Orbit;
@@ -65,7 +65,8 @@ impl Picture {
                 self.number += 1;
             }
         }
-        let folder = session.path().and_then(|path| path.parent()).map(std::path::Path::to_path_buf).unwrap_or_default();
+        let folder =
+            session.path().and_then(|path| path.parent()).map(std::path::Path::to_path_buf).unwrap_or_default();
         let wished = Some((session.picture(), session.view.clone(), size, folder.clone()));
         if self.wished != wished
             && size.iter().all(|&side| side > 0)
@@ -116,7 +117,8 @@ impl Artist {
 
     fn try_draw(&mut self, wish: &Wish) -> Result<(), Vec<Diagnostic>> {
         let Wish { showing, orbit, .. } = wish;
-        let look = SetupLook { look: (*showing.look).clone(), source: wish.source.clone(), folder: wish.folder.clone() };
+        let look =
+            SetupLook { look: (*showing.look).clone(), source: wish.source.clone(), folder: wish.folder.clone() };
         let (mut setup, notes) = default_setup(look, &orbit.mesh, &mut self.planner.assets)?;
         setup.scene.camera = orbit.camera();
         setup.scene.illumination = DQuat::to_array(&orbit.illumination);

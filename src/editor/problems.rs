@@ -1,6 +1,7 @@
 //! What is wrong, below the canvas; a click leads to the node.
 
-use egui::{RichText, ScrollArea, Sense, Ui};
+use eframe::egui;
+use eframe::egui::{RichText, ScrollArea, Sense, Ui};
 
 use super::command::Command;
 use super::theme;

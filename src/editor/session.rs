@@ -7,8 +7,8 @@ use std::time::Duration;
 use indexmap::IndexSet;
 
 use super::catalog::Catalog;
-use super::orbit::Orbit;
 use super::compiling::{self, Answer, Compiler, Request};
+use super::orbit::Orbit;
 use crate::compile::{CompiledShader, Live};
 use crate::diag::Diagnostic;
 use crate::document::{Edit, History, Look, SourceMap, write_atomic};
@@ -211,6 +211,17 @@ impl Session {
         self.selection.iter()
     }
 
+    /// Selects nodes and no others.
+    pub fn select(&mut self, ids: Vec<NodeId>) {
+        let nodes = &self.history.document().graph.nodes;
+        self.selection = ids.into_iter().filter(|id| nodes.contains_key(id)).collect();
+    }
+
+    /// Lets unsaved changes go: they are no longer asked about.
+    pub(crate) fn give_up_changes(&mut self) {
+        self.history.mark_saved();
+    }
+
     /// Where the camera and the lights are turned to.
     pub fn orbit(&self) -> &Orbit {
         &self.view
@@ -284,7 +295,9 @@ impl Session {
             }
             Edit::SetValue { graph, id, port, .. } => {
                 let node = self.look().graph_of(graph).and_then(|graph| graph.nodes.get(id));
-                let Some((node, kind)) = node.and_then(|node| Some((node, self.catalog.of(node)?))) else { return true };
+                let Some((node, kind)) = node.and_then(|node| Some((node, self.catalog.of(node)?))) else {
+                    return true;
+                };
                 let Some(port) = kind.input(port.as_str()).map(|index| &kind.inputs[index]) else { return true };
                 let had_one = node.values.contains_key(&port.name) || matches!(port.fallback, Fallback::Value(_));
                 port.ty.is_setting() || !had_one

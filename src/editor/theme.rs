@@ -3,12 +3,11 @@
 //! A calm dark ground with one warm accent, so that the picture and the wires are what is seen. A socket says its type
 //! by colour and by shape.
 
-use egui::{Color32, CornerRadius, FontFamily, FontId, Margin, Stroke, TextStyle, Visuals};
+use eframe::egui;
+use eframe::egui::{Color32, CornerRadius, FontFamily, FontId, Margin, Stroke, TextStyle, Visuals};
 
 use crate::library::Type;
 
-/// The window's ground.
-pub(crate) const GROUND: Color32 = Color32::from_rgb(27, 28, 31);
 /// Panels.
 pub(crate) const PANEL: Color32 = Color32::from_rgb(34, 35, 39);
 /// The canvas.

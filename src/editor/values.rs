@@ -12,9 +12,7 @@ pub(crate) fn short(port: &Port, value: &Value) -> String {
         Value::Number(number) if port.ty == Type::Bool => if *number > 0.5 { "on" } else { "off" }.to_owned(),
         Value::Number(number) if port.unit == "rad" => format!("{}°", number_text(number.to_degrees(), 1)),
         Value::Number(number) => number_text(*number, 3),
-        Value::Vector(numbers) => {
-            numbers.iter().map(|number| number_text(*number, 2)).collect::<Vec<_>>().join(", ")
-        }
+        Value::Vector(numbers) => numbers.iter().map(|number| number_text(*number, 2)).collect::<Vec<_>>().join(", "),
         Value::Text(word) => {
             let label = port.options.iter().find(|(known, _)| known == word).map(|(_, label)| label);
             label.unwrap_or(word).clone()

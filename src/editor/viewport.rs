@@ -1,6 +1,9 @@
 //! The look on an object: drag beside the object to orbit, on it to turn the lights; the wheel comes nearer.
 
-use egui::{Color32, Key, Modifiers, PointerButton, Pos2, Rect, Response, Sense, Ui, WidgetInfo, WidgetType, pos2, vec2};
+use eframe::egui;
+use eframe::egui::{
+    Color32, Key, Modifiers, PointerButton, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo, pos2, vec2,
+};
 use glam::DVec3;
 
 use super::picture::Picture;
@@ -30,7 +33,7 @@ impl Viewport {
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &mut Session, picture: Option<&mut Picture>) {
         self.bar(ui, session);
         let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
-        response.widget_info(|| WidgetInfo::labeled(WidgetType::Other, true, "Picture"));
+        response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Picture"));
         self.rect = Some(rect);
         let pointer = response.contains_pointer().then(|| ui.input(|input| input.pointer.hover_pos())).flatten();
         self.drags(ui, &response, rect, session);
@@ -133,7 +136,9 @@ impl Viewport {
             (None, Some(at)) if is_on_object(at, rect, session) => {
                 "Drag to turn the lights · Alt-drag turns the camera · wheel comes nearer · R resets"
             }
-            (None, Some(_)) => "Drag to turn the camera · right-drag moves it · wheel comes nearer · R resets · F frames",
+            (None, Some(_)) => {
+                "Drag to turn the camera · right-drag moves it · wheel comes nearer · R resets · F frames"
+            }
         }
     }
 
@@ -206,7 +211,8 @@ fn light_needles(ui: &Ui, rect: Rect, session: &Session, is_turning: bool) {
     let painter = ui.painter_at(rect);
     for light in session.look().lights.values().filter(|light| light.kind == LightKind::Directional) {
         let toward = LightValues::new(light, session.view.illumination, camera).direction;
-        let (Some(from), Some(to)) = (project(toward * 1.06, rect, session), project(toward * 1.25, rect, session)) else {
+        let (Some(from), Some(to)) = (project(toward * 1.06, rect, session), project(toward * 1.25, rect, session))
+        else {
             continue;
         };
         let color = light.color.map(|c| (c.clamp(0.0, 1.0) * 255.0) as u8);

@@ -29,7 +29,11 @@ pub(crate) struct Worker<Q, A> {
 
 impl<Q: Send + 'static, A: Send + 'static> Worker<Q, A> {
     /// Starts the thread. `wake` is called when an answer is there.
-    pub(crate) fn new(name: &str, wake: impl Fn() + Send + 'static, mut work: impl FnMut(Q) -> A + Send + 'static) -> Self {
+    pub(crate) fn new(
+        name: &str,
+        wake: impl Fn() + Send + 'static,
+        mut work: impl FnMut(Q) -> A + Send + 'static,
+    ) -> Self {
         let state = State { waiting: None, is_busy: false, answers: Vec::new(), is_over: false };
         let shared = Arc::new(Shared { state: Mutex::new(state), changed: Condvar::new() });
         let thread = {

@@ -3,10 +3,11 @@
 //! Zoom above 0.4: everything. 0.25 to 0.4: titles and sockets. 0.1 to 0.25: boxes in two tones. Below: plain boxes.
 //! Selection and errors show at every level.
 
+use eframe::egui;
 use std::sync::Arc;
 
-use egui::epaint::Mesh;
-use egui::{Color32, Painter, Pos2, Rect, Shape, pos2, vec2};
+use eframe::egui::epaint::Mesh;
+use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, pos2, vec2};
 
 use super::super::session::Session;
 use super::super::theme::{self, ROW_HEIGHT, TITLE_HEIGHT, category_color, type_color, type_shape};
@@ -39,7 +40,9 @@ impl Canvas {
             Gesture::Wire(drag) => Some(self.fitting_sockets(drag.fixed)),
             _ => None,
         };
-        let fits = fits.as_ref().map(|fits| move |socket: Socket| fits.contains(&(socket.node, socket.port, socket.is_output)));
+        let fits = fits
+            .as_ref()
+            .map(|fits| move |socket: Socket| fits.contains(&(socket.node, socket.port, socket.is_output)));
         let mut buffer = std::mem::take(&mut self.buffer);
         // The frame before has let go of its share by now, so this copies nothing.
         let mesh = Arc::make_mut(&mut buffer);
@@ -129,7 +132,8 @@ impl Canvas {
         let r = self.view.rect_to_screen(row.rect);
         let mark = self.marks.get(&row.id).map(|mark| mark.severity);
         let is_selected = pen.session.selection.contains(&row.id);
-        let title = if row.kind.is_missing { theme::ERROR.gamma_multiply(0.5) } else { category_color(&row.kind.category) };
+        let title =
+            if row.kind.is_missing { theme::ERROR.gamma_multiply(0.5) } else { category_color(&row.kind.category) };
         let outline = if is_selected {
             Some(theme::ACCENT)
         } else {
@@ -212,7 +216,8 @@ impl Canvas {
         socket(mesh, theme::SocketShape::Circle, center, radius, color);
         // An exclamation mark.
         let unit = radius / 8.0;
-        let stroke = |y: f32, height: f32| Rect::from_center_size(center + vec2(0.0, y * unit), vec2(2.0, height) * unit);
+        let stroke =
+            |y: f32, height: f32| Rect::from_center_size(center + vec2(0.0, y * unit), vec2(2.0, height) * unit);
         mesh.add_colored_rect(stroke(-1.6, 5.6), theme::NODE_EDGE);
         mesh.add_colored_rect(stroke(3.6, 2.0), theme::NODE_EDGE);
     }

@@ -1,8 +1,9 @@
 //! The edits that the canvas proposes.
 
+use eframe::egui;
 use std::collections::HashMap;
 
-use egui::Pos2;
+use eframe::egui::Pos2;
 use indexmap::IndexMap;
 
 use super::super::catalog::{CODE, CUSTOM_CODE, CUSTOM_KIND, Kind};

@@ -1,16 +1,17 @@
 //! What a hand does on the canvas: the state machine of drags, the wheel, clicks and keys.
 
+use eframe::egui;
 use std::collections::HashSet;
 
-use egui::{Key, Modifiers, PointerButton, Pos2, Rect, Response, Ui, Vec2, vec2};
+use eframe::egui::{Key, Modifiers, PointerButton, Pos2, Rect, Response, Ui, Vec2, vec2};
 
 use super::super::command::Command;
 use super::super::session::Session;
 use super::super::theme::{ROW_HEIGHT, TITLE_HEIGHT};
+use super::Canvas;
 use super::edits;
 use super::palette::{Loose, Outcome, Palette};
 use super::table::{Hit, Socket};
-use super::Canvas;
 use crate::document::{Edit, GraphId};
 use crate::ids::NodeId;
 
@@ -89,13 +90,14 @@ impl Canvas {
         match self.hit(at) {
             Some(Hit::Wire(index)) if modifiers.alt => {
                 let wire = session.look().graph.wires.get(self.table.wires[index].index);
-                out.extend(wire.map(|wire| {
-                    Command::Edit(Edit::RemoveWire { graph: GraphId::Look, wire: wire.clone() })
-                }));
+                out.extend(
+                    wire.map(|wire| Command::Edit(Edit::RemoveWire { graph: GraphId::Look, wire: wire.clone() })),
+                );
             }
             Some(Hit::Node(index) | Hit::Socket(Socket { node: index, .. })) => {
                 let id = self.table.nodes[index].id.clone();
-                let mut selection: Vec<NodeId> = if is_adding { session.selected().cloned().collect() } else { Vec::new() };
+                let mut selection: Vec<NodeId> =
+                    if is_adding { session.selected().cloned().collect() } else { Vec::new() };
                 if selection.contains(&id) {
                     selection.retain(|other| *other != id);
                 } else {
@@ -263,7 +265,7 @@ impl Canvas {
         }
         for (_, by) in ways.into_iter().filter(|(key, _)| pressed(Modifiers::NONE, *key)) {
             let edit = edits::translate(session.look(), session.selected(), by);
-            out.push(Command::EditHeld(egui::Id::new("nudge"), edit));
+            out.push(Command::EditHeld(egui::Id::unique("nudge"), edit));
         }
     }
 

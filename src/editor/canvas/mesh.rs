@@ -1,7 +1,7 @@
 //! The shapes that the canvas is made of, written straight into one mesh with antialiased edges.
 
-use egui::epaint::{Mesh, Vertex};
-use egui::{Color32, Galley, Pos2, Rect, Vec2, pos2, vec2};
+use eframe::egui::epaint::{Mesh, Vertex};
+use eframe::egui::{Color32, Galley, Pos2, Rect, Vec2, pos2, vec2};
 
 use super::super::theme::SocketShape;
 use super::table::point_at;
@@ -48,14 +48,7 @@ pub(crate) fn ribbon(mesh: &mut Mesh, c: &[Pos2; 4], width: f32, color: Color32,
         let end = mesh.vertices.len() as u32 - across;
         let start = end - across;
         for k in 0..across - 1 {
-            mesh.indices.extend_from_slice(&[
-                start + k,
-                start + k + 1,
-                end + k,
-                end + k,
-                start + k + 1,
-                end + k + 1,
-            ]);
+            mesh.indices.extend_from_slice(&[start + k, start + k + 1, end + k, end + k, start + k + 1, end + k + 1]);
         }
     }
 }
@@ -134,7 +127,8 @@ pub(crate) fn rounded(mesh: &mut Mesh, r: Rect, radius: f32, (top, bottom): (boo
     for (corner, inward, start, is_round) in corners {
         let steps = if is_round && radius > 1.0 { STEPS } else { 0 };
         for step in 0..=steps {
-            let angle = start + std::f32::consts::FRAC_PI_2 * (if steps == 0 { 0.5 } else { step as f32 / steps as f32 });
+            let angle =
+                start + std::f32::consts::FRAC_PI_2 * (if steps == 0 { 0.5 } else { step as f32 / steps as f32 });
             let out = vec2(angle.cos(), angle.sin());
             let p = if steps == 0 { corner } else { corner + inward * radius + out * radius };
             let soft = if steps == 0 { -inward * 0.5 } else { out * 0.5 };

@@ -16,8 +16,8 @@ mod view;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-use egui::epaint::Mesh;
-use egui::{Pos2, Rect, Response, Sense, Ui, WidgetInfo, WidgetType};
+use eframe::egui::epaint::Mesh;
+use eframe::egui::{Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo};
 
 use super::command::Command;
 use super::session::Session;
@@ -60,7 +60,7 @@ impl Canvas {
     /// Shows the canvas in all the room there is.
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
-        response.widget_info(|| WidgetInfo::labeled(WidgetType::Other, true, "Node canvas"));
+        response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Node canvas"));
         self.view.screen = rect;
         self.sync(ui, session);
         let mut commands = Vec::new();
@@ -151,12 +151,12 @@ impl Canvas {
         }
         for row in in_view() {
             let rect = self.view.rect_to_screen(row.rect).intersect(self.view.screen);
-            let response = ui.interact(rect, ui.id().with(("node", &row.id)), Sense::hover());
+            let response = ui.interact(rect, ui.scope_id().with(("node", &row.id)), Sense::hover());
             response.widget_info(|| {
                 let problem = self.marks.get(&row.id).map(|mark| format!(", {}", mark.text));
                 let selected = if session.selection.contains(&row.id) { ", selected" } else { "" };
                 let name = format!("Node {}{selected}{}", row.title, problem.unwrap_or_default());
-                WidgetInfo::labeled(WidgetType::Label, true, name)
+                WidgetInfo::labeled(Role::Label, true, name)
             });
         }
     }
@@ -198,7 +198,9 @@ impl Canvas {
             (_, Some(Hit::Socket(_))) => "Drag to an output to wire it; a wire that is there is picked up",
             (_, Some(Hit::Node(_))) => "Click to select, drag to move · Del removes · Ctrl+D duplicates",
             (_, Some(Hit::Wire(_))) => "Drag its end at the input to pick it up · Alt-click removes it",
-            _ => "Double-click or Tab adds a node · drag selects · wheel zooms · right or middle drag moves · F shows all",
+            _ => {
+                "Double-click or Tab adds a node · drag selects · wheel zooms · right or middle drag moves · F shows all"
+            }
         }
     }
 
@@ -264,4 +266,3 @@ fn marks(problems: &[Diagnostic]) -> HashMap<NodeId, Mark> {
     }
     marks
 }
-

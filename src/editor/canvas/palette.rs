@@ -1,8 +1,9 @@
 //! The search for a node to add.
 
+use eframe::egui;
 use std::sync::Arc;
 
-use egui::{Align2, Area, Id, Key, Modifiers, Order, Pos2, RichText, ScrollArea, TextEdit, Ui, pos2, vec2};
+use eframe::egui::{Align2, Area, Id, Key, Modifiers, Order, Pos2, RichText, ScrollArea, TextEdit, Ui, pos2, vec2};
 
 use super::super::catalog::{Catalog, Kind};
 use super::super::theme;
@@ -99,7 +100,7 @@ impl Palette {
             self.at.y.min(screen.max.y - size.y).max(screen.min.y),
         );
         let mut outcome = Outcome::Open;
-        let area = Area::new(Id::new("palette")).order(Order::Foreground).fixed_pos(corner).pivot(Align2::LEFT_TOP);
+        let area = Area::new(Id::unique("palette")).order(Order::Foreground).fixed_pos(corner).pivot(Align2::LEFT_TOP);
         let shown = area.show(ui.ctx(), |ui| {
             egui::Frame::popup(ui.style()).show(ui, |ui| {
                 ui.set_width(WIDTH);
@@ -120,7 +121,7 @@ impl Palette {
     fn show_query(&mut self, ui: &mut Ui) {
         let hint = if self.loose.is_some() { "Search for what fits this wire" } else { "Search for a node" };
         let edit = TextEdit::singleline(&mut self.query).hint_text(hint).desired_width(f32::INFINITY);
-        let response = ui.add(edit.id(Id::new("palette query")));
+        let response = ui.add(edit.id(Id::unique("palette query")));
         if self.is_new {
             response.request_focus();
         }
@@ -141,9 +142,8 @@ impl Palette {
             for (index, kind) in found.iter().enumerate() {
                 let is_current = index == self.index;
                 let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), egui::Sense::click());
-                response.widget_info(|| {
-                    egui::WidgetInfo::labeled(egui::WidgetType::Button, true, format!("Add {}", kind.label))
-                });
+                response
+                    .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Add {}", kind.label)));
                 if is_current && ui.input(|input| input.keys_down.len()) > 0 {
                     response.scroll_to_me(None);
                 }

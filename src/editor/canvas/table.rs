@@ -6,7 +6,7 @@
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-use egui::{Color32, Pos2, Rect, Vec2, pos2, vec2};
+use eframe::egui::{Color32, Pos2, Rect, Vec2, pos2, vec2};
 
 use super::super::catalog::{Catalog, Kind};
 use super::super::theme::{NODE_FOOT, NODE_WIDTH, ROW_HEIGHT, TITLE_HEIGHT, type_color};
@@ -111,7 +111,9 @@ impl Table {
     fn sync_wires(&mut self, graph: &Graph) {
         self.wires.clear();
         for (index, wire) in graph.wires.iter().enumerate() {
-            let (Some(from), Some(to)) = (self.index_of(&wire.from.node), self.index_of(&wire.to.node)) else { continue };
+            let (Some(from), Some(to)) = (self.index_of(&wire.from.node), self.index_of(&wire.to.node)) else {
+                continue;
+            };
             let output = self.nodes[from].kind.output(wire.from.port.as_str());
             let input = self.nodes[to].kind.input(wire.to.port.as_str());
             let (Some(output), Some(input)) = (output, input) else { continue };

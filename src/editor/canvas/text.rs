@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use egui::text::{LayoutJob, TextFormat, TextWrapping};
-use egui::{Color32, FontId, Galley, Painter, Vec2, vec2};
+use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
+use eframe::egui::{Color32, FontId, Galley, Painter, Vec2, vec2};
 
 use super::super::catalog::Port;
 use super::super::theme::{self, NODE_WIDTH, TITLE_HEIGHT};

@@ -1,6 +1,6 @@
 //! From the graph's plane to the screen.
 
-use egui::{Pos2, Rect, Vec2, vec2};
+use eframe::egui::{Pos2, Rect, Vec2, vec2};
 
 /// How far out and in the canvas goes.
 const ZOOM: std::ops::RangeInclusive<f32> = 0.03..=3.0;
@@ -79,7 +79,7 @@ impl View {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use egui::pos2;
+    use eframe::egui::pos2;
 
     #[test]
     fn zooming_keeps_the_point_under_the_pointer() {

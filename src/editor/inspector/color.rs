@@ -1,7 +1,8 @@
 //! A colour: a swatch that opens a picker, and its hex code.
 
-use egui::ecolor::{gamma_from_linear, linear_from_gamma};
-use egui::{Id, Rgba, TextEdit, Ui, color_picker};
+use eframe::egui;
+use eframe::egui::ecolor::{gamma_from_linear, linear_from_gamma};
+use eframe::egui::{Id, Rgba, TextEdit, Ui, color_picker};
 
 use super::super::values;
 use crate::document::{ColorSpace, parse_hex, srgb_to_linear};
@@ -44,7 +45,7 @@ fn swatch(ui: &mut Ui, label: Id, color: [f64; 4], space: ColorSpace, with_alpha
 }
 
 fn hex(ui: &mut Ui, label: Id, color: [f64; 4], space: ColorSpace) -> Option<(Id, [f64; 4])> {
-    let id = ui.id().with("hex");
+    let id = ui.scope_id().with("hex");
     let shown = values::hex(match space {
         ColorSpace::Display => color,
         ColorSpace::Linear => {
@@ -54,7 +55,8 @@ fn hex(ui: &mut Ui, label: Id, color: [f64; 4], space: ColorSpace) -> Option<(Id
     });
     // While it is being typed it is no colour yet, so the text is kept aside.
     let mut text = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| shown.clone());
-    let edit = TextEdit::singleline(&mut text).id(id).desired_width(80.0).font(egui::TextStyle::Monospace).char_limit(9);
+    let edit =
+        TextEdit::singleline(&mut text).id(id).desired_width(80.0).font(egui::TextStyle::Monospace).char_limit(9);
     let response = ui.add(edit).labelled_by(label);
     if response.has_focus() {
         ui.data_mut(|data| data.insert_temp(id, text.clone()));
@@ -63,8 +65,11 @@ fn hex(ui: &mut Ui, label: Id, color: [f64; 4], space: ColorSpace) -> Option<(Id
     }
     let parsed = parse_hex(text.trim()).filter(|_| response.changed() && text.trim() != shown)?;
     let [r, g, b, a] = parsed;
-    Some((response.id, match space {
-        ColorSpace::Display => parsed.map(|x| (x * 1e4).round() / 1e4),
-        ColorSpace::Linear => [srgb_to_linear(r), srgb_to_linear(g), srgb_to_linear(b), a],
-    }))
+    Some((
+        response.id,
+        match space {
+            ColorSpace::Display => parsed.map(|x| (x * 1e4).round() / 1e4),
+            ColorSpace::Linear => [srgb_to_linear(r), srgb_to_linear(g), srgb_to_linear(b), a],
+        },
+    ))
 }

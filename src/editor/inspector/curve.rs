@@ -1,7 +1,7 @@
 //! A free curve: drag its points, double-click to add one, double-click a point or drag it out to remove it.
 
-use egui::epaint::PathShape;
-use egui::{ComboBox, Id, Pos2, Rect, Sense, Stroke, Ui, WidgetInfo, WidgetType, pos2, vec2};
+use eframe::egui::epaint::PathShape;
+use eframe::egui::{ComboBox, Id, Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 
 use super::super::theme;
 use crate::document::{Curve, Interpolation, Value};
@@ -14,7 +14,7 @@ pub(super) fn show(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id,
     let mut curve = curve.clone();
     let size = vec2(ui.available_width(), HEIGHT);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
-    response.widget_info(|| WidgetInfo::labeled(WidgetType::Other, true, "Curve"));
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Curve"));
     let area = rect.shrink(6.0);
     let bounds = bounds(&curve);
     let to_screen = |p: [f64; 2]| {
@@ -49,7 +49,8 @@ pub(super) fn show(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id,
         changed = true;
     }
     if let (true, Some(p)) = (response.double_clicked(), pointer) {
-        changed = add_or_remove(&mut curve, near(&curve, p), from_screen(p));
+        let near = near(&curve, p);
+        changed = add_or_remove(&mut curve, near, from_screen(p));
     }
     paint(ui, rect, &curve, &to_screen);
     let combo = interpolation(ui, label, &mut curve.interpolation);

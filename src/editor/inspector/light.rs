@@ -1,6 +1,7 @@
 //! The lights: type, frame, direction on a small ball, colour, intensity.
 
-use egui::{ComboBox, DragValue, Id, Pos2, RichText, Sense, Slider, Stroke, Ui, WidgetInfo, WidgetType, vec2};
+use eframe::egui;
+use eframe::egui::{ComboBox, DragValue, Id, Pos2, RichText, Role, Sense, Slider, Stroke, Ui, WidgetInfo, vec2};
 
 use super::super::command::Command;
 use super::super::session::Session;
@@ -65,10 +66,15 @@ fn edit(ui: &mut Ui, session: &Session, id: &LightId, light: &Light, out: &mut V
             hand = hand.or(space(ui, label, &mut new));
         });
         if new.kind == LightKind::Directional {
-            labelled(ui, "Direction", "Toward the light. The middle is toward you, the inner ring sideways, the rim behind.", |ui, label| {
-                hand = hand.or(ball(ui, &mut new.direction));
-                ui.vertical(|ui| hand = hand.or(xyz(ui, label, &mut new.direction)));
-            });
+            labelled(
+                ui,
+                "Direction",
+                "Toward the light. The middle is toward you, the inner ring sideways, the rim behind.",
+                |ui, label| {
+                    hand = hand.or(ball(ui, &mut new.direction));
+                    ui.vertical(|ui| hand = hand.or(xyz(ui, label, &mut new.direction)));
+                },
+            );
         } else {
             labelled(ui, "Position", "In scene units", |ui, label| hand = hand.or(xyz(ui, label, &mut new.position)));
         }
@@ -85,7 +91,8 @@ fn edit(ui: &mut Ui, session: &Session, id: &LightId, light: &Light, out: &mut V
         }
         labelled(ui, "Color", "Of the light", |ui, label| {
             let [r, g, b] = new.color;
-            if let Some((id, [r, g, b, _])) = color::edit(ui, label, [r, g, b, 1.0], session.look().color_space, false) {
+            if let Some((id, [r, g, b, _])) = color::edit(ui, label, [r, g, b, 1.0], session.look().color_space, false)
+            {
                 new.color = [r, g, b];
                 hand = Some(id);
             }
@@ -154,7 +161,8 @@ fn xyz(ui: &mut Ui, label: Id, numbers: &mut [f64; 3]) -> Option<Id> {
 fn angle(ui: &mut Ui, label: Id, radians: &mut f64, max: f64) -> Option<Id> {
     let mut degrees = radians.to_degrees();
     ui.spacing_mut().slider_width = (ui.available_width() - 66.0).max(40.0);
-    let response = ui.add(Slider::new(&mut degrees, 0.0..=max.to_degrees()).suffix("°").max_decimals(1)).labelled_by(label);
+    let response =
+        ui.add(Slider::new(&mut degrees, 0.0..=max.to_degrees()).suffix("°").max_decimals(1)).labelled_by(label);
     *radians = degrees.to_radians();
     response.changed().then_some(response.id)
 }
@@ -162,7 +170,7 @@ fn angle(ui: &mut Ui, label: Id, radians: &mut f64, max: f64) -> Option<Id> {
 /// All directions on a disc: the distance from its middle is the angle from the viewer.
 fn ball(ui: &mut Ui, direction: &mut [f64; 3]) -> Option<Id> {
     let (rect, response) = ui.allocate_exact_size(vec2(BALL, BALL), Sense::click_and_drag());
-    response.widget_info(|| WidgetInfo::labeled(WidgetType::Other, true, "Direction of the light"));
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Direction of the light"));
     let (center, radius) = (rect.center(), BALL / 2.0 - 3.0);
     let painter = ui.painter_at(rect);
     painter.circle(center, radius, theme::CANVAS, Stroke::new(1.0, theme::GRID));
@@ -195,7 +203,7 @@ fn from_disc(p: Pos2, center: Pos2, radius: f32) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use egui::pos2;
+    use eframe::egui::pos2;
 
     #[test]
     fn the_disc_holds_every_direction() {

@@ -6,7 +6,8 @@ mod light;
 mod ramp;
 mod row;
 
-use egui::{RichText, ScrollArea, TextEdit, Ui};
+use eframe::egui;
+use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
 
 use super::catalog::Kind;
 use super::command::Command;

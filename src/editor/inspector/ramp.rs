@@ -1,7 +1,8 @@
 //! A colour ramp: drag its stops, double-click to add one, set the colour of the one that is selected.
 
-use egui::epaint::{Mesh, Vertex};
-use egui::{Color32, Id, Pos2, Rect, Sense, Shape, Stroke, Ui, WidgetInfo, WidgetType, pos2, vec2};
+use eframe::egui;
+use eframe::egui::epaint::{Mesh, Vertex};
+use eframe::egui::{Color32, Id, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
 
 use super::super::theme;
 use super::{color, curve};
@@ -18,7 +19,7 @@ pub(super) fn show(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id,
         return None;
     }
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), BAR + HANDLES), Sense::click_and_drag());
-    response.widget_info(|| WidgetInfo::labeled(WidgetType::Other, true, "Ramp"));
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Ramp"));
     let bar = Rect::from_min_size(rect.min, vec2(rect.width(), BAR)).shrink2(vec2(8.0, 0.0));
     let low = ramp.stops.iter().map(|stop| stop.at).fold(0.0, f64::min);
     let high = ramp.stops.iter().map(|stop| stop.at).fold(1.0, f64::max);
@@ -45,11 +46,12 @@ pub(super) fn show(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id,
         ramp.stops[selected].at = from_screen(p).max(low).min(high);
         changed = Some(response.id);
     }
-    if let (true, Some(p)) = (response.double_clicked(), response.interact_pointer_pos())
-        && let Some(index) = add_or_remove(&mut ramp, near(&ramp, p), from_screen(p))
-    {
-        selected = index.min(ramp.stops.len() - 1);
-        changed = Some(response.id);
+    if let (true, Some(p)) = (response.double_clicked(), response.interact_pointer_pos()) {
+        let near = near(&ramp, p);
+        if let Some(index) = add_or_remove(&mut ramp, near, from_screen(p)) {
+            selected = index.min(ramp.stops.len() - 1);
+            changed = Some(response.id);
+        }
     }
     ui.data_mut(|data| data.insert_temp(selected_id, selected));
     paint(ui, rect, bar, &ramp, selected, &to_screen);
@@ -61,7 +63,7 @@ pub(super) fn show(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id,
             changed = Some(id);
         }
         if curve::interpolation(ui, label, &mut ramp.interpolation) {
-            changed = Some(ui.id().with("interpolation"));
+            changed = Some(ui.scope_id().with("interpolation"));
         }
     });
     changed.map(|id| (id, Value::Ramp(ramp)))

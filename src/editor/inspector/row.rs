@@ -1,6 +1,7 @@
 //! One input: its label, and what edits its value.
 
-use egui::{Checkbox, ComboBox, DragValue, Id, RichText, Slider, TextEdit, Ui, vec2};
+use eframe::egui;
+use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, Slider, TextEdit, Ui, vec2};
 
 use super::super::catalog::Port;
 use super::super::command::Command;
@@ -166,7 +167,13 @@ fn number(ui: &mut Ui, label: Id, port: &Port, value: Option<&Value>) -> Option<
         "s" => " s",
         _ => "",
     };
-    let decimals = if is_int { 0 } else if scale == 1.0 { 3 } else { 1 };
+    let decimals = if is_int {
+        0
+    } else if scale == 1.0 {
+        3
+    } else {
+        1
+    };
     let response = match (port.min, port.max) {
         (Some(min), Some(max)) => {
             ui.spacing_mut().slider_width = (ui.available_width() - 66.0).max(40.0);
