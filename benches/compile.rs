@@ -40,7 +40,9 @@ fn benchmark(criterion: &mut Criterion) {
     for count in [200, 2_000, 20_000] {
         let look = chain(count);
         let text = look.to_text();
-        group.bench_with_input(BenchmarkId::new("read", count), &text, |b, text| b.iter(|| Look::read(black_box(text), "chain.json")));
+        group.bench_with_input(BenchmarkId::new("read", count), &text, |b, text| {
+            b.iter(|| Look::read(black_box(text), "chain.json"))
+        });
         for live in [Live::Keyed, Live::All] {
             let options = Options { live: live.clone(), ..Options::default() };
             group.bench_with_input(BenchmarkId::new(format!("our own time, {live:?}"), count), &look, |b, look| {

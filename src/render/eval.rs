@@ -2,12 +2,12 @@
 
 use wgpu::util::DeviceExt as _;
 
+use super::Renderer;
 use super::error::RenderError;
 use super::gpu::Gpu;
+use super::pipeline::{LookPipeline, Sides};
 use super::readback::read_texture;
 use super::target::texture;
-use super::Renderer;
-use super::pipeline::{LookPipeline, Sides};
 use crate::compile::{BindingKind, SAMPLES_PER_ROW};
 use crate::frame::EvalBatch;
 
@@ -33,7 +33,12 @@ impl Renderer {
         Ok(values)
     }
 
-    async fn evaluate_run(&mut self, batch: &EvalBatch, bytes: &[u8], count: usize) -> Result<Vec<[f32; 4]>, RenderError> {
+    async fn evaluate_run(
+        &mut self,
+        batch: &EvalBatch,
+        bytes: &[u8],
+        count: usize,
+    ) -> Result<Vec<[f32; 4]>, RenderError> {
         let guard = self.gpu.guard();
         let pipeline = self.pipelines.get(&self.gpu, &batch.shader, 1, Sides { both: true, is_mirrored: false });
         let group = self.bind_samples(batch, bytes, &pipeline)?;
@@ -57,7 +62,12 @@ impl Renderer {
         Ok((0..count).map(value).collect())
     }
 
-    fn bind_samples(&mut self, batch: &EvalBatch, bytes: &[u8], pipeline: &LookPipeline) -> Result<wgpu::BindGroup, RenderError> {
+    fn bind_samples(
+        &mut self,
+        batch: &EvalBatch,
+        bytes: &[u8],
+        pipeline: &LookPipeline,
+    ) -> Result<wgpu::BindGroup, RenderError> {
         let samples = self.gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
             label: Some("samples"),
             contents: bytes,
@@ -80,7 +90,8 @@ impl Renderer {
             let missing = || RenderError::Refused { message: format!("nothing to bind to `{}`", binding.name) };
             entries.push(wgpu::BindGroupEntry { binding: binding.binding, resource: resource.ok_or_else(missing)? });
         }
-        let descriptor = wgpu::BindGroupDescriptor { label: Some("samples"), layout: &pipeline.layout, entries: &entries };
+        let descriptor =
+            wgpu::BindGroupDescriptor { label: Some("samples"), layout: &pipeline.layout, entries: &entries };
         Ok(self.gpu.device.create_bind_group(&descriptor))
     }
 }
@@ -95,7 +106,10 @@ fn run(gpu: &Gpu, target: &wgpu::Texture, pipeline: &LookPipeline, group: &wgpu:
                 view: &view,
                 depth_slice: None,
                 resolve_target: None,
-                ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), store: wgpu::StoreOp::Store },
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                    store: wgpu::StoreOp::Store,
+                },
             })],
             ..wgpu::RenderPassDescriptor::default()
         });
