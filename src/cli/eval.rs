@@ -84,12 +84,15 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         ..Options::default()
     };
     let file = arguments.at.display().to_string();
-    let batches = eval_batches(&setup, &library, &samples, &options, &mut Assets::default()).map_err(|mut problems| {
-        for problem in problems.iter_mut().filter(|p| p.place.json_path.as_ref().is_some_and(|path| path.starts_with('['))) {
-            problem.place.file = Some(file.clone());
-        }
-        problems
-    })?;
+    let batches =
+        eval_batches(&setup, &library, &samples, &options, &mut Assets::default()).map_err(|mut problems| {
+            for problem in
+                problems.iter_mut().filter(|p| p.place.json_path.as_ref().is_some_and(|path| path.starts_with('[')))
+            {
+                problem.place.file = Some(file.clone());
+            }
+            problems
+        })?;
     let one = |error: crate::render::RenderError| vec![Diagnostic::from(error)];
     let mut renderer = Renderer::new(block_on(Gpu::headless()).map_err(one)?);
     let mut answers = vec![Json::Null; samples.len()];
@@ -185,14 +188,18 @@ enum Rotation {
 fn read_samples(path: &Path) -> Result<Vec<EvalSample>, Vec<Diagnostic>> {
     let (name, text) = if path == Path::new("-") {
         let text = std::io::read_to_string(std::io::stdin().lock());
-        let problem = |error: std::io::Error| vec![Diagnostic::error("unreadable", format!("standard input cannot be read: {error}"))];
+        let problem = |error: std::io::Error| {
+            vec![Diagnostic::error("unreadable", format!("standard input cannot be read: {error}"))]
+        };
         ("standard input".to_owned(), text.map_err(problem)?)
     } else {
         (path.display().to_string(), read_text(path).map_err(|problem| vec![*problem])?)
     };
     let items: Vec<Json> = serde_json::from_str(&text).map_err(|error| {
         let at = LineColumn { line: error.line().max(1) as u32, column: error.column().max(1) as u32 };
-        let problem = Diagnostic::error("bad-samples", format!("this is no list of samples: {error}")).in_file(name.clone()).at(at);
+        let problem = Diagnostic::error("bad-samples", format!("this is no list of samples: {error}"))
+            .in_file(name.clone())
+            .at(at);
         vec![problem.hint(r#"write [{"normal": [0, 0, 1]}, ...]"#)]
     })?;
     let mut samples = Vec::with_capacity(items.len());
@@ -247,7 +254,9 @@ fn sample(file: SampleFile) -> Result<EvalSample, String> {
         }
         Some(Rotation::Matrix(rows)) => {
             let matrix = DMat3::from_cols_array_2d(&rows).transpose();
-            if ((matrix * matrix.transpose()) - DMat3::IDENTITY).to_cols_array().iter().any(|x| x.abs() > 1e-3) || matrix.determinant() < 0.0 {
+            if ((matrix * matrix.transpose()) - DMat3::IDENTITY).to_cols_array().iter().any(|x| x.abs() > 1e-3)
+                || matrix.determinant() < 0.0
+            {
                 return Err("`frame` is no rotation: its rows must be of length 1 and at right angles".to_owned());
             }
             DQuat::from_mat3(&matrix).normalize()

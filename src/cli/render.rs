@@ -117,13 +117,8 @@ pub(super) fn write_png(path: &Path, picture: &Picture) -> Result<(), Diagnostic
     let mut bytes = Vec::new();
     let encoder = image::codecs::png::PngEncoder::new(&mut bytes);
     let [width, height] = picture.size;
-    let encoded = image::ImageEncoder::write_image(
-        encoder,
-        &picture.to_rgba8(),
-        width,
-        height,
-        image::ExtendedColorType::Rgba8,
-    );
+    let encoded =
+        image::ImageEncoder::write_image(encoder, &picture.to_rgba8(), width, height, image::ExtendedColorType::Rgba8);
     encoded.map_err(|error| Diagnostic::error("png", format!("the picture cannot be encoded: {error}")))?;
     write_atomic(path, &bytes).map_err(|problem| *problem)
 }
@@ -133,9 +128,9 @@ fn adjust(scene: &mut Scene, arguments: &Arguments) -> Result<(), Diagnostic> {
         adjust_camera(scene, text)?;
     }
     if let Some(text) = &arguments.turn_lights {
-        let angles = numbers(text).filter(|n| (1..=2).contains(&n.len())).ok_or_else(|| {
-            bad_argument("--turn-lights", text, "degrees around the vertical axis, or YAW,PITCH")
-        })?;
+        let angles = numbers(text)
+            .filter(|n| (1..=2).contains(&n.len()))
+            .ok_or_else(|| bad_argument("--turn-lights", text, "degrees around the vertical axis, or YAW,PITCH"))?;
         let yaw = DQuat::from_rotation_y(angles[0].to_radians());
         let pitch = DQuat::from_rotation_x(-angles.get(1).copied().unwrap_or(0.0).to_radians());
         let turned = yaw * pitch * DQuat::from_array(scene.illumination);
@@ -144,7 +139,10 @@ fn adjust(scene: &mut Scene, arguments: &Arguments) -> Result<(), Diagnostic> {
     if let Some(text) = &arguments.backdrop {
         scene.backdrop = match text.as_str() {
             "none" => None,
-            color => Some(parse_hex(color).ok_or_else(|| bad_argument("--backdrop", color, "`none` or a colour such as #202428"))?),
+            color => Some(
+                parse_hex(color)
+                    .ok_or_else(|| bad_argument("--backdrop", color, "`none` or a colour such as #202428"))?,
+            ),
         };
     }
     Ok(())

@@ -190,7 +190,8 @@ fn with_defaults(mut params: Vec<Param>, values: &[(ParamId, Value, Option<Value
 
 fn keyed_targets(look: &Look) -> Vec<Target> {
     let by_direction = look.direction_keys.iter().flat_map(|set| &set.keys).flat_map(|key| key.values.keys());
-    let mut targets: Vec<Target> = by_direction.chain(look.time_keys.iter().map(|track| &track.target)).cloned().collect();
+    let mut targets: Vec<Target> =
+        by_direction.chain(look.time_keys.iter().map(|track| &track.target)).cloned().collect();
     targets.sort_by_cached_key(ToString::to_string);
     targets.dedup();
     targets
@@ -350,7 +351,8 @@ impl Typer<'_> {
                 choices.insert(i, word);
             }
         }
-        let light = if flat.def.inputs.iter().any(|input| input.ty == Type::LightName) { self.light(flat) } else { None };
+        let light =
+            if flat.def.inputs.iter().any(|input| input.ty == Type::LightName) { self.light(flat) } else { None };
         if self.problems[before..].iter().any(Diagnostic::is_error) {
             return None;
         }
@@ -416,11 +418,16 @@ impl Typer<'_> {
         let index = flat.def.inputs.iter().position(|input| input.ty == Type::LightName)?;
         let input = &flat.def.inputs[index];
         let id = self.value_text(flat, index, input)?;
-        let found = if id.is_empty() { self.look.lights.keys().next() } else { self.look.lights.get_key_value(id.as_str()).map(|l| l.0) };
+        let found = if id.is_empty() {
+            self.look.lights.keys().next()
+        } else {
+            self.look.lights.get_key_value(id.as_str()).map(|l| l.0)
+        };
         if let Some(id) = found {
             return Some(id.clone());
         }
-        let message = if id.is_empty() { "the look has no lights".to_owned() } else { format!("there is no light `{id}`") };
+        let message =
+            if id.is_empty() { "the look has no lights".to_owned() } else { format!("there is no light `{id}`") };
         let problem = Diagnostic::error("unknown-light", message)
             .suggest(&id, self.look.lights.keys().map(AsRef::as_ref))
             .hint(r#"add it to the look: "lights": {"key": {"direction": [-0.5, 0.7, 0.5]}}"#);
@@ -491,7 +498,8 @@ impl Typer<'_> {
             FlatInput::Broken => return None,
             FlatInput::Wire { node, output } => {
                 if ty.is_setting() {
-                    let problem = Diagnostic::error("not-wirable", format!("`{}` takes no wire: {}", input.name, input.ty));
+                    let problem =
+                        Diagnostic::error("not-wirable", format!("`{}` takes no wire: {}", input.name, input.ty));
                     self.problem(flat, Some(input), problem.hint("remove the wire and set the value on the node"));
                     return None;
                 }

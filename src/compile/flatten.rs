@@ -244,9 +244,12 @@ impl<'a> Flattener<'a> {
             stem.is_some_and(|stem| stem.split('.').next() == Some(&node.kind))
         });
         self.problems.push(match broken {
-            Some(problem) => Diagnostic { severity: crate::diag::Severity::Error, ..problem.clone() }.node(path.clone()),
+            Some(problem) => {
+                Diagnostic { severity: crate::diag::Severity::Error, ..problem.clone() }.node(path.clone())
+            }
             None => {
-                let known = self.library.kinds().chain(self.look.definitions.keys().map(AsRef::as_ref)).chain([CUSTOM_KIND]);
+                let known =
+                    self.library.kinds().chain(self.look.definitions.keys().map(AsRef::as_ref)).chain([CUSTOM_KIND]);
                 Diagnostic::error("unknown-kind", format!("there is no node of kind `{}`", node.kind))
                     .node(path.clone())
                     .suggest(&node.kind, known)
@@ -408,7 +411,12 @@ impl<'a> Flattener<'a> {
                     let def = &self.flat.nodes[*node].def;
                     if def.special == Special::Reroute {
                         let (_, id, _) = self.origins[*node];
-                        return Some(Source::Input { scope, id, port: def.inputs.first()?.name.clone(), default: None });
+                        return Some(Source::Input {
+                            scope,
+                            id,
+                            port: def.inputs.first()?.name.clone(),
+                            default: None,
+                        });
                     }
                     return Some(Source::Output { node: *node, output: def.output(from.port.as_str())? });
                 }

@@ -175,9 +175,11 @@ impl HostProgram {
                     let arguments: Vec<_> = arguments.iter().map(|&index| values[index].clone()).collect();
                     program.call(&arguments, Precision::F64)?
                 }
-                Step::Member { value, index } => {
-                    values[*value].parts().and_then(|parts| parts.get(*index)).cloned().unwrap_or(interp::Value::Float(0.0))
-                }
+                Step::Member { value, index } => values[*value]
+                    .parts()
+                    .and_then(|parts| parts.get(*index))
+                    .cloned()
+                    .unwrap_or(interp::Value::Float(0.0)),
             };
             values.push(value);
         }
@@ -214,9 +216,10 @@ impl HostInputs<'_> {
             Context::Time => interp::Value::Float(self.time),
             Context::Frame => interp::Value::Float(self.frame),
             Context::Viewport => interp::Value::vec(&self.viewport),
-            Context::Light(field) => light
-                .and_then(|id| self.lights.get(id))
-                .map_or_else(|| LightValues::new(&Light::default(), DQuat::IDENTITY, DMat3::IDENTITY).field(field), |l| l.field(field)),
+            Context::Light(field) => light.and_then(|id| self.lights.get(id)).map_or_else(
+                || LightValues::new(&Light::default(), DQuat::IDENTITY, DMat3::IDENTITY).field(field),
+                |l| l.field(field),
+            ),
             // Of fragment rate, and so never a step of the host.
             _ => interp::Value::Float(0.0),
         }

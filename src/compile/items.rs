@@ -51,7 +51,10 @@ impl Items {
                 open.extend(declaration.uses.iter().map(|used| (module, used.clone())));
             }
         }
-        let mut collected = Collected { modules: self.modules.iter().map(|m| Arc::as_ptr(m) as usize).collect(), ..Collected::default() };
+        let mut collected = Collected {
+            modules: self.modules.iter().map(|m| Arc::as_ptr(m) as usize).collect(),
+            ..Collected::default()
+        };
         let mut by_text: HashMap<&str, String> = HashMap::new();
         let mut ordered: Vec<(usize, &Declaration)> = used
             .iter()
@@ -94,7 +97,8 @@ impl Collected {
 
 /// The docs without what only the editor reads.
 fn short_doc(declaration: &Declaration) -> String {
-    let lines: Vec<&str> = declaration.doc.iter().map(String::as_str).take_while(|line| !line.starts_with('@')).collect();
+    let lines: Vec<&str> =
+        declaration.doc.iter().map(String::as_str).take_while(|line| !line.starts_with('@')).collect();
     let mut text = String::new();
     let kept = lines.iter().rposition(|line| !line.is_empty()).map_or(0, |last| last + 1);
     for line in &lines[..kept] {

@@ -238,7 +238,8 @@ impl<'a> Builder<'a> {
         }
         let part = self.graph.params[id].port.to_string();
         let made = self.values.len();
-        let id = self.value(Key::Param(id, ty.clone()), index, ty.clone(), Rate::Object, Operation::Param { id, value });
+        let id =
+            self.value(Key::Param(id, ty.clone()), index, ty.clone(), Rate::Object, Operation::Param { id, value });
         if id == made {
             self.values[id].part = Some(part);
         }
@@ -273,7 +274,8 @@ impl<'a> Builder<'a> {
         let from = self.values[value].ty.clone();
         if let (Operation::Constant(constant), false) = (&self.values[value].operation, self.options.unspecialized) {
             let program = conversion_program(&from, ty);
-            let converted = program.and_then(|program| program.call(std::slice::from_ref(constant), interp::Precision::F64).ok());
+            let converted =
+                program.and_then(|program| program.call(std::slice::from_ref(constant), interp::Precision::F64).ok());
             if let Some(converted) = converted.filter(is_finite) {
                 return self.constant(index, ty.clone(), converted);
             }
@@ -316,7 +318,8 @@ impl<'a> Builder<'a> {
 
     fn prepared(&mut self, index: usize, node: &TypedNode, inputs: &[Option<ValueId>]) -> Option<ValueId> {
         let prepare = node.def.prepare.as_ref()?;
-        let arguments = prepare.parameters.iter().filter_map(|(input, _)| inputs[*input].map(Argument::Value)).collect();
+        let arguments =
+            prepare.parameters.iter().filter_map(|(input, _)| inputs[*input].map(Argument::Value)).collect();
         let part = Some("shape".to_owned());
         Some(self.call_function(index, node, &prepare.function, arguments, prepare.result.clone(), part))
     }
@@ -490,7 +493,14 @@ impl<'a> Builder<'a> {
         let cutoff = self.extra_roots.get("cutoff").copied().filter(|&id| !zero(&self.values[id]));
         let cutoff = cutoff.filter(|_| is_own_root && self.options.stage != Stage::Eval);
         self.explain_unused(&[Some(root), cutoff.and(Some(color)), cutoff]);
-        SpecializedGraph { values: self.values, root, color: Some(color), cutoff, images: self.images, removed: self.removed }
+        SpecializedGraph {
+            values: self.values,
+            root,
+            color: Some(color),
+            cutoff,
+            images: self.images,
+            removed: self.removed,
+        }
     }
 
     /// Adds a reason for every node of which nothing is left.

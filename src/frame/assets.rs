@@ -118,8 +118,10 @@ fn read_image(path: &Path) -> Result<Image, Diagnostic> {
             .in_file(path.display().to_string())
             .hint("paths of images are relative to the look's own file")
     };
-    let reader = image::ImageReader::open(path).map_err(|error| problem(format!("this image cannot be opened: {error}")))?;
-    let mut reader = reader.with_guessed_format().map_err(|error| problem(format!("this image cannot be read: {error}")))?;
+    let reader =
+        image::ImageReader::open(path).map_err(|error| problem(format!("this image cannot be opened: {error}")))?;
+    let mut reader =
+        reader.with_guessed_format().map_err(|error| problem(format!("this image cannot be read: {error}")))?;
     let mut limits = image::Limits::default();
     limits.max_image_width = Some(MAX_IMAGE_SIDE);
     limits.max_image_height = Some(MAX_IMAGE_SIDE);

@@ -167,7 +167,9 @@ fn is_direction(target: &Target) -> bool {
 /// The value of a track at a time; `None` for an empty one. Before the first key and after the last, theirs holds.
 fn at_time(keys: &[TimeKey], time: f64, is_direction: bool) -> Option<Value> {
     let next = keys.partition_point(|key| key.time <= time);
-    let Some(before) = next.checked_sub(1).map(|index| &keys[index]) else { return keys.first().map(|key| key.value.clone()) };
+    let Some(before) = next.checked_sub(1).map(|index| &keys[index]) else {
+        return keys.first().map(|key| key.value.clone());
+    };
     let Some(after) = keys.get(next) else { return Some(before.value.clone()) };
     let span = after.time - before.time;
     let t = if span > 0.0 { (time - before.time) / span } else { 0.0 };
@@ -244,7 +246,9 @@ fn blend_keys(
     for target in targets {
         let at_key = |index: usize| {
             let key = &keys.keys[index];
-            sanitized(target, &|t: &Target| key.values.get(t).cloned().or_else(|| own.get(t).cloned()).or_else(|| base(t)))
+            sanitized(target, &|t: &Target| {
+                key.values.get(t).cloned().or_else(|| own.get(t).cloned()).or_else(|| base(t))
+            })
         };
         let at_keys: Vec<Option<Value>> = (0..keys.keys.len()).map(at_key).collect();
         let with_value: Vec<(&Value, f64)> =

@@ -122,7 +122,9 @@ pub fn eval_batches(
         let packer = Packer::new(&shader);
         let mut bytes = vec![0; packer.stride * indices.len()];
         for (place, &index) in indices.iter().enumerate() {
-            packer.pack(&samples[index], &setup.look.lights, &rig, &table, place * packer.stride, &mut bytes).map_err(|p| vec![p])?;
+            packer
+                .pack(&samples[index], &setup.look.lights, &rig, &table, place * packer.stride, &mut bytes)
+                .map_err(|p| vec![p])?;
         }
         batches.push(EvalBatch { shader, indices, bytes, images });
     }
@@ -131,10 +133,12 @@ pub fn eval_batches(
 
 /// Samples by the words that they set.
 fn group(setup: &SetupLook, samples: &[EvalSample]) -> IndexMap<String, Vec<usize>> {
-    let has_words = setup.look.time_keys.iter().any(|track| track.keys.iter().any(|k| matches!(k.value, Value::Text(_))));
+    let has_words =
+        setup.look.time_keys.iter().any(|track| track.keys.iter().any(|k| matches!(k.value, Value::Text(_))));
     let mut groups: IndexMap<String, Vec<usize>> = IndexMap::new();
     for (index, sample) in samples.iter().enumerate() {
-        let words = sample.values.iter().filter(|(_, value)| matches!(value, Value::Text(_)) && value.color().is_none());
+        let words =
+            sample.values.iter().filter(|(_, value)| matches!(value, Value::Text(_)) && value.color().is_none());
         let mut key: String = words.map(|(name, value)| format!("{name}={value:?};")).collect();
         if has_words {
             key += &structural_look(&setup.look, sample.time, &sample.values).to_text();

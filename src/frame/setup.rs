@@ -76,7 +76,8 @@ pub fn open(path: &Path, mesh: Option<&str>, assets: &mut Assets) -> Result<(Set
             let mut problems = loaded.diagnostics.clone();
             let Some(look) = loaded.value.clone().filter(|_| !has_errors(&problems)) else { return Err(problems) };
             let look = SetupLook { look, source: loaded.source.clone().into(), folder };
-            let (setup, found) = default_setup(look, mesh.unwrap_or(DEFAULT_MESH), assets).map_err(|more| [problems.clone(), more].concat())?;
+            let (setup, found) = default_setup(look, mesh.unwrap_or(DEFAULT_MESH), assets)
+                .map_err(|more| [problems.clone(), more].concat())?;
             problems.extend(found);
             Ok((setup, problems))
         }
@@ -96,7 +97,11 @@ pub const DEFAULT_MESH: &str = "shape:creature";
 ///
 /// # Errors
 /// Why the mesh cannot be used.
-pub fn default_setup(look: SetupLook, mesh: &str, assets: &mut Assets) -> Result<(Setup, Vec<Diagnostic>), Vec<Diagnostic>> {
+pub fn default_setup(
+    look: SetupLook,
+    mesh: &str,
+    assets: &mut Assets,
+) -> Result<(Setup, Vec<Diagnostic>), Vec<Diagnostic>> {
     let (mesh, notes) = assets.mesh(Path::new(""), mesh)?;
     let world_from_object = object_matrix(&Transform::default(), &mesh);
     let looks = vec![Some(0); mesh.parts.len()];

@@ -100,7 +100,8 @@ impl Library {
                 Ok(text) if name.ends_with(".json") => library.add_groups(&name, &text),
                 Ok(text) => library.add_file(&name, &text),
                 Err(error) => library.problems.push(
-                    Diagnostic::error("unreadable-node", format!("this node file cannot be read: {error}")).in_file(name),
+                    Diagnostic::error("unreadable-node", format!("this node file cannot be read: {error}"))
+                        .in_file(name),
                 ),
             }
         }
@@ -410,7 +411,8 @@ impl Reader<'_> {
             return Some((Some((usize::MAX, suffix.to_owned())), None, tier));
         }
         while !rest.is_empty() {
-            let options = node.inputs.iter().enumerate().flat_map(|(i, input)| input.options.iter().map(move |o| (i, o)));
+            let options =
+                node.inputs.iter().enumerate().flat_map(|(i, input)| input.options.iter().map(move |o| (i, o)));
             let matching = options.filter(|(_, option)| begins_with_word(rest, &option.0));
             if let (None, Some((input, option))) = (&choice, matching.max_by_key(|(_, option)| option.0.len())) {
                 choice = Some((input, option.0.clone()));
@@ -586,7 +588,9 @@ fn neutral(ty: &Type) -> Option<Value> {
         Type::Vec3 => Value::Vector(vec![0.0; 3]),
         Type::Vec4 => Value::Vector(vec![0.0; 4]),
         Type::Color | Type::Composite => Value::Vector(vec![0.0, 0.0, 0.0, 1.0]),
-        Type::Curve => Value::Curve(Curve { points: vec![[0.0, 0.0], [1.0, 1.0]], interpolation: Interpolation::Smooth }),
+        Type::Curve => {
+            Value::Curve(Curve { points: vec![[0.0, 0.0], [1.0, 1.0]], interpolation: Interpolation::Smooth })
+        }
         Type::Ramp => Value::Ramp(Ramp {
             stops: vec![
                 RampStop { at: 0.0, color: vec![0.0, 0.0, 0.0, 1.0] },

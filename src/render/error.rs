@@ -44,9 +44,10 @@ pub enum RenderError {
 impl From<RenderError> for Diagnostic {
     fn from(error: RenderError) -> Self {
         let (code, hint) = match &error {
-            RenderError::NoAdapter { .. } => {
-                ("no-gpu", "install a Vulkan driver; on Debian without a GPU: apt install mesa-vulkan-drivers libvulkan1")
-            }
+            RenderError::NoAdapter { .. } => (
+                "no-gpu",
+                "install a Vulkan driver; on Debian without a GPU: apt install mesa-vulkan-drivers libvulkan1",
+            ),
             RenderError::Lost { .. } => ("gpu-lost", "nothing of the document is lost: save it and start again"),
             RenderError::OutOfMemory { .. } => ("gpu-memory", "use a smaller picture, smaller images or fewer samples"),
             RenderError::TooLarge { .. } => ("gpu-limit", "use a smaller one"),

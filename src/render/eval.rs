@@ -32,7 +32,12 @@ impl Renderer {
         Ok(values)
     }
 
-    async fn evaluate_run(&mut self, batch: &EvalBatch, bytes: &[u8], count: usize) -> Result<Vec<[f32; 4]>, RenderError> {
+    async fn evaluate_run(
+        &mut self,
+        batch: &EvalBatch,
+        bytes: &[u8],
+        count: usize,
+    ) -> Result<Vec<[f32; 4]>, RenderError> {
         let guard = self.gpu.guard();
         let pipeline = self.pipelines.get(&self.gpu, &batch.shader, 1, true);
         let group = self.bind_samples(batch, bytes, &pipeline)?;
@@ -56,7 +61,12 @@ impl Renderer {
         Ok((0..count).map(value).collect())
     }
 
-    fn bind_samples(&mut self, batch: &EvalBatch, bytes: &[u8], pipeline: &LookPipeline) -> Result<wgpu::BindGroup, RenderError> {
+    fn bind_samples(
+        &mut self,
+        batch: &EvalBatch,
+        bytes: &[u8],
+        pipeline: &LookPipeline,
+    ) -> Result<wgpu::BindGroup, RenderError> {
         let samples = self.gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
             label: Some("samples"),
             contents: bytes,
@@ -79,7 +89,8 @@ impl Renderer {
             let missing = || RenderError::Refused { message: format!("nothing to bind to `{}`", binding.name) };
             entries.push(wgpu::BindGroupEntry { binding: binding.binding, resource: resource.ok_or_else(missing)? });
         }
-        let descriptor = wgpu::BindGroupDescriptor { label: Some("samples"), layout: &pipeline.layout, entries: &entries };
+        let descriptor =
+            wgpu::BindGroupDescriptor { label: Some("samples"), layout: &pipeline.layout, entries: &entries };
         Ok(self.gpu.device.create_bind_group(&descriptor))
     }
 }
@@ -94,10 +105,15 @@ fn run(gpu: &Gpu, target: &wgpu::Texture, pipeline: &LookPipeline, group: &wgpu:
                 view: &view,
                 depth_slice: None,
                 resolve_target: None,
-                ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), store: wgpu::StoreOp::Store },
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                    store: wgpu::StoreOp::Store,
+                },
             })],
             ..wgpu::RenderPassDescriptor::default()
         });
+        // The shader's triangle covers the upper left half of the viewport.
+        pass.set_viewport(0.0, 0.0, 2.0 * target.width() as f32, 2.0 * target.height() as f32, 0.0, 1.0);
         pass.set_pipeline(&pipeline.pipeline);
         pass.set_bind_group(0, group, &[]);
         pass.draw(0..3, 0..1);

@@ -39,7 +39,8 @@ impl Gpu {
         let mut failure = String::from("no backend was tried");
         let mut found = None;
         // OpenGL only where there is nothing better: its libraries talk of missing displays on their way.
-        let wanted = wgpu::Backends::from_env().map_or(vec![wgpu::Backends::PRIMARY, wgpu::Backends::GL], |one| vec![one]);
+        let wanted =
+            wgpu::Backends::from_env().map_or(vec![wgpu::Backends::PRIMARY, wgpu::Backends::GL], |one| vec![one]);
         for backends in wanted {
             let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
             descriptor.backends = backends;

@@ -66,7 +66,8 @@ impl Renderer {
         if self.targets.fit(&self.gpu, plan) {
             self.done.clear();
         }
-        let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("frame") });
+        let mut encoder =
+            self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("frame") });
         let mut ran = Vec::new();
         for pass in &plan.passes {
             if self.done.get(&pass.kind) == Some(&pass.input_hash) {
@@ -96,7 +97,8 @@ impl Renderer {
     /// As [`draw`](Self::draw).
     pub async fn picture(&mut self, plan: &FramePlan) -> Result<Picture, RenderError> {
         self.draw(plan).await?;
-        let texture = self.targets.picture().ok_or(RenderError::Lost { message: "the picture has no target".to_owned() })?;
+        let texture =
+            self.targets.picture().ok_or(RenderError::Lost { message: "the picture has no target".to_owned() })?;
         readback::read_picture(&self.gpu, texture).await
     }
 

@@ -62,7 +62,8 @@ fn make(gpu: &Gpu, shader: &CompiledShader, samples: u32, two_sided: bool) -> Lo
     });
     let is_mesh = shader.stage != Stage::Eval;
     let attributes = if is_mesh { shader.needs.attributes() } else { Vec::new() };
-    let formats: Vec<[wgpu::VertexAttribute; 1]> = attributes.iter().map(|attribute| [vertex_attribute(*attribute)]).collect();
+    let formats: Vec<[wgpu::VertexAttribute; 1]> =
+        attributes.iter().map(|attribute| [vertex_attribute(*attribute)]).collect();
     let buffers: Vec<_> = formats
         .iter()
         .map(|format| {
@@ -119,8 +120,13 @@ fn targets(stage: Stage) -> Vec<Option<wgpu::ColorTargetState>> {
                 dst_factor: wgpu::BlendFactor::OneMinusSrcAlpha,
                 operation: wgpu::BlendOperation::Add,
             };
-            let blend = wgpu::BlendState { color: over(wgpu::BlendFactor::SrcAlpha), alpha: over(wgpu::BlendFactor::One) };
-            vec![Some(wgpu::ColorTargetState { format: PICTURE, blend: Some(blend), write_mask: wgpu::ColorWrites::ALL })]
+            let blend =
+                wgpu::BlendState { color: over(wgpu::BlendFactor::SrcAlpha), alpha: over(wgpu::BlendFactor::One) };
+            vec![Some(wgpu::ColorTargetState {
+                format: PICTURE,
+                blend: Some(blend),
+                write_mask: wgpu::ColorWrites::ALL,
+            })]
         }
     }
 }

@@ -38,7 +38,9 @@ impl Targets {
         let key = (plan.size, plan.samples);
         let mut is_new = false;
         if self.key != Some(key) {
-            let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC;
+            let usage = wgpu::TextureUsages::RENDER_ATTACHMENT
+                | wgpu::TextureUsages::TEXTURE_BINDING
+                | wgpu::TextureUsages::COPY_SRC;
             *self = Self {
                 key: Some(key),
                 picture: Some(texture(gpu, plan.size, PICTURE, 1, usage)),

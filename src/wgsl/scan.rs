@@ -224,7 +224,8 @@ impl<'a> Scanner<'a> {
     fn item(&mut self, scan: &mut Scan) {
         let first = self.at;
         let mut doc = Vec::new();
-        while let Some(token) = self.peek().filter(|token| matches!(token.kind, TokenKind::Doc | TokenKind::ModuleDoc)) {
+        while let Some(token) = self.peek().filter(|token| matches!(token.kind, TokenKind::Doc | TokenKind::ModuleDoc))
+        {
             doc.push(doc_line(self.source, token));
             self.at += 1;
         }

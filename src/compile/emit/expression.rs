@@ -60,7 +60,11 @@ impl Emitter<'_> {
             }
             // `array(...)` takes its type from the elements, all of which are vectors.
             Value::Array(parts) => {
-                let element = if parts.first().and_then(Value::components).is_some_and(|c| c.len() == 4) { Type::Vec4 } else { Type::Float };
+                let element = if parts.first().and_then(Value::components).is_some_and(|c| c.len() == 4) {
+                    Type::Vec4
+                } else {
+                    Type::Float
+                };
                 let parts: Vec<String> = parts.iter().map(|part| self.literal(part, &element, node)).collect();
                 format!("array({})", parts.join(", "))
             }

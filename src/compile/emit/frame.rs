@@ -9,8 +9,26 @@ use crate::library::{Context, Type};
 
 /// Names that the frame uses, kept from the artist's.
 pub(super) const RESERVED: &[&str] = &[
-    "View", "Object", "Look", "Surface", "Sample", "Vertex", "Varyings", "Shaded", "Fragment", "view", "object", "look",
-    "surface", "samples", "curvature_map", "curvature_detail_map", "shade", "vs_main", "fs_main", "SAMPLES_PER_ROW",
+    "View",
+    "Object",
+    "Look",
+    "Surface",
+    "Sample",
+    "Vertex",
+    "Varyings",
+    "Shaded",
+    "Fragment",
+    "view",
+    "object",
+    "look",
+    "surface",
+    "samples",
+    "curvature_map",
+    "curvature_detail_map",
+    "shade",
+    "vs_main",
+    "fs_main",
+    "SAMPLES_PER_ROW",
 ];
 
 /// How many samples lie beside one another in an evaluation's target; each takes two by two pixels.
@@ -127,7 +145,8 @@ impl Emitter<'_> {
             let mut lines = String::new();
             for member in &self.host.members {
                 // Uniform buffers want structs, and what follows one, on 16 bytes.
-                let is_struct = matches!(member.ty, Type::Prepared(_) | Type::Angle | Type::Light | Type::Curve | Type::Ramp);
+                let is_struct =
+                    matches!(member.ty, Type::Prepared(_) | Type::Angle | Type::Light | Type::Curve | Type::Ramp);
                 let align = if is_struct || after_struct { "@align(16) " } else { "" };
                 let _ = writeln!(lines, "    {align}{}", self.member_line(member));
                 after_struct = is_struct;
@@ -157,7 +176,11 @@ impl Emitter<'_> {
     }
 
     fn member_line(&self, member: &crate::compile::host::UniformMember) -> String {
-        let node = self.host_steps.iter().find(|(_, step)| **step == member.step).map_or(0, |(id, _)| self.special.values[*id].node);
+        let node = self
+            .host_steps
+            .iter()
+            .find(|(_, step)| **step == member.step)
+            .map_or(0, |(id, _)| self.special.values[*id].node);
         let ty = if member.ty == Type::Bool { "u32".to_owned() } else { self.type_name(&member.ty, node) };
         format!("{}: {ty},", member.name)
     }
@@ -182,7 +205,11 @@ impl Emitter<'_> {
                 push(BindingKind::Curvature, "curvature_map", format!("var curvature_map: {texture};"));
             }
             if self.needs.context(Context::KappaDetail) {
-                push(BindingKind::CurvatureDetail, "curvature_detail_map", format!("var curvature_detail_map: {texture};"));
+                push(
+                    BindingKind::CurvatureDetail,
+                    "curvature_detail_map",
+                    format!("var curvature_detail_map: {texture};"),
+                );
             }
         }
         for image in 0..self.needs.images.len() {
@@ -228,7 +255,9 @@ impl Emitter<'_> {
             let _ = writeln!(out, "    @location({location}) {name}: {ty},");
         }
         out.push_str("}\n\n@vertex\nfn vs_main(vertex: Vertex) -> Varyings {\n");
-        out.push_str("    let world = object.world_from_object * vec4f(vertex.position, 1.0);\n    var out: Varyings;\n");
+        out.push_str(
+            "    let world = object.world_from_object * vec4f(vertex.position, 1.0);\n    var out: Varyings;\n",
+        );
         out.push_str("    out.clip = view.clip_from_world * world;\n");
         for (name, _, value) in &varyings {
             let _ = writeln!(out, "    out.{name} = {value};");
@@ -245,7 +274,11 @@ impl Emitter<'_> {
         }
         for attribute in attributes {
             varyings.extend(match attribute {
-                Attribute::Position => self.needs.context(Context::PositionObject).then_some(("position_object", "vec3f", "vertex.position")),
+                Attribute::Position => self.needs.context(Context::PositionObject).then_some((
+                    "position_object",
+                    "vec3f",
+                    "vertex.position",
+                )),
                 Attribute::Normal => Some(("normal", "vec3f", "object.world_from_normal * vertex.normal")),
                 Attribute::Tangent => Some((
                     "tangent",
@@ -268,7 +301,8 @@ impl Emitter<'_> {
             );
         }
         let result = if is_normals { "Fragment" } else { "@location(0) vec4f" };
-        let uses_front = self.needs.contexts.iter().any(|c| matches!(c, Context::Normal | Context::Tangent | Context::Bitangent));
+        let uses_front =
+            self.needs.contexts.iter().any(|c| matches!(c, Context::Normal | Context::Tangent | Context::Bitangent));
         let front = if uses_front { ", @builtin(front_facing) is_front: bool" } else { "" };
         let _ = write!(self.out, "\n@fragment\nfn fs_main(in: Varyings{front}) -> {result} {{\n");
         if uses_front {
@@ -311,8 +345,9 @@ impl Emitter<'_> {
         let _ = writeln!(
             self.out,
             "\nconst SAMPLES_PER_ROW = {SAMPLES_PER_ROW}u;\n\n@vertex\nfn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {{\n    \
-             // One triangle that covers the target.\n    \
-             return vec4f(f32(index & 1u) * 4.0 - 1.0, f32(index >> 1u) * 4.0 - 1.0, 0.0, 1.0);\n}}\n\n\
+             // One triangle over a viewport of twice the target's size: it covers the target and is not clipped, for a\n    \
+             // clipped one falls into two whose seam cuts through the pixels of a sample.\n    \
+             return vec4f(f32(index >> 1u) * 2.0 - 1.0, 1.0 - f32(index & 1u) * 2.0, 0.0, 1.0);\n}}\n\n\
              @fragment\nfn fs_main(@builtin(position) at: vec4f) -> @location(0) vec4f {{\n    \
              // Two by two pixels a sample: every derivative is 0.\n    \
              let index = (u32(at.y) / 2u) * SAMPLES_PER_ROW + u32(at.x) / 2u;\n    \
@@ -331,14 +366,18 @@ impl Emitter<'_> {
 fn surface_value(context: Context) -> &'static str {
     match context {
         Context::Normal => "normal",
-        Context::View => "normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, vec3f(0.0, 0.0, 1.0)))",
+        Context::View => {
+            "normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, vec3f(0.0, 0.0, 1.0)))"
+        }
         Context::Position => "in.position",
         Context::PositionObject => "in.position_object",
         Context::PositionCamera => "(view.camera_from_world * vec4f(in.position, 1.0)).xyz",
         Context::Uv => "in.uv",
         Context::VertexColor => "in.color",
         Context::Tangent => "normalize_or(in.tangent.xyz - normal * dot(normal, in.tangent.xyz), in.tangent.xyz)",
-        Context::Bitangent => "cross(normal, normalize_or(in.tangent.xyz - normal * dot(normal, in.tangent.xyz), in.tangent.xyz)) * in.tangent.w",
+        Context::Bitangent => {
+            "cross(normal, normalize_or(in.tangent.xyz - normal * dot(normal, in.tangent.xyz), in.tangent.xyz)) * in.tangent.w"
+        }
         Context::Depth => "-(view.camera_from_world * vec4f(in.position, 1.0)).z",
         Context::Kappa => "textureLoad(curvature_map, vec2i(in.clip.xy), 0).x",
         Context::KappaDetail => "textureLoad(curvature_detail_map, vec2i(in.clip.xy), 0).x",

@@ -9,8 +9,8 @@ use std::fmt::Write as _;
 use std::ops::Range;
 
 use super::Emitter;
-use crate::compile::specialize::{Operation, ValueId, operands};
 use crate::compile::Stage;
+use crate::compile::specialize::{Operation, ValueId, operands};
 use crate::ids::NodePath;
 use crate::library::{Rate, Type};
 
@@ -96,7 +96,12 @@ impl Emitter<'_> {
         }
         let value = self.expression(root);
         if let (Some(cutoff), Some(color)) = (self.special.cutoff, self.special.color) {
-            let _ = writeln!(body.text, "    return Shaded({value}, {}, {});", self.expression(color), self.expression(cutoff));
+            let _ = writeln!(
+                body.text,
+                "    return Shaded({value}, {}, {});",
+                self.expression(color),
+                self.expression(cutoff)
+            );
         } else {
             let _ = writeln!(body.text, "    return {value};");
         }
@@ -164,7 +169,8 @@ impl Emitter<'_> {
             self.write_call(self.calls[index], body);
         }
         let values: Vec<String> = part.outputs.iter().map(|&output| self.expression(output)).collect();
-        let value = if let [one] = values.as_slice() { one.clone() } else { format!("{result}({})", values.join(", ")) };
+        let value =
+            if let [one] = values.as_slice() { one.clone() } else { format!("{result}({})", values.join(", ")) };
         let _ = writeln!(body.text, "    return {value};\n}}\n");
     }
 
@@ -180,7 +186,8 @@ impl Emitter<'_> {
             part_of.extend(self.calls[range.clone()].iter().map(|&id| (id, index)));
         }
         let mut inputs: Vec<Vec<ValueId>> = vec![Vec::new(); ranges.len()];
-        let mut is_output: HashSet<ValueId> = self.roots().into_iter().flat_map(|root| self.call_operands(root, true)).collect();
+        let mut is_output: HashSet<ValueId> =
+            self.roots().into_iter().flat_map(|root| self.call_operands(root, true)).collect();
         for (index, range) in ranges.iter().enumerate() {
             let mut seen = HashSet::new();
             for &call in &self.calls[range.clone()] {

@@ -17,7 +17,8 @@ pub(in crate::render) struct CurvaturePass {
 impl CurvaturePass {
     pub(in crate::render) fn new(gpu: &Gpu) -> Self {
         let source = PASSES.iter().find(|(path, _)| path.ends_with("/curvature.wgsl")).map_or("", |(_, text)| text);
-        let descriptor = wgpu::ShaderModuleDescriptor { label: Some("curvature"), source: wgpu::ShaderSource::Wgsl(source.into()) };
+        let descriptor =
+            wgpu::ShaderModuleDescriptor { label: Some("curvature"), source: wgpu::ShaderSource::Wgsl(source.into()) };
         let module = gpu.device.create_shader_module(descriptor);
         let pipeline = gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some("curvature"),
@@ -45,10 +46,16 @@ impl CurvaturePass {
 }
 
 impl Renderer {
-    pub(in crate::render) fn draw_curvature(&self, plan: &FramePlan, kind: &PassKind, encoder: &mut wgpu::CommandEncoder) {
+    pub(in crate::render) fn draw_curvature(
+        &self,
+        plan: &FramePlan,
+        kind: &PassKind,
+        encoder: &mut wgpu::CommandEncoder,
+    ) {
         let Some(targets) = self.targets.of(kind) else { return };
         let device = &self.gpu.device;
-        let numbers = [plan.view.pixel_size() as f32, f32::from(u8::from(plan.view.is_perspective)), plan.size[1] as f32, 0.0];
+        let numbers =
+            [plan.view.pixel_size() as f32, f32::from(u8::from(plan.view.is_perspective)), plan.size[1] as f32, 0.0];
         let uniform = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
             label: Some("curvature"),
             contents: bytemuck::cast_slice(&numbers),

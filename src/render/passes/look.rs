@@ -33,7 +33,11 @@ pub(super) fn depth_attachment(view: &wgpu::TextureView) -> wgpu::RenderPassDept
 }
 
 impl Renderer {
-    pub(in crate::render) fn draw_look(&mut self, plan: &FramePlan, encoder: &mut wgpu::CommandEncoder) -> Result<(), RenderError> {
+    pub(in crate::render) fn draw_look(
+        &mut self,
+        plan: &FramePlan,
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> Result<(), RenderError> {
         let view = self.uniform(&plan.view.uniform_bytes());
         let mut bound = Vec::new();
         for draw in &plan.draws {
@@ -65,7 +69,11 @@ impl Renderer {
 
     pub(super) fn uniform(&self, contents: &[u8]) -> wgpu::Buffer {
         let usage = wgpu::BufferUsages::UNIFORM;
-        self.gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some("uniform"), contents, usage })
+        self.gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+            label: Some("uniform"),
+            contents,
+            usage,
+        })
     }
 
     /// Makes everything ready that a draw reads.
@@ -97,7 +105,9 @@ impl Renderer {
                 BindingKind::Image(index) => textures.get(*index).map(wgpu::BindingResource::TextureView),
                 BindingKind::Sampler(index) => samplers.get(*index).map(wgpu::BindingResource::Sampler),
                 BindingKind::Curvature => curvature(PassKind::Curvature).map(wgpu::BindingResource::TextureView),
-                BindingKind::CurvatureDetail => curvature(PassKind::DetailCurvature).map(wgpu::BindingResource::TextureView),
+                BindingKind::CurvatureDetail => {
+                    curvature(PassKind::DetailCurvature).map(wgpu::BindingResource::TextureView)
+                }
                 BindingKind::Samples => None,
             };
             let missing = || RenderError::Refused { message: format!("nothing to bind to `{}`", binding.name) };
