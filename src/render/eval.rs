@@ -113,6 +113,8 @@ fn run(gpu: &Gpu, target: &wgpu::Texture, pipeline: &LookPipeline, group: &wgpu:
             })],
             ..wgpu::RenderPassDescriptor::default()
         });
+        // The shader's triangle covers the upper left half of the viewport.
+        pass.set_viewport(0.0, 0.0, 2.0 * target.width() as f32, 2.0 * target.height() as f32, 0.0, 1.0);
         pass.set_pipeline(&pipeline.pipeline);
         pass.set_bind_group(0, group, &[]);
         pass.draw(0..3, 0..1);

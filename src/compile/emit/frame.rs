@@ -355,8 +355,9 @@ impl Emitter<'_> {
         let _ = writeln!(
             self.out,
             "\nconst SAMPLES_PER_ROW = {SAMPLES_PER_ROW}u;\n\n@vertex\nfn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {{\n    \
-             // One triangle that covers the target.\n    \
-             return vec4f(f32(index & 1u) * 4.0 - 1.0, f32(index >> 1u) * 4.0 - 1.0, 0.0, 1.0);\n}}\n\n\
+             // One triangle over a viewport of twice the target's size: it covers the target and is not clipped, for a\n    \
+             // clipped one falls into two whose seam cuts through the pixels of a sample.\n    \
+             return vec4f(f32(index >> 1u) * 2.0 - 1.0, 1.0 - f32(index & 1u) * 2.0, 0.0, 1.0);\n}}\n\n\
              @fragment\nfn fs_main(@builtin(position) at: vec4f) -> @location(0) vec4f {{\n    \
              // Two by two pixels a sample: every derivative is 0.\n    \
              let index = (u32(at.y) / 2u) * SAMPLES_PER_ROW + u32(at.x) / 2u;\n    \
