@@ -492,3 +492,21 @@ fn passes_read_only_what_was_drawn_before() {
         described["passes"].as_array().unwrap().iter().map(|pass| pass["name"].as_str().unwrap()).collect();
     assert_eq!(names, ["normals", "detail_normals", "curvature", "detail_curvature", "draw"]);
 }
+
+/// Derivatives where control flow is not uniform, literals beyond f32: browsers refuse what naga takes. All of the
+/// library is in one module.
+#[test]
+fn tint_takes_the_whole_library() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let mut seen = Vec::new();
+    let mut paths = Vec::new();
+    for def in Library::built_in().nodes.values() {
+        let module = std::sync::Arc::as_ptr(&def.module);
+        if !seen.contains(&module) {
+            seen.push(module);
+            paths.push(folder.path().join(format!("library_{}.wgsl", seen.len())));
+            fs::write(&paths[seen.len() - 1], &def.module.linked.text).expect("a temporary file");
+        }
+    }
+    tint(&paths).expect("the library is WGSL that browsers take");
+}
