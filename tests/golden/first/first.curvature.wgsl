@@ -3,6 +3,12 @@
 // Bindings of group 0: normals 0, depths 1, curvature 2.
 // first.json says what to put there and how to draw.
 
+// View-centred mean curvature from screen-space normals (math.md 3): half the divergence of n.xy / n.z, in camera axes.
+//
+// Convex is positive. The result is in 1/viewport-height, so that a picture at twice the resolution shows the same. A
+// neighbour counts only where it lies on the same surface: on the same object, and no farther in depth than the
+// normal's slope explains; otherwise the difference is one-sided, and 0 where no neighbour is left.
+
 struct Curvature {
     /// The size of a pixel in scene units: at depth 1 for perspective, at every depth for parallel projection.
     pixel: f32,
