@@ -2,11 +2,12 @@
 
 use wgpu::util::DeviceExt as _;
 
+use super::Renderer;
 use super::error::RenderError;
 use super::gpu::Gpu;
+use super::pipeline::{LookPipeline, Sides};
 use super::readback::read_texture;
 use super::target::texture;
-use super::{Renderer, pipeline::LookPipeline};
 use crate::compile::{BindingKind, SAMPLES_PER_ROW};
 use crate::frame::EvalBatch;
 
@@ -39,7 +40,7 @@ impl Renderer {
         count: usize,
     ) -> Result<Vec<[f32; 4]>, RenderError> {
         let guard = self.gpu.guard();
-        let pipeline = self.pipelines.get(&self.gpu, &batch.shader, 1, true);
+        let pipeline = self.pipelines.get(&self.gpu, &batch.shader, 1, Sides { both: true, is_mirrored: false });
         let group = self.bind_samples(batch, bytes, &pipeline)?;
         let rows = (count as u32).div_ceil(SAMPLES_PER_ROW);
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
@@ -75,7 +76,7 @@ impl Renderer {
         let mut textures = Vec::new();
         let mut samplers = Vec::new();
         for (image, wanted) in batch.images.iter().zip(&batch.shader.needs.images) {
-            textures.push(self.images.texture(&self.gpu, image)?);
+            textures.push(self.images.texture(&self.gpu, image, wanted)?);
             samplers.push(self.images.sampler(&self.gpu, wanted));
         }
         let mut entries = Vec::new();
@@ -112,6 +113,8 @@ fn run(gpu: &Gpu, target: &wgpu::Texture, pipeline: &LookPipeline, group: &wgpu:
             })],
             ..wgpu::RenderPassDescriptor::default()
         });
+        // The shader's triangle covers the upper left half of the viewport.
+        pass.set_viewport(0.0, 0.0, 2.0 * target.width() as f32, 2.0 * target.height() as f32, 0.0, 1.0);
         pass.set_pipeline(&pipeline.pipeline);
         pass.set_bind_group(0, group, &[]);
         pass.draw(0..3, 0..1);

@@ -1,5 +1,10 @@
 //! What several test programs share. Each of them compiles all of it and uses a part.
 #![allow(dead_code, reason = "every test program uses a part of this")]
 
+pub(crate) mod badf;
+#[cfg(feature = "gpu")]
+pub(crate) mod eval;
 pub(crate) mod files;
+pub(crate) mod random;
+pub(crate) mod report;
 pub(crate) mod validators;

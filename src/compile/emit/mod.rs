@@ -216,7 +216,9 @@ impl<'a> Emitter<'a> {
             }
         }
         let Some(built_in) = built_in else { return };
-        for name in ["normalize_or", "straight", "angle_radians", "finite_vec4", "display_from_linear"] {
+        for name in
+            ["normalize_or", "straight", "angle_radians", "finite_vec4", "display_from_linear", "linear_from_display"]
+        {
             if self.frame_uses(name) {
                 self.items.want(&built_in, name);
             }

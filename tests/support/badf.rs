@@ -1,0 +1,135 @@
+//! The BADF model in f64, from the paper's formulas and math.md's decisions, with inverse trigonometry and powers: none
+//! of it has the form that the shaders use.
+
+use std::f64::consts::PI;
+
+use glam::{DVec3, DVec4};
+
+/// What a number is once a GPU holds it.
+pub(crate) fn f32_of(x: f64) -> f64 {
+    f64::from(x as f32)
+}
+
+/// A unit vector with its components rounded to f32.
+pub(crate) fn held(v: DVec3) -> DVec3 {
+    v.normalize().to_array().map(f32_of).into()
+}
+
+/// The angle between two vectors of any length.
+pub(crate) fn angle(a: DVec3, b: DVec3) -> f64 {
+    a.cross(b).length().atan2(a.dot(b))
+}
+
+/// The mirrored view, BADF 3.1: r = 2 (n.v) n - v.
+pub(crate) fn mirrored(n: DVec3, v: DVec3) -> DVec3 {
+    let (n, v) = (n.normalize(), v.normalize());
+    2.0 * n.dot(v) * n - v
+}
+
+/// Offset, fall-off and cut-off in order (D2).
+pub(crate) fn sanitised([tau, f, c]: [f64; 3]) -> [f64; 3] {
+    let tau = tau.clamp(0.0, PI);
+    let c = c.clamp(tau, PI);
+    [tau, f.clamp(tau, c), c]
+}
+
+/// alpha of BADF eq. 5 with eq. 10 and 11 to the letter, offsets absolute (reading B), after a warp (D3).
+pub(crate) fn alpha_by_the_letter(u: f64, shift: f64, parameters: [f64; 3]) -> f64 {
+    limits(u, shift, parameters, |x, f, c| {
+        let beta = -c.cos() / (1.0 - c.cos());
+        let gamma = (1.0 - c.cos() * f.cos()) / f.sin().powi(2);
+        (beta + (1.0 - beta) * x.cos()).max(0.0).powf(gamma)
+    })
+}
+
+/// The same without cancellation: cos x - cos c by half-angles, 1 - cos c cos f by squares of half-angles, and the
+/// power by ln(1 + y).
+pub(crate) fn alpha(u: f64, shift: f64, parameters: [f64; 3]) -> f64 {
+    limits(u, shift, parameters, |x, f, c| {
+        let q = (0.5 * x).sin() / (0.5 * c).sin();
+        // 1 - cos c cos f = (1 - cos c) + cos c (1 - cos f).
+        let gamma = (2.0 * (0.5 * c).sin().powi(2) + c.cos() * 2.0 * (0.5 * f).sin().powi(2)) / f.sin().powi(2);
+        if q >= 1.0 { 0.0 } else { (gamma * (-q * q).ln_1p()).exp() }
+    })
+}
+
+/// The limits of math.md 2.2 around a formula for 0 < f' < c'.
+fn limits(u: f64, shift: f64, parameters: [f64; 3], formula: impl Fn(f64, f64, f64) -> f64) -> f64 {
+    let [tau, f, c] = sanitised(parameters);
+    let x = (u - shift.clamp(-PI, PI)).clamp(0.0, PI) - tau;
+    let (f, c) = (f - tau, c - tau);
+    if x <= 0.0 || tau >= PI - 1e-5 {
+        1.0
+    } else if c <= 0.0 || f <= 0.0 {
+        0.0
+    } else if f == c {
+        // gamma = 1, also at the corner f' = c' = pi (D5).
+        ((x.cos() - c.cos()) / (1.0 - c.cos())).max(0.0)
+    } else {
+        formula(x, f, c)
+    }
+}
+
+/// lambda of BADF eq. 7, with kappa made finite (D6).
+pub(crate) fn lambda(kappa: f64, slope: f64) -> f64 {
+    let kappa = if kappa.is_nan() { 0.0 } else { kappa.clamp(-1e4, 1e4) };
+    0.5 + 0.5 * (kappa * slope).tanh()
+}
+
+/// The warp T of BADF eq. 8.
+pub(crate) fn warp(lambda: f64, amount: f64) -> f64 {
+    (2.0 * lambda - 1.0) * amount.clamp(-PI, PI)
+}
+
+/// The blends of BADF eq. 2 as D8 reads them, and the masked multiply `shade`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Mode {
+    Add,
+    Multiply,
+    Subtract,
+    Alpha,
+    Shade,
+}
+
+impl Mode {
+    pub(crate) const ALL: [Self; 5] = [Self::Add, Self::Multiply, Self::Subtract, Self::Alpha, Self::Shade];
+
+    pub(crate) fn word(self) -> &'static str {
+        match self {
+            Self::Add => "add",
+            Self::Multiply => "multiply",
+            Self::Subtract => "subtract",
+            Self::Alpha => "alpha",
+            Self::Shade => "shade",
+        }
+    }
+}
+
+/// A straight layer colour laid over a premultiplied backdrop.
+pub(crate) fn blend(mode: Mode, below: DVec4, color: DVec4, rho: f64, opacity: f64, clamped: bool) -> DVec4 {
+    let a = color.w * opacity;
+    if a <= 0.0 {
+        return below;
+    }
+    let (under, over) = (below.truncate(), color.truncate());
+    let full = match mode {
+        Mode::Add => under + rho * over,
+        Mode::Subtract => under - rho * over,
+        Mode::Multiply => under * rho * over,
+        Mode::Alpha => under + rho * (over - under),
+        Mode::Shade => under * ((1.0 - rho) * DVec3::ONE + rho * over),
+    };
+    let alpha = if mode == Mode::Alpha { below.w + rho * a * (1.0 - below.w) } else { below.w };
+    let result = (under + a * (full - under)).extend(alpha);
+    if clamped { result.clamp(DVec4::ZERO, DVec4::ONE) } else { result }
+}
+
+/// Straight to premultiplied.
+pub(crate) fn premultiplied(c: DVec4) -> DVec4 {
+    (c.truncate() * c.w).extend(c.w)
+}
+
+/// Premultiplied to straight; light over nothing is kept.
+pub(crate) fn straight(c: DVec4) -> DVec4 {
+    if c.w > 0.0 { (c.truncate() / c.w).extend(c.w) } else { c }
+}

@@ -1,0 +1,58 @@
+//! Numbers that look random and are the same in every run.
+
+use glam::DVec3;
+
+/// SplitMix64 (Steele, Lea and Flood 2014).
+pub(crate) struct Random(u64);
+
+impl Random {
+    pub(crate) fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    pub(crate) fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// In [0, 1).
+    pub(crate) fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    /// Below `count`.
+    pub(crate) fn index(&mut self, count: usize) -> usize {
+        (self.bits() % count.max(1) as u64) as usize
+    }
+
+    pub(crate) fn pick<'a, T>(&mut self, items: &'a [T]) -> &'a T {
+        &items[self.index(items.len())]
+    }
+
+    pub(crate) fn chance(&mut self, probability: f64) -> bool {
+        self.unit() < probability
+    }
+
+    /// Even on the sphere.
+    pub(crate) fn direction(&mut self) -> DVec3 {
+        let z = self.between(-1.0, 1.0);
+        let phi = self.between(0.0, std::f64::consts::TAU);
+        let r = (1.0 - z * z).sqrt();
+        DVec3::new(r * phi.cos(), r * phi.sin(), z)
+    }
+
+    /// Even among the rotations (Shoemake 1992).
+    pub(crate) fn rotation(&mut self) -> glam::DQuat {
+        let (a, b, c) =
+            (self.unit(), self.between(0.0, std::f64::consts::TAU), self.between(0.0, std::f64::consts::TAU));
+        let (p, q) = ((1.0 - a).sqrt(), a.sqrt());
+        glam::DQuat::from_xyzw(p * b.sin(), p * b.cos(), q * c.sin(), q * c.cos())
+    }
+}

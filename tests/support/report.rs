@@ -1,0 +1,46 @@
+//! Measured errors against their bounds.
+
+/// The largest error seen, and where.
+pub(crate) struct Errors {
+    name: String,
+    bound: f64,
+    largest: f64,
+    place: String,
+    count: usize,
+}
+
+impl Errors {
+    pub(crate) fn new(name: impl Into<String>, bound: f64) -> Self {
+        Self { name: name.into(), bound, largest: 0.0, place: String::new(), count: 0 }
+    }
+
+    /// Takes note of one error; anything that is no number counts as infinite.
+    pub(crate) fn note(&mut self, got: f64, wanted: f64, place: impl FnOnce() -> String) {
+        let error = (got - wanted).abs();
+        let error = if error.is_finite() { error } else { f64::INFINITY };
+        self.count += 1;
+        if error > self.largest {
+            self.largest = error;
+            self.place = format!("{got} for {wanted} at {}", place());
+        }
+    }
+
+    pub(crate) fn has_any(&self) -> bool {
+        self.count > 0
+    }
+
+    /// Prints a row for the documentation, and fails beyond the bound.
+    #[allow(clippy::print_stdout, reason = "the documentation's table is made of what `--nocapture` shows")]
+    pub(crate) fn finish(self) {
+        println!("| {} | {} | {:.1e} | {:.0e} |", self.name, self.count, self.largest, self.bound);
+        assert!(self.count > 0, "{}: nothing was measured", self.name);
+        assert!(
+            self.largest <= self.bound,
+            "{}: {:e} beyond {:e}: {}",
+            self.name,
+            self.largest,
+            self.bound,
+            self.place
+        );
+    }
+}
