@@ -117,6 +117,7 @@ impl App {
         if ui.input(|input| input.pointer.any_pressed()) {
             self.presses += 1;
         }
+        self.canvas.claim_tab(ui);
         let mut commands = Vec::new();
         self.shortcuts(ui, &mut commands);
         let dropped = ui.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_path_buf()));
@@ -155,10 +156,10 @@ impl App {
         let left = Panel::left("picture").frame(theme::panel()).default_size(500.0).size_range(220.0..=1400.0);
         left.show(ui, |ui| {
             if self.shows_code {
-                let height = (ui.available_height() * 0.36).max(80.0);
+                const HEIGHT: f32 = 300.0;
                 let code = Panel::bottom("code")
                     .frame(egui::Frame::new().inner_margin(egui::Margin { top: 8, ..Default::default() }));
-                code.default_size(height).size_range(60.0..=2000.0).show(ui, |ui| {
+                code.default_size(HEIGHT).size_range(60.0..=2000.0).show(ui, |ui| {
                     commands.extend(self.code.show(ui, &self.session));
                 });
             }

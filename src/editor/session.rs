@@ -413,6 +413,11 @@ impl Session {
         self.shaders.baked.as_ref()
     }
 
+    /// The shader whose values are uniforms.
+    pub fn live(&self) -> Option<&Arc<CompiledShader>> {
+        self.shaders.live.as_ref()
+    }
+
     /// The text that the look was read from.
     pub(crate) fn source(&self) -> &Arc<SourceMap> {
         &self.source

@@ -53,6 +53,7 @@ pub struct Canvas {
     fonts: (f32, f32),
     document: Option<u64>,
     reveal: Option<NodeId>,
+    wants_search: bool,
     hint: String,
 }
 
@@ -79,6 +80,11 @@ impl Canvas {
         self.tell(ui, &response);
         self.show_palette(ui, session, &mut commands);
         commands
+    }
+
+    /// Shows the canvas and lets what a hand asks for go; for measuring.
+    pub fn show_alone(&mut self, ui: &mut Ui, session: &Session) {
+        drop(self.show(ui, session));
     }
 
     fn sync(&mut self, ui: &Ui, session: &Session) {
