@@ -12,8 +12,15 @@ fn main() -> ExitCode {
 }
 
 #[cfg(feature = "editor")]
-fn edit(_files: Vec<std::path::PathBuf>) -> ExitCode {
-    ExitCode::FAILURE
+#[expect(clippy::print_stderr, reason = "the program's last words")]
+fn edit(files: Vec<std::path::PathBuf>) -> ExitCode {
+    match chiaro::editor::run(&files) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(problem) => {
+            eprintln!("{problem}");
+            ExitCode::FAILURE
+        }
+    }
 }
 
 #[cfg(not(feature = "editor"))]

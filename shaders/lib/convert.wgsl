@@ -34,3 +34,11 @@ fn display_from_linear(color: Color) -> Color {
     let high = 1.055 * pow(c, vec3f(1.0 / 2.4)) - 0.055;
     return vec4f(select(high, low, c <= vec3f(0.0031308)), color.w);
 }
+
+/// Display colours decoded to linear light by the sRGB curve (IEC 61966-2-1); alpha stays.
+fn linear_from_display(color: Color) -> Color {
+    let c = max(color.xyz, vec3f(0.0));
+    let low = c / 12.92;
+    let high = pow((c + 0.055) / 1.055, vec3f(2.4));
+    return vec4f(select(high, low, c <= vec3f(0.04045)), color.w);
+}

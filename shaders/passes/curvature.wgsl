@@ -11,7 +11,8 @@ struct Curvature {
     perspective: f32,
     /// In pixels.
     viewport_height: f32,
-    padding: f32,
+    /// 1 where the first row of an image is at the bottom of the picture (OpenGL), 0 where it is at the top.
+    rows_up: f32,
 }
 
 /// Camera axes in xyz, the object's number plus 1 in w; 0 where nothing is.
@@ -96,6 +97,7 @@ fn fs_main(@builtin(position) position: vec4f) -> @location(0) f32 {
     var along_x = Sides(0.0, 0.0, 0.0, 0.0);
     var along_y = Sides(0.0, 0.0, 0.0, 0.0);
     // A step is a share of the picture's height, so that a larger picture measures the same curvature, not a finer one.
+    let up = select(-1, 1, curvature.rows_up > 0.5);
     let stride = max(i32(round(curvature.viewport_height / 800.0)), 1);
     for (var k = 1; k <= 3; k++) {
         let reach = k * stride;
@@ -103,8 +105,8 @@ fn fs_main(@builtin(position) position: vec4f) -> @location(0) f32 {
         let weight = WEIGHTS[k - 1] * distance * distance;
         let left = neighbour(center, at + vec2i(-reach, 0), vec2f(-distance, 0.0));
         let right = neighbour(center, at + vec2i(reach, 0), vec2f(distance, 0.0));
-        let above = neighbour(center, at + vec2i(0, -reach), vec2f(0.0, distance));
-        let below = neighbour(center, at + vec2i(0, reach), vec2f(0.0, -distance));
+        let above = neighbour(center, at + vec2i(0, up * reach), vec2f(0.0, distance));
+        let below = neighbour(center, at - vec2i(0, up * reach), vec2f(0.0, -distance));
         along_x.forward += weight * right.z * (right.x - here.x) / distance;
         along_x.forward_weight += weight * right.z;
         along_x.backward += weight * left.z * (here.x - left.x) / distance;

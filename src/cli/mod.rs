@@ -13,6 +13,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+use crate::diag::Diagnostic;
 use output::Output;
 
 /// Draw with light: stylized shading as a graph, compiled to one readable WGSL shader.
@@ -60,7 +61,7 @@ pub enum Outcome {
 pub fn run() -> Outcome {
     let arguments = Arguments::parse();
     let output = Output::new();
-    let result = match arguments.command {
+    let result: Result<(), Vec<Diagnostic>> = match arguments.command {
         None => return Outcome::Edit(Vec::new()),
         Some(Command::Edit { files }) => return Outcome::Edit(files),
         #[cfg(feature = "gpu")]

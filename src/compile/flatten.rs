@@ -15,7 +15,7 @@ use crate::library::{Library, NodeDef, Special, load_node};
 pub const MAX_FLAT_NODES: usize = 1_000_000;
 
 /// The kind of a node whose WGSL is a value of its own.
-pub const CUSTOM_KIND: &str = "wgsl";
+pub(super) const CUSTOM_KIND: &str = "wgsl";
 /// The value that holds it.
 const CODE: &str = "code";
 
@@ -37,7 +37,7 @@ pub struct Param {
 
 /// What an input is bound to.
 #[derive(Clone, Debug, PartialEq)]
-pub enum FlatInput {
+pub(super) enum FlatInput {
     /// An output of a node.
     Wire {
         /// The node's index.
@@ -53,7 +53,7 @@ pub enum FlatInput {
 
 /// A library node with its place in the document.
 #[derive(Clone, Debug)]
-pub struct FlatNode {
+pub(super) struct FlatNode {
     /// Through the groups it lies in.
     pub path: NodePath,
     /// What the artist calls it, with the names of the groups around it.
@@ -70,7 +70,7 @@ pub struct FlatNode {
 
 /// A look without groups.
 #[derive(Clone, Debug, Default)]
-pub struct FlatGraph {
+pub(super) struct FlatGraph {
     /// In document order, groups in place.
     pub nodes: Vec<FlatNode>,
     /// Every value, in the order of first use.
@@ -108,7 +108,7 @@ struct Flattener<'a> {
 }
 
 /// Inlines the groups of `look`. Problems are added to `problems`; what can be made out is returned.
-pub fn flatten(look: &Look, library: &Library, problems: &mut Vec<Diagnostic>) -> FlatGraph {
+pub(super) fn flatten(look: &Look, library: &Library, problems: &mut Vec<Diagnostic>) -> FlatGraph {
     let mut flattener = Flattener {
         look,
         library,

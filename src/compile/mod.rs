@@ -32,6 +32,9 @@ pub use layout::{Layout, StructLayout};
 pub use specialize::{ImageUse, Needs, Removal};
 pub use value::{document_value, typed_value};
 
+/// The largest `Look` uniform while every value is live; a longer look keeps fewer values live.
+pub const MAX_UNIFORM_BYTES: u32 = 16 * 1024;
+
 /// Which values stay uniforms, so that changing them compiles nothing.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Live {
@@ -78,6 +81,8 @@ pub struct Options {
     pub root: Option<(NodePath, PortName)>,
     /// Whether colours of a look in linear light are encoded for display where they leave the shader.
     pub display: bool,
+    /// Whether the surface has an alpha cutoff of its own, which a mesh's material may ask for.
+    pub cutout: bool,
     /// Whether nothing is folded, merged or removed: what pruning is held against.
     pub unspecialized: bool,
 }
@@ -105,7 +110,10 @@ pub struct CompiledShader {
     pub removed: Vec<Removal>,
     /// What is odd, but stopped nothing.
     pub warnings: Vec<Diagnostic>,
-    /// The names of everything shown at the root: the type that the output has.
+    /// Which values are really uniforms: less than was asked for where the uniform would grow past
+    /// [`MAX_UNIFORM_BYTES`].
+    pub live: Live,
+    /// The type of what the module shows.
     pub root_type: crate::library::Type,
 }
 
@@ -116,6 +124,15 @@ pub struct CompiledShader {
 pub fn compile(look: &Look, library: &Library, options: &Options) -> Result<CompiledShader, Vec<Diagnostic>> {
     let (typed, warnings) = check(look, library, options.root.as_ref())?;
     compile_typed(&typed, options, warnings)
+}
+
+/// The WGSL of a look that was checked, before naga has seen it: our own share of the work, for benchmarks.
+///
+/// # Errors
+/// What the interpreter refuses to fold.
+pub fn compile_source(typed: &TypedGraph, options: &Options) -> Result<String, Vec<Diagnostic>> {
+    let specialized = specialize::specialize(typed, options)?;
+    Ok(emit::emit(typed, &specialized, options).text)
 }
 
 /// Compiles a look that was checked.
@@ -132,6 +149,10 @@ pub fn compile_typed(
     let valid = wgsl::parse(&emitted.text).map_err(|error| vec![emitted.refused(&error)])?;
     debug_assert!(!has_errors(&warnings), "errors do not come this far");
     let host = emitted.host.with_layout(&valid.module);
+    if host.size > MAX_UNIFORM_BYTES && options.live == Live::All {
+        let fewer = Options { live: Live::Touched(HashSet::new()), ..options.clone() };
+        return compile_typed(typed, &fewer, warnings);
+    }
     Ok(CompiledShader {
         wgsl: emitted.text,
         valid,
@@ -143,6 +164,7 @@ pub fn compile_typed(
         spans: emitted.spans,
         removed: specialized.removed,
         warnings,
+        live: options.live.clone(),
         root_type: emitted.root_type,
     })
 }

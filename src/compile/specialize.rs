@@ -13,7 +13,7 @@ use super::host::conversion_program;
 use super::value::typed_value;
 use super::{Live, Options, Stage};
 use crate::diag::Diagnostic;
-use crate::document::{Target, Value};
+use crate::document::{ColorSpace, Target, Value};
 use crate::ids::{LightId, NodePath, PortName};
 use crate::interp;
 use crate::library::{BypassResult, Condition, Context, Conversion, NodeModule, Parameter, Rate, Special, Test, Type};
@@ -72,6 +72,8 @@ pub struct ImageUse {
     pub filter: String,
     /// `color` or `data`.
     pub encoding: String,
+    /// Whether its numbers are decoded to linear light as they are read: colours, in a look in linear light.
+    pub is_decoded: bool,
     /// The first node that reads it.
     pub node: NodePath,
 }
@@ -204,7 +206,7 @@ impl<'a> Builder<'a> {
     }
 
     fn output_roots(&mut self, index: usize, node: &TypedNode, inputs: &[Option<ValueId>]) {
-        for root in node.def.variants.iter() {
+        for root in &node.def.variants {
             if let Some((_, word)) = &root.choice {
                 let value = self.call(index, node, &root.function, &root.parameters, root.result.clone(), inputs);
                 self.extra_roots.insert(word.clone(), value);
@@ -408,6 +410,7 @@ impl<'a> Builder<'a> {
             path,
             wrap: setting("wrap", "clamp"),
             filter: setting("filter", "linear"),
+            is_decoded: self.graph.color_space == ColorSpace::Linear && setting("encoding", "color") == "color",
             encoding: setting("encoding", "color"),
             node: node.path.clone(),
         };
@@ -490,7 +493,8 @@ impl<'a> Builder<'a> {
         let color = self.outputs[node][output];
         let root = root.unwrap_or(color);
         let zero = |value: &Computed| matches!(&value.operation, Operation::Constant(v) if v.as_f64() <= Some(0.0));
-        let cutoff = self.extra_roots.get("cutoff").copied().filter(|&id| !zero(&self.values[id]));
+        let cutout = self.options.cutout;
+        let cutoff = self.extra_roots.get("cutoff").copied().filter(|&id| cutout || !zero(&self.values[id]));
         let cutoff = cutoff.filter(|_| is_own_root && self.options.stage != Stage::Eval);
         self.explain_unused(&[Some(root), cutoff.and(Some(color)), cutoff]);
         SpecializedGraph {

@@ -69,7 +69,7 @@ fn expected(ty: &Type) -> String {
 }
 
 /// What a value is, for messages.
-pub fn describe(value: &Value) -> String {
+pub(super) fn describe(value: &Value) -> String {
     match value {
         Value::Bool(b) => format!("{b}"),
         Value::Number(x) => format!("the number {x}"),

@@ -117,7 +117,7 @@ pub struct Camera {
 impl Default for Camera {
     fn default() -> Self {
         Self {
-            eye: [0.0, 0.0, 5.0],
+            eye: [0.0, 0.0, 4.4],
             target: [0.0; 3],
             up: [0.0, 1.0, 0.0],
             projection: Projection::Perspective,

@@ -1,1 +1,59 @@
-//! The window.
+//! The editor: node canvas, viewport, inspector, generated WGSL. The only egui code.
+//!
+//! A [`Session`] holds the open look with its past and asks a thread for shaders; panels read it and return commands;
+//! [`App`] applies those in one place. The canvas owns no graph: it reads the document and draws what is in view.
+
+mod app;
+pub mod canvas;
+mod catalog;
+mod code;
+mod command;
+mod compiling;
+mod dialogs;
+mod inspector;
+mod orbit;
+mod picture;
+mod problems;
+pub mod session;
+mod theme;
+mod values;
+mod viewport;
+mod worker;
+
+use eframe::egui;
+use std::path::PathBuf;
+
+pub use app::App;
+pub use canvas::Canvas;
+pub use orbit::Orbit;
+pub use session::Session;
+pub use viewport::Viewport;
+
+use crate::diag::Diagnostic;
+
+/// Opens the window with the first of `files`, or a new look, and returns when it is closed.
+///
+/// # Errors
+/// Why there can be no window.
+pub fn run(files: &[PathBuf]) -> Result<(), Box<Diagnostic>> {
+    let file = files.first().cloned();
+    let viewport = egui::ViewportBuilder::default()
+        .with_app_id("chiaro")
+        .with_title("Chiaro")
+        .with_inner_size([1600.0, 960.0])
+        .with_min_inner_size([760.0, 480.0])
+        .with_drag_and_drop(true);
+    let options = eframe::NativeOptions { viewport, renderer: eframe::Renderer::Wgpu, ..Default::default() };
+    let create = move |context: &eframe::CreationContext<'_>| {
+        let mut app = App::new(&context.egui_ctx, context.wgpu_render_state.clone());
+        if let Some(file) = file {
+            app.open(&file);
+        }
+        Ok(Box::new(app) as Box<dyn eframe::App>)
+    };
+    eframe::run_native("chiaro", options, Box::new(create)).map_err(|error| {
+        let problem = Diagnostic::error("no-window", format!("no window could be opened: {error}"));
+        let hint = "without a display, `chiaro render` makes pictures; on Linux DISPLAY or WAYLAND_DISPLAY names one";
+        Box::new(problem.hint(hint))
+    })
+}

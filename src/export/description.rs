@@ -10,9 +10,10 @@
 //!   `clip_from_world` and by nothing else: make it for the API's own clip space, which is given as the language's
 //!   `clip_space`.
 //! - `look`: the members that the module's `host` computes.
-//! - `image`, `sampler`: one of `images`.
+//! - `image`, `sampler`: one of `images`, uploaded with its first row first, sampled as it says.
 //! - `pass`: what an earlier pass has drawn.
-//! - `host`: what its name and members say.
+//! - `inputs`: what the pass's `inputs` say, for a module that several passes run.
+//! - `curvature`: numbers of the view, each with its meaning.
 //!
 //! Uniforms are laid out as WGSL does: offsets are bytes from the start of the struct around; a `mat3x3f` is three columns
 //! of three numbers, each column on 16 bytes. GLSL's blocks say std140, where the same offsets hold.
@@ -23,6 +24,10 @@
 //! result of a function, or a member of an earlier step's struct; `host.members` says which steps are written into the
 //! uniform. The functions are WGSL, in the file that `host.functions` names: call them in a compute shader, or port
 //! them (they are short, pure, and meant for double precision). Where nothing is ever set, a member's `default` will do.
+//!
+//! A surrounding that is a light's field is in the light's own frame turned into the world: the illumination frame (a
+//! rotation of the host's choice, the same for all lights in it), the world, or the camera. A parameter whose target is
+//! `lights.key.direction` sets that field before the steps run.
 //!
 //! A parameter is given as the step's type: a number for a vector fills it, and a colour's alpha is 1 where it is not
 //! given. Curves and ramps are structs whose members the file of functions declares.
@@ -207,6 +212,12 @@ fn meaningful(member: &Member, feed: &Feed) -> MeaningfulMember {
         (Feed::Object, "world_from_object") => "model matrix",
         (Feed::Object, "world_from_normal") => "inverse transpose of the model matrix's upper left 3x3, for normals",
         (Feed::Object, "id") => "counts objects from 0",
+        (Feed::Curvature, "pixel") => {
+            "a pixel's size in scene units: at depth 1 for perspective, at every depth for parallel projection"
+        }
+        (Feed::Curvature, "perspective") => "1 for perspective, 0 for parallel projection",
+        (Feed::Curvature, "viewport_height") => "in pixels",
+        (Feed::Curvature, "rows_up") => "1 where the API's `first_row` is bottom, 0 where it is top",
         _ => "",
     };
     MeaningfulMember { member: member.clone(), meaning }

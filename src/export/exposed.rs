@@ -6,7 +6,7 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::modules::Modules;
-use crate::compile::{HostStep, ParamId, TypedGraph, TypedSource};
+use crate::compile::{HostStep, ParamId, TypedGraph, TypedNode, TypedSource};
 use crate::document::{Definition, InterfacePort, Light, Look, Target};
 use crate::ids::{LightId, NodePath, PortName};
 use crate::library::{Context, Input, Library};
@@ -24,8 +24,8 @@ pub struct Parameter {
     pub help: String,
     /// What it sets: `path/to/node.port`, or `lights.key.direction`.
     pub target: String,
-    /// Chiaro's type.
-    #[serde(rename = "type")]
+    /// Chiaro's type; none for an input of a node that the look does not use.
+    #[serde(rename = "type", skip_serializing_if = "String::is_empty")]
     pub ty: String,
     /// What the look has.
     pub default: Value,
@@ -38,6 +38,9 @@ pub struct Parameter {
     /// The unit of its numbers.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub unit: String,
+    /// The words of a choice.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub options: Vec<String>,
     /// Whether setting it changes the picture. What is not live was decided when the shader was made (choices), or
     /// reaches nothing.
     pub live: bool,
@@ -106,24 +109,28 @@ pub(super) fn parameters(look: &Look, library: &Library, typed: &TypedGraph, mod
 }
 
 /// What the library says about an input, or the group around it where that says more.
-fn input(look: &Look, library: &Library, typed: &TypedGraph, id: ParamId) -> Parameter {
+fn input<'a>(look: &Look, library: &Library, typed: &'a TypedGraph, id: ParamId) -> Parameter {
     let param = &typed.params[id];
-    let reads = |node: &crate::compile::TypedNode| {
-        node.inputs.iter().enumerate().find_map(|(index, input)| match input.as_ref().map(|input| &input.source) {
-            Some(TypedSource::Param(found, value)) if *found == id => Some((index, value.clone())),
-            _ => None,
-        })
-    };
     let mut parameter = Parameter { target: format!("{}.{}", param.path, param.port), ..Parameter::default() };
-    let found = typed.nodes.iter().find_map(|node| reads(node).map(|(index, value)| (&node.def.inputs[index], value)));
-    if let Some((input, value)) = found {
-        let Input { label, help, ty, min, max, unit, .. } = input;
+    let reads = |node: &'a TypedNode| {
+        let found = node.inputs.iter().position(|input| {
+            matches!(input.as_ref().map(|input| &input.source), Some(TypedSource::Param(found, _)) if *found == id)
+        });
+        // Choices and other settings are no inputs any more.
+        found.or_else(|| node.def.input(param.port.as_str()).filter(|_| node.path == param.path)).map(|at| (node, at))
+    };
+    if let Some((node, at)) = typed.nodes.iter().find_map(reads) {
+        let Input { label, help, ty, min, max, unit, options, .. } = &node.def.inputs[at];
         parameter.label.clone_from(label);
         parameter.help.clone_from(help);
         parameter.ty = ty.to_string();
-        parameter.default = json!(value);
+        parameter.default = match node.inputs[at].as_ref().map(|input| &input.source) {
+            Some(TypedSource::Param(_, value)) => json!(value),
+            _ => node.choices.get(&at).map_or_else(|| json!(param.value), |word| json!(word)),
+        };
         (parameter.min, parameter.max) = (*min, *max);
         parameter.unit.clone_from(unit);
+        parameter.options = options.iter().map(|(word, _)| word.clone()).collect();
     }
     if let Some(port) = interface_port(look, library, &param.path, &param.port) {
         let InterfacePort { label, help, min, max, .. } = port;

@@ -5,6 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use naga::ResourceBinding;
 use naga::back::glsl::{self, Version};
 use naga::proc::BoundsCheckPolicies;
 use serde_json::json;
@@ -16,16 +17,16 @@ use super::language::{
 };
 use super::modules::ShaderModule;
 use super::reflect::{self, Bound, Kind};
-use crate::wgsl::{identifiers, rename_identifiers};
+use crate::wgsl::{Valid, identifiers, rename_identifiers, validate};
 
 /// One stage, as naga writes it.
 struct StageText {
     stage: naga::ShaderStage,
     text: String,
-    /// Handles of blocks with naga's names for them.
-    blocks: Vec<(naga::Handle<naga::GlobalVariable>, String)>,
-    /// naga's name of each joined texture, the texture, its sampler.
-    textures: Vec<(String, naga::Handle<naga::GlobalVariable>, Option<naga::Handle<naga::GlobalVariable>>)>,
+    /// naga's name of each block.
+    blocks: BTreeMap<ResourceBinding, String>,
+    /// naga's name of each texture, and the sampler that it is one with.
+    textures: BTreeMap<ResourceBinding, (String, Option<ResourceBinding>)>,
 }
 
 /// Writes a module; `suffix` stands between the stem and the extension.
@@ -56,7 +57,7 @@ pub(super) fn write(request: &Request<'_>, version: Version, suffix: &str) -> Re
 }
 
 fn stage_text(module: &ShaderModule, point: &naga::EntryPoint, options: &glsl::Options) -> Result<StageText, String> {
-    let valid = module.valid();
+    let valid = one_stage(module, point)?;
     let pipeline =
         glsl::PipelineOptions { shader_stage: point.stage, entry_point: point.name.clone(), multiview: None };
     let mut text = String::new();
@@ -64,11 +65,24 @@ fn stage_text(module: &ShaderModule, point: &naga::EntryPoint, options: &glsl::O
     let mut writer = glsl::Writer::new(&mut text, &valid.module, &valid.info, options, &pipeline, policies)
         .map_err(|error| error.to_string())?;
     let info = writer.write().map_err(|error| error.to_string())?;
-    let mut textures: Vec<_> = info.texture_mapping.into_iter().map(|(name, t)| (name, t.texture, t.sampler)).collect();
-    textures.sort();
-    let mut blocks: Vec<_> = info.uniforms.into_iter().collect();
-    blocks.sort();
+    let place = |handle: naga::Handle<naga::GlobalVariable>| valid.module.global_variables[handle].binding;
+    let mut blocks = BTreeMap::new();
+    for (handle, name) in info.uniforms {
+        blocks.extend(place(handle).map(|place| (place, name)));
+    }
+    let mut textures = BTreeMap::new();
+    for (name, found) in info.texture_mapping {
+        textures.extend(place(found.texture).map(|place_of| (place_of, (name, found.sampler.and_then(place)))));
+    }
     Ok(StageText { stage: point.stage, text, blocks, textures })
+}
+
+/// The module with one entry point and what that needs; naga would write every function into both files.
+fn one_stage(module: &ShaderModule, point: &naga::EntryPoint) -> Result<Valid, String> {
+    let mut naga_module = module.valid().module.clone();
+    naga_module.entry_points.retain(|other| other.name == point.name);
+    naga::compact::compact(&mut naga_module, naga::compact::KeepUnused::No);
+    validate(naga_module).map_err(|error| error.to_string())
 }
 
 /// A number for each buffer and for each texture, counted apart: OpenGL's binding points and texture units.
@@ -83,8 +97,8 @@ fn slots(bindings: &[Bound]) -> Vec<(&Bound, u8)> {
     slots
 }
 
-fn resource(bound: &Bound) -> naga::ResourceBinding {
-    naga::ResourceBinding { group: bound.group, binding: bound.binding }
+fn resource(bound: &Bound) -> ResourceBinding {
+    ResourceBinding { group: bound.group, binding: bound.binding }
 }
 
 fn extension(stage: naga::ShaderStage) -> &'static str {
@@ -106,15 +120,18 @@ impl Names {
         let taken = stages.iter().flat_map(|stage| identifiers(&stage.text)).collect();
         let mut names = Choice { of: BTreeMap::new(), taken };
         for stage in stages {
-            for (handle, block) in &stage.blocks {
-                if let Some(bound) = module.bindings.iter().find(|bound| bound.handle == *handle) {
+            for (place, block) in &stage.blocks {
+                if let Some(bound) = module.bindings.iter().find(|bound| resource(bound) == *place) {
                     names.give(block, &format!("{}Block", bound.ty));
                 }
             }
         }
         for bound in &module.bindings {
             for stage in ["vs", "fs", "cs"] {
-                names.give(&format!("_group_{}_binding_{}_{stage}", bound.group, bound.binding), &bound.name);
+                names.give(
+                    &format!("_group_{}_binding_{}_{stage}", bound.group, bound.binding),
+                    &format!("u_{}", bound.name),
+                );
             }
         }
         let mut attributes = Vec::new();
@@ -160,20 +177,21 @@ fn bindings(
 ) -> Vec<LanguageBinding> {
     let mut found = Vec::new();
     for (bound, slot) in slots {
-        let block = stages.iter().flat_map(|stage| &stage.blocks).find(|(handle, _)| *handle == bound.handle);
-        let texture = stages.iter().flat_map(|stage| &stage.textures).find(|(_, texture, _)| *texture == bound.handle);
-        let new_name = |old: &str| names.of.get(old).map_or_else(|| old.to_owned(), Clone::clone);
+        let place = resource(bound);
+        let block = stages.iter().find_map(|stage| stage.blocks.get(&place));
+        let texture = stages.iter().find_map(|stage| stage.textures.get(&place));
         // What neither stage reads is not in the text.
-        let Some(old) = block.map(|(_, old)| old).or(texture.map(|(old, _, _)| old)) else { continue };
+        let Some(old) = block.or(texture.map(|(old, _)| old)) else { continue };
+        let name = names.of.get(old).unwrap_or(old);
         let key = match (bound.kind, is_explicit) {
             (Kind::Texture, true) => "unit",
             (Kind::Texture, false) => "suggested_unit",
             (_, true) => "binding",
             (_, false) => "suggested_binding",
         };
-        let mut binding = LanguageBinding::new(&bound.name, &new_name(old), &[(key, json!(slot))]);
-        let sampler = texture.and_then(|(_, _, sampler)| *sampler);
-        let sampler = module.bindings.iter().find(|other| Some(other.handle) == sampler);
+        let mut binding = LanguageBinding::new(&bound.name, name, &[(key, json!(slot))]);
+        let sampler = texture.and_then(|(_, sampler)| *sampler);
+        let sampler = module.bindings.iter().find(|other| Some(resource(other)) == sampler);
         binding.sampler = sampler.map(|sampler| sampler.name.clone());
         found.push(binding);
     }

@@ -37,18 +37,23 @@ fn write(request: &Request<'_>) -> Result<Written, String> {
         options.sampler_buffer_binding_map.insert(hlsl::SamplerIndexBufferKey { group: bound.group }, index);
     }
     let (text, points) = naga_text(module, &options)?;
-    let text = own_samplers(&text, &registers)?;
+    let text = own_samplers(&text)?;
     let place = |(bound, letter, register): &(&Bound, char, u32)| {
         let at = [("register", json!(format!("{letter}{register}"))), ("space", json!(0))];
-        LanguageBinding::new(&bound.name, &bound.name, &at)
+        LanguageBinding::new(&bound.name, name_at(&text, &format!("register({letter}{register})")), &at)
     };
-    let names: Vec<_> = registers.iter().map(|(bound, letter, n)| format!("{} {letter}{n}", bound.name)).collect();
+    let bindings: Vec<_> = registers.iter().map(place).collect();
+    let names: Vec<_> = bindings
+        .iter()
+        .zip(&registers)
+        .map(|(binding, (_, letter, n))| format!("{} {letter}{n}", binding.name))
+        .collect();
     let header = request.header("", &[list("Registers of space 0", &names)]);
     let file = format!("{}.hlsl", request.stem);
     let described = LanguageModule {
         module: module.name.to_owned(),
         files: vec![LanguageFile { file: file.clone(), entry_points: points }],
-        bindings: registers.iter().map(place).collect(),
+        bindings,
         attributes: Vec::new(),
     };
     Ok(Written { files: vec![File::text(file, format!("{header}\n{text}"))], described })
@@ -89,7 +94,7 @@ fn naga_text(module: &ShaderModule, options: &hlsl::Options) -> Result<(String, 
 }
 
 /// Takes the sampler heap out: every sampler gets its register.
-fn own_samplers(text: &str, registers: &[(&Bound, char, u32)]) -> Result<String, String> {
+fn own_samplers(text: &str) -> Result<String, String> {
     const HEAPS: [&str; 3] = [
         "SamplerState nagaSamplerHeap[",
         "SamplerComparisonState nagaComparisonSamplerHeap[",
@@ -97,14 +102,13 @@ fn own_samplers(text: &str, registers: &[(&Bound, char, u32)]) -> Result<String,
     ];
     let mut result = String::with_capacity(text.len());
     for line in text.lines().filter(|line| !HEAPS.iter().any(|heap| line.starts_with(heap))) {
-        let name =
-            line.strip_prefix("static const SamplerState ").and_then(|rest| rest.split_once(" = nagaSamplerHeap["));
-        match name {
-            Some((name, _)) => {
-                let register = registers.iter().find(|(bound, letter, _)| *letter == 's' && bound.name == name);
-                let (_, _, number) = register.ok_or_else(|| format!("the sampler `{name}` has no register"))?;
-                result.push_str(&format!("SamplerState {name} : register(s{number});"));
-            }
+        // static const SamplerState NAME = nagaSamplerHeap[nagaGroup0SamplerIndexArray[REGISTER]];
+        let sampler = line.strip_prefix("static const SamplerState ").and_then(|rest| {
+            let (name, index) = rest.split_once(" = nagaSamplerHeap[")?;
+            Some((name, index.split_once('[')?.1.split_once(']')?.0))
+        });
+        match sampler {
+            Some((name, register)) => result.push_str(&format!("SamplerState {name} : register(s{register});")),
             None => result.push_str(line),
         }
         result.push('\n');
@@ -113,4 +117,10 @@ fn own_samplers(text: &str, registers: &[(&Bound, char, u32)]) -> Result<String,
         return Err("a sampler is used in a way that only the heap allows".to_owned());
     }
     Ok(result)
+}
+
+/// What naga calls the variable at a register: `view_1` where a function has an argument `view`.
+fn name_at<'t>(text: &'t str, register: &str) -> &'t str {
+    let declared = text.find(&format!(" : {register}")).map_or("", |end| &text[..end]);
+    declared.rsplit(|c: char| !c.is_ascii_alphanumeric() && c != '_').next().unwrap_or_default()
 }

@@ -222,36 +222,28 @@ pub(super) fn value(value: &interp::Value) -> Value {
         interp::Value::Bool(b) => json!(b),
         interp::Value::I32(i) => json!(i),
         interp::Value::U32(u) => json!(u),
-        interp::Value::Float(x) => number(*x),
+        interp::Value::Float(x) => json!(x),
         interp::Value::Vector(scalars) => scalars.iter().map(|scalar| self::value(&(*scalar).into())).collect(),
-        interp::Value::Matrix { components, .. } => components.iter().map(|x| number(*x)).collect(),
+        interp::Value::Matrix { components, .. } => components.iter().map(|x| json!(x)).collect(),
         interp::Value::Array(parts) | interp::Value::Struct(parts) => parts.iter().map(self::value).collect(),
     }
 }
 
 /// A value as the uniform holds it: with floats of 32 bits.
 fn stored(value: &interp::Value) -> Value {
-    match self::value(value) {
-        Value::Array(parts) => parts.into_iter().map(rounded).collect(),
-        other => rounded(other),
-    }
+    rounded(self::value(value))
 }
 
+/// The shortest numbers that read back as the same f32. Values nest a few levels deep.
 fn rounded(value: Value) -> Value {
     match value {
         Value::Array(parts) => parts.into_iter().map(rounded).collect(),
         Value::Number(x) if x.is_f64() => {
-            // The shortest text that reads back as the same f32.
             let text = x.as_f64().map_or_else(String::new, |x| format!("{:?}", x as f32));
-            text.parse().map_or(Value::Null, number)
+            text.parse().map_or(Value::Null, |x: f64| json!(x))
         }
         other => other,
     }
-}
-
-/// Whole numbers without a point, as people write them.
-fn number(x: f64) -> Value {
-    if x.fract() == 0.0 && x.abs() < 1e15 { json!(x as i64) } else { json!(x) }
 }
 
 /// What a surrounding is.

@@ -5,11 +5,9 @@ use serde::Serialize;
 use super::File;
 use super::header;
 use super::reflect::{self, Bound, EntryPoint, Kind};
-use crate::compile::{
-    BindingKind, CompiledShader, HostSource, Live, Options, Stage, TypedGraph, TypedSource, compile_typed,
-};
+use crate::compile::{BindingKind, CompiledShader, HostSource, Live, Options, Stage, TypedGraph, compile_typed};
 use crate::diag::Diagnostic;
-use crate::library::{Context, Conversion};
+use crate::library::Context;
 use crate::wgsl::{self, PASSES, Source, Valid};
 
 /// The name of the module that draws the look itself.
@@ -32,7 +30,7 @@ enum Code {
     /// Made from a look.
     Look(Box<Host>),
     /// A file of `shaders/passes`.
-    Fixed(String, Valid),
+    Fixed(String, Box<Valid>),
 }
 
 /// What computes a module's `Look` uniform.
@@ -70,8 +68,10 @@ pub enum Feed {
         /// Its output.
         output: &'static str,
     },
-    /// What its name and members say.
-    Host,
+    /// The numbers of the curvature pass: once a view.
+    Curvature,
+    /// What earlier passes have drawn, as each pass's `inputs` say: the module runs in several.
+    Inputs,
 }
 
 /// One step of drawing a frame.
@@ -195,10 +195,13 @@ impl ShaderModule {
         let valid = wgsl::parse(&linked.text)
             .map_err(|error| vec![Diagnostic::error("internal-invalid-wgsl", format!("{path}: {error}"))])?;
         let bindings = reflect::bindings(&valid.module);
-        // Which pass a texture comes from is the pass's business: the module may run twice.
-        let feeds = bindings.iter().map(|_| Feed::Host).collect();
+        let feeds = bindings.iter().map(|bound| match bound.kind {
+            Kind::Texture => Feed::Inputs,
+            _ => Feed::Curvature,
+        });
+        let feeds = feeds.collect();
         let entry_points = reflect::entry_points(&valid.module);
-        Ok(Self { name, purpose, entry_points, bindings, feeds, code: Code::Fixed(linked.text, valid) })
+        Ok(Self { name, purpose, entry_points, bindings, feeds, code: Code::Fixed(linked.text, Box::new(valid)) })
     }
 }
 
@@ -225,27 +228,29 @@ fn feed(shader: &CompiledShader, bound: &Bound, images: &mut Vec<Image>) -> Feed
         Some(BindingKind::Sampler(index)) => Feed::Sampler { image: image(*index) },
         Some(BindingKind::Curvature) => Feed::Pass { pass: "curvature", output: "curvature" },
         Some(BindingKind::CurvatureDetail) => Feed::Pass { pass: "detail_curvature", output: "curvature" },
-        Some(BindingKind::Samples) | None => Feed::Host,
+        // Neither is in a module that draws meshes.
+        Some(BindingKind::Samples) | None => Feed::Inputs,
     }
 }
 
 /// Compiles a look's modules and plans its passes.
 pub(super) fn compile(typed: &TypedGraph, stem: &str) -> Result<Modules, Vec<Diagnostic>> {
-    let stage = |typed: &TypedGraph, stage| {
+    let stage = |stage| {
         let options = Options { live: Live::Exposed, stage, ..Options::default() };
         compile_typed(typed, &options, Vec::new())
     };
-    let draw = stage(typed, Stage::Draw)?;
+    let draw = stage(Stage::Draw)?;
     let (kappa, detail) = (draw.needs.context(Context::Kappa), draw.needs.context(Context::KappaDetail));
     let mut found = Modules { title: header::title(&typed.name), ..Modules::default() };
-    let purpose = "Draws normals and depth, for the curvature pass.";
     if kappa {
-        let normals = stage(&without_detail(typed), Stage::Normals)?;
+        let purpose = "Draws normals and depth, for the curvature pass.";
+        let normals = stage(Stage::Normals)?;
         found.modules.push(ShaderModule::of_look("normals", purpose, normals, stem, &mut found.images));
         found.passes.push(Pass::meshes("normals", &NORMAL_TARGETS));
     }
     if detail {
-        let normals = stage(typed, Stage::Normals)?;
+        let purpose = "Draws detail normals and depth, for the curvature pass.";
+        let normals = stage(Stage::DetailNormals)?;
         found.modules.push(ShaderModule::of_look("detail_normals", purpose, normals, stem, &mut found.images));
         found.passes.push(Pass::meshes("detail_normals", &NORMAL_TARGETS));
     }
@@ -268,18 +273,6 @@ pub(super) fn compile(typed: &TypedGraph, stem: &str) -> Result<Modules, Vec<Dia
     Ok(found)
 }
 
-/// The look with the surface's own normal for the curvature pass; its alpha cutoff stays.
-fn without_detail(typed: &TypedGraph) -> TypedGraph {
-    let mut typed = typed.clone();
-    let node = &mut typed.nodes[typed.root.0];
-    let normal = node.def.input("normal").and_then(|index| node.inputs.get_mut(index)).and_then(Option::as_mut);
-    if let Some(normal) = normal {
-        normal.source = TypedSource::Context(Context::Normal);
-        normal.conversion = Conversion::None;
-    }
-    typed
-}
-
 impl Pass {
     fn meshes(name: &'static str, outputs: &[Target]) -> Self {
         Self { name, module: name, draws: "meshes", inputs: Vec::new(), outputs: outputs.to_vec() }
@@ -289,7 +282,7 @@ impl Pass {
 impl Modules {
     fn add_curvature(&mut self, kappa: bool, detail: bool) -> Result<(), Vec<Diagnostic>> {
         let Some(pass) = PASSES.iter().find(|(path, _)| path.ends_with("/curvature.wgsl")) else {
-            let problem = Diagnostic::warning("missing-pass", "the curvature pass is not in this build of Chiaro");
+            let problem = Diagnostic::warning("missing-pass", "this build of Chiaro lacks the curvature pass");
             self.warnings.push(problem.hint("bind textures of curvature of your own"));
             return Ok(());
         };

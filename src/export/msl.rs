@@ -36,15 +36,17 @@ fn write(request: &Request<'_>) -> Result<Written, String> {
     }
     let (text, points) = naga_text(module, &resources)?;
     let place = |(bound, kind, slot): &(&Bound, &'static str, u8)| {
-        LanguageBinding::new(&bound.name, &bound.name, &[(*kind, json!(slot))])
+        LanguageBinding::new(&bound.name, name_at(&text, &format!("[[{kind}({slot})]]")), &[(*kind, json!(slot))])
     };
-    let names: Vec<_> = slots.iter().map(|(bound, kind, slot)| format!("{} {kind}({slot})", bound.name)).collect();
+    let bindings: Vec<_> = slots.iter().map(place).collect();
+    let names: Vec<_> =
+        bindings.iter().zip(&slots).map(|(b, (_, kind, slot))| format!("{} {kind}({slot})", b.name)).collect();
     let header = request.header("", &[list("Arguments of both functions", &names)]);
     let file = format!("{}.metal", request.stem);
     let described = LanguageModule {
         module: module.name.to_owned(),
         files: vec![LanguageFile { file: file.clone(), entry_points: points }],
-        bindings: slots.iter().map(place).collect(),
+        bindings,
         attributes: Vec::new(),
     };
     Ok(Written { files: vec![File::text(file, format!("{header}\n{text}"))], described })
@@ -82,4 +84,10 @@ fn naga_text(
         points.push(LanguageEntryPoint { stage: point.stage, name: name.map_err(|error| error.to_string())? });
     }
     Ok((text, points))
+}
+
+/// What naga calls the argument at a slot: `view_1` where another function has an argument `view`.
+fn name_at<'t>(text: &'t str, slot: &str) -> &'t str {
+    let declared = text.find(&format!(" {slot}")).map_or("", |end| &text[..end]);
+    declared.rsplit(|c: char| !c.is_ascii_alphanumeric() && c != '_').next().unwrap_or_default()
 }

@@ -51,6 +51,11 @@ fn spaced(value: &Value) -> String {
             let field = |(key, value): (&String, &Value)| format!("{}: {}", quoted(key), spaced(value));
             format!("{{{}}}", fields.iter().map(field).collect::<Vec<_>>().join(", "))
         }
+        // Whole numbers without a point, as people write them.
+        Value::Number(number) if number.is_f64() => match number.as_f64() {
+            Some(x) if x.fract() == 0.0 && x.abs() < 1e15 => format!("{x:.0}"),
+            _ => number.to_string(),
+        },
         other => other.to_string(),
     }
 }
@@ -69,5 +74,6 @@ mod tests {
         assert!(text.lines().all(|line| line.len() <= WIDTH));
         assert_eq!(serde_json::from_str::<Value>(&text).unwrap(), value);
         assert_eq!(pretty(&json!([])), "[]\n");
+        assert_eq!(pretty(&json!([1.0, -2.0, 0.1, 1e300])), "[1, -2, 0.1, 1e+300]\n");
     }
 }

@@ -76,8 +76,6 @@ pub(super) struct Bound {
     pub size: u32,
     /// The members of a buffer's struct.
     pub members: Vec<Member>,
-    /// The variable in the module.
-    pub handle: naga::Handle<naga::GlobalVariable>,
 }
 
 /// A member of a struct in a buffer.
@@ -174,14 +172,10 @@ pub(super) fn varyings(module: &Module) -> Vec<Located> {
 
 /// The bindings, in the order of the source.
 pub(super) fn bindings(module: &Module) -> Vec<Bound> {
-    module.global_variables.iter().filter_map(|(handle, variable)| bound(module, handle, variable)).collect()
+    module.global_variables.iter().filter_map(|(_, variable)| bound(module, variable)).collect()
 }
 
-fn bound(
-    module: &Module,
-    handle: naga::Handle<naga::GlobalVariable>,
-    variable: &naga::GlobalVariable,
-) -> Option<Bound> {
+fn bound(module: &Module, variable: &naga::GlobalVariable) -> Option<Bound> {
     let at = variable.binding.as_ref()?;
     let inner = &module.types[variable.ty].inner;
     let kind = match (variable.space, inner) {
@@ -197,7 +191,7 @@ fn bound(
     let size = if kind == Kind::Uniform { inner.size(module.to_ctx()).next_multiple_of(16) } else { 0 };
     let (group, binding) = (at.group, at.binding);
     let (name, ty) = (variable.name.clone().unwrap_or_default(), type_name(module, variable.ty));
-    Some(Bound { group, binding, name, kind, ty, size, members, handle })
+    Some(Bound { group, binding, name, kind, ty, size, members })
 }
 
 /// WGSL has no recursive types, and those of a look nest a few levels deep.

@@ -30,11 +30,13 @@ fn write(request: &Request<'_>) -> Result<Written, String> {
         bindings,
         attributes: Vec::new(),
     };
-    let text = format!("{header}\n{}", without_header(module.wgsl()));
+    let source = module.wgsl();
+    let source = if module.host().is_some() { without_header(source) } else { source };
+    let text = format!("{header}\n{source}");
     Ok(Written { files: vec![File::text(file, text)], described })
 }
 
-/// The source after the comment that it begins with, for which ours stands.
+/// A compiled source after the comment that it begins with, for which ours stands.
 fn without_header(source: &str) -> &str {
     let mut rest = source;
     while let Some((line, after)) = rest.split_once('\n') {

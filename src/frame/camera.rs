@@ -105,7 +105,7 @@ fn orthographic(half_width: f64, half_height: f64, near: f64, far: f64) -> DMat4
 }
 
 /// The bytes of the shader's `Object` uniform.
-pub(super) fn object_bytes(world_from_object: DMat4, id: f64) -> Vec<u8> {
+pub(super) fn object_bytes(world_from_object: DMat4, id: f64, cutoff: f64) -> Vec<u8> {
     let linear = DMat3::from_mat4(world_from_object);
     // A flattened object has no inverse; its normals then turn as directions do.
     let normals = if linear.determinant().abs() > 1e-12 { linear.inverse().transpose() } else { linear };
@@ -114,7 +114,7 @@ pub(super) fn object_bytes(world_from_object: DMat4, id: f64) -> Vec<u8> {
         numbers.extend(column);
         numbers.push(0.0);
     }
-    numbers.extend([id, 0.0, 0.0, 0.0]);
+    numbers.extend([id, cutoff, 0.0, 0.0]);
     numbers.into_iter().flat_map(|x| (x as f32).to_le_bytes()).collect()
 }
 

@@ -87,6 +87,8 @@ pub struct Draw {
     pub images: Vec<Arc<Image>>,
     /// Whether back faces are drawn.
     pub two_sided: bool,
+    /// Whether the object's transform mirrors it, so that triangles run the other way around.
+    pub is_mirrored: bool,
     /// From the eye, for drawing what is transparent from back to front.
     pub distance: f64,
 }
@@ -146,7 +148,7 @@ impl Planner {
         let tables = HashMap::from([(Stage::Draw, ParamTable::new(&draw.params))]);
         // One look is being edited at a time; what was compiled for its earlier states is not kept.
         self.shaders.clear();
-        self.shaders.insert(look_key(look, live), LookShaders { draw, normals: HashMap::new(), rig, tables });
+        self.shaders.insert(look_key(look, live, false), LookShaders { draw, normals: HashMap::new(), rig, tables });
     }
 
     /// Plans one picture of `setup`.
@@ -167,9 +169,10 @@ impl Planner {
         for object in &setup.objects {
             for &look in object.looks.iter().flatten() {
                 let shown = structural_look(&setup.looks[look].look, options.time, &object.values);
-                let key = look_key(&shown, live);
+                let cutout = has_cutout(object, look);
+                let key = look_key(&shown, live, cutout);
                 if !self.shaders.contains_key(&key) {
-                    match self.compile_look(&setup.looks[look], &shown, library, live) {
+                    match self.compile_look(&setup.looks[look], &shown, library, live, cutout) {
                         Ok(shaders) => drop(self.shaders.insert(key, shaders)),
                         Err(found) => problems.extend(found),
                     }
@@ -225,8 +228,9 @@ impl Planner {
         shown: &Look,
         library: &Library,
         live: &Live,
+        cutout: bool,
     ) -> Result<LookShaders, Vec<Diagnostic>> {
-        let options = Options { live: live.clone(), display: true, ..Options::default() };
+        let options = Options { live: live.clone(), display: true, cutout, ..Options::default() };
         let located = |mut problems: Vec<Diagnostic>| {
             setup.source.locate_all(&mut problems);
             problems
@@ -254,14 +258,14 @@ impl Planner {
     ) -> Result<Vec<Draw>, Vec<Diagnostic>> {
         let mut draws = Vec::new();
         let center = object.center();
-        let uniform = object_bytes(object.world_from_object, number as f64);
         for (part, look) in object.mesh.parts.iter().zip(&object.looks) {
             let Some(look) = *look else { continue };
             let shaders = self.shaders.get_mut(&keys[&(object.id.clone(), look)]).expect("compiled above");
             let shown = structural_look(&setup.looks[look].look, options.time, &object.values);
             for (_, stage) in stages {
                 if !shaders.normals.contains_key(stage) {
-                    let wanted = Options { live: live.clone(), stage: *stage, ..Options::default() };
+                    let cutout = has_cutout(object, look);
+                    let wanted = Options { live: live.clone(), stage: *stage, cutout, ..Options::default() };
                     let compiled = Arc::new(compile(&shown, library, &wanted)?);
                     shaders.tables.insert(*stage, ParamTable::new(&compiled.params));
                     shaders.normals.insert(*stage, compiled);
@@ -305,10 +309,15 @@ impl Planner {
                 indices: part.indices.clone(),
                 look: shaders.draw.clone(),
                 normals: stages.iter().map(|(kind, stage)| (kind.clone(), shaders.normals[stage].clone())).collect(),
-                object_uniform: uniform.clone(),
+                object_uniform: object_bytes(
+                    object.world_from_object,
+                    number as f64,
+                    f64::from(part.alpha_cutoff.unwrap_or(0.0)),
+                ),
                 look_uniforms,
                 images,
                 two_sided: part.two_sided,
+                is_mirrored: object.world_from_object.determinant() < 0.0,
                 distance: view.backward.dot(view.eye - center),
             });
         }
@@ -341,6 +350,11 @@ pub(super) fn images(
     if problems.is_empty() { Ok(images) } else { Err(problems) }
 }
 
+/// Whether a part of the object that wears this look is cut out by alpha.
+fn has_cutout(object: &SetupObject, look: usize) -> bool {
+    object.mesh.parts.iter().zip(&object.looks).any(|(part, worn)| *worn == Some(look) && part.alpha_cutoff.is_some())
+}
+
 fn quoted(name: &str) -> String {
     if name.is_empty() { "a look".to_owned() } else { format!("the look \"{name}\"") }
 }
@@ -360,8 +374,9 @@ fn bounds(objects: &[SetupObject]) -> (DVec3, f64) {
 }
 
 /// What a look's module depends on: all of it, or while everything is live what is no uniform.
-fn look_key(look: &Look, live: &Live) -> u64 {
+fn look_key(look: &Look, live: &Live, cutout: bool) -> u64 {
     let mut hasher = DefaultHasher::new();
+    cutout.hash(&mut hasher);
     if *live == Live::All {
         look.color_space.hash(&mut hasher);
         hash_graph(&look.graph, &mut hasher);
@@ -443,7 +458,7 @@ fn hash_of(draws: &[Draw], view: &View, options: &PlanOptions, normals: Option<(
             None => (&draw.look, Stage::Draw),
         };
         (Arc::as_ptr(&draw.mesh) as usize, &draw.indices, &shader.wgsl, &draw.object_uniform).hash(&mut hasher);
-        (&draw.look_uniforms[&stage], draw.two_sided).hash(&mut hasher);
+        (&draw.look_uniforms[&stage], draw.two_sided, draw.is_mirrored).hash(&mut hasher);
         if normals.is_none() {
             options.samples.hash(&mut hasher);
             draw.images.iter().for_each(|image| image.hash.hash(&mut hasher));

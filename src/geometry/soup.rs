@@ -29,9 +29,9 @@ pub(super) struct Material {
 }
 
 impl Material {
-    /// A solid one-sided material.
+    /// A solid material of which both sides are drawn: only glTF says more.
     pub(super) fn named(name: impl Into<String>) -> Self {
-        Self { name: name.into(), two_sided: false, alpha_cutoff: None }
+        Self { name: name.into(), two_sided: true, alpha_cutoff: None }
     }
 }
 

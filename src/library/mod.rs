@@ -16,12 +16,14 @@ mod context;
 pub mod docs;
 mod load;
 mod node;
+mod read;
 mod types;
 
 pub use context::{Context, LightField, Rate};
-pub use load::{GroupDef, Library, load_node};
+pub use load::{GroupDef, Library};
 pub use node::{
     Bypass, BypassResult, Condition, Fallback, Input, NodeDef, NodeModule, Output, Parameter, Prepare, Preset, Special,
     Test, Variant,
 };
+pub use read::load_node;
 pub use types::{Conversion, Type};

@@ -2,11 +2,12 @@
 
 use wgpu::util::DeviceExt as _;
 
+use super::Renderer;
 use super::error::RenderError;
 use super::gpu::Gpu;
+use super::pipeline::{LookPipeline, Sides};
 use super::readback::read_texture;
 use super::target::texture;
-use super::{Renderer, pipeline::LookPipeline};
 use crate::compile::{BindingKind, SAMPLES_PER_ROW};
 use crate::frame::EvalBatch;
 
@@ -39,7 +40,7 @@ impl Renderer {
         count: usize,
     ) -> Result<Vec<[f32; 4]>, RenderError> {
         let guard = self.gpu.guard();
-        let pipeline = self.pipelines.get(&self.gpu, &batch.shader, 1, true);
+        let pipeline = self.pipelines.get(&self.gpu, &batch.shader, 1, Sides { both: true, is_mirrored: false });
         let group = self.bind_samples(batch, bytes, &pipeline)?;
         let rows = (count as u32).div_ceil(SAMPLES_PER_ROW);
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
@@ -75,7 +76,7 @@ impl Renderer {
         let mut textures = Vec::new();
         let mut samplers = Vec::new();
         for (image, wanted) in batch.images.iter().zip(&batch.shader.needs.images) {
-            textures.push(self.images.texture(&self.gpu, image)?);
+            textures.push(self.images.texture(&self.gpu, image, wanted)?);
             samplers.push(self.images.sampler(&self.gpu, wanted));
         }
         let mut entries = Vec::new();

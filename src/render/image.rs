@@ -19,14 +19,20 @@ struct Uploaded {
 /// Every image that was drawn with and is still in use, and the samplers.
 #[derive(Debug, Default)]
 pub(super) struct Images {
-    textures: HashMap<u64, Uploaded>,
+    textures: HashMap<(u64, bool), Uploaded>,
     samplers: HashMap<(String, String), wgpu::Sampler>,
 }
 
 impl Images {
     /// The texture of an image, rows from the top; image nodes turn v, which points up, themselves.
-    pub(super) fn texture(&mut self, gpu: &Gpu, image: &Arc<Image>) -> Result<wgpu::TextureView, RenderError> {
-        if let Some(known) = self.textures.get(&image.hash) {
+    pub(super) fn texture(
+        &mut self,
+        gpu: &Gpu,
+        image: &Arc<Image>,
+        wanted: &ImageUse,
+    ) -> Result<wgpu::TextureView, RenderError> {
+        let key = (image.hash, wanted.is_decoded);
+        if let Some(known) = self.textures.get(&key) {
             return Ok(known.view.clone());
         }
         let limit = gpu.device.limits().max_texture_dimension_2d;
@@ -42,14 +48,18 @@ impl Images {
             mip_level_count: 1,
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
-            format: wgpu::TextureFormat::Rgba8Unorm,
+            format: if wanted.is_decoded {
+                wgpu::TextureFormat::Rgba8UnormSrgb
+            } else {
+                wgpu::TextureFormat::Rgba8Unorm
+            },
             usage: wgpu::TextureUsages::TEXTURE_BINDING,
             view_formats: &[],
         };
         let order = wgpu::util::TextureDataOrder::LayerMajor;
         let texture = gpu.device.create_texture_with_data(&gpu.queue, &descriptor, order, &image.rgba);
         let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-        self.textures.insert(image.hash, Uploaded { image: Arc::downgrade(image), view: view.clone() });
+        self.textures.insert(key, Uploaded { image: Arc::downgrade(image), view: view.clone() });
         Ok(view)
     }
 

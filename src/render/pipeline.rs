@@ -13,7 +13,14 @@ const MOST: usize = 64;
 struct Key {
     wgsl: String,
     samples: u32,
-    two_sided: bool,
+    sides: Sides,
+}
+
+/// Which sides of triangles are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Sides {
+    pub(super) both: bool,
+    pub(super) is_mirrored: bool,
 }
 
 /// A pipeline with what must be bound to it.
@@ -33,9 +40,9 @@ pub(super) struct Pipelines {
 
 impl Pipelines {
     /// The pipeline of a look's module.
-    pub(super) fn get(&mut self, gpu: &Gpu, shader: &CompiledShader, samples: u32, two_sided: bool) -> LookPipeline {
+    pub(super) fn get(&mut self, gpu: &Gpu, shader: &CompiledShader, samples: u32, sides: Sides) -> LookPipeline {
         self.clock += 1;
-        let key = Key { wgsl: shader.wgsl.clone(), samples, two_sided };
+        let key = Key { wgsl: shader.wgsl.clone(), samples, sides };
         if let Some((pipeline, used)) = self.known.get_mut(&key) {
             *used = self.clock;
             return pipeline.clone();
@@ -44,13 +51,13 @@ impl Pipelines {
             let oldest = self.known.iter().min_by_key(|(_, (_, used))| *used).map(|(key, _)| key.clone());
             oldest.and_then(|key| self.known.remove(&key));
         }
-        let made = make(gpu, shader, samples, two_sided);
+        let made = make(gpu, shader, samples, sides);
         self.known.insert(key, (made.clone(), self.clock));
         made
     }
 }
 
-fn make(gpu: &Gpu, shader: &CompiledShader, samples: u32, two_sided: bool) -> LookPipeline {
+fn make(gpu: &Gpu, shader: &CompiledShader, samples: u32, sides: Sides) -> LookPipeline {
     let device = &gpu.device;
     let source = wgpu::ShaderSource::Wgsl(shader.wgsl.as_str().into());
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some("look"), source });
@@ -91,7 +98,8 @@ fn make(gpu: &Gpu, shader: &CompiledShader, samples: u32, two_sided: bool) -> Lo
             buffers: &buffers,
         },
         primitive: wgpu::PrimitiveState {
-            cull_mode: (is_mesh && !two_sided).then_some(wgpu::Face::Back),
+            cull_mode: (is_mesh && !sides.both).then_some(wgpu::Face::Back),
+            front_face: if sides.is_mirrored { wgpu::FrontFace::Cw } else { wgpu::FrontFace::Ccw },
             ..wgpu::PrimitiveState::default()
         },
         depth_stencil,

@@ -111,6 +111,8 @@ struct Object {
     /// The inverse transpose, for normals.
     world_from_normal: mat3x3f,
     id: f32,
+    /// The alpha cutoff of the material, 0 for none.
+    cutoff: f32,
 }
 ";
 
@@ -129,6 +131,7 @@ impl Emitter<'_> {
             "angle_radians" => is_mesh && self.special.values[self.special.root].ty == Type::Angle,
             "finite_vec4" => is_mesh,
             "display_from_linear" => self.encodes(),
+            "linear_from_display" => is_mesh && self.graph.color_space == ColorSpace::Linear,
             _ => false,
         }
     }
@@ -201,10 +204,12 @@ impl Emitter<'_> {
             if !self.host.members.is_empty() {
                 push(BindingKind::Look, "look", "var<uniform> look: Look;".to_owned());
             }
-            if self.needs.context(Context::Kappa) {
+            // Curvature is made from normals, so that what draws those cannot read it.
+            let reads = |context| self.needs.context(context) && !self.options.stage.is_normals();
+            if reads(Context::Kappa) {
                 push(BindingKind::Curvature, "curvature_map", format!("var curvature_map: {texture};"));
             }
-            if self.needs.context(Context::KappaDetail) {
+            if reads(Context::KappaDetail) {
                 push(
                     BindingKind::CurvatureDetail,
                     "curvature_detail_map",
@@ -314,7 +319,11 @@ impl Emitter<'_> {
             self.out.push_str("    var surface: Surface;\n");
             for index in 0..self.needs.contexts.len() {
                 let context = self.needs.contexts[index];
-                let _ = writeln!(self.out, "    surface.{} = {};", context.word(), surface_value(context));
+                let mut value = surface_value(context, self.options.stage).to_owned();
+                if context == Context::VertexColor && self.graph.color_space == ColorSpace::Linear {
+                    value = format!("linear_from_display({value})");
+                }
+                let _ = writeln!(self.out, "    surface.{} = {value};", context.word());
             }
             "surface"
         } else {
@@ -322,7 +331,8 @@ impl Emitter<'_> {
         };
         let _ = writeln!(self.out, "    let shaded = shade({arguments});");
         let value = if self.special.cutoff.is_some() {
-            self.out.push_str("    if shaded.color.w < shaded.cutoff {\n        discard;\n    }\n");
+            let cutoff = if self.options.cutout { "max(shaded.cutoff, object.cutoff)" } else { "shaded.cutoff" };
+            let _ = writeln!(self.out, "    if shaded.color.w < {cutoff} {{\n        discard;\n    }}");
             "shaded.value"
         } else {
             "shaded"
@@ -363,8 +373,10 @@ impl Emitter<'_> {
 }
 
 /// How a fragment's surroundings are found where a mesh is drawn.
-fn surface_value(context: Context) -> &'static str {
+fn surface_value(context: Context, stage: Stage) -> &'static str {
     match context {
+        // An alpha cutoff may depend on a colour that curvature tints; before the curvature pass everything is flat.
+        Context::Kappa | Context::KappaDetail if stage.is_normals() => "0.0",
         Context::Normal => "normal",
         Context::View => {
             "normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, vec3f(0.0, 0.0, 1.0)))"

@@ -100,7 +100,7 @@ pub(in crate::document) static CAMERA: Shape = Shape {
     name: "camera",
     help: "Where the picture is taken from.",
     fields: &[
-        field("eye", Numbers(3, 3, FAR), Json("[0, 0, 5]"), "The eye, in scene units."),
+        field("eye", Numbers(3, 3, FAR), Json("[0, 0, 4.4]"), "The eye, in scene units."),
         field("target", Numbers(3, 3, FAR), Json("[0, 0, 0]"), "What it looks at, in scene units; not the eye."),
         field(
             "up",

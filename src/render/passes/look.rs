@@ -4,7 +4,7 @@ use wgpu::util::DeviceExt as _;
 
 use crate::compile::{BindingKind, CompiledShader, Stage};
 use crate::frame::{Draw, FramePlan, PassKind};
-use crate::render::pipeline::LookPipeline;
+use crate::render::pipeline::{LookPipeline, Sides};
 use crate::render::{RenderError, Renderer};
 
 /// A draw with its pipeline and everything bound.
@@ -85,14 +85,15 @@ impl Renderer {
         view: &wgpu::Buffer,
         samples: u32,
     ) -> Result<Bound, RenderError> {
-        let pipeline = self.pipelines.get(&self.gpu, shader, samples, draw.two_sided);
+        let sides = Sides { both: draw.two_sided, is_mirrored: draw.is_mirrored };
+        let pipeline = self.pipelines.get(&self.gpu, shader, samples, sides);
         self.meshes.prepare(&self.gpu, &draw.mesh, &pipeline.attributes);
         let object = self.uniform(&draw.object_uniform);
         let look = draw.look_uniforms.get(&stage).filter(|bytes| !bytes.is_empty()).map(|bytes| self.uniform(bytes));
         let mut textures = Vec::new();
         let mut samplers = Vec::new();
         for (image, wanted) in draw.images.iter().zip(&shader.needs.images) {
-            textures.push(self.images.texture(&self.gpu, image)?);
+            textures.push(self.images.texture(&self.gpu, image, wanted)?);
             samplers.push(self.images.sampler(&self.gpu, wanted));
         }
         let curvature = |kind: PassKind| self.targets.of(&kind).map(|targets| &targets.curvature);

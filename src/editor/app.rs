@@ -1,0 +1,373 @@
+//! The window: panels around the canvas, and the one place that applies what they ask for.
+
+use eframe::egui;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use eframe::egui::{Key, KeyboardShortcut, Modifiers, Panel, RichText, Ui, ViewportCommand};
+
+use super::canvas::Canvas;
+use super::code::Code;
+use super::command::Command;
+use super::dialogs::{Dialogs, Purpose};
+use super::picture::Picture;
+use super::session::Session;
+use super::viewport::Viewport;
+use super::{inspector, problems, theme};
+use crate::diag::Diagnostic;
+use crate::library::Library;
+
+/// The window's state.
+pub struct App {
+    session: Session,
+    canvas: Canvas,
+    viewport: Viewport,
+    code: Code,
+    picture: Option<Picture>,
+    dialogs: Dialogs,
+    shows_code: bool,
+    /// What is done once unsaved changes are dealt with.
+    pending: Option<Pending>,
+    /// What went wrong with a file or an edit, until the next command.
+    message: Option<String>,
+    /// Presses of the pointer, and what had the keyboard: together with a widget they are the hand that edits.
+    presses: u64,
+    closes: bool,
+}
+
+/// What would lose unsaved changes.
+#[derive(Clone, Debug, PartialEq)]
+enum Pending {
+    New,
+    Open(PathBuf),
+    Close,
+}
+
+impl App {
+    /// A window with a new look. `render_state` is the device to draw with, where there is one.
+    pub fn new(ctx: &egui::Context, render_state: Option<eframe::egui_wgpu::RenderState>) -> Self {
+        theme::apply(ctx);
+        let waker = || {
+            let ctx = ctx.clone();
+            move || ctx.request_repaint()
+        };
+        let library = Arc::new(Library::built_in().clone());
+        Self {
+            session: Session::new(library, waker()),
+            canvas: Canvas::default(),
+            viewport: Viewport::default(),
+            code: Code::default(),
+            picture: render_state.map(|state| Picture::new(state, waker())),
+            dialogs: Dialogs::new(waker()),
+            shows_code: true,
+            pending: None,
+            message: None,
+            presses: 0,
+            closes: false,
+        }
+    }
+
+    /// The open look.
+    pub fn session(&self) -> &Session {
+        &self.session
+    }
+
+    /// The open look, for programs that drive the window.
+    pub fn session_mut(&mut self) -> &mut Session {
+        &mut self.session
+    }
+
+    /// The canvas.
+    pub fn canvas(&self) -> &Canvas {
+        &self.canvas
+    }
+
+    /// The canvas, for programs that drive the window.
+    pub fn canvas_mut(&mut self) -> &mut Canvas {
+        &mut self.canvas
+    }
+
+    /// The viewport.
+    pub fn viewport(&self) -> &Viewport {
+        &self.viewport
+    }
+
+    /// Opens a look and tells where that fails.
+    pub fn open(&mut self, path: &Path) {
+        self.message = (!self.session.open(path)).then(|| format!("{} could not be opened", path.display()));
+    }
+
+    /// Saves to a file and tells where that fails.
+    pub fn save_as(&mut self, path: &Path) -> bool {
+        match self.session.save_as(path) {
+            Ok(()) => {
+                self.message = Some(format!("Saved {}", path.display()));
+                true
+            }
+            Err(problem) => {
+                self.message = Some(problems::sentence(&problem).replace('\n', ": "));
+                false
+            }
+        }
+    }
+
+    /// Shows the window for one frame.
+    pub fn show(&mut self, ui: &mut Ui) {
+        if ui.input(|input| input.pointer.any_pressed()) {
+            self.presses += 1;
+        }
+        let mut commands = Vec::new();
+        self.shortcuts(ui, &mut commands);
+        let dropped = ui.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_path_buf()));
+        commands.extend(dropped.map(|path| Command::Open(Some(path))));
+        commands.extend(self.dialogs.answers().map(|(purpose, path)| match purpose {
+            Purpose::Open => Command::Open(Some(path)),
+            Purpose::Save => Command::SaveTo(path),
+        }));
+        if let Some(again) = self.session.tick(ui.input(|input| input.time)) {
+            ui.ctx().request_repaint_after(again);
+        }
+        self.panels(ui, &mut commands);
+        self.ask_about_changes(ui, &mut commands);
+        for command in commands {
+            self.apply(ui, command);
+            // What was changed in this frame is seen in the next one.
+            ui.ctx().request_repaint();
+        }
+        self.close_or_stay(ui.ctx());
+        self.set_title(ui.ctx());
+    }
+
+    fn panels(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
+        Panel::top("bar").frame(theme::panel()).resizable(false).show(ui, |ui| self.bar(ui, commands));
+        let problems: Vec<Diagnostic> = self.all_problems().cloned().collect();
+        Panel::bottom("status").frame(theme::panel()).resizable(false).show(ui, |ui| {
+            let listed: Vec<&Diagnostic> = problems.iter().collect();
+            if !listed.is_empty() {
+                commands.extend(problems::show(ui, &listed));
+                ui.add_space(2.0);
+            }
+            self.status(ui);
+        });
+        let right = Panel::right("inspector").frame(theme::panel()).default_size(310.0).size_range(240.0..=520.0);
+        right.show(ui, |ui| commands.extend(inspector::show(ui, &self.session)));
+        let left = Panel::left("picture").frame(theme::panel()).default_size(500.0).size_range(220.0..=1400.0);
+        left.show(ui, |ui| {
+            if self.shows_code {
+                let height = (ui.available_height() * 0.36).max(80.0);
+                let code = Panel::bottom("code")
+                    .frame(egui::Frame::new().inner_margin(egui::Margin { top: 8, ..Default::default() }));
+                code.default_size(height).size_range(60.0..=2000.0).show(ui, |ui| {
+                    commands.extend(self.code.show(ui, &self.session));
+                });
+            }
+            egui::CentralPanel::no_frame().show(ui, |ui| {
+                self.viewport.show(ui, &mut self.session, self.picture.as_mut());
+            });
+        });
+        egui::CentralPanel::no_frame().show(ui, |ui| commands.extend(self.canvas.show(ui, &self.session)));
+    }
+
+    fn all_problems(&self) -> impl Iterator<Item = &Diagnostic> {
+        self.session.all_problems().chain(self.picture.iter().flat_map(|picture| &picture.problems))
+    }
+
+    fn bar(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
+        ui.horizontal(|ui| {
+            let mut button = |ui: &mut Ui, label: &str, help: &str, is_on: bool, command: Command| {
+                let response = ui.add_enabled(is_on, egui::Button::new(label)).on_hover_text(help);
+                if response.clicked() {
+                    commands.push(command);
+                }
+            };
+            button(ui, "New", "A new look (Ctrl+N)", true, Command::New);
+            button(ui, "Open", "Opens a look (Ctrl+O)", true, Command::Open(None));
+            button(ui, "Save", "Saves the look (Ctrl+S)", true, Command::Save);
+            button(ui, "Save as", "Saves under another name (Ctrl+Shift+S)", true, Command::SaveAs);
+            ui.separator();
+            let step = |label: Option<&str>, otherwise: &str| label.map_or(otherwise.to_owned(), str::to_owned);
+            let (undo, redo) = (self.session.undo_label(), self.session.redo_label());
+            let help = format!("Takes back: {} (Ctrl+Z)", step(undo, "nothing"));
+            button(ui, "Undo", &help, undo.is_some(), Command::Undo);
+            let help = format!("Repeats: {} (Ctrl+Shift+Z)", step(redo, "nothing"));
+            button(ui, "Redo", &help, redo.is_some(), Command::Redo);
+            ui.separator();
+            ui.toggle_value(&mut self.shows_code, "Code").on_hover_text("Shows the generated WGSL");
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                let name = self.document_name();
+                if self.session.is_dirty() {
+                    ui.label(RichText::new("changed").color(theme::ACCENT)).on_hover_text("Not saved yet");
+                }
+                let path = self.session.path().map(|path| path.display().to_string());
+                let label = ui.label(RichText::new(name).strong());
+                if let Some(path) = path {
+                    label.on_hover_text(path);
+                }
+            });
+        });
+    }
+
+    fn status(&self, ui: &mut Ui) {
+        let hint =
+            [self.viewport.hint(), self.canvas.hint()].into_iter().find(|hint| !hint.is_empty()).unwrap_or_default();
+        ui.horizontal(|ui| {
+            if let Some(message) = &self.message {
+                ui.label(RichText::new(message).color(theme::ACCENT));
+                ui.separator();
+            }
+            ui.add(egui::Label::new(RichText::new(hint).color(theme::DIM)).truncate());
+        });
+    }
+
+    fn document_name(&self) -> String {
+        match self.session.path().and_then(|path| path.file_name()) {
+            Some(name) => name.to_string_lossy().into_owned(),
+            None => "New look".to_owned(),
+        }
+    }
+
+    fn set_title(&self, ctx: &egui::Context) {
+        let mark = if self.session.is_dirty() { "*" } else { "" };
+        let title = format!("{}{mark} - Chiaro", self.document_name());
+        let id = egui::Id::unique("title");
+        if ctx.data(|data| data.get_temp::<String>(id)).as_ref() != Some(&title) {
+            ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
+            ctx.data_mut(|data| data.insert_temp(id, title));
+        }
+    }
+
+    fn shortcuts(&self, ui: &Ui, commands: &mut Vec<Command>) {
+        let is_typing = ui.ctx().egui_wants_keyboard_input();
+        let shift = Modifiers::COMMAND | Modifiers::SHIFT;
+        let always = [
+            (shift, Key::S, Command::SaveAs),
+            (Modifiers::COMMAND, Key::S, Command::Save),
+            (Modifiers::COMMAND, Key::O, Command::Open(None)),
+            (Modifiers::COMMAND, Key::N, Command::New),
+        ];
+        // A field that is being typed in has an undo of its own.
+        let elsewhere = [
+            (shift, Key::Z, Command::Redo),
+            (Modifiers::COMMAND, Key::Y, Command::Redo),
+            (Modifiers::COMMAND, Key::Z, Command::Undo),
+        ];
+        let elsewhere = elsewhere.into_iter().filter(|_| !is_typing);
+        for (modifiers, key, command) in always.into_iter().chain(elsewhere) {
+            let shortcut = KeyboardShortcut::new(modifiers, key);
+            if ui.input_mut(|input| input.consume_shortcut(&shortcut)) {
+                commands.push(command);
+            }
+        }
+    }
+
+    fn apply(&mut self, ui: &Ui, command: Command) {
+        if !matches!(command, Command::Select(_) | Command::Reveal(_)) {
+            self.message = None;
+        }
+        match command {
+            Command::Edit(edit) => self.tell(|session| session.apply(edit, None)),
+            Command::EditHeld(widget, edit) => {
+                let focus = ui.memory(|memory| memory.focused());
+                let mut hasher = DefaultHasher::new();
+                (widget, self.presses, focus).hash(&mut hasher);
+                let hand = hasher.finish();
+                self.tell(|session| session.apply(edit, Some(hand)));
+            }
+            Command::Select(ids) => self.session.select(ids),
+            Command::Reveal(id) => {
+                self.session.select(vec![id.clone()]);
+                self.canvas.reveal(id);
+            }
+            Command::Undo => drop(self.session.undo()),
+            Command::Redo => drop(self.session.redo()),
+            Command::New => self.do_or_ask(Pending::New),
+            Command::Open(Some(path)) => self.do_or_ask(Pending::Open(path)),
+            Command::Open(None) => self.dialogs.ask(Purpose::Open, self.session.path()),
+            Command::Save => self.save(),
+            Command::SaveAs => self.dialogs.ask(Purpose::Save, self.session.path()),
+            Command::SaveTo(path) => {
+                if self.save_as(&path) {
+                    self.go_on();
+                }
+            }
+            Command::Copy(text) => ui.ctx().copy_text(text),
+        }
+    }
+
+    fn tell(&mut self, edit: impl FnOnce(&mut Session) -> Result<(), Box<Diagnostic>>) {
+        if let Err(problem) = edit(&mut self.session) {
+            self.message = Some(problem.message);
+        }
+    }
+
+    fn save(&mut self) {
+        match self.session.path().map(Path::to_path_buf) {
+            Some(path) => {
+                if self.save_as(&path) {
+                    self.go_on();
+                }
+            }
+            None => self.dialogs.ask(Purpose::Save, None),
+        }
+    }
+
+    /// Does what would lose changes, where there are none; else asks first.
+    fn do_or_ask(&mut self, pending: Pending) {
+        self.pending = Some(pending);
+        if !self.session.is_dirty() {
+            self.go_on();
+        }
+    }
+
+    fn go_on(&mut self) {
+        match self.pending.take() {
+            Some(Pending::New) => self.session.start_new(),
+            Some(Pending::Open(path)) => self.open(&path),
+            Some(Pending::Close) => self.closes = true,
+            None => {}
+        }
+    }
+
+    fn ask_about_changes(&mut self, ui: &Ui, commands: &mut Vec<Command>) {
+        if self.pending.is_none() || !self.session.is_dirty() {
+            return;
+        }
+        let modal = egui::Modal::new(egui::Id::unique("unsaved")).show(ui.ctx(), |ui| {
+            ui.set_width(320.0);
+            ui.label(RichText::new(format!("{} has changes", self.document_name())).heading());
+            ui.label("They are lost unless you save them.");
+            ui.add_space(8.0);
+            ui.horizontal(|ui| {
+                if ui.button("Save").clicked() {
+                    commands.push(Command::Save);
+                }
+                if ui.button("Do not save").clicked() {
+                    self.session.give_up_changes();
+                    self.go_on();
+                }
+                if ui.button("Cancel").clicked() {
+                    self.pending = None;
+                }
+            });
+        });
+        if modal.should_close() {
+            self.pending = None;
+        }
+    }
+
+    fn close_or_stay(&mut self, ctx: &egui::Context) {
+        if self.closes {
+            ctx.send_viewport_cmd(ViewportCommand::Close);
+        } else if ctx.input(|input| input.viewport().close_requested()) && self.session.is_dirty() {
+            ctx.send_viewport_cmd(ViewportCommand::CancelClose);
+            self.pending = Some(Pending::Close);
+        }
+    }
+}
+
+impl eframe::App for App {
+    fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
+        self.show(ui);
+    }
+}

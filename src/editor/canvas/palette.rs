@@ -1,0 +1,262 @@
+//! The search for a node to add.
+
+use eframe::egui;
+use std::sync::Arc;
+
+use eframe::egui::{Align2, Area, Id, Key, Modifiers, Order, Pos2, RichText, ScrollArea, TextEdit, Ui, pos2, vec2};
+
+use super::super::catalog::{Catalog, Kind};
+use super::super::theme;
+use crate::document::Endpoint;
+use crate::library::Type;
+
+const WIDTH: f32 = 300.0;
+const ROW: f32 = 24.0;
+const ROWS: f32 = 11.0;
+
+/// The wire whose other end the new node is to be.
+#[derive(Clone, Debug)]
+pub(crate) struct Loose {
+    pub(crate) end: Endpoint,
+    pub(crate) ty: Type,
+    /// For inputs: every type that is taken.
+    pub(crate) accepts: Vec<Type>,
+    pub(crate) is_output: bool,
+}
+
+impl Loose {
+    /// The port of `kind` that the wire would lead to, and how well it fits.
+    pub(crate) fn fit(&self, kind: &Kind) -> Option<(usize, f32)> {
+        if self.is_output {
+            let ports = kind.inputs.iter().enumerate().filter(|(_, port)| port.takes(&self.ty));
+            return best(ports.map(|(index, port)| (index, fitness(&self.ty, &port.ty))));
+        }
+        let fits = |ty: &Type| self.accepts.iter().any(|to| ty.convert_to(to).is_some());
+        let ports = kind.outputs.iter().enumerate().filter(|(_, port)| kind.is_reroute || fits(&port.ty));
+        best(ports.map(|(index, port)| (index, fitness(&port.ty, &self.ty))))
+    }
+}
+
+fn fitness(from: &Type, to: &Type) -> f32 {
+    if from == to {
+        2.0
+    } else if from.converts_without_loss(to) {
+        1.0
+    } else {
+        0.0
+    }
+}
+
+fn best(ports: impl Iterator<Item = (usize, f32)>) -> Option<(usize, f32)> {
+    // The first of the best, as ports stand in the order of their weight.
+    ports.fold(None, |best, (index, fit)| match best {
+        Some((_, known)) if known >= fit => best,
+        _ => Some((index, fit)),
+    })
+}
+
+/// An open search.
+pub(crate) struct Palette {
+    /// Where it was opened, on the screen.
+    pub(crate) at: Pos2,
+    pub(crate) loose: Option<Loose>,
+    query: String,
+    index: usize,
+    is_new: bool,
+}
+
+/// What became of a search.
+pub(crate) enum Outcome {
+    Open,
+    Closed,
+    Chosen(Arc<Kind>),
+}
+
+impl Palette {
+    pub(crate) fn new(at: Pos2, loose: Option<Loose>) -> Self {
+        Self { at, loose, query: String::new(), index: 0, is_new: true }
+    }
+
+    /// Shows the search within `screen`.
+    pub(crate) fn show(&mut self, ui: &Ui, screen: egui::Rect, catalog: &Catalog) -> Outcome {
+        let found = self.found(catalog);
+        let key = |key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
+        if key(Key::Escape) {
+            return Outcome::Closed;
+        }
+        if key(Key::ArrowDown) {
+            self.index += 1;
+        }
+        if key(Key::ArrowUp) {
+            self.index = self.index.saturating_sub(1);
+        }
+        self.index = self.index.min(found.len().saturating_sub(1));
+        if key(Key::Enter) {
+            return found.get(self.index).map_or(Outcome::Open, |kind| Outcome::Chosen(kind.clone()));
+        }
+        let size = vec2(WIDTH, ROW * ROWS + 60.0);
+        let corner = pos2(
+            self.at.x.min(screen.max.x - size.x).max(screen.min.x),
+            self.at.y.min(screen.max.y - size.y).max(screen.min.y),
+        );
+        let mut outcome = Outcome::Open;
+        let area = Area::new(Id::unique("palette")).order(Order::Foreground).fixed_pos(corner).pivot(Align2::LEFT_TOP);
+        let shown = area.show(ui.ctx(), |ui| {
+            egui::Frame::popup(ui.style()).show(ui, |ui| {
+                ui.set_width(WIDTH);
+                self.show_query(ui);
+                if let Some(chosen) = self.show_list(ui, &found) {
+                    outcome = Outcome::Chosen(chosen);
+                }
+            });
+        });
+        let is_outside = ui.input(|input| {
+            let press = input.pointer.any_pressed().then(|| input.pointer.interact_pos()).flatten();
+            press.is_some_and(|press| !shown.response.rect.contains(press))
+        });
+        let was_new = std::mem::replace(&mut self.is_new, false);
+        if is_outside && !was_new && matches!(outcome, Outcome::Open) { Outcome::Closed } else { outcome }
+    }
+
+    fn show_query(&mut self, ui: &mut Ui) {
+        let hint = if self.loose.is_some() { "Search for what fits this wire" } else { "Search for a node" };
+        let edit = TextEdit::singleline(&mut self.query).hint_text(hint).desired_width(f32::INFINITY);
+        let response = ui.add(edit.id(Id::unique("palette query")));
+        if self.is_new {
+            response.request_focus();
+        }
+        if response.changed() {
+            self.index = 0;
+        }
+    }
+
+    fn show_list(&self, ui: &mut Ui, found: &[Arc<Kind>]) -> Option<Arc<Kind>> {
+        if found.is_empty() {
+            ui.add_space(6.0);
+            ui.label(RichText::new("Nothing of that name").color(theme::DIM));
+            return None;
+        }
+        let mut chosen = None;
+        ui.spacing_mut().item_spacing.y = 0.0;
+        ScrollArea::vertical().max_height(ROW * ROWS).auto_shrink([false, true]).show(ui, |ui| {
+            for (index, kind) in found.iter().enumerate() {
+                let is_current = index == self.index;
+                let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), egui::Sense::click());
+                response
+                    .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Add {}", kind.label)));
+                if is_current && ui.input(|input| input.keys_down.len()) > 0 {
+                    response.scroll_to_me(None);
+                }
+                if ui.is_rect_visible(rect) {
+                    paint_row(ui, rect, kind, is_current, response.hovered());
+                }
+                if response.on_hover_text(first_sentence(&kind.help)).clicked() {
+                    chosen = Some(kind.clone());
+                }
+            }
+        });
+        chosen
+    }
+
+    /// What fits the query and the wire, best first.
+    fn found(&self, catalog: &Catalog) -> Vec<Arc<Kind>> {
+        let mut found: Vec<(f32, &Arc<Kind>)> = Vec::new();
+        for kind in catalog.all() {
+            let fit = match &self.loose {
+                Some(loose) => match loose.fit(kind) {
+                    Some((_, fit)) => fit,
+                    None => continue,
+                },
+                None => 0.0,
+            };
+            if let Some(score) = score(&self.query, kind) {
+                found.push((score + fit * 2.0, kind));
+            }
+        }
+        // Stable, so that equals stay in the library's order.
+        found.sort_by(|a, b| b.0.total_cmp(&a.0));
+        found.into_iter().map(|(_, kind)| kind.clone()).collect()
+    }
+}
+
+fn paint_row(ui: &Ui, rect: egui::Rect, kind: &Kind, is_current: bool, is_hovered: bool) {
+    let painter = ui.painter();
+    if is_current || is_hovered {
+        let fill = if is_current { theme::ACCENT_DIM } else { theme::FIELD };
+        painter.rect_filled(rect, 4.0, fill);
+    }
+    let bar = egui::Rect::from_min_size(rect.min + vec2(4.0, 5.0), vec2(4.0, ROW - 10.0));
+    painter.rect_filled(bar, 2.0, theme::category_color(&kind.category).gamma_multiply(1.6));
+    let font = egui::FontId::proportional(theme::TEXT_SIZE);
+    painter.text(rect.left_center() + vec2(16.0, 0.0), Align2::LEFT_CENTER, &kind.label, font.clone(), theme::TEXT);
+    painter.text(rect.right_center() - vec2(8.0, 0.0), Align2::RIGHT_CENTER, &kind.category, font, theme::DIM);
+}
+
+/// The first sentence of a help text.
+fn first_sentence(text: &str) -> &str {
+    text.split_inclusive(". ").next().unwrap_or(text).trim()
+}
+
+/// How well a kind answers a query; `None` where it does not. Every word must be found somewhere.
+fn score(query: &str, kind: &Kind) -> Option<f32> {
+    let label = kind.label.to_lowercase();
+    let mut sum = 0.0;
+    for word in query.to_lowercase().split_whitespace() {
+        sum += word_score(word, &label, kind)?;
+    }
+    // Of two equals the shorter name is nearer.
+    Some(sum - label.len() as f32 * 0.01 * f32::from(u8::from(!query.is_empty())))
+}
+
+fn word_score(word: &str, label: &str, kind: &Kind) -> Option<f32> {
+    if label.starts_with(word) {
+        return Some(10.0);
+    }
+    if label.split([' ', '-']).any(|part| part.starts_with(word)) {
+        return Some(8.0);
+    }
+    if label.contains(word) || kind.id.contains(word) {
+        return Some(6.0);
+    }
+    if kind.category.starts_with(word) {
+        return Some(5.0);
+    }
+    if is_subsequence(word, label) {
+        return Some(3.0);
+    }
+    (word.len() > 2 && kind.help.to_lowercase().contains(word)).then_some(1.0)
+}
+
+fn is_subsequence(word: &str, text: &str) -> bool {
+    let mut text = text.chars();
+    word.len() > 1 && word.chars().all(|c| text.any(|t| t == c))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::library::Library;
+
+    fn find(query: &str, loose: Option<Loose>) -> Vec<String> {
+        let catalog = Catalog::new(Library::built_in());
+        let mut palette = Palette::new(Pos2::ZERO, loose);
+        query.clone_into(&mut palette.query);
+        palette.found(&catalog).iter().map(|kind| kind.id.clone()).collect()
+    }
+
+    #[test]
+    fn the_nearest_name_comes_first() {
+        assert_eq!(find("profile", None)[0], "profile");
+        assert_eq!(find("light la", None)[0], "light_layer");
+        assert_eq!(find("prfl", None)[0], "profile");
+        assert!(find("zzzz", None).is_empty());
+    }
+
+    #[test]
+    fn only_what_fits_a_wire_is_offered() {
+        let end = Endpoint::new("a", "b");
+        let light = Loose { end, ty: Type::Light, accepts: vec![Type::Light], is_output: true };
+        let found = find("", Some(light));
+        assert!(found.contains(&"light_apply".to_owned()) && !found.contains(&"profile".to_owned()), "{found:?}");
+    }
+}

@@ -1,0 +1,106 @@
+//! The text of nodes: laid out for those in view, kept while nothing changes.
+
+use std::sync::Arc;
+
+use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
+use eframe::egui::{Color32, FontId, Galley, Painter, Vec2, vec2};
+
+use super::super::catalog::Port;
+use super::super::theme::{self, NODE_WIDTH, TITLE_HEIGHT};
+use super::super::values;
+use super::table::{NodeRow, row_center};
+use crate::document::{Look, Node, Value};
+use crate::library::{Fallback, Type};
+
+/// Everything of a node's text that depends on the font's size.
+#[derive(Default)]
+pub(crate) struct NodeText {
+    /// The size in half points, and the revision.
+    key: Option<(i32, u64)>,
+    /// The title comes first. Where, from the node's corner, in points of the graph; and what.
+    pub(crate) lines: Vec<(Vec2, Arc<Galley>)>,
+    /// Colours shown in rows: where their middle is, and straight RGBA.
+    pub(crate) swatches: Vec<(Vec2, [f64; 4])>,
+}
+
+/// Lays a node's text out anew where the size or the document changed.
+pub(crate) fn lay_out(row: &mut NodeRow, painter: &Painter, zoom: f32, revision: u64, look: &Look, node: &Node) {
+    // Half points, or zooming would fill the font image.
+    let half_points = (theme::TEXT_SIZE * zoom * 2.0).round() as i32;
+    if row.text.key == Some((half_points, revision)) {
+        return;
+    }
+    let size = half_points as f32 / 2.0;
+    let mut text = NodeText { key: Some((half_points, revision)), ..NodeText::default() };
+    let line = |text: &str, width: f32, color| one_line(painter, text, size, width * zoom, color);
+    let centered = |galley: &Galley, y: f32| y - galley.size().y / zoom / 2.0;
+
+    let title = line(&row.title, NODE_WIDTH - 20.0, theme::TEXT);
+    text.lines.push((vec2(10.0, centered(&title, TITLE_HEIGHT / 2.0)), title));
+    for (index, port) in row.kind.outputs.iter().enumerate() {
+        let label = line(&port.label, NODE_WIDTH - 24.0, theme::TEXT);
+        let x = NODE_WIDTH - 12.0 - label.size().x / zoom;
+        text.lines.push((vec2(x, centered(&label, row_center(index))), label));
+    }
+    for (index, port) in row.kind.inputs.iter().enumerate() {
+        let y = row_center(row.kind.outputs.len() + index);
+        let is_wired = row.is_wired[index];
+        let shown = if is_wired { Shown::Nothing } else { shown_value(port, node, look) };
+        let mut room = NODE_WIDTH - 24.0;
+        match shown {
+            Shown::Nothing => {}
+            Shown::Color(color) => {
+                text.swatches.push((vec2(NODE_WIDTH - 26.0, y), color));
+                room -= 34.0;
+            }
+            Shown::Text(value, color) => {
+                let value = line(&value, NODE_WIDTH * 0.5, color);
+                let width = value.size().x / zoom;
+                text.lines.push((vec2(NODE_WIDTH - 12.0 - width, centered(&value, y)), value));
+                room -= width + 8.0;
+            }
+        }
+        let label = line(&port.label, room, if is_wired { theme::TEXT } else { theme::DIM });
+        text.lines.push((vec2(12.0, centered(&label, y)), label));
+    }
+    row.text = text;
+}
+
+enum Shown {
+    Nothing,
+    Text(String, Color32),
+    Color([f64; 4]),
+}
+
+/// What a row shows of an unwired input.
+fn shown_value(port: &Port, node: &Node, look: &Look) -> Shown {
+    let value = match (node.values.get(&port.name), &port.fallback) {
+        (Some(value), _) | (None, Fallback::Value(value)) => value,
+        (None, Fallback::Context(context)) => {
+            return Shown::Text(context.word().replace(['_', '.'], " "), theme::DIM.gamma_multiply(0.7));
+        }
+        (None, Fallback::Wire) => return Shown::Nothing,
+    };
+    if matches!(port.ty, Type::Color | Type::Composite)
+        && let Some(color) = value.color()
+    {
+        return Shown::Color(color);
+    }
+    let text = match (&port.ty, value) {
+        (Type::LightName, Value::Text(id)) => {
+            let light = look.lights.get(id.as_str());
+            light.map(|light| &light.name).filter(|name| !name.is_empty()).unwrap_or(id).clone()
+        }
+        (Type::Text, _) => return Shown::Nothing,
+        _ => values::short(port, value),
+    };
+    Shown::Text(text, theme::TEXT)
+}
+
+/// One line, cut off with an ellipsis where it is longer than `width`.
+fn one_line(painter: &Painter, text: &str, size: f32, width: f32, color: Color32) -> Arc<Galley> {
+    let format = TextFormat { font_id: FontId::proportional(size), color, ..TextFormat::default() };
+    let mut job = LayoutJob::single_section(text.replace(['\n', '\r'], " "), format);
+    job.wrap = TextWrapping::truncate_at_width(width.max(1.0));
+    painter.layout_job(job)
+}

@@ -1,0 +1,103 @@
+//! From the graph's plane to the screen.
+
+use eframe::egui::{Pos2, Rect, Vec2, vec2};
+
+/// How far out and in the canvas goes.
+const ZOOM: std::ops::RangeInclusive<f32> = 0.03..=3.0;
+
+/// A pan and a zoom.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct View {
+    /// The point of the graph at the canvas's centre.
+    pub(crate) center: Pos2,
+    /// Points of the screen for each point of the graph.
+    pub(crate) zoom: f32,
+    /// Where the canvas is on the screen.
+    pub(crate) screen: Rect,
+}
+
+impl Default for View {
+    fn default() -> Self {
+        Self { center: Pos2::ZERO, zoom: 1.0, screen: Rect::ZERO }
+    }
+}
+
+impl View {
+    pub(crate) fn to_screen(self, p: Pos2) -> Pos2 {
+        self.screen.center() + (p - self.center) * self.zoom
+    }
+
+    pub(crate) fn rect_to_screen(self, r: Rect) -> Rect {
+        Rect::from_min_max(self.to_screen(r.min), self.to_screen(r.max))
+    }
+
+    pub(crate) fn to_graph(self, p: Pos2) -> Pos2 {
+        self.center + (p - self.screen.center()) / self.zoom
+    }
+
+    /// What of the graph is in view.
+    pub(crate) fn visible(self) -> Rect {
+        Rect::from_min_max(self.to_graph(self.screen.min), self.to_graph(self.screen.max))
+    }
+
+    /// Moves the graph with the pointer.
+    pub(crate) fn pan(&mut self, delta: Vec2) {
+        self.center -= delta / self.zoom;
+    }
+
+    /// Zooms; what lies under `at` stays there.
+    pub(crate) fn zoom_about(&mut self, at: Pos2, factor: f32) {
+        let fixed = self.to_graph(at);
+        self.zoom = (self.zoom * factor).clamp(*ZOOM.start(), *ZOOM.end());
+        self.center += fixed - self.to_graph(at);
+    }
+
+    /// Shows all of `bounds`, not larger than life.
+    pub(crate) fn fit(&mut self, bounds: Rect) {
+        if !bounds.is_finite() || !bounds.is_positive() {
+            (self.center, self.zoom) = (Pos2::ZERO, 1.0);
+            return;
+        }
+        let room = (self.screen.size() - vec2(60.0, 60.0)).max(vec2(40.0, 40.0));
+        let zoom = (room.x / bounds.width()).min(room.y / bounds.height());
+        self.zoom = zoom.clamp(*ZOOM.start(), 1.0);
+        self.center = bounds.center();
+    }
+
+    /// Moves as little as brings `bounds` into view.
+    pub(crate) fn reveal(&mut self, bounds: Rect) {
+        if self.zoom < 0.4 {
+            self.zoom = 0.8;
+        }
+        let visible = self.visible().shrink(20.0 / self.zoom);
+        if !visible.contains_rect(bounds) {
+            self.center = bounds.center();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use eframe::egui::pos2;
+
+    #[test]
+    fn zooming_keeps_the_point_under_the_pointer() {
+        let screen = Rect::from_min_size(pos2(100.0, 50.0), vec2(800.0, 600.0));
+        let mut view = View { center: pos2(30.0, -20.0), zoom: 0.7, screen };
+        let at = pos2(333.0, 444.0);
+        let before = view.to_graph(at);
+        view.zoom_about(at, 1.7);
+        assert!((view.to_graph(at) - before).length() < 1e-3);
+        assert!((view.to_screen(view.to_graph(at)) - at).length() < 1e-3);
+    }
+
+    #[test]
+    fn everything_fits() {
+        let screen = Rect::from_min_size(pos2(0.0, 0.0), vec2(800.0, 600.0));
+        let mut view = View { screen, ..View::default() };
+        let bounds = Rect::from_min_max(pos2(-500.0, 0.0), pos2(3000.0, 100.0));
+        view.fit(bounds);
+        assert!(view.visible().contains_rect(bounds));
+    }
+}

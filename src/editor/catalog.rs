@@ -1,0 +1,386 @@
+//! What the window knows of kinds of nodes: nodes of the library, groups and custom WGSL nodes, all alike.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use crate::document::{Definition, Graph, InterfacePort, Look, Node, Tier, Value};
+use crate::ids::{GROUP_INPUTS, GROUP_OUTPUTS, PortName};
+use crate::library::{Fallback, Library, NodeDef, Preset, Special, Type, load_node};
+
+/// The kind of a node whose WGSL is a value of its own.
+pub(crate) const CUSTOM_KIND: &str = "wgsl";
+/// The value that holds it.
+pub(crate) const CODE: &str = "code";
+/// What a new custom node begins with.
+pub(crate) const CUSTOM_CODE: &str = "\
+/// My node
+///
+/// @param value \"Value\" default=0.5 min=0 max=1 : What comes in.
+/// @return value \"Value\" : What goes out.
+fn my_node(value: f32) -> f32 {
+    return value * value;
+}
+";
+/// Groups within groups are looked into this deep.
+const MAX_DEPTH: usize = 16;
+
+/// A port as people see it.
+#[derive(Clone, Debug)]
+pub(crate) struct Port {
+    pub(crate) name: PortName,
+    pub(crate) label: Arc<str>,
+    pub(crate) help: String,
+    pub(crate) ty: Type,
+    /// Inputs: every type that one of the node's functions takes here.
+    pub(crate) accepts: Vec<Type>,
+    pub(crate) fallback: Fallback,
+    pub(crate) min: Option<f64>,
+    pub(crate) max: Option<f64>,
+    pub(crate) unit: String,
+    pub(crate) options: Vec<(String, String)>,
+}
+
+impl Port {
+    /// Whether it has a socket.
+    pub(crate) fn is_wirable(&self) -> bool {
+        !self.ty.is_setting()
+    }
+
+    /// Whether an output of type `from` may be wired to this input.
+    pub(crate) fn takes(&self, from: &Type) -> bool {
+        self.is_wirable() && self.accepts.iter().any(|to| from.convert_to(to).is_some())
+    }
+
+    fn named(name: &str) -> Self {
+        Self {
+            name: name.into(),
+            label: name.into(),
+            help: String::new(),
+            ty: Type::Prepared(String::new()),
+            accepts: Vec::new(),
+            fallback: Fallback::Wire,
+            min: None,
+            max: None,
+            unit: String::new(),
+            options: Vec::new(),
+        }
+    }
+}
+
+/// A kind of node as people see it.
+#[derive(Clone, Debug)]
+pub(crate) struct Kind {
+    pub(crate) id: String,
+    pub(crate) label: Arc<str>,
+    pub(crate) category: String,
+    pub(crate) help: String,
+    pub(crate) sources: Vec<String>,
+    pub(crate) inputs: Vec<Port>,
+    pub(crate) outputs: Vec<Port>,
+    pub(crate) presets: Vec<Preset>,
+    pub(crate) tiers: Vec<Tier>,
+    pub(crate) is_reroute: bool,
+    /// Whether it could not be found.
+    pub(crate) is_missing: bool,
+}
+
+impl Kind {
+    pub(crate) fn input(&self, name: &str) -> Option<usize> {
+        self.inputs.iter().position(|port| port.name.as_str() == name)
+    }
+
+    /// An output's index by name; an empty name is the first.
+    pub(crate) fn output(&self, name: &str) -> Option<usize> {
+        if name.is_empty() {
+            return (!self.outputs.is_empty()).then_some(0);
+        }
+        self.outputs.iter().position(|port| port.name.as_str() == name)
+    }
+
+    fn of_node(def: &NodeDef) -> Self {
+        let is_reroute = def.special == Special::Reroute;
+        let mut tiers: Vec<Tier> = def.variants.iter().map(|variant| variant.tier).collect();
+        tiers.sort_unstable();
+        tiers.dedup();
+        Self {
+            id: def.kind.clone(),
+            label: def.label.as_str().into(),
+            category: def.category.clone(),
+            help: def.help.clone(),
+            sources: def.sources.clone(),
+            inputs: (0..def.inputs.len())
+                .filter(|&index| !def.inputs[index].hidden)
+                .map(|i| input_port(def, i))
+                .collect(),
+            outputs: def
+                .outputs
+                .iter()
+                .map(|output| Port {
+                    label: output.label.as_str().into(),
+                    help: output.help.clone(),
+                    ty: output.ty.clone(),
+                    ..Port::named(output.name.as_str())
+                })
+                .collect(),
+            presets: def.presets.clone(),
+            tiers,
+            is_reroute,
+            is_missing: false,
+        }
+    }
+}
+
+fn input_port(def: &NodeDef, index: usize) -> Port {
+    use crate::library::Parameter;
+    let input = &def.inputs[index];
+    let mut accepts = vec![input.ty.clone()];
+    for parameter in def.variants.iter().flat_map(|variant| &variant.parameters) {
+        if let Parameter::Input(of, ty) = parameter
+            && *of == index
+            && !accepts.contains(ty)
+        {
+            accepts.push(ty.clone());
+        }
+    }
+    if def.special == Special::Reroute {
+        accepts.extend([Type::Angle, Type::Light, Type::Mat3, Type::Curve, Type::Ramp]);
+    }
+    Port {
+        name: input.name.clone(),
+        label: input.label.as_str().into(),
+        help: input.help.clone(),
+        ty: input.ty.clone(),
+        accepts,
+        fallback: input.fallback.clone(),
+        min: input.min,
+        max: input.max,
+        unit: input.unit.clone(),
+        options: input.options.clone(),
+    }
+}
+
+/// Every kind that a look's nodes may have.
+#[derive(Default)]
+pub(crate) struct Catalog {
+    library: HashMap<String, Arc<Kind>>,
+    /// Kinds of the library in its order, for the palette.
+    order: Vec<Arc<Kind>>,
+    definitions: HashMap<String, Arc<Kind>>,
+    /// Custom nodes by their code.
+    custom: HashMap<String, Arc<Kind>>,
+}
+
+impl Catalog {
+    /// The kinds of a library.
+    pub(crate) fn new(library: &Library) -> Self {
+        let mut catalog = Self::default();
+        for def in library.nodes.values() {
+            catalog.add(Kind::of_node(def));
+        }
+        for group in library.groups.values() {
+            let find = |kind: &str| library.groups.get(kind).map(|group| &group.definition);
+            let mut kind = group_kind(&group.id, &group.definition, library, &find, 0);
+            kind.category.clone_from(&group.category);
+            catalog.add(kind);
+        }
+        let mut custom = custom_kind(CUSTOM_CODE);
+        custom.label = "WGSL node".into();
+        custom.help = "A node whose WGSL function you write yourself.".to_owned();
+        catalog.order.push(Arc::new(custom));
+        catalog
+    }
+
+    fn add(&mut self, kind: Kind) {
+        let kind = Arc::new(kind);
+        self.library.insert(kind.id.clone(), kind.clone());
+        self.order.push(kind);
+    }
+
+    /// Learns the groups and custom nodes of a look.
+    pub(crate) fn sync(&mut self, look: &Look, library: &Library) {
+        let find = |kind: &str| {
+            let own = look.definitions.get(kind);
+            own.or_else(|| library.groups.get(kind).map(|group| &group.definition))
+        };
+        let group = |(id, definition): (&crate::ids::DefinitionId, _)| {
+            (id.to_string(), Arc::new(group_kind(id.as_str(), definition, library, &find, 0)))
+        };
+        self.definitions = look.definitions.iter().map(group).collect();
+        let codes: Vec<&str> = look.graph.nodes.values().filter_map(custom_code).collect();
+        self.custom.retain(|code, _| codes.contains(&code.as_str()));
+        for code in codes {
+            if !self.custom.contains_key(code) {
+                self.custom.insert(code.to_owned(), Arc::new(custom_kind(code)));
+            }
+        }
+    }
+
+    /// The kind of a node; `None` where there is none of that name.
+    pub(crate) fn of(&self, node: &Node) -> Option<&Arc<Kind>> {
+        match custom_code(node) {
+            Some(code) => self.custom.get(code),
+            None => self.get(&node.kind),
+        }
+    }
+
+    /// A kind by its id.
+    pub(crate) fn get(&self, id: &str) -> Option<&Arc<Kind>> {
+        self.definitions.get(id).or_else(|| self.library.get(id))
+    }
+
+    /// What can be added: the look's own groups first, then the library.
+    pub(crate) fn all(&self) -> impl Iterator<Item = &Arc<Kind>> {
+        self.definitions.values().chain(&self.order)
+    }
+
+    /// Stands in for a kind that does not exist, with the ports that the look names.
+    pub(crate) fn stand_in(id: &str, inputs: &[PortName], outputs: &[PortName]) -> Kind {
+        let ports = |names: &[PortName]| names.iter().map(|name| Port::named(name.as_str())).collect();
+        Kind {
+            id: id.to_owned(),
+            label: format!("{id}?").into(),
+            category: String::new(),
+            help: "There is no node of this kind.".to_owned(),
+            sources: Vec::new(),
+            inputs: ports(inputs),
+            outputs: ports(outputs),
+            presets: Vec::new(),
+            tiers: Vec::new(),
+            is_reroute: false,
+            is_missing: true,
+        }
+    }
+}
+
+fn custom_code(node: &Node) -> Option<&str> {
+    if node.kind != CUSTOM_KIND {
+        return None;
+    }
+    match node.values.get(CODE) {
+        Some(Value::Text(code)) => Some(code),
+        _ => Some(""),
+    }
+}
+
+fn custom_kind(code: &str) -> Kind {
+    let mut kind = match load_node("custom.wgsl", code, Some(CUSTOM_KIND)) {
+        Ok(def) => Kind::of_node(&def),
+        Err(_) => {
+            let mut kind = Catalog::stand_in(CUSTOM_KIND, &[], &[]);
+            kind.label = "WGSL node".into();
+            kind.help = "Its code has errors; they are listed under the canvas.".to_owned();
+            kind
+        }
+    };
+    kind.category = "utility".to_owned();
+    let text = Fallback::Value(Value::Text(CUSTOM_CODE.to_owned()));
+    let code = Port { label: "Code".into(), ty: Type::Text, fallback: text, ..Port::named(CODE) };
+    kind.inputs.push(code);
+    kind.is_missing = false;
+    kind
+}
+
+fn group_kind<'a>(
+    id: &str,
+    definition: &Definition,
+    library: &Library,
+    find: &dyn Fn(&str) -> Option<&'a Definition>,
+    depth: usize,
+) -> Kind {
+    let inner = |node: &Node| -> Option<Kind> {
+        if node.kind == CUSTOM_KIND {
+            return Some(custom_kind(custom_code(node)?));
+        }
+        if let Some(inner) = find(&node.kind) {
+            return (depth < MAX_DEPTH).then(|| group_kind(&node.kind, inner, library, find, depth + 1));
+        }
+        library.nodes.get(&node.kind).map(|def| Kind::of_node(def))
+    };
+    let graph = &definition.graph;
+    Kind {
+        id: id.to_owned(),
+        label: if definition.label.is_empty() { id } else { &definition.label }.into(),
+        category: "group".to_owned(),
+        help: definition.help.clone(),
+        sources: Vec::new(),
+        inputs: definition.inputs.iter().map(|port| named_by(port, inner_input(graph, port, &inner))).collect(),
+        outputs: definition.outputs.iter().map(|port| named_by(port, inner_output(graph, port, &inner))).collect(),
+        presets: Vec::new(),
+        tiers: Vec::new(),
+        is_reroute: false,
+        is_missing: false,
+    }
+}
+
+/// The inner port that a group's input is wired to first.
+fn inner_input(graph: &Graph, port: &InterfacePort, kind_of: &dyn Fn(&Node) -> Option<Kind>) -> Option<Port> {
+    let mut from = (GROUP_INPUTS.to_owned(), port.name.clone());
+    for _ in 0..MAX_DEPTH {
+        let is_it = |wire: &&crate::document::Wire| wire.from.node.as_str() == from.0 && wire.from.port == from.1;
+        let wire = graph.wires.iter().find(is_it)?;
+        let kind = kind_of(graph.nodes.get(&wire.to.node)?)?;
+        let index = kind.input(wire.to.port.as_str())?;
+        if !kind.is_reroute {
+            return Some(kind.inputs[index].clone());
+        }
+        from = (wire.to.node.to_string(), kind.outputs.first()?.name.clone());
+    }
+    None
+}
+
+/// The inner port that a group's output comes from.
+fn inner_output(graph: &Graph, port: &InterfacePort, kind_of: &dyn Fn(&Node) -> Option<Kind>) -> Option<Port> {
+    let mut to = (GROUP_OUTPUTS.to_owned(), port.name.clone());
+    for _ in 0..MAX_DEPTH {
+        let is_it = |wire: &&crate::document::Wire| wire.to.node.as_str() == to.0 && wire.to.port == to.1;
+        let wire = graph.wires.iter().find(is_it)?;
+        let kind = kind_of(graph.nodes.get(&wire.from.node)?)?;
+        let index = kind.output(wire.from.port.as_str())?;
+        if !kind.is_reroute {
+            return Some(kind.outputs[index].clone());
+        }
+        to = (wire.from.node.to_string(), kind.inputs.first()?.name.clone());
+    }
+    None
+}
+
+fn named_by(own: &InterfacePort, inner: Option<Port>) -> Port {
+    let mut port = inner.unwrap_or_else(|| Port::named(own.name.as_str()));
+    port.name = own.name.clone();
+    if let Some(label) = &own.label {
+        port.label = label.as_str().into();
+    }
+    if let Some(help) = &own.help {
+        port.help.clone_from(help);
+    }
+    if let Some(default) = &own.default {
+        port.fallback = Fallback::Value(default.clone());
+    }
+    port.min = own.min.or(port.min);
+    port.max = own.max.or(port.max);
+    port
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_group_has_the_ports_of_what_is_in_it() {
+        let catalog = Catalog::new(Library::built_in());
+        let layer = catalog.get("light_layer").unwrap();
+        let offset = &layer.inputs[layer.input("offset").unwrap()];
+        assert_eq!((offset.unit.as_str(), &offset.ty), ("rad", &Type::Float));
+        assert_eq!(layer.outputs[0].ty, Type::Composite);
+        assert_eq!(layer.inputs[layer.input("light").unwrap()].ty, Type::LightName);
+        assert_eq!(&*layer.inputs[layer.input("blend").unwrap()].label, "Blending");
+        assert!(layer.inputs[0].takes(&Type::Color) && !layer.inputs[0].takes(&Type::Light));
+    }
+
+    #[test]
+    fn the_first_custom_node_is_right() {
+        let kind = custom_kind(CUSTOM_CODE);
+        assert_eq!(kind.inputs.len(), 2, "its value and its code");
+        assert_eq!(&*kind.label, "My node");
+    }
+}

@@ -1,0 +1,32 @@
+//! What panels ask for. They change nothing themselves: [`App`](super::App) applies commands, in one place.
+
+use eframe::egui;
+use std::path::PathBuf;
+
+use crate::document::Edit;
+use crate::ids::NodeId;
+
+/// Something that a panel asks for.
+#[derive(Clone, Debug)]
+pub(crate) enum Command {
+    /// A change of the look as an undo step of its own.
+    Edit(Edit),
+    /// A change that goes on for as long as the same widget is held: one undo step in all.
+    EditHeld(egui::Id, Edit),
+    /// Selects these nodes and no others.
+    Select(Vec<NodeId>),
+    /// Selects a node and brings it into view.
+    Reveal(NodeId),
+    Undo,
+    Redo,
+    New,
+    /// Opens a file; asks for one where there is none.
+    Open(Option<PathBuf>),
+    /// Saves to the look's own file; asks where there is none.
+    Save,
+    SaveAs,
+    /// Saves to this file.
+    SaveTo(PathBuf),
+    /// Copies text to the clipboard.
+    Copy(String),
+}

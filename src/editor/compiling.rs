@@ -1,0 +1,64 @@
+//! Compiling a look in the background: the live shader (every value a uniform, for editing) and the baked one (values
+//! folded, for a look at rest and for the code panel).
+
+use std::sync::Arc;
+
+use super::worker::Worker;
+use crate::compile::{CompiledShader, Live, Options, check, compile_typed};
+use crate::diag::Diagnostic;
+use crate::document::Look;
+use crate::library::Library;
+
+/// What is to be compiled.
+pub(crate) struct Request {
+    /// The look as it is now.
+    pub(crate) look: Arc<Look>,
+    /// Which document that is.
+    pub(crate) document: u64,
+    /// Its revision.
+    pub(crate) revision: u64,
+    /// Which structure it has; other values with the same structure are shown by the same live shader.
+    pub(crate) structure: u64,
+    /// The nodes there are.
+    pub(crate) library: Arc<Library>,
+    /// Whether only the baked shader is wanted, because the live one still serves.
+    pub(crate) only_baked: bool,
+}
+
+/// What became of a request.
+pub(crate) struct Answer {
+    /// The request.
+    pub(crate) request: Request,
+    /// The shaders, or everything that is wrong.
+    pub(crate) result: Result<Shaders, Vec<Diagnostic>>,
+}
+
+/// A look's shaders.
+pub(crate) struct Shaders {
+    /// Every value a uniform; `None` where only the baked one was wanted.
+    pub(crate) live: Option<Arc<CompiledShader>>,
+    /// Values folded.
+    pub(crate) baked: Arc<CompiledShader>,
+}
+
+/// A thread that compiles looks.
+pub(crate) type Compiler = Worker<Request, Answer>;
+
+/// Starts it.
+pub(crate) fn start(wake: impl Fn() + Send + 'static) -> Compiler {
+    Worker::new("compile", wake, |request| {
+        let result = compile(&request);
+        Answer { request, result }
+    })
+}
+
+fn compile(request: &Request) -> Result<Shaders, Vec<Diagnostic>> {
+    let (typed, warnings) = check(&request.look, &request.library, None)?;
+    let with = |live| Options { live, display: true, ..Options::default() };
+    let baked = Arc::new(compile_typed(&typed, &with(Live::Keyed), warnings.clone())?);
+    let live = match request.only_baked {
+        true => None,
+        false => Some(Arc::new(compile_typed(&typed, &with(Live::All), warnings)?)),
+    };
+    Ok(Shaders { live, baked })
+}

@@ -1,0 +1,57 @@
+//! The system's file dialogs, which wait on a thread of their own.
+
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::worker::start;
+use crate::render::block_on;
+
+/// What a file is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Purpose {
+    Open,
+    Save,
+}
+
+/// Dialogs that are open, and what became of them.
+pub(crate) struct Dialogs {
+    answers: Arc<Mutex<Vec<(Purpose, PathBuf)>>>,
+    wake: Arc<dyn Fn() + Send + Sync>,
+}
+
+impl Dialogs {
+    /// `wake` is called from another thread when a file was chosen.
+    pub(crate) fn new(wake: impl Fn() + Send + Sync + 'static) -> Self {
+        Self { answers: Arc::default(), wake: Arc::new(wake) }
+    }
+
+    /// Asks for a file, beginning in the folder of `near`.
+    pub(crate) fn ask(&self, purpose: Purpose, near: Option<&Path>) {
+        let mut dialog = rfd::AsyncFileDialog::new().add_filter("Chiaro look", &["json"]);
+        if let Some(folder) = near.and_then(Path::parent).filter(|folder| folder.is_dir()) {
+            dialog = dialog.set_directory(folder);
+        }
+        let name =
+            near.and_then(Path::file_name).map_or("look.json".into(), |name| name.to_string_lossy().into_owned());
+        let (answers, wake) = (self.answers.clone(), self.wake.clone());
+        let _ = start("dialog", move || {
+            let file = match purpose {
+                Purpose::Open => block_on(dialog.pick_file()),
+                Purpose::Save => block_on(dialog.set_file_name(name).save_file()),
+            };
+            if let Some(file) = file {
+                let mut path = file.path().to_path_buf();
+                if purpose == Purpose::Save && path.extension().is_none() {
+                    path.set_extension("json");
+                }
+                answers.lock().unwrap_or_else(PoisonError::into_inner).push((purpose, path));
+                wake();
+            }
+        });
+    }
+
+    /// Files that were chosen since the last call.
+    pub(crate) fn answers(&self) -> impl Iterator<Item = (Purpose, PathBuf)> + use<> {
+        std::mem::take(&mut *self.answers.lock().unwrap_or_else(PoisonError::into_inner)).into_iter()
+    }
+}

@@ -1,0 +1,75 @@
+//! A colour: a swatch that opens a picker, and its hex code.
+
+use eframe::egui;
+use eframe::egui::ecolor::{gamma_from_linear, linear_from_gamma};
+use eframe::egui::{Id, Rgba, TextEdit, Ui, color_picker};
+
+use super::super::values;
+use crate::document::{ColorSpace, parse_hex, srgb_to_linear};
+
+/// Edits a straight RGBA colour of a look's colour space. Who changed it, and to what.
+pub(super) fn edit(
+    ui: &mut Ui,
+    label: Id,
+    color: [f64; 4],
+    space: ColorSpace,
+    with_alpha: bool,
+) -> Option<(Id, [f64; 4])> {
+    let swatch = swatch(ui, label, color, space, with_alpha);
+    let hex = hex(ui, label, color, space);
+    swatch.or(hex)
+}
+
+fn swatch(ui: &mut Ui, label: Id, color: [f64; 4], space: ColorSpace, with_alpha: bool) -> Option<(Id, [f64; 4])> {
+    // egui's picker thinks in linear light; a look's colours are as shown unless it says otherwise.
+    let to_linear = |x: f64| match space {
+        ColorSpace::Display => linear_from_gamma(x.clamp(0.0, 1.0) as f32),
+        ColorSpace::Linear => x.clamp(0.0, 1.0) as f32,
+    };
+    let from_linear = |x: f32| match space {
+        ColorSpace::Display => f64::from(gamma_from_linear(x.clamp(0.0, 1.0))),
+        ColorSpace::Linear => f64::from(x.clamp(0.0, 1.0)),
+    };
+    let [r, g, b, a] = color;
+    let before = Rgba::from_rgba_unmultiplied(to_linear(r), to_linear(g), to_linear(b), a.clamp(0.0, 1.0) as f32);
+    let mut after = before;
+    let alpha = if with_alpha { color_picker::Alpha::OnlyBlend } else { color_picker::Alpha::Opaque };
+    let response = color_picker::color_edit_button_rgba(ui, &mut after, alpha).labelled_by(label);
+    if !response.changed() || after == before {
+        return None;
+    }
+    let [r, g, b, a] = after.to_rgba_unmultiplied();
+    // Seven decimals are more than a picker's hand gives, and keep files readable.
+    let color = [from_linear(r), from_linear(g), from_linear(b), f64::from(a)].map(|x| (x * 1e4).round() / 1e4);
+    Some((response.id, color))
+}
+
+fn hex(ui: &mut Ui, label: Id, color: [f64; 4], space: ColorSpace) -> Option<(Id, [f64; 4])> {
+    let id = ui.scope_id().with("hex");
+    let shown = values::hex(match space {
+        ColorSpace::Display => color,
+        ColorSpace::Linear => {
+            let encode = |x: f64| f64::from(gamma_from_linear(x.clamp(0.0, 1.0) as f32));
+            [encode(color[0]), encode(color[1]), encode(color[2]), color[3]]
+        }
+    });
+    // While it is being typed it is no colour yet, so the text is kept aside.
+    let mut text = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| shown.clone());
+    let edit =
+        TextEdit::singleline(&mut text).id(id).desired_width(80.0).font(egui::TextStyle::Monospace).char_limit(9);
+    let response = ui.add(edit).labelled_by(label);
+    if response.has_focus() {
+        ui.data_mut(|data| data.insert_temp(id, text.clone()));
+    } else {
+        ui.data_mut(|data| data.remove::<String>(id));
+    }
+    let parsed = parse_hex(text.trim()).filter(|_| response.changed() && text.trim() != shown)?;
+    let [r, g, b, a] = parsed;
+    Some((
+        response.id,
+        match space {
+            ColorSpace::Display => parsed.map(|x| (x * 1e4).round() / 1e4),
+            ColorSpace::Linear => [srgb_to_linear(r), srgb_to_linear(g), srgb_to_linear(b), a],
+        },
+    ))
+}

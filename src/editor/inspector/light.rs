@@ -1,0 +1,219 @@
+//! The lights: type, frame, direction on a small ball, colour, intensity.
+
+use eframe::egui;
+use eframe::egui::{ComboBox, DragValue, Id, Pos2, RichText, Role, Sense, Slider, Stroke, Ui, WidgetInfo, vec2};
+
+use super::super::command::Command;
+use super::super::session::Session;
+use super::super::{theme, values};
+use super::row::labelled;
+use super::{Subject, color};
+use crate::document::{Edit, Light, LightKind, LightSpace, Value};
+use crate::ids::{LightId, make_slug};
+use crate::library::Type;
+
+const BALL: f32 = 84.0;
+
+/// The lights that a node names.
+pub(super) fn lights_of(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
+    let look = subject.session.look();
+    for port in subject.kind.inputs.iter().filter(|port| port.ty == Type::LightName) {
+        let Some(Value::Text(id)) = values::current(port, subject.node.values.get(&port.name)) else { continue };
+        if let Some((id, light)) = look.lights.get_key_value(id.as_str()) {
+            ui.separator();
+            ui.label(RichText::new(format!("The light \"{}\"", shown_name(id, light))).strong());
+            edit(ui, subject.session, id, light, out);
+        }
+    }
+}
+
+/// Every light of the look.
+pub(super) fn all_lights(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+    ui.separator();
+    ui.horizontal(|ui| {
+        ui.label(RichText::new("Lights").heading());
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            if ui.button("Add light").clicked() {
+                let lights = &session.look().lights;
+                let id = LightId::new(make_slug("light", |slug| lights.contains_key(slug)));
+                let light = Light { direction: [0.5, 0.5, 0.7], ..Light::default() };
+                out.push(Command::Edit(Edit::AddLight { id, light, index: None }));
+            }
+        });
+    });
+    for (id, light) in &session.look().lights {
+        egui::CollapsingHeader::new(shown_name(id, light)).id_salt(id).default_open(true).show(ui, |ui| {
+            edit(ui, session, id, light, out);
+            if ui.button("Remove").on_hover_text("Nodes that name it will say so").clicked() {
+                out.push(Command::Edit(Edit::RemoveLight { id: id.clone() }));
+            }
+        });
+    }
+}
+
+fn shown_name<'a>(id: &'a LightId, light: &'a Light) -> &'a str {
+    if light.name.is_empty() { id.as_str() } else { &light.name }
+}
+
+fn edit(ui: &mut Ui, session: &Session, id: &LightId, light: &Light, out: &mut Vec<Command>) {
+    ui.push_id(id, |ui| {
+        let mut new = light.clone();
+        let mut hand = None;
+        labelled(ui, "Type", "Directional lights are as far away as the sun", |ui, label| {
+            hand = hand.or(kind(ui, label, &mut new));
+        });
+        labelled(ui, "Frame", "What its direction turns with", |ui, label| {
+            hand = hand.or(space(ui, label, &mut new));
+        });
+        if new.kind == LightKind::Directional {
+            labelled(
+                ui,
+                "Direction",
+                "Toward the light. The middle is toward you, the inner ring sideways, the rim behind.",
+                |ui, label| {
+                    hand = hand.or(ball(ui, &mut new.direction));
+                    ui.vertical(|ui| hand = hand.or(xyz(ui, label, &mut new.direction)));
+                },
+            );
+        } else {
+            labelled(ui, "Position", "In scene units", |ui, label| hand = hand.or(xyz(ui, label, &mut new.position)));
+        }
+        if new.kind == LightKind::Spot {
+            labelled(ui, "Aim", "From the light outward", |ui, label| hand = hand.or(xyz(ui, label, &mut new.aim)));
+            labelled(ui, "Full cone", "Half-angle of full light", |ui, label| {
+                let outer = new.outer;
+                hand = hand.or(angle(ui, label, &mut new.inner, outer));
+            });
+            labelled(ui, "Whole cone", "Half-angle at which nothing is left", |ui, label| {
+                hand = hand.or(angle(ui, label, &mut new.outer, std::f64::consts::FRAC_PI_2));
+                new.inner = new.inner.min(new.outer);
+            });
+        }
+        labelled(ui, "Color", "Of the light", |ui, label| {
+            let [r, g, b] = new.color;
+            if let Some((id, [r, g, b, _])) = color::edit(ui, label, [r, g, b, 1.0], session.look().color_space, false)
+            {
+                new.color = [r, g, b];
+                hand = Some(id);
+            }
+        });
+        labelled(ui, "Intensity", "A factor on the color", |ui, label| {
+            ui.spacing_mut().slider_width = (ui.available_width() - 66.0).max(40.0);
+            let slider = Slider::new(&mut new.intensity, 0.0..=4.0).clamping(egui::SliderClamping::Never);
+            let response = ui.add(slider.max_decimals(3)).labelled_by(label);
+            new.intensity = if new.intensity.is_finite() { new.intensity.max(0.0) } else { 1.0 };
+            hand = hand.or(response.changed().then_some(response.id));
+        });
+        if let Some(hand) = hand.filter(|_| new != *light) {
+            out.push(Command::EditHeld(hand, Edit::SetLight { id: id.clone(), light: new }));
+        }
+    });
+}
+
+fn kind(ui: &mut Ui, label: Id, light: &mut Light) -> Option<Id> {
+    let name = |kind| match kind {
+        LightKind::Directional => "Directional",
+        LightKind::Point => "Point",
+        LightKind::Spot => "Spot",
+    };
+    let before = light.kind;
+    let combo = ComboBox::from_id_salt("kind").selected_text(name(light.kind)).show_ui(ui, |ui| {
+        for kind in [LightKind::Directional, LightKind::Point, LightKind::Spot] {
+            ui.selectable_value(&mut light.kind, kind, name(kind));
+        }
+    });
+    let id = combo.response.labelled_by(label).id;
+    (light.kind != before).then_some(id)
+}
+
+fn space(ui: &mut Ui, label: Id, light: &mut Light) -> Option<Id> {
+    let name = |space| match space {
+        LightSpace::Illumination => "Illumination frame",
+        LightSpace::World => "World",
+        LightSpace::Camera => "Camera",
+    };
+    let before = light.space;
+    let combo = ComboBox::from_id_salt("space").selected_text(name(light.space)).show_ui(ui, |ui| {
+        for space in [LightSpace::Illumination, LightSpace::World, LightSpace::Camera] {
+            ui.selectable_value(&mut light.space, space, name(space));
+        }
+    });
+    let id = combo.response.labelled_by(label).id;
+    (light.space != before).then_some(id)
+}
+
+fn xyz(ui: &mut Ui, label: Id, numbers: &mut [f64; 3]) -> Option<Id> {
+    let mut hand = None;
+    let before = *numbers;
+    for (number, axis) in numbers.iter_mut().zip(["x ", "y ", "z "]) {
+        let drag = DragValue::new(number).speed(0.01).max_decimals(3).prefix(axis);
+        let response = ui.add(drag).labelled_by(label);
+        if response.changed() {
+            hand = Some(response.id);
+        }
+    }
+    if numbers.iter().any(|x| !x.is_finite()) {
+        *numbers = before;
+    }
+    hand
+}
+
+fn angle(ui: &mut Ui, label: Id, radians: &mut f64, max: f64) -> Option<Id> {
+    let mut degrees = radians.to_degrees();
+    ui.spacing_mut().slider_width = (ui.available_width() - 66.0).max(40.0);
+    let response =
+        ui.add(Slider::new(&mut degrees, 0.0..=max.to_degrees()).suffix("°").max_decimals(1)).labelled_by(label);
+    *radians = degrees.to_radians();
+    response.changed().then_some(response.id)
+}
+
+/// All directions on a disc: the distance from its middle is the angle from the viewer.
+fn ball(ui: &mut Ui, direction: &mut [f64; 3]) -> Option<Id> {
+    let (rect, response) = ui.allocate_exact_size(vec2(BALL, BALL), Sense::click_and_drag());
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Direction of the light"));
+    let (center, radius) = (rect.center(), BALL / 2.0 - 3.0);
+    let painter = ui.painter_at(rect);
+    painter.circle(center, radius, theme::CANVAS, Stroke::new(1.0, theme::GRID));
+    painter.circle_filled(center, radius / 2.0, theme::NODE);
+    let at = to_disc(*direction, center, radius);
+    painter.line_segment([center, at], Stroke::new(1.5, theme::ACCENT.gamma_multiply(0.6)));
+    painter.circle_filled(at, 4.5, theme::ACCENT);
+    let p = response.interact_pointer_pos().filter(|_| response.dragged() || response.clicked())?;
+    *direction = from_disc(p, center, radius);
+    Some(response.id)
+}
+
+fn to_disc(direction: [f64; 3], center: Pos2, radius: f32) -> Pos2 {
+    let d = glam::DVec3::from(direction).try_normalize().unwrap_or(glam::DVec3::Z);
+    let side = d.x.hypot(d.y);
+    let angle = side.atan2(d.z) / std::f64::consts::PI;
+    let (x, y) = if side > 1e-12 { (d.x / side, d.y / side) } else { (1.0, 0.0) };
+    center + vec2((x * angle) as f32, -(y * angle) as f32) * radius
+}
+
+fn from_disc(p: Pos2, center: Pos2, radius: f32) -> [f64; 3] {
+    let d = (p - center) / radius;
+    let distance = f64::from(d.length()).min(1.0);
+    let (sin, cos) = (distance * std::f64::consts::PI).sin_cos();
+    let (x, y) = if distance > 1e-6 { (f64::from(d.x), f64::from(-d.y)) } else { (0.0, 0.0) };
+    let scale = sin / x.hypot(y).max(1e-6);
+    [x * scale, y * scale, cos].map(|x| (x * 1e3).round() / 1e3)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use eframe::egui::pos2;
+
+    #[test]
+    fn the_disc_holds_every_direction() {
+        let center = pos2(40.0, 40.0);
+        for direction in [[0.0, 0.0, 1.0], [0.6, 0.0, 0.8], [0.0, -1.0, 0.0], [-0.48, 0.64, -0.6]] {
+            let back = from_disc(to_disc(direction, center, 39.0), center, 39.0);
+            for (a, b) in direction.iter().zip(back) {
+                assert!((a - b).abs() < 2e-3, "{direction:?} {back:?}");
+            }
+        }
+        assert!(from_disc(pos2(79.0, 40.0), center, 39.0)[2] < -0.99, "the rim is behind");
+    }
+}

@@ -1,0 +1,158 @@
+//! The inspector: everything of the selected node that can be set, with names, units and help.
+
+mod color;
+mod curve;
+mod light;
+mod ramp;
+mod row;
+
+use eframe::egui;
+use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
+
+use super::catalog::Kind;
+use super::command::Command;
+use super::session::Session;
+use super::theme;
+use crate::document::{ColorSpace, Edit, GraphId, Node, Tier};
+use crate::ids::NodeId;
+
+/// What every part of the inspector works with.
+struct Subject<'a> {
+    session: &'a Session,
+    id: &'a NodeId,
+    node: &'a Node,
+    kind: &'a Kind,
+}
+
+/// Shows the node that was selected last, or the look itself.
+pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
+    let mut commands = Vec::new();
+    let look = session.look();
+    let selected = session.selection.last().and_then(|id| Some((id, look.graph.nodes.get(id)?)));
+    ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+        // Room for the scroll bar.
+        ui.set_max_width(ui.available_width() - 8.0);
+        match selected {
+            Some((id, node)) => match session.catalog.of(node) {
+                Some(kind) => show_node(ui, &Subject { session, id, node, kind }, &mut commands),
+                None => {
+                    ui.heading(id.as_str());
+                    ui.label(format!("There is no node of kind \"{}\".", node.kind));
+                }
+            },
+            None => show_look(ui, session, &mut commands),
+        }
+    });
+    commands
+}
+
+fn show_node(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
+    let Subject { session, id, node, kind } = subject;
+    ui.horizontal(|ui| {
+        let label = ui.label(RichText::new(&*kind.label).heading());
+        let count = session.selection.len();
+        if count > 1 {
+            ui.label(RichText::new(format!("and {} more", count - 1)).color(theme::DIM));
+        }
+        label.on_hover_text(format!("kind {}, id {id}", node.kind));
+    });
+    if !kind.help.is_empty() {
+        let first = kind.help.split("\n\n").next().unwrap_or_default();
+        ui.label(RichText::new(first).color(theme::DIM)).on_hover_text(&kind.help);
+    }
+    if !kind.sources.is_empty() {
+        ui.label(RichText::new(kind.sources.join(" · ")).small().color(theme::DIM));
+    }
+    ui.add_space(4.0);
+    name_row(ui, subject, out);
+    presets(ui, subject, out);
+    ui.separator();
+    for port in &kind.inputs {
+        row::show(ui, subject, port, out);
+    }
+    tier_row(ui, subject, out);
+    light::lights_of(ui, subject, out);
+}
+
+fn name_row(ui: &mut Ui, Subject { id, node, kind, .. }: &Subject<'_>, out: &mut Vec<Command>) {
+    row::labelled(ui, "Name", "What you call it; the generated code uses it", |ui, label| {
+        let mut name = node.name.clone();
+        let edit = TextEdit::singleline(&mut name).hint_text(&*kind.label).desired_width(f32::INFINITY).char_limit(80);
+        let response = ui.add(edit).labelled_by(label);
+        if response.changed() {
+            let edit = Edit::SetName { graph: GraphId::Look, id: (*id).clone(), name };
+            out.push(Command::EditHeld(response.id, edit));
+        }
+    });
+}
+
+fn presets(ui: &mut Ui, Subject { id, kind, .. }: &Subject<'_>, out: &mut Vec<Command>) {
+    if kind.presets.is_empty() {
+        return;
+    }
+    ui.horizontal_wrapped(|ui| {
+        for preset in &kind.presets {
+            if ui.button(&preset.label).on_hover_text("Sets the values of this preset").clicked() {
+                let edits = preset.values.iter().map(|(port, value)| Edit::SetValue {
+                    graph: GraphId::Look,
+                    id: (*id).clone(),
+                    port: port.clone(),
+                    value: value.clone(),
+                    index: None,
+                });
+                out.push(Command::Edit(Edit::Group { edits: edits.collect() }));
+            }
+        }
+    });
+}
+
+fn tier_row(ui: &mut Ui, Subject { id, node, kind, .. }: &Subject<'_>, out: &mut Vec<Command>) {
+    if kind.tiers.len() < 2 {
+        return;
+    }
+    row::labelled(ui, "Tier", "Which implementation: exact, or faster with a measured error", |ui, label| {
+        let name = |tier| match tier {
+            Tier::Exact => "Exact",
+            Tier::Balanced => "Balanced",
+            Tier::Fast => "Fast",
+        };
+        let combo = egui::ComboBox::from_id_salt("tier").selected_text(name(node.tier)).show_ui(ui, |ui| {
+            for &tier in &kind.tiers {
+                if ui.selectable_label(node.tier == tier, name(tier)).clicked() {
+                    out.push(Command::Edit(Edit::SetTier { graph: GraphId::Look, id: (*id).clone(), tier }));
+                }
+            }
+        });
+        combo.response.labelled_by(label);
+    });
+}
+
+/// With nothing selected: the look itself and its lights.
+fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+    let look = session.look();
+    ui.heading("Look");
+    ui.label(RichText::new("Select a node to set its values.").color(theme::DIM));
+    ui.add_space(4.0);
+    row::labelled(ui, "Name", "What you call this look", |ui, label| {
+        let mut name = look.name.clone();
+        let response = ui.add(TextEdit::singleline(&mut name).desired_width(f32::INFINITY)).labelled_by(label);
+        if response.changed() {
+            out.push(Command::EditHeld(response.id, Edit::SetLookName { name }));
+        }
+    });
+    row::labelled(ui, "Colors", "What the numbers of a color mean", |ui, label| {
+        let name = |space| match space {
+            ColorSpace::Display => "As shown",
+            ColorSpace::Linear => "Linear light",
+        };
+        let combo = egui::ComboBox::from_id_salt("space").selected_text(name(look.color_space)).show_ui(ui, |ui| {
+            for color_space in [ColorSpace::Display, ColorSpace::Linear] {
+                if ui.selectable_label(look.color_space == color_space, name(color_space)).clicked() {
+                    out.push(Command::Edit(Edit::SetColorSpace { color_space }));
+                }
+            }
+        });
+        combo.response.labelled_by(label);
+    });
+    light::all_lights(ui, session, out);
+}

@@ -1,0 +1,90 @@
+//! Values as people read them: degrees in place of radians, labels in place of words.
+
+use crate::document::Value;
+use crate::library::{Fallback, Type};
+
+use super::catalog::Port;
+
+/// A value in a few characters.
+pub(crate) fn short(port: &Port, value: &Value) -> String {
+    match value {
+        Value::Bool(on) => if *on { "on" } else { "off" }.to_owned(),
+        Value::Number(number) if port.ty == Type::Bool => if *number > 0.5 { "on" } else { "off" }.to_owned(),
+        Value::Number(number) if port.unit == "rad" => format!("{}°", number_text(number.to_degrees(), 1)),
+        Value::Number(number) => number_text(*number, 3),
+        Value::Vector(numbers) => numbers.iter().map(|number| number_text(*number, 2)).collect::<Vec<_>>().join(", "),
+        Value::Text(word) => {
+            let label = port.options.iter().find(|(known, _)| known == word).map(|(_, label)| label);
+            label.unwrap_or(word).clone()
+        }
+        Value::Curve(curve) => format!("{} points", curve.points.len()),
+        Value::Ramp(ramp) => format!("{} colors", ramp.stops.len()),
+    }
+}
+
+/// A number with at most so many decimals, and none that say nothing.
+pub(crate) fn number_text(number: f64, decimals: usize) -> String {
+    if number != 0.0 && (number.abs() >= 1e6 || number.abs() < 0.5 * 0.1f64.powi(decimals as i32)) {
+        return format!("{number:.1e}");
+    }
+    let text = format!("{number:.decimals$}");
+    if !text.contains('.') {
+        return text;
+    }
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+/// What an unwired input has: its own value, or its kind's.
+pub(crate) fn current<'a>(port: &'a Port, own: Option<&'a Value>) -> Option<&'a Value> {
+    match (own, &port.fallback) {
+        (Some(value), _) | (None, Fallback::Value(value)) => Some(value),
+        (None, _) => None,
+    }
+}
+
+/// A value as a number.
+pub(crate) fn number(value: Option<&Value>) -> f64 {
+    match value {
+        Some(Value::Number(number)) => *number,
+        Some(Value::Bool(on)) => f64::from(u8::from(*on)),
+        Some(Value::Vector(numbers)) => numbers.first().copied().unwrap_or(0.0),
+        _ => 0.0,
+    }
+}
+
+/// A value as so many numbers; one number stands for all.
+pub(crate) fn vector(value: Option<&Value>, width: usize) -> Vec<f64> {
+    let mut numbers = match value {
+        Some(Value::Vector(numbers)) => numbers.clone(),
+        other => vec![number(other); width],
+    };
+    numbers.resize(width, 0.0);
+    numbers
+}
+
+/// `#rrggbb`, or `#rrggbbaa` where it is not opaque.
+pub(crate) fn hex(color: [f64; 4]) -> String {
+    let [r, g, b, a] = color.map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
+    if a == 255 { format!("#{r:02x}{g:02x}{b:02x}") } else { format!("#{r:02x}{g:02x}{b:02x}{a:02x}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        assert_eq!(number_text(0.5, 3), "0.5");
+        assert_eq!(number_text(90.0, 1), "90");
+        assert_eq!(number_text(-0.0, 3), "0");
+        assert_eq!(number_text(100.0, 0), "100");
+        assert_eq!(number_text(0.00001, 3), "1.0e-5");
+    }
+
+    #[test]
+    fn colors_have_a_hex() {
+        assert_eq!(hex([1.0, 0.5, 0.0, 1.0]), "#ff8000");
+        assert_eq!(hex([0.0, 0.0, 0.0, 0.0]), "#00000000");
+    }
+}

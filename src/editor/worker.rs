@@ -1,0 +1,126 @@
+//! Work off the UI thread: the one place of the window that starts threads. The newest request wins.
+
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread::JoinHandle;
+
+struct State<Q, A> {
+    waiting: Option<Q>,
+    is_busy: bool,
+    answers: Vec<A>,
+    is_over: bool,
+}
+
+struct Shared<Q, A> {
+    state: Mutex<State<Q, A>>,
+    changed: Condvar,
+}
+
+impl<Q, A> Shared<Q, A> {
+    fn lock(&self) -> MutexGuard<'_, State<Q, A>> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// A thread that turns requests into answers.
+pub(crate) struct Worker<Q, A> {
+    shared: Arc<Shared<Q, A>>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl<Q: Send + 'static, A: Send + 'static> Worker<Q, A> {
+    /// Starts the thread. `wake` is called when an answer is there.
+    pub(crate) fn new(
+        name: &str,
+        wake: impl Fn() + Send + 'static,
+        mut work: impl FnMut(Q) -> A + Send + 'static,
+    ) -> Self {
+        let state = State { waiting: None, is_busy: false, answers: Vec::new(), is_over: false };
+        let shared = Arc::new(Shared { state: Mutex::new(state), changed: Condvar::new() });
+        let thread = {
+            let shared = shared.clone();
+            start(name, move || {
+                while let Some(request) = next(&shared) {
+                    let answer = work(request);
+                    let mut state = shared.lock();
+                    state.is_busy = false;
+                    state.answers.push(answer);
+                    drop(state);
+                    shared.changed.notify_all();
+                    wake();
+                }
+            })
+        };
+        Self { shared, thread }
+    }
+
+    /// Asks for work, in place of what still waits; `make` is given that.
+    pub(crate) fn request(&self, make: impl FnOnce(Option<Q>) -> Q) {
+        let mut state = self.shared.lock();
+        let waiting = state.waiting.take();
+        state.waiting = Some(make(waiting));
+        drop(state);
+        self.shared.changed.notify_all();
+    }
+
+    /// The answers since the last call, oldest first.
+    pub(crate) fn answers(&self) -> Vec<A> {
+        std::mem::take(&mut self.shared.lock().answers)
+    }
+
+    /// Whether anything is being worked at.
+    pub(crate) fn is_busy(&self) -> bool {
+        let state = self.shared.lock();
+        state.is_busy || state.waiting.is_some()
+    }
+
+    /// Waits until there is nothing to be done.
+    pub(crate) fn wait(&self) {
+        if self.thread.is_some() {
+            let is_busy = |state: &mut State<Q, A>| state.is_busy || state.waiting.is_some();
+            drop(self.shared.changed.wait_while(self.shared.lock(), is_busy));
+        }
+    }
+}
+
+impl<Q, A> Drop for Worker<Q, A> {
+    fn drop(&mut self) {
+        self.shared.lock().is_over = true;
+        self.shared.changed.notify_all();
+        if let Some(thread) = self.thread.take() {
+            // It ends after what it is at; whatever that comes to no longer matters.
+            let _ = thread.join();
+        }
+    }
+}
+
+/// Waits for a request; `None` when the worker is dropped.
+fn next<Q, A>(shared: &Shared<Q, A>) -> Option<Q> {
+    let is_idle = |state: &mut State<Q, A>| state.waiting.is_none() && !state.is_over;
+    let mut state = shared.changed.wait_while(shared.lock(), is_idle).unwrap_or_else(PoisonError::into_inner);
+    if state.is_over {
+        return None;
+    }
+    state.is_busy = true;
+    state.waiting.take()
+}
+
+/// Starts a thread; `None` where the system has none to give.
+pub(crate) fn start(name: &str, work: impl FnOnce() + Send + 'static) -> Option<JoinHandle<()>> {
+    std::thread::Builder::new().name(name.to_owned()).spawn(work).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_newest_request_is_answered() {
+        let worker = Worker::new("test", || {}, |n: u32| n * 2);
+        for n in 0..100 {
+            worker.request(|_| n);
+        }
+        worker.wait();
+        assert_eq!(worker.answers().last(), Some(&198));
+        assert!(!worker.is_busy());
+    }
+}

@@ -1,0 +1,17 @@
+#version 300 es
+// First look: made by Chiaro 0.1.0, GLSL ES 3.00.
+// The vertex shader. Finds curvature from normals and depth.
+// Uniform blocks (std140): CurvatureBlock 0.
+// Textures: u_normals 0, u_depths 1.
+// first.json says what to put there and how to draw.
+
+precision highp float;
+precision highp int;
+
+
+void main() {
+    uint index = uint(gl_VertexID);
+    gl_Position = vec4(((float((index & 1u)) * 4.0) - 1.0), ((float((index >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
+    return;
+}
+
