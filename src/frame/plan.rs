@@ -3,7 +3,6 @@
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::ops::Range;
-use std::path::Path;
 use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
@@ -182,9 +181,11 @@ impl Planner {
         }
         let needs = |context: Context| {
             setup.objects.iter().find_map(|object| {
-                let found = object.looks.iter().flatten().find(|&&look| {
-                    self.shaders[&keys[&(object.id.clone(), look)]].draw.needs.context(context)
-                })?;
+                let found = object
+                    .looks
+                    .iter()
+                    .flatten()
+                    .find(|&&look| self.shaders[&keys[&(object.id.clone(), look)]].draw.needs.context(context))?;
                 let name = &setup.looks[*found].look.name;
                 Some(format!("object `{}` wears {}, which reads curvature", object.id, quoted(name)))
             })
@@ -206,7 +207,15 @@ impl Planner {
         }
         draws.sort_by(|a, b| b.distance.total_cmp(&a.distance));
         let (passes, dropped) = passes(&wanted, &draws, &view, options);
-        Ok(FramePlan { size: options.size, samples: options.samples, backdrop: setup.scene.backdrop, view, draws, passes, dropped })
+        Ok(FramePlan {
+            size: options.size,
+            samples: options.samples,
+            backdrop: setup.scene.backdrop,
+            view,
+            draws,
+            passes,
+            dropped,
+        })
     }
 
     fn compile_look(
@@ -267,7 +276,9 @@ impl Planner {
                 lights: &setup.scene.lights,
             };
             let mut look_uniforms = HashMap::new();
-            for (stage, shader) in std::iter::once((Stage::Draw, &shaders.draw)).chain(stages.iter().map(|(_, s)| (*s, &shaders.normals[s]))) {
+            for (stage, shader) in std::iter::once((Stage::Draw, &shaders.draw))
+                .chain(stages.iter().map(|(_, s)| (*s, &shaders.normals[s])))
+            {
                 let params = current_params(&shown, &shader.params);
                 let mut values = shaders.rig.evaluate(&params, &shaders.tables[&stage], &moment);
                 for (id, (now, then)) in params.into_iter().zip(shader.params.iter()).enumerate() {
@@ -286,7 +297,7 @@ impl Planner {
                 };
                 look_uniforms.insert(stage, shader.host.uniform_bytes(&inputs).map_err(|problem| vec![problem])?);
             }
-            let images = images(&mut self.assets, &shaders.draw, &setup.looks[look].folder)?;
+            let images = images(&mut self.assets, &shaders.draw, &setup.looks[look])?;
             draws.push(Draw {
                 object: object.id.clone(),
                 mesh: object.mesh.clone(),
@@ -305,7 +316,11 @@ impl Planner {
 }
 
 /// The images that a module reads, in the order of its needs.
-pub(super) fn images(assets: &mut Assets, shader: &CompiledShader, folder: &Path) -> Result<Vec<Arc<Image>>, Vec<Diagnostic>> {
+pub(super) fn images(
+    assets: &mut Assets,
+    shader: &CompiledShader,
+    setup: &SetupLook,
+) -> Result<Vec<Arc<Image>>, Vec<Diagnostic>> {
     let mut problems = Vec::new();
     let images = shader
         .needs
@@ -316,12 +331,13 @@ pub(super) fn images(assets: &mut Assets, shader: &CompiledShader, folder: &Path
                 // No image chosen yet: white, so that what it tints stays as it is.
                 return Arc::new(Image::single([255; 4]));
             }
-            assets.image(folder, &image.path).unwrap_or_else(|problem| {
+            assets.image(&setup.folder, &image.path).unwrap_or_else(|problem| {
                 problems.push(problem.node(image.node.clone()));
                 Arc::new(Image::single([255, 0, 255, 255]))
             })
         })
         .collect();
+    setup.source.locate_all(&mut problems);
     if problems.is_empty() { Ok(images) } else { Err(problems) }
 }
 
@@ -336,7 +352,11 @@ fn bounds(objects: &[SetupObject]) -> (DVec3, f64) {
         min = min.min(object.center() - object.radius());
         max = max.max(object.center() + object.radius());
     }
-    if min.is_finite() && max.is_finite() { (0.5 * (min + max), 0.5 * (max - min).length()) } else { (DVec3::ZERO, 1.0) }
+    if min.is_finite() && max.is_finite() {
+        (0.5 * (min + max), 0.5 * (max - min).length())
+    } else {
+        (DVec3::ZERO, 1.0)
+    }
 }
 
 /// What a look's module depends on: all of it, or while everything is live what is no uniform.
@@ -396,7 +416,8 @@ fn passes(
     let mut passes = Vec::new();
     let mut dropped = Vec::new();
     for (normals, curvature, stage, reason) in wanted {
-        let name = if *stage == Stage::Normals { "curvature of the surface" } else { "curvature of the detail normals" };
+        let name =
+            if *stage == Stage::Normals { "curvature of the surface" } else { "curvature of the detail normals" };
         match reason {
             Some(reason) => {
                 let input_hash = hash_of(draws, view, options, Some((normals, *stage)));
@@ -404,7 +425,8 @@ fn passes(
                 passes.push(Pass { kind: normals.clone(), reason: why, input_hash });
                 passes.push(Pass { kind: curvature.clone(), reason: reason.clone(), input_hash });
             }
-            None => dropped.push(Dropped { what: name.to_owned(), why: "no live node of a visible object reads it".to_owned() }),
+            None => dropped
+                .push(Dropped { what: name.to_owned(), why: "no live node of a visible object reads it".to_owned() }),
         }
     }
     let input_hash = hash_of(draws, view, options, None);
