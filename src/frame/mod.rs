@@ -16,4 +16,6 @@ pub use camera::View;
 pub use keys::{Moment, ObjectValues, ParamTable, Rig, set_light_field, structural_look};
 pub use plan::{Draw, Dropped, FramePlan, LookShaders, Pass, PassKind, PlanOptions, Planner};
 pub use samples::{EvalBatch, EvalSample, LightOverride, eval_batches};
-pub use setup::{ANY_MATERIAL, DEFAULT_MESH, Setup, SetupLook, SetupObject, default_setup, object_matrix, open};
+pub use setup::{
+    ANY_MATERIAL, DEFAULT_MESH, Setup, SetupLook, SetupObject, default_setup, object_matrix, open, scene_setup,
+};

@@ -116,7 +116,7 @@ pub fn eval_batches(
             problems
         })?;
         let shader = Arc::new(shader);
-        let images = images(assets, &shader, &setup.folder)?;
+        let images = images(assets, &shader, setup)?;
         let (rig, _) = Rig::new(&look);
         let table = ParamTable::new(&shader.params);
         let packer = Packer::new(&shader);
@@ -202,8 +202,13 @@ impl<'a> Packer<'a> {
         let surface = SurfaceValues::new(sample);
         if let Some((offset, layout)) = &self.surface {
             for context in &self.shader.needs.contexts {
-                if let Some((member, layout)) = layout.member(context.word()) {
-                    layout.write(&surface.value(*context), at + (*offset + member) as usize, bytes);
+                let Some((member, layout)) = layout.member(context.word()) else { continue };
+                let at = at + (*offset + member) as usize;
+                if let Context::Kappa | Context::KappaDetail = context {
+                    // As it is: whether a look stands infinite curvature, or none at all, is worth asking.
+                    bytes[at..at + 4].copy_from_slice(&(sample.kappa as f32).to_le_bytes());
+                } else {
+                    layout.write(&surface.value(*context), at, bytes);
                 }
             }
         }

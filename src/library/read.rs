@@ -437,7 +437,8 @@ fn sentence(name: &str) -> String {
     characters.next().map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
 }
 
-fn plain_input(name: &str, ty: Type, fallback: Fallback) -> Input {
+/// An input that is told nothing of but its name and type.
+pub(super) fn plain_input(name: &str, ty: Type, fallback: Fallback) -> Input {
     Input {
         name: PortName::new(name),
         label: sentence(name),

@@ -161,7 +161,8 @@ impl Hand {
     pub(crate) fn number_field(&self, label: &str) -> Rect {
         let slider = self.slider(label);
         let fields = self.harness.get_all_by_role(egui::accesskit::Role::SpinButton).map(|node| node.rect());
-        let beside = |rect: &Rect| (rect.center().y - slider.center().y).abs() < 4.0 && rect.min.x >= slider.max.x - 4.0;
+        let beside =
+            |rect: &Rect| (rect.center().y - slider.center().y).abs() < 4.0 && rect.min.x >= slider.max.x - 4.0;
         fields.into_iter().find(beside).unwrap_or(slider)
     }
 
