@@ -93,6 +93,24 @@ impl App {
         &self.viewport
     }
 
+    /// Whether shaders or pictures are being made.
+    pub fn is_busy(&self) -> bool {
+        self.session.is_compiling() || self.picture.as_ref().is_some_and(Picture::is_busy)
+    }
+
+    /// Waits for them; for tests.
+    pub fn wait(&self) {
+        self.session.wait();
+        if let Some(picture) = &self.picture {
+            picture.wait();
+        }
+    }
+
+    /// How many pictures were asked for.
+    pub fn pictures(&self) -> u64 {
+        self.picture.as_ref().map_or(0, |picture| picture.wishes)
+    }
+
     /// Opens a look and tells where that fails.
     pub fn open(&mut self, path: &Path) {
         self.message = (!self.session.open(path)).then(|| format!("{} could not be opened", path.display()));
