@@ -9,8 +9,8 @@ use super::open::{check_nodes_folder, library_for};
 use super::output::{Output, once};
 use crate::compile::{Live, Options, TypedSource, check as check_look, compile_typed};
 use crate::diag::{Diagnostic, Severity, has_errors};
-use crate::document::{Document, Loaded, Look, Scene, Value};
-use crate::frame::{Assets, Rig, scene_setup};
+use crate::document::{Document, Loaded, Look, Object, Scene, Value};
+use crate::frame::{Assets, Rig, check_exposed_value, scene_setup};
 use crate::library::{Library, Type};
 
 const EXAMPLES: &str = "\
@@ -166,6 +166,7 @@ impl Checker<'_> {
         looks.sort();
         looks.dedup();
         let mut exposed: HashMap<&str, Vec<String>> = HashMap::new();
+        let mut found = missing_looks(scene, folder);
         for name in looks {
             let look_path = folder.join(name);
             let look = Look::load(&look_path);
@@ -175,9 +176,9 @@ impl Checker<'_> {
             }
             let names = look.value.iter().flat_map(|look| &look.exposed).map(|exposed| exposed.name.to_string());
             exposed.insert(name, names.collect());
+            found.extend(wrong_values(scene, name, look.value.as_ref(), library));
             self.look(&look_path, &look, library);
         }
-        let mut found = missing_looks(scene, folder);
         found.extend(unknown_values(scene, &exposed));
         // An object that is not drawn now may be later.
         let mut all = scene.clone();
@@ -240,6 +241,22 @@ fn missing_looks(scene: &Scene, folder: &Path) -> Vec<Diagnostic> {
                 .json_path(format!("objects[{index}].looks[{}]", serde_json::Value::from(material.as_str())))
                 .hint("paths of looks are relative to the scene's own file");
             found.push(problem);
+        }
+    }
+    found
+}
+
+/// Values that an object sets and that its look cannot take.
+fn wrong_values(scene: &Scene, look_name: &str, look: Option<&Look>, library: &Library) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    let Some((look, (typed, _))) = look.and_then(|look| Some((look, check_look(look, library, None).ok()?))) else {
+        return found;
+    };
+    let wears = |object: &Object| object.looks.values().any(|name| name == look_name);
+    for (index, (_, object)) in scene.objects.iter().enumerate().filter(|(_, (_, object))| wears(object)) {
+        for (name, value) in &object.values {
+            let problem = check_exposed_value(look, &typed, name.as_str(), value);
+            found.extend(problem.map(|problem| problem.json_path(format!("objects[{index}].values.{name}"))));
         }
     }
     found

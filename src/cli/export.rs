@@ -59,9 +59,14 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let exported = export::export(&setup.look, &library, &stem, &languages).map_err(located)?;
     output.diagnostics(&located(exported.warnings));
     let Some(folder) = &arguments.output else {
-        let is_wgsl = |file: &&export::File| file.name.ends_with(".wgsl") && !file.name.contains(".prepare.");
-        let texts = exported.files.iter().filter(is_wgsl).map(|file| String::from_utf8_lossy(&file.bytes));
-        output.result(texts.collect::<Vec<_>>().join("\n").trim_end());
+        let own = format!("{stem}.wgsl");
+        let shown = exported.files.iter().find(|file| file.name == own);
+        output.result(String::from_utf8_lossy(shown.map_or(&[][..], |file| &file.bytes)).trim_end());
+        let is_other = |file: &&export::File| file.name != own && file.name.ends_with(".wgsl");
+        let others: Vec<_> = exported.files.iter().filter(is_other).map(|file| file.name.as_str()).collect();
+        if !others.is_empty() {
+            output.message(&format!("it works together with {}; -o writes all files", others.join(", ")));
+        }
         return Ok(());
     };
     let files = write(&exported.files, folder, &arguments.look)?;

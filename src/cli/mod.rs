@@ -76,7 +76,10 @@ enum Command {
 const EDIT_EXAMPLES: &str = "\
 Examples:
   chiaro edit
-  chiaro edit examples/looks/first.json";
+  chiaro edit examples/looks/figure1-layers.json";
+
+/// Codes of diagnostics about the command line itself, which are told as the argument parser's own are.
+const USAGE: [&str; 2] = ["bad-argument", "unknown-language"];
 
 /// What `main` does after the command line was read.
 #[derive(Debug)]
@@ -116,7 +119,8 @@ pub fn run() -> Outcome {
         Ok(()) => ExitCode::SUCCESS,
         Err(problems) => {
             output.diagnostics(&problems);
-            ExitCode::FAILURE
+            let is_usage = problems.iter().all(|problem| USAGE.contains(&problem.code));
+            if is_usage { ExitCode::from(2) } else { ExitCode::FAILURE }
         }
     })
 }

@@ -10,6 +10,7 @@ mod keys;
 mod plan;
 mod samples;
 mod setup;
+mod values;
 
 pub use assets::{Assets, Image, MAX_IMAGE_SIDE, SHAPE_PREFIX};
 pub use camera::View;
@@ -19,3 +20,4 @@ pub use samples::{EvalBatch, EvalSample, LightOverride, eval_batches};
 pub use setup::{
     ANY_MATERIAL, DEFAULT_MESH, Setup, SetupLook, SetupObject, default_setup, object_matrix, open, scene_setup,
 };
+pub use values::check_exposed_value;

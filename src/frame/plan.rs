@@ -10,6 +10,7 @@ use glam::{DQuat, DVec3};
 use super::assets::{Assets, Image};
 use super::camera::{View, object_bytes};
 use super::keys::{Moment, ParamTable, Rig, structural_look};
+use super::values::live_for_values;
 use super::setup::{Setup, SetupLook, SetupObject};
 use crate::compile::{CompiledShader, HostInputs, Live, Options, Param, Stage, compile};
 use crate::diag::Diagnostic;
@@ -161,6 +162,7 @@ impl Planner {
         live: &Live,
         options: &PlanOptions,
     ) -> Result<FramePlan, Vec<Diagnostic>> {
+        let live = &live_for_values(live, setup.objects.iter().any(|object| !object.values.is_empty()));
         let (center, radius) = bounds(&setup.objects);
         let view = View::new(&setup.scene.camera, options.size, center, radius);
         let mut problems = Vec::new();

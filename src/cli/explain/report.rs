@@ -10,7 +10,7 @@ use crate::diag::Diagnostic;
 use crate::document::Values;
 use crate::frame::{Draw, Dropped, FramePlan, Pass, PassKind, Setup, structural_look};
 use crate::ids::NodePath;
-use crate::library::{Context, Library, Rate};
+use crate::library::{Context, Library, Rate, Special};
 
 /// Why a node is not in the shader though nothing of it is lost, in [`Removal::reason`].
 const FOLDED: &str = "its value is known before drawing";
@@ -189,7 +189,10 @@ fn reading(context: Context, shader: &CompiledShader, typed: &TypedGraph) -> Rea
         input.as_ref().is_some_and(|input| input.source == TypedSource::Context(context))
     };
     let is_live = |path: &NodePath| shader.spans.spans_of(path).next().is_some();
-    let readers = typed.nodes.iter().filter(|node| node.inputs.iter().any(reads) && is_live(&node.path));
+    // The Output's normal is for the modules that draw normals.
+    let is_plain = |node: &crate::compile::TypedNode| node.def.special != Special::Output;
+    let reader = |node: &&crate::compile::TypedNode| node.inputs.iter().any(reads) && is_plain(node) && is_live(&node.path);
+    let readers = typed.nodes.iter().filter(reader);
     Reading { word: context.word(), what: context.help(), readers: readers.map(|node| node.path.to_string()).collect() }
 }
 
