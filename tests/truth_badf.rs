@@ -274,8 +274,10 @@ fn alpha_of_parameters_out_of_order() {
     while cases.len() < 8000 {
         let parameters = [odd(&mut random), odd(&mut random), odd(&mut random)];
         let [tau, f, c] = badf::sanitised(parameters);
-        // Narrow ones and near-ambient ones have tests of their own.
-        if (f - tau == 0.0 || f - tau > 0.2) && (c - tau == 0.0 || c - tau > 0.2) && !(PI - 1e-4..PI).contains(&tau) {
+        // Narrow ones and near-ambient ones have tests of their own; at the corner f' = c' = pi the exponent hangs on the
+        // last digit of pi.
+        let is_plain = |x: f64| x == 0.0 || (0.2..3.0).contains(&x);
+        if is_plain(f - tau) && is_plain(c - tau) && !(PI - 1e-4..PI).contains(&tau) {
             cases.push((random.between(0.0, PI), 0.0, parameters));
         }
     }

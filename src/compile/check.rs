@@ -112,7 +112,7 @@ pub fn check(
     root: Option<&(NodePath, PortName)>,
 ) -> Result<(TypedGraph, Vec<Diagnostic>), Vec<Diagnostic>> {
     let mut problems = Vec::new();
-    let flat = flatten(look, library, &mut problems);
+    let flat = flatten(look, library, root, &mut problems);
     let order = match order(&flat) {
         Ok(order) => order,
         Err(cycles) => {
@@ -233,6 +233,9 @@ fn find_root(
     root: Option<&(NodePath, PortName)>,
     problems: &mut Vec<Diagnostic>,
 ) -> Option<(usize, usize)> {
+    if let (Some(_), Some(output)) = (root, flat.group_output) {
+        return Some(output);
+    }
     if let Some((path, port)) = root {
         let Some(&node) = flat.by_path.get(path) else {
             let known: Vec<_> = flat.nodes.iter().map(|node| node.path.to_string()).collect();

@@ -9,15 +9,10 @@ use std::sync::Arc;
 use crate::diag::Diagnostic;
 use crate::document::{Definition, Graph, InterfacePort, Look, Node, Tier, Value, Wire};
 use crate::ids::{GROUP_INPUTS, GROUP_OUTPUTS, NodeId, NodePath, PortName};
-use crate::library::{Library, NodeDef, Special, load_node};
+use crate::library::{CUSTOM_CODE, CUSTOM_KIND, Library, NodeDef, Special, load_node};
 
 /// As many nodes as a look may have once its groups are inlined.
 pub const MAX_FLAT_NODES: usize = 1_000_000;
-
-/// The kind of a node whose WGSL is a value of its own.
-pub(super) const CUSTOM_KIND: &str = "wgsl";
-/// The value that holds it.
-const CODE: &str = "code";
 
 /// An index into [`FlatGraph::params`].
 pub type ParamId = usize;
@@ -77,6 +72,8 @@ pub(super) struct FlatGraph {
     pub params: Vec<Param>,
     /// By path.
     pub by_path: HashMap<NodePath, usize>,
+    /// What the output of a group comes to that `flatten` was asked for: a node and the index of its output.
+    pub group_output: Option<(usize, usize)>,
 }
 
 enum Slot {
@@ -107,8 +104,14 @@ struct Flattener<'a> {
     problems: Vec<Diagnostic>,
 }
 
-/// Inlines the groups of `look`. Problems are added to `problems`; what can be made out is returned.
-pub(super) fn flatten(look: &Look, library: &Library, problems: &mut Vec<Diagnostic>) -> FlatGraph {
+/// Inlines the groups of `look`. Problems are added to `problems`; what can be made out is returned. Groups are gone
+/// then, so an output of one that is to be looked at is asked for as `output`.
+pub(super) fn flatten(
+    look: &Look,
+    library: &Library,
+    output: Option<&(NodePath, PortName)>,
+    problems: &mut Vec<Diagnostic>,
+) -> FlatGraph {
     let mut flattener = Flattener {
         look,
         library,
@@ -121,6 +124,7 @@ pub(super) fn flatten(look: &Look, library: &Library, problems: &mut Vec<Diagnos
     flattener.open_scopes();
     flattener.check_wires();
     flattener.bind_inputs();
+    flattener.flat.group_output = output.and_then(|(path, port)| flattener.group_output(path, port));
     problems.append(&mut flattener.problems);
     flattener.flat
 }
@@ -260,19 +264,19 @@ impl<'a> Flattener<'a> {
     }
 
     fn custom_def(&mut self, node: &Node, path: &NodePath) -> Option<Arc<NodeDef>> {
-        let code = match node.values.get(CODE) {
+        let code = match node.values.get(CUSTOM_CODE) {
             Some(Value::Text(code)) => code.as_str(),
             _ => {
                 let problem = Diagnostic::error("missing-code", "this WGSL node has no code");
                 let hint = "give it a function: `fn tint(color: Color) -> Color { return color; }`";
-                self.problems.push(problem.node(path.clone()).port(CODE.into()).hint(hint));
+                self.problems.push(problem.node(path.clone()).port(CUSTOM_CODE.into()).hint(hint));
                 return None;
             }
         };
         match load_node(&format!("{path}.wgsl"), code, Some(CUSTOM_KIND)) {
             Ok(def) => Some(Arc::new(def)),
             Err(problems) => {
-                let on_node = |problem: Diagnostic| problem.node(path.clone()).port(CODE.into());
+                let on_node = |problem: Diagnostic| problem.node(path.clone()).port(CUSTOM_CODE.into());
                 self.problems.extend(problems.into_iter().map(on_node));
                 None
             }
@@ -290,7 +294,7 @@ impl<'a> Flattener<'a> {
     ) -> usize {
         let own = if node.name.is_empty() { readable(id, &def.label) } else { node.name.clone() };
         let name = join_names(&self.scopes[scope].name, &own);
-        let code = (node.kind == CUSTOM_KIND).then_some(CODE);
+        let code = (node.kind == CUSTOM_KIND).then_some(CUSTOM_CODE);
         let known: Vec<&str> = def.visible_inputs().map(|input| input.name.as_str()).chain(code).collect();
         self.unknown_values(node, &path, &known);
         let index = self.flat.nodes.len();
@@ -354,6 +358,23 @@ impl<'a> Flattener<'a> {
         let message = format!("the node `{id}` has no output `{port}`");
         let problem = Diagnostic::error("unknown-port", message).node(self.path_of(scope, id)).port(port.clone());
         Some(problem.suggest(port.as_str(), known.iter().copied()).hint(list_of("its outputs are", &known)))
+    }
+
+    /// The node that an output of a group comes from; the first output where `port` is empty.
+    fn group_output(&mut self, path: &NodePath, port: &PortName) -> Option<(usize, usize)> {
+        let scope = self.scopes.iter().position(|scope| scope.path.as_ref() == Some(path))?;
+        let (_, definition) = self.scopes[scope].definition?;
+        let first = definition.outputs.first().map(|port| port.name.clone());
+        let port = if port.as_str().is_empty() { first? } else { port.clone() };
+        let wire = *self.scopes[scope].wires.get(&(GROUP_OUTPUTS, port.as_str()))?;
+        let (scope, id, port) = match self.follow(scope, wire)? {
+            Source::Output { node, output } => return Some((node, output)),
+            Source::Input { scope, id, port, .. } => (scope, id, port),
+        };
+        match self.resolve(scope, id, &port) {
+            FlatInput::Wire { node, output } => Some((node, output)),
+            FlatInput::Param(_) | FlatInput::Broken => None,
+        }
     }
 
     fn bind_inputs(&mut self) {

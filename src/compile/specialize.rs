@@ -206,7 +206,7 @@ impl<'a> Builder<'a> {
     }
 
     fn output_roots(&mut self, index: usize, node: &TypedNode, inputs: &[Option<ValueId>]) {
-        for root in node.def.variants.iter() {
+        for root in &node.def.variants {
             if let Some((_, word)) = &root.choice {
                 let value = self.call(index, node, &root.function, &root.parameters, root.result.clone(), inputs);
                 self.extra_roots.insert(word.clone(), value);

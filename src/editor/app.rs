@@ -174,7 +174,7 @@ impl App {
         let left = Panel::left("picture").frame(theme::panel()).default_size(500.0).size_range(220.0..=1400.0);
         left.show(ui, |ui| {
             if self.shows_code {
-                const HEIGHT: f32 = 300.0;
+                const HEIGHT: f32 = 240.0;
                 let code = Panel::bottom("code")
                     .frame(egui::Frame::new().inner_margin(egui::Margin { top: 8, ..Default::default() }));
                 code.default_size(HEIGHT).size_range(60.0..=2000.0).show(ui, |ui| {

@@ -30,7 +30,7 @@ enum Code {
     /// Made from a look.
     Look(Box<Host>),
     /// A file of `shaders/passes`.
-    Fixed(String, Valid),
+    Fixed(String, Box<Valid>),
 }
 
 /// What computes a module's `Look` uniform.
@@ -201,7 +201,7 @@ impl ShaderModule {
         });
         let feeds = feeds.collect();
         let entry_points = reflect::entry_points(&valid.module);
-        Ok(Self { name, purpose, entry_points, bindings, feeds, code: Code::Fixed(linked.text, valid) })
+        Ok(Self { name, purpose, entry_points, bindings, feeds, code: Code::Fixed(linked.text, Box::new(valid)) })
     }
 }
 

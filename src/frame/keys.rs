@@ -151,10 +151,10 @@ pub fn structural_look<'l>(look: &'l Look, time: f64, exposed: &Values) -> Cow<'
         let Target::Input { node, port } = target else { continue };
         let is_word = matches!(&value, Value::Text(_)) && value.color().is_none();
         // Inside a definition a value belongs to every use of it, so only the look's own nodes can be set.
-        if let (true, [id]) = (is_word, node.ids()) {
-            if let Some(node) = changed.to_mut().graph.nodes.get_mut(id) {
-                node.values.insert(port.clone(), value);
-            }
+        if let (true, [id]) = (is_word, node.ids())
+            && let Some(node) = changed.to_mut().graph.nodes.get_mut(id)
+        {
+            node.values.insert(port.clone(), value);
         }
     }
     changed
@@ -241,7 +241,7 @@ fn blend_keys(
         .filter_map(|target| Some((target.clone(), values.get(target).cloned().or_else(|| base(target))?)))
         .collect();
     let mut targets: Vec<&Target> = keys.keys.iter().flat_map(|key| key.values.keys()).collect();
-    targets.sort_by_cached_key(|target| target.to_string());
+    targets.sort_by_cached_key(std::string::ToString::to_string);
     targets.dedup();
     for target in targets {
         let at_key = |index: usize| {
@@ -309,10 +309,10 @@ fn light_field(light: &Light, field: &str) -> Option<Value> {
 
 fn set_lights(lights: &mut IndexMap<LightId, Light>, values: &HashMap<Target, Value>) {
     for (target, value) in values {
-        if let Target::Light { light, field } = target {
-            if let Some(light) = lights.get_mut(light) {
-                set_light_field(light, field, value);
-            }
+        if let Target::Light { light, field } = target
+            && let Some(light) = lights.get_mut(light)
+        {
+            set_light_field(light, field, value);
         }
     }
 }

@@ -183,12 +183,13 @@ pub fn rename_identifiers(text: &str, renamed: impl Fn(&str) -> Option<String>) 
     let mut after_dot = false;
     for token in tokenize(text) {
         let word = &text[token.span.clone()];
-        if token.kind == TokenKind::Word && !after_dot {
-            if let Some(name) = renamed(word).filter(|name| name != word) {
-                result.push_str(&text[at..token.span.start]);
-                result.push_str(&name);
-                at = token.span.end;
-            }
+        if token.kind == TokenKind::Word
+            && !after_dot
+            && let Some(name) = renamed(word).filter(|name| name != word)
+        {
+            result.push_str(&text[at..token.span.start]);
+            result.push_str(&name);
+            at = token.span.end;
         }
         after_dot = word == ".";
     }

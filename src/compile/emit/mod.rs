@@ -238,10 +238,10 @@ impl<'a> Emitter<'a> {
 
     fn plan_contexts(&mut self, reached: &[bool]) {
         for (value, _) in self.special.values.iter().zip(reached).filter(|(_, reached)| **reached) {
-            if let (Operation::Context(context, _), Rate::Fragment) = (&value.operation, value.rate) {
-                if !self.needs.contexts.contains(context) {
-                    self.needs.contexts.push(*context);
-                }
+            if let (Operation::Context(context, _), Rate::Fragment) = (&value.operation, value.rate)
+                && !self.needs.contexts.contains(context)
+            {
+                self.needs.contexts.push(*context);
             }
         }
         self.needs.contexts.sort_unstable();
@@ -426,7 +426,7 @@ impl<'a> Emitter<'a> {
         match self.options.stage {
             Stage::Draw => self.out.push_str("// Draws a mesh with the look; the result is straight RGBA.\n\n"),
             Stage::Normals | Stage::DetailNormals => {
-                self.out.push_str("// Draws normals and depth, for the curvature pass.\n\n")
+                self.out.push_str("// Draws normals and depth, for the curvature pass.\n\n");
             }
             Stage::Eval => self.out.push_str("// Evaluates the look at given surface samples, four pixels each.\n\n"),
         }

@@ -1,0 +1,563 @@
+//! Reads one node file into a [`NodeDef`].
+
+use std::sync::Arc;
+
+use indexmap::IndexMap;
+
+use super::context::Context;
+use super::docs::{self, Docs, Piece, Tag};
+use super::node::{
+    Bypass, BypassResult, Condition, Fallback, Input, NodeDef, NodeModule, Output, Parameter, Prepare, Preset, Special,
+    Test, Variant,
+};
+use super::types::Type;
+use crate::diag::{Diagnostic, LineColumn};
+use crate::document::{Curve, Interpolation, Ramp, RampStop, Tier, Value};
+use crate::ids::PortName;
+use crate::wgsl::{self, Declaration, DeclarationKind, Linked, Scan, Source};
+
+pub(super) fn stem_and_folder(path: &str) -> (String, String) {
+    let path = path.replace('\\', "/");
+    let mut parts = path.rsplit('/');
+    let file = parts.next().unwrap_or_default();
+    let stem = file.split('.').next().unwrap_or_default().to_owned();
+    let folder = parts.next().filter(|folder| *folder != "nodes").unwrap_or("project").to_owned();
+    (stem, folder)
+}
+
+pub(super) fn load_module(sources: &[Source<'_>]) -> Result<NodeModule, Vec<Diagnostic>> {
+    let linked = wgsl::link(sources)?;
+    match wgsl::parse(&linked.text) {
+        Ok(valid) => {
+            let scan = wgsl::scan(&linked.text);
+            Ok(NodeModule::new(linked, scan, valid))
+        }
+        Err(error) => Err(vec![refused(&linked, &error)]),
+    }
+}
+
+fn refused(linked: &Linked, error: &wgsl::WgslError) -> Diagnostic {
+    let mut problem = Diagnostic::error("invalid-wgsl", error.message.clone());
+    let place = error.span.as_ref().and_then(|span| linked.locate(span.start));
+    if let Some((file, at)) = place {
+        problem = problem.in_file(file).at(at);
+    }
+    problem
+}
+
+/// Reads one node file. `kind` names a custom node, whose first function may have any name; otherwise the kind is the
+/// file's stem.
+///
+/// # Errors
+/// Everything wrong with it, with line and column.
+pub fn load_node(file: &str, text: &str, kind: Option<&str>) -> Result<NodeDef, Vec<Diagnostic>> {
+    let source = Source { name: file, text };
+    let module = Arc::new(load_module(&[source])?);
+    read_node(&source, &module, kind)
+}
+
+pub(super) fn read_node(
+    source: &Source<'_>,
+    module: &Arc<NodeModule>,
+    custom: Option<&str>,
+) -> Result<NodeDef, Vec<Diagnostic>> {
+    let scan = wgsl::scan(source.text);
+    let (stem, category) = stem_and_folder(source.name);
+    let mut reader = Reader { source, scan: &scan, problems: Vec::new() };
+    let node = reader.node(custom, &stem, category, module);
+    match node {
+        Some(node) if reader.problems.is_empty() => Ok(node),
+        _ => Err(reader.problems),
+    }
+}
+
+struct Reader<'a> {
+    source: &'a Source<'a>,
+    scan: &'a Scan,
+    problems: Vec<Diagnostic>,
+}
+
+impl Reader<'_> {
+    fn problem(&mut self, at: &Declaration, message: impl Into<String>) -> &mut Diagnostic {
+        let place = LineColumn::of(self.source.text, at.body.start);
+        let problem = Diagnostic::error("bad-node-file", message).in_file(self.source.name).at(place);
+        self.problems.push(problem);
+        self.problems.last_mut().expect("just pushed")
+    }
+
+    fn node(
+        &mut self,
+        custom: Option<&str>,
+        stem: &str,
+        category: String,
+        module: &Arc<NodeModule>,
+    ) -> Option<NodeDef> {
+        let scan = self.scan;
+        let functions = || scan.declarations.iter().filter(|d| d.kind == DeclarationKind::Function);
+        let stem = match custom {
+            Some(_) => functions().find(|d| !d.name.ends_with("_prepare")).map_or("", |d| d.name.as_str()),
+            None => stem,
+        };
+        let own: Vec<_> = functions().filter(|d| suffix_of(&d.name, stem).is_some()).collect();
+        let Some(head) = own.iter().find(|d| suffix_of(&d.name, stem) != Some("prepare")).copied() else {
+            self.problems.push(
+                Diagnostic::error("bad-node-file", format!("there is no function `{stem}` in this file"))
+                    .in_file(self.source.name)
+                    .hint(format!("a node file holds a function with the file's name: `fn {stem}(...) -> f32`")),
+            );
+            return None;
+        };
+        let docs = docs::parse(&head.doc);
+        let mut node = NodeDef {
+            kind: custom.unwrap_or(stem).to_owned(),
+            label: if docs.label.is_empty() { stem.replace('_', " ") } else { docs.label.clone() },
+            category,
+            help: docs.help.clone(),
+            sources: docs.tags.iter().filter(|tag| tag.word == "source").map(source_text).collect(),
+            inputs: Vec::new(),
+            outputs: Vec::new(),
+            variants: Vec::new(),
+            prepare: None,
+            bypasses: Vec::new(),
+            unit_when: None,
+            presets: Vec::new(),
+            special: match (custom, stem) {
+                (None, "output") => Special::Output,
+                (None, "light") => Special::Light,
+                (None, "reroute") => Special::Reroute,
+                _ => Special::None,
+            },
+            module: module.clone(),
+            file: self.source.name.to_owned(),
+        };
+        self.inputs(&mut node, &docs, head, &own, stem);
+        self.prepare(&mut node, &own, stem);
+        self.variants(&mut node, &own, stem);
+        self.outputs(&mut node, &docs, head);
+        self.rules(&mut node, &docs, head);
+        Some(node)
+    }
+
+    /// Inputs: documented ones in the order of the docs, then whatever else the functions take.
+    fn inputs(&mut self, node: &mut NodeDef, docs: &Docs, head: &Declaration, own: &[&Declaration], stem: &str) {
+        let prepared = own.iter().find(|d| suffix_of(&d.name, stem) == Some("prepare")).and_then(|d| d.result.clone());
+        let mut types: IndexMap<&str, Type> = IndexMap::new();
+        for field in own.iter().flat_map(|d| &d.fields) {
+            if Some(&field.ty) != prepared.as_ref() && field.ty != "sampler" {
+                types.entry(&field.name).or_insert_with(|| Type::from_wgsl(&field.ty));
+            }
+        }
+        for tag in &docs.tags {
+            let Some(Piece::Word(name)) = tag.pieces.first() else { continue };
+            match tag.word.as_str() {
+                "choice" => {
+                    let input = self.choice(name, tag, head);
+                    node.inputs.push(input);
+                }
+                "param" => {
+                    let ty = match types.shift_remove(name.as_str()) {
+                        Some(ty) => ty,
+                        None if has_word(tag, "light_name") => Type::LightName,
+                        None if has_word(tag, "text") => Type::Text,
+                        None => {
+                            self.problem(head, format!("`@param {name}` documents a parameter that no function has"));
+                            continue;
+                        }
+                    };
+                    let input = self.documented_input(name, ty, tag, head);
+                    node.inputs.push(input);
+                }
+                _ => {}
+            }
+        }
+        for (name, ty) in types {
+            let fallback = neutral(&ty).map_or(Fallback::Wire, Fallback::Value);
+            node.inputs.push(plain_input(name, ty, fallback));
+        }
+        for index in 0..node.inputs.len() {
+            if let Type::Prepared(name) = &node.inputs[index].ty {
+                let (name, input) = (name.clone(), node.inputs[index].name.clone());
+                self.problem(head, format!("the parameter `{input}` has type `{name}`, which no wire carries"));
+            }
+        }
+    }
+
+    fn choice(&mut self, name: &str, tag: &Tag, head: &Declaration) -> Input {
+        let mut input = plain_input(name, Type::Choice, Fallback::Wire);
+        input.help = tag.help.clone();
+        let mut default = None;
+        for piece in &tag.pieces[1..] {
+            match piece {
+                Piece::Quoted(label) => input.label = label.clone(),
+                Piece::Pair(key, value) if key == "default" => default = Some(value.clone()),
+                Piece::Pair(word, label) => input.options.push((word.clone(), label.clone())),
+                Piece::Word(word) => input.options.push((word.clone(), word.replace('_', " "))),
+            }
+        }
+        let default = default.or_else(|| input.options.first().map(|option| option.0.clone())).unwrap_or_default();
+        if !input.options.iter().any(|option| option.0 == default) {
+            self.problem(head, format!("`@choice {name}` has no option `{default}` for its default"));
+        }
+        input.fallback = Fallback::Value(Value::Text(default));
+        input
+    }
+
+    fn documented_input(&mut self, name: &str, ty: Type, tag: &Tag, head: &Declaration) -> Input {
+        let fallback = neutral(&ty).map_or(Fallback::Wire, Fallback::Value);
+        let mut input = plain_input(name, ty, fallback);
+        input.help = tag.help.clone();
+        for piece in &tag.pieces[1..] {
+            let ok = match piece {
+                Piece::Quoted(label) => {
+                    input.label = label.clone();
+                    true
+                }
+                Piece::Word(word) => match word.as_str() {
+                    "wire" => {
+                        input.fallback = Fallback::Wire;
+                        true
+                    }
+                    "hidden" => {
+                        input.hidden = true;
+                        true
+                    }
+                    "light_name" | "text" => true,
+                    _ => false,
+                },
+                Piece::Pair(key, value) => set_attribute(&mut input, key, value),
+            };
+            if !ok {
+                self.problem(head, format!("`@param {name}` has a piece that means nothing: {piece:?}"));
+            }
+        }
+        input
+    }
+
+    fn prepare(&mut self, node: &mut NodeDef, own: &[&Declaration], stem: &str) {
+        let Some(function) = own.iter().find(|d| suffix_of(&d.name, stem) == Some("prepare")) else { return };
+        let mut parameters = Vec::new();
+        for field in &function.fields {
+            match node.input(&field.name) {
+                Some(index) => parameters.push((index, Type::from_wgsl(&field.ty))),
+                None => {
+                    self.problem(function, format!("`{}` is not an input of the node", field.name));
+                }
+            }
+        }
+        let result = function.result.clone().unwrap_or_default();
+        node.prepare = Some(Prepare { function: function.name.clone(), parameters, result: Type::from_wgsl(&result) });
+    }
+
+    fn variants(&mut self, node: &mut NodeDef, own: &[&Declaration], stem: &str) {
+        for function in own {
+            let suffix = suffix_of(&function.name, stem).unwrap_or_default();
+            if suffix == "prepare" {
+                continue;
+            }
+            let Some((choice, width, tier)) = self.meaning(node, suffix, function) else { continue };
+            let parameters = self.parameters(node, function);
+            let Some(result) = function.result.clone() else {
+                self.problem(function, "a node's function must return something".to_owned());
+                continue;
+            };
+            let is_struct = |d: &&Declaration| d.kind == DeclarationKind::Struct && d.name == result;
+            let result_is_struct = self.scan.declarations.iter().any(|d| is_struct(&d));
+            let result = Type::from_wgsl(&result);
+            let function = function.name.clone();
+            node.variants.push(Variant { function, choice, width, tier, parameters, result, result_is_struct });
+        }
+    }
+
+    /// What the words after the kind say.
+    #[expect(clippy::type_complexity, reason = "three answers to one question, taken apart at once")]
+    fn meaning(
+        &mut self,
+        node: &NodeDef,
+        suffix: &str,
+        function: &Declaration,
+    ) -> Option<(Option<(usize, String)>, Option<Type>, Tier)> {
+        let mut rest = suffix;
+        let mut choice = None;
+        let mut width = None;
+        let mut tier = Tier::Exact;
+        if node.special == Special::Light || (node.special == Special::Output && !suffix.is_empty()) {
+            // A light's type and the Output's second root are no choices that a document makes.
+            return Some((Some((usize::MAX, suffix.to_owned())), None, tier));
+        }
+        while !rest.is_empty() {
+            let options =
+                node.inputs.iter().enumerate().flat_map(|(i, input)| input.options.iter().map(move |o| (i, o)));
+            let matching = options.filter(|(_, option)| begins_with_word(rest, &option.0));
+            if let (None, Some((input, option))) = (&choice, matching.max_by_key(|(_, option)| option.0.len())) {
+                choice = Some((input, option.0.clone()));
+                rest = rest[option.0.len()..].trim_start_matches('_');
+                continue;
+            }
+            let (word, after) = rest.split_once('_').unwrap_or((rest, ""));
+            match word {
+                "vec2" => width = Some(Type::Vec2),
+                "vec3" => width = Some(Type::Vec3),
+                "vec4" => width = Some(Type::Vec4),
+                "color" => width = Some(Type::Color),
+                "balanced" => tier = Tier::Balanced,
+                "fast" => tier = Tier::Fast,
+                _ => {
+                    self.problem(function, format!("`{word}` in `{}` is no choice, width or tier", function.name))
+                        .hints
+                        .push("name helper functions so that they do not begin with the node's kind".to_owned());
+                    return None;
+                }
+            }
+            rest = after;
+        }
+        Some((choice, width, tier))
+    }
+
+    fn parameters(&mut self, node: &NodeDef, function: &Declaration) -> Vec<Parameter> {
+        let prepared = node.prepare.as_ref().map(|prepare| prepare.result.wgsl().to_owned());
+        let mut parameters = Vec::new();
+        let mut image = None;
+        for field in &function.fields {
+            if Some(&field.ty) == prepared.as_ref() {
+                parameters.push(Parameter::Prepared);
+            } else if field.ty == "sampler" {
+                match image {
+                    Some(image) => parameters.push(Parameter::Sampler(image)),
+                    None => {
+                        self.problem(function, "a sampler must follow the image that it samples".to_owned());
+                    }
+                }
+            } else if let Some(index) = node.input(&field.name) {
+                let ty = Type::from_wgsl(&field.ty);
+                if ty == Type::Image {
+                    image = Some(index);
+                }
+                parameters.push(Parameter::Input(index, ty));
+            }
+        }
+        parameters
+    }
+
+    fn outputs(&mut self, node: &mut NodeDef, docs: &Docs, head: &Declaration) {
+        let Some(variant) = node.variants.first() else { return };
+        if variant.result_is_struct {
+            let name = variant.result.wgsl().to_owned();
+            let members = self.scan.declarations.iter().find(|d| d.name == name).map_or(&[][..], |d| &d.fields);
+            for member in members {
+                node.outputs.push(Output {
+                    name: PortName::new(member.name.as_str()),
+                    label: sentence(&member.name),
+                    help: member.doc.join(" "),
+                    ty: Type::from_wgsl(&member.ty),
+                });
+            }
+        } else {
+            let tag = docs.tags.iter().find(|tag| tag.word == "return");
+            let name = match tag.and_then(|tag| tag.pieces.first()) {
+                Some(Piece::Word(name)) => name.clone(),
+                _ => "value".to_owned(),
+            };
+            let label = tag.and_then(|tag| tag.pieces.iter().find_map(quoted)).unwrap_or_else(|| sentence(&name));
+            let help = tag.map(|tag| tag.help.clone()).unwrap_or_default();
+            node.outputs.push(Output { name: PortName::new(name), label, help, ty: variant.result.clone() });
+        }
+        for output in &node.outputs {
+            if matches!(output.ty, Type::Prepared(_)) || output.ty.is_setting() {
+                let message = format!("the output `{}` has a type that no wire carries", output.name);
+                self.problem(head, message);
+            }
+        }
+    }
+
+    fn rules(&mut self, node: &mut NodeDef, docs: &Docs, head: &Declaration) {
+        for tag in &docs.tags {
+            match tag.word.as_str() {
+                "preset" => match preset(node, tag) {
+                    Some(preset) => node.presets.push(preset),
+                    None => {
+                        self.problem(head, "a `@preset` names an input that there is not, or no number".to_owned());
+                    }
+                },
+                "bypass" => match bypass(node, tag) {
+                    Some(bypass) => node.bypasses.push(bypass),
+                    None => {
+                        self.problem(head, "a `@bypass` is not of the form `input when other = value`".to_owned());
+                    }
+                },
+                "unit" => {
+                    node.unit_when = unit_conditions(node, tag);
+                    if node.unit_when.is_none() {
+                        self.problem(head, "a `@unit` is not of the form `when input = value`".to_owned());
+                    }
+                }
+                "param" | "choice" | "return" | "source" => {}
+                other => {
+                    self.problem(head, format!("`@{other}` means nothing here"))
+                        .hints
+                        .push("the tags are @param, @choice, @return, @preset, @bypass, @unit and @source".to_owned());
+                }
+            }
+        }
+    }
+}
+
+/// What `name` has after `stem`; empty for the stem itself.
+fn suffix_of<'n>(name: &'n str, stem: &str) -> Option<&'n str> {
+    let rest = name.strip_prefix(stem)?;
+    if rest.is_empty() { Some("") } else { rest.strip_prefix('_') }
+}
+
+fn begins_with_word(text: &str, word: &str) -> bool {
+    text.strip_prefix(word).is_some_and(|rest| rest.is_empty() || rest.starts_with('_'))
+}
+
+fn has_word(tag: &Tag, word: &str) -> bool {
+    tag.pieces.iter().any(|piece| matches!(piece, Piece::Word(found) if found == word))
+}
+
+fn quoted(piece: &Piece) -> Option<String> {
+    match piece {
+        Piece::Quoted(text) => Some(text.clone()),
+        _ => None,
+    }
+}
+
+fn source_text(tag: &Tag) -> String {
+    let piece_text = |piece: &Piece| match piece {
+        Piece::Word(word) | Piece::Quoted(word) => word.clone(),
+        Piece::Pair(key, value) => format!("{key}={value}"),
+    };
+    tag.pieces.iter().map(piece_text).collect::<Vec<_>>().join(" ")
+}
+
+/// `half_distance` becomes `Half distance`.
+fn sentence(name: &str) -> String {
+    let spaced = name.replace('_', " ");
+    let mut characters = spaced.chars();
+    characters.next().map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
+}
+
+/// An input that is told nothing of but its name and type.
+pub(super) fn plain_input(name: &str, ty: Type, fallback: Fallback) -> Input {
+    Input {
+        name: PortName::new(name),
+        label: sentence(name),
+        help: String::new(),
+        ty,
+        fallback,
+        min: None,
+        max: None,
+        unit: String::new(),
+        widget: String::new(),
+        options: Vec::new(),
+        hidden: false,
+    }
+}
+
+/// The value an input has when its file says nothing.
+fn neutral(ty: &Type) -> Option<Value> {
+    Some(match ty {
+        Type::Float | Type::Int => Value::Number(0.0),
+        Type::Bool => Value::Bool(false),
+        Type::Vec2 => Value::Vector(vec![0.0; 2]),
+        Type::Vec3 => Value::Vector(vec![0.0; 3]),
+        Type::Vec4 => Value::Vector(vec![0.0; 4]),
+        Type::Color | Type::Composite => Value::Vector(vec![0.0, 0.0, 0.0, 1.0]),
+        Type::Curve => {
+            Value::Curve(Curve { points: vec![[0.0, 0.0], [1.0, 1.0]], interpolation: Interpolation::Smooth })
+        }
+        Type::Ramp => Value::Ramp(Ramp {
+            stops: vec![
+                RampStop { at: 0.0, color: vec![0.0, 0.0, 0.0, 1.0] },
+                RampStop { at: 1.0, color: vec![1.0, 1.0, 1.0, 1.0] },
+            ],
+            interpolation: Interpolation::Linear,
+        }),
+        Type::Image | Type::LightName | Type::Text => Value::Text(String::new()),
+        Type::Angle | Type::Light | Type::Mat3 | Type::Choice | Type::Prepared(_) => return None,
+    })
+}
+
+fn set_attribute(input: &mut Input, key: &str, value: &str) -> bool {
+    match key {
+        "default" => match value_of(&input.ty, value) {
+            Some(value) => input.fallback = Fallback::Value(value),
+            None => return false,
+        },
+        "from" => match Context::from_word(value) {
+            Some(context) => input.fallback = Fallback::Context(context),
+            None => return false,
+        },
+        "min" => input.min = docs::number(value),
+        "max" => input.max = docs::number(value),
+        "unit" => value.clone_into(&mut input.unit),
+        "widget" => value.clone_into(&mut input.widget),
+        _ => return false,
+    }
+    true
+}
+
+fn value_of(ty: &Type, text: &str) -> Option<Value> {
+    Some(match ty {
+        Type::Bool => Value::Bool(text.parse().ok()?),
+        Type::Float | Type::Int => Value::Number(docs::number(text)?),
+        Type::Choice | Type::Text | Type::LightName | Type::Image => Value::Text(text.to_owned()),
+        _ => {
+            let numbers = docs::numbers(text)?;
+            (Some(numbers.len()) == ty.width()).then_some(Value::Vector(numbers))?
+        }
+    })
+}
+
+fn preset(node: &NodeDef, tag: &Tag) -> Option<Preset> {
+    let mut preset = Preset { label: tag.pieces.iter().find_map(quoted)?, values: Vec::new() };
+    for piece in &tag.pieces {
+        if let Piece::Pair(port, value) = piece {
+            let input = &node.inputs[node.input(port)?];
+            preset.values.push((input.name.clone(), value_of(&input.ty, value)?));
+        }
+    }
+    Some(preset)
+}
+
+fn words(tag: &Tag) -> Vec<&str> {
+    tag.pieces.iter().map(|piece| if let Piece::Word(word) = piece { word.as_str() } else { "" }).collect()
+}
+
+/// `when` and conditions; always, where there is nothing.
+fn unit_conditions(node: &NodeDef, tag: &Tag) -> Option<Vec<Condition>> {
+    match words(tag).as_slice() {
+        [] => Some(Vec::new()),
+        ["when", rest @ ..] => rest.split(|word| *word == "and").map(|words| condition(node, words)).collect(),
+        _ => None,
+    }
+}
+
+/// `below when opacity = 0 and mode = add|alpha`
+fn bypass(node: &NodeDef, tag: &Tag) -> Option<Bypass> {
+    let words = words(tag);
+    let [result, "when", conditions @ ..] = words.as_slice() else { return None };
+    let result = match docs::number(result) {
+        Some(number) => BypassResult::Number(number),
+        None => BypassResult::Input(node.input(result)?),
+    };
+    let conditions = conditions.split(|word| *word == "and").map(|words| condition(node, words));
+    Some(Bypass { result, conditions: conditions.collect::<Option<_>>()?, reason: tag.help.clone() })
+}
+
+fn condition(node: &NodeDef, words: &[&str]) -> Option<Condition> {
+    let [input, "=", value] = words else { return None };
+    let input = node.input(input)?;
+    let test = if node.inputs[input].ty == Type::Choice {
+        Test::Word(value.split('|').map(str::to_owned).collect())
+    } else if *value == "black" {
+        Test::Black
+    } else if *value == "unit" {
+        Test::Unit
+    } else if let Some(number) = docs::number(value) {
+        Test::Is(number)
+    } else {
+        Test::Same(node.input(value)?)
+    };
+    Some(Condition { input, test })
+}
