@@ -47,10 +47,10 @@ impl Canvas {
         // The frame before has let go of its share by now, so this copies nothing.
         let mesh = Arc::make_mut(&mut buffer);
         mesh.clear();
-        let size = painter.fonts(|fonts| fonts.font_image_size());
+        let [u, v] = painter.fonts(|fonts| fonts.font_image_size().map(|side| 1.0 / side as f32));
         let pen = Pen {
             painter,
-            uv: vec2(1.0 / size[0] as f32, 1.0 / size[1] as f32),
+            uv: vec2(u, v),
             pixels: painter.pixels_per_point(),
             zoom: self.view.zoom,
             visible: self.view.visible(),
