@@ -234,6 +234,14 @@ fn find_root(
     problems: &mut Vec<Diagnostic>,
 ) -> Option<(usize, usize)> {
     if let Some((path, port)) = root {
+        if let Some(outputs) = flat.group_outputs.get(path) {
+            return outputs.get(port).copied().or_else(|| {
+                let problem = Diagnostic::error("unknown-port", format!("the group `{path}` has no output `{port}`"));
+                let known = outputs.keys().map(PortName::as_str).filter(|name| !name.is_empty());
+                problems.push(problem.node(path.clone()).suggest(port.as_str(), known));
+                None
+            });
+        }
         let Some(&node) = flat.by_path.get(path) else {
             let known: Vec<_> = flat.nodes.iter().map(|node| node.path.to_string()).collect();
             let problem = Diagnostic::error("unknown-node", format!("there is no node `{path}`"));

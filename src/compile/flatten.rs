@@ -77,6 +77,8 @@ pub(super) struct FlatGraph {
     pub params: Vec<Param>,
     /// By path.
     pub by_path: HashMap<NodePath, usize>,
+    /// What a group's outputs come from, by the group's path; the empty port is the first output.
+    pub group_outputs: HashMap<NodePath, HashMap<PortName, (usize, usize)>>,
 }
 
 enum Slot {
@@ -121,6 +123,7 @@ pub(super) fn flatten(look: &Look, library: &Library, problems: &mut Vec<Diagnos
     flattener.open_scopes();
     flattener.check_wires();
     flattener.bind_inputs();
+    flattener.bind_group_outputs();
     problems.append(&mut flattener.problems);
     flattener.flat
 }
@@ -362,6 +365,26 @@ impl<'a> Flattener<'a> {
             let def = self.flat.nodes[index].def.clone();
             let inputs = def.inputs.iter().map(|input| self.resolve(scope, id, &input.name)).collect();
             self.flat.nodes[index].inputs = inputs;
+        }
+    }
+
+    /// Finds what stands behind the outputs of groups, so that they can be shown like those of nodes.
+    fn bind_group_outputs(&mut self) {
+        for scope in 1..self.scopes.len() {
+            let Some((_, definition)) = self.scopes[scope].definition else { continue };
+            let mut found = HashMap::new();
+            for (index, port) in definition.outputs.iter().enumerate() {
+                let Some(&wire) = self.scopes[scope].wires.get(&(GROUP_OUTPUTS, port.name.as_str())) else { continue };
+                if let FlatInput::Wire { node, output } = self.resolve(scope, &wire.to.node, &port.name) {
+                    found.insert(port.name.clone(), (node, output));
+                    if index == 0 {
+                        found.insert(PortName::default(), (node, output));
+                    }
+                }
+            }
+            if let Some(path) = self.scopes[scope].path.clone() {
+                self.flat.group_outputs.insert(path, found);
+            }
         }
     }
 

@@ -162,6 +162,9 @@ impl Planner {
         live: &Live,
         options: &PlanOptions,
     ) -> Result<FramePlan, Vec<Diagnostic>> {
+        // Values that the objects set are exposed ones; folded they would not be seen.
+        let sets_values = *live == Live::Keyed && setup.objects.iter().any(|object| !object.values.is_empty());
+        let live = if sets_values { &Live::Exposed } else { live };
         let (center, radius) = bounds(&setup.objects);
         let view = View::new(&setup.scene.camera, options.size, center, radius);
         let mut problems = Vec::new();

@@ -9,7 +9,7 @@ use super::assets::{Assets, Image};
 use super::keys::{Moment, ParamTable, Rig, structural_look};
 use super::plan::images;
 use super::setup::SetupLook;
-use crate::compile::{CompiledShader, HostInputs, LightValues, Options, Stage, StructLayout, compile};
+use crate::compile::{CompiledShader, HostInputs, LightValues, Live, Options, Stage, StructLayout, compile};
 use crate::diag::Diagnostic;
 use crate::document::{Light, LightKind, Value, Values};
 use crate::ids::LightId;
@@ -110,7 +110,10 @@ pub fn eval_batches(
     for indices in group(setup, samples).into_values() {
         let first = &samples[indices[0]];
         let look = structural_look(&setup.look, first.time, &first.values);
-        let options = Options { stage: Stage::Eval, ..options.clone() };
+        let mut options = Options { stage: Stage::Eval, ..options.clone() };
+        if options.live == Live::Keyed && indices.iter().any(|&index| !samples[index].values.is_empty()) {
+            options.live = Live::Exposed;
+        }
         let shader = compile(&look, library, &options).map_err(|mut problems| {
             setup.source.locate_all(&mut problems);
             problems
