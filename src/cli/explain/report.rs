@@ -191,7 +191,8 @@ fn reading(context: Context, shader: &CompiledShader, typed: &TypedGraph) -> Rea
     let is_live = |path: &NodePath| shader.spans.spans_of(path).next().is_some();
     // The Output's normal is for the modules that draw normals.
     let is_plain = |node: &crate::compile::TypedNode| node.def.special != Special::Output;
-    let reader = |node: &&crate::compile::TypedNode| node.inputs.iter().any(reads) && is_plain(node) && is_live(&node.path);
+    let reader =
+        |node: &&crate::compile::TypedNode| node.inputs.iter().any(reads) && is_plain(node) && is_live(&node.path);
     let readers = typed.nodes.iter().filter(reader);
     Reading { word: context.word(), what: context.help(), readers: readers.map(|node| node.path.to_string()).collect() }
 }
