@@ -93,6 +93,24 @@ impl App {
         &self.viewport
     }
 
+    /// Whether shaders or pictures are being made.
+    pub fn is_busy(&self) -> bool {
+        self.session.is_compiling() || self.picture.as_ref().is_some_and(Picture::is_busy)
+    }
+
+    /// Waits for them; for tests.
+    pub fn wait(&self) {
+        self.session.wait();
+        if let Some(picture) = &self.picture {
+            picture.wait();
+        }
+    }
+
+    /// How many pictures were asked for.
+    pub fn pictures(&self) -> u64 {
+        self.picture.as_ref().map_or(0, |picture| picture.wishes)
+    }
+
     /// Opens a look and tells where that fails.
     pub fn open(&mut self, path: &Path) {
         self.message = (!self.session.open(path)).then(|| format!("{} could not be opened", path.display()));
@@ -156,7 +174,7 @@ impl App {
         let left = Panel::left("picture").frame(theme::panel()).default_size(500.0).size_range(220.0..=1400.0);
         left.show(ui, |ui| {
             if self.shows_code {
-                const HEIGHT: f32 = 300.0;
+                const HEIGHT: f32 = 240.0;
                 let code = Panel::bottom("code")
                     .frame(egui::Frame::new().inner_margin(egui::Margin { top: 8, ..Default::default() }));
                 code.default_size(HEIGHT).size_range(60.0..=2000.0).show(ui, |ui| {

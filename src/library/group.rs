@@ -53,6 +53,7 @@ impl GroupPorts {
 }
 
 /// What a node's kind leads to.
+#[expect(clippy::large_enum_variant, reason = "one at a time, on the stack")]
 enum Kind<'a> {
     Node(std::borrow::Cow<'a, NodeDef>),
     Group(&'a Definition),

@@ -4,8 +4,8 @@
 use chiaro::document::Look;
 use chiaro::editor::App;
 use eframe::egui::{self, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect, Vec2, ViewportId, vec2};
-use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
+use egui_kittest::{Harness, HarnessBuilder};
 
 /// A window without display and GPU, and a hand in it.
 pub(crate) struct Hand {
@@ -21,8 +21,16 @@ impl Hand {
 
     /// A window made by `make`.
     pub(crate) fn with(make: impl Fn(&egui::Context) -> App + 'static) -> Self {
+        Self::with_builder(Harness::builder(), make)
+    }
+
+    /// A window with a renderer of its own.
+    pub(crate) fn with_builder(
+        builder: HarnessBuilder<Option<App>>,
+        make: impl Fn(&egui::Context) -> App + 'static,
+    ) -> Self {
         let show = move |ui: &mut egui::Ui, app: &mut Option<App>| app.get_or_insert_with(|| make(ui.ctx())).show(ui);
-        let builder = Harness::builder().with_size(vec2(1500.0, 900.0)).with_max_steps(20);
+        let builder = builder.with_size(vec2(1500.0, 900.0)).with_max_steps(20);
         let mut hand = Self { harness: builder.build_ui_state(show, None) };
         hand.settle();
         hand
@@ -44,9 +52,8 @@ impl Hand {
     pub(crate) fn settle(&mut self) {
         for _ in 0..20 {
             self.harness.run_ok();
-            let session = self.app().session();
-            let was_busy = session.is_compiling();
-            session.wait();
+            let was_busy = self.app().is_busy();
+            self.app().wait();
             if !was_busy && self.repaint_delay() > std::time::Duration::from_secs(60) {
                 return;
             }
