@@ -11,7 +11,9 @@ use super::keys::{Moment, ParamTable, Rig, structural_look};
 use super::plan::images;
 use super::setup::SetupLook;
 use super::values::{check_exposed_value, live_for_values};
-use crate::compile::{CompiledShader, HostInputs, LightValues, Options, Stage, StructLayout, TypedGraph, check, compile};
+use crate::compile::{
+    CompiledShader, HostInputs, LightValues, Options, Stage, StructLayout, TypedGraph, check, compile,
+};
 use crate::diag::Diagnostic;
 use crate::document::{Light, LightKind, Look, Value, Values};
 use crate::ids::LightId;
@@ -124,7 +126,8 @@ pub fn eval_batches(
         let options = Options { stage: Stage::Eval, live: live_for_values(&options.live, any_set), ..options.clone() };
         let is_set = matches!(look, Cow::Owned(_));
         let shader = compile(&look, library, &options).map_err(|problems| {
-            let told = |problem: Diagnostic| problem.hint(format!("this is with the values of sample [{}]", indices[0]));
+            let told =
+                |problem: Diagnostic| problem.hint(format!("this is with the values of sample [{}]", indices[0]));
             located(problems.into_iter().map(|problem| if is_set { told(problem) } else { problem }).collect())
         })?;
         let shader = Arc::new(shader);

@@ -39,8 +39,10 @@ pub(super) fn load_module(sources: &[Source<'_>]) -> Result<NodeModule, Vec<Diag
 fn refused(linked: &Linked, error: &wgsl::WgslError) -> Diagnostic {
     let mut problem = Diagnostic::error("invalid-wgsl", error.message.clone());
     let place = error.span.as_ref().and_then(|span| linked.locate(span.start));
-    if let Some((file, at)) = place {
+    if let (Some((file, at)), Some(span)) = (place, &error.span) {
         problem = problem.in_file(file).at(at);
+        let line = linked.text[span.start..].lines().next().unwrap_or_default().trim();
+        problem = problem.hint(format!("it is about `{line}`"));
     }
     problem
 }
