@@ -88,7 +88,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     };
     let (_, warnings) = check(&setup.look, &library, options.root.as_ref()).map_err(located)?;
     output.diagnostics(&located(warnings));
-    let file = arguments.at.display().to_string();
+    let file = samples::name(&arguments.at);
     let batches =
         eval_batches(&setup, &library, &samples, &options, &mut Assets::default()).map_err(|mut problems| {
             let of_sample = |p: &&mut Diagnostic| p.place.json_path.as_ref().is_some_and(|path| path.starts_with('['));

@@ -219,10 +219,8 @@ fn adjust_camera(scene: &mut Scene, text: &str) -> Result<(), Diagnostic> {
             _ => return Err(bad(part)),
         }
     }
-    let view = DVec3::from(camera.target) - DVec3::from(camera.eye);
-    let side = view.cross(camera.up.into());
-    if view.length() < 1e-9 || side.length() < 1e-6 * view.length() * DVec3::from(camera.up).length() {
-        return Err(bad_argument("--camera", text, "an eye away from the target, and an `up` across the view"));
+    if DVec3::from(camera.target).distance(camera.eye.into()) < 1e-9 || DVec3::from(camera.up).length() < 1e-9 {
+        return Err(bad_argument("--camera", text, "an eye away from the target, and an `up` of any length but 0"));
     }
     Ok(())
 }

@@ -21,15 +21,19 @@ const LIGHT_FIELDS: [&str; 4] = ["direction", "position", "color", "intensity"];
 
 /// Reads a file of samples; `-` is standard input.
 pub(super) fn read(path: &Path) -> Result<Vec<EvalSample>, Vec<Diagnostic>> {
-    let (name, text) = if path == Path::new("-") {
-        let text = std::io::read_to_string(std::io::stdin().lock()).map_err(|error| {
-            vec![Diagnostic::error("cannot-read", format!("standard input cannot be read: {error}"))]
-        })?;
-        ("standard input".to_owned(), text)
+    let text = if path == Path::new("-") {
+        let failed = |error: std::io::Error| format!("standard input cannot be read: {error}");
+        std::io::read_to_string(std::io::stdin().lock())
+            .map_err(|error| vec![Diagnostic::error("cannot-read", failed(error))])?
     } else {
-        (path.display().to_string(), read_text(path).map_err(|problem| vec![*problem])?)
+        read_text(path).map_err(|problem| vec![*problem])?
     };
-    parse(&text, &name)
+    parse(&text, &name(path))
+}
+
+/// What messages call a file of samples.
+pub(super) fn name(path: &Path) -> String {
+    if path == Path::new("-") { "standard input".to_owned() } else { path.display().to_string() }
 }
 
 fn parse(text: &str, file: &str) -> Result<Vec<EvalSample>, Vec<Diagnostic>> {
