@@ -1,37 +1,107 @@
-//! Looks compile to WGSL that naga accepts.
+//! Every example look compiles, for every stage and liveness, to WGSL that naga accepts and that people can read.
 
-use chiaro::compile::{Live, Options, Stage, compile};
+use std::path::{Path, PathBuf};
+
+use chiaro::compile::{CompiledShader, Live, MAX_UNIFORM_BYTES, Options, Stage, compile};
 use chiaro::document::Look;
 use chiaro::library::Library;
 
+fn looks() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");
+    let mut files: Vec<_> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.retain(|path| path.extension().is_some_and(|extension| extension == "json"));
+    files.sort();
+    assert!(files.len() >= 10, "the example looks are gone");
+    files
+}
+
+fn load(path: &Path) -> Look {
+    let loaded = Look::load(path);
+    assert!(loaded.diagnostics.is_empty(), "{}: {:?}", path.display(), loaded.diagnostics);
+    loaded.value.unwrap()
+}
+
+fn compiled(look: &Look, options: &Options) -> CompiledShader {
+    compile(look, Library::built_in(), options).unwrap_or_else(|problems| {
+        let told: Vec<_> = problems.iter().map(ToString::to_string).collect();
+        panic!("{} with {options:?}: {}", look.name, told.join("\n"))
+    })
+}
+
 #[test]
-fn a_look_compiles_for_every_stage_and_liveness() {
+fn the_library_has_no_problems() {
     let library = Library::built_in();
-    for problem in &library.problems {
-        panic!("{problem}");
-    }
-    let text = include_str!("../examples/looks/first.json");
-    let loaded = Look::read(text, "first.json");
-    for d in &loaded.diagnostics {
-        println!("{d}");
-    }
-    let look = loaded.value.unwrap();
-    for stage in [Stage::Draw, Stage::Normals, Stage::Eval] {
-        for live in [Live::Keyed, Live::Exposed, Live::All] {
-            for unspecialized in [false, true] {
-                let options = Options { live: live.clone(), stage, root: None, unspecialized };
-                match compile(&look, library, &options) {
-                    Ok(shader) => {
-                        if !unspecialized {
-                            println!("=== {stage:?} {live:?}\n{}", shader.wgsl);
-                        }
-                    }
-                    Err(problems) => panic!(
-                        "{stage:?} {live:?} {unspecialized}: {}",
-                        problems.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
-                    ),
+    assert!(library.problems.is_empty(), "{:?}", library.problems);
+    assert!(library.nodes.len() >= 90 && library.groups.contains_key("light_layer"));
+}
+
+#[test]
+fn every_look_compiles_in_every_way() {
+    for path in looks() {
+        let look = load(&path);
+        for stage in [Stage::Draw, Stage::Normals, Stage::DetailNormals, Stage::Eval] {
+            for live in [Live::Keyed, Live::Exposed, Live::All] {
+                for unspecialized in [false, true] {
+                    let options = Options { live: live.clone(), stage, unspecialized, ..Options::default() };
+                    compiled(&look, &options);
                 }
             }
         }
     }
+}
+
+#[test]
+fn generated_source_uses_the_artists_names() {
+    let look = load(&looks().into_iter().find(|path| path.ends_with("figure1-layers.json")).unwrap());
+    let source = compiled(&look, &Options::default()).wgsl;
+    for name in ["look.key", "specular_tone", "back_light_", "fn shade(surface: Surface)"] {
+        assert!(source.contains(name), "{name} is not in\n{source}");
+    }
+    assert!(!source.contains("@param"), "what only the editor reads is left out");
+}
+
+#[test]
+fn a_byte_of_the_source_leads_to_its_node_and_back() {
+    let look = load(&looks().into_iter().find(|path| path.ends_with("figure1-layers.json")).unwrap());
+    let shader = compiled(&look, &Options::default());
+    let path = chiaro::ids::NodePath::parse("specular/tone");
+    let spans: Vec<_> = shader.spans.spans_of(&path).collect();
+    assert!(!spans.is_empty());
+    for span in spans {
+        assert_eq!(shader.spans.node_at(span.start), Some(&path));
+        assert!(shader.wgsl[span].contains("profile("));
+    }
+}
+
+#[test]
+fn what_changes_nothing_is_removed_with_its_reason() {
+    let look = load(&looks().into_iter().find(|path| path.ends_with("figure4-color.json")).unwrap());
+    let shader = compiled(&look, &Options::default());
+    let reason = |path: &str| {
+        let found = shader.removed.iter().find(|removal| removal.path.to_string() == path);
+        found.unwrap_or_else(|| panic!("{path} is not removed: {:?}", shader.removed)).reason.clone()
+    };
+    assert_eq!(reason("diffuse/warp"), "its amount is 0");
+    assert!(!shader.wgsl.contains("fn warp("), "a warp of 0 stays out of the source");
+}
+
+#[test]
+fn a_look_with_many_values_keeps_its_uniform_small() {
+    let mut look = Look::default();
+    let mut json = String::from(r#"{"nodes": [{"id": "base", "kind": "base"}, {"id": "facing", "kind": "facing"}"#);
+    let mut wires = String::new();
+    let mut from = "base".to_owned();
+    for i in 0..800 {
+        json += &format!(r#", {{"id": "mix{i}", "kind": "blend"}}"#);
+        wires += &format!(r#"{{"from": "{from}", "to": "mix{i}.below"}}, "#);
+        wires += &format!(r#"{{"from": "facing", "to": "mix{i}.tone"}}, "#);
+        from = format!("mix{i}");
+    }
+    json += &format!(
+        r#", {{"id": "output", "kind": "output"}}], "wires": [{wires}{{"from": "{from}", "to": "output.color"}}]}}"#
+    );
+    look.clone_from(Look::read(&json, "long.json").value.as_ref().unwrap());
+    let shader = compiled(&look, &Options { live: Live::All, ..Options::default() });
+    assert!(shader.host.size <= MAX_UNIFORM_BYTES, "{} bytes", shader.host.size);
+    assert_ne!(shader.live, Live::All, "it says that fewer values are live");
 }

@@ -1,19 +1,30 @@
 //! The command line: one file a subcommand.
 //!
-//! Exit codes: 0 done; 1 the document, an asset or the GPU is at fault, and a diagnostic says how; 2 the command line is.
+//! Results go to standard output, messages to standard error. Exit codes: 0 done; 1 a document, an asset or the GPU is
+//! at fault, and a diagnostic says how; 2 the command line is; 130 ended by Ctrl-C, with no file half written.
 
+mod check;
+#[cfg(feature = "gpu")]
+mod clock;
 #[cfg(feature = "gpu")]
 mod eval;
+mod explain;
+mod export;
+mod interrupt;
+mod new;
+mod nodes;
+mod open;
 mod output;
 #[cfg(feature = "gpu")]
 mod render;
+#[cfg(feature = "gpu")]
+mod samples;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use crate::diag::Diagnostic;
 use output::Output;
 
 /// Draw with light: stylized shading as a graph, compiled to one readable WGSL shader.
@@ -26,27 +37,49 @@ struct Arguments {
 
 const EXAMPLES: &str = "\
 Examples:
-  chiaro edit examples/looks/first.json
-  chiaro render examples/looks/first.json -o first.png --mesh bunny.obj
-  chiaro eval my.json --at samples.json
+  chiaro new rim
+  chiaro edit rim.json
+  chiaro render rim.json -o rim.png --mesh bunny.obj
+  chiaro check examples/
+  chiaro export rim.json --to glsl-450 -o shaders/
 
+Results go to standard output, messages to standard error.
 Exit codes: 0 done; 1 something in a document, an asset or the GPU is at fault (a message says what);
-2 the command line is wrong.";
+2 the command line is wrong; 130 ended by Ctrl-C, with no file half written.";
 
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Open looks or scenes in the editor (also what `chiaro` alone does)
+    #[command(after_help = EDIT_EXAMPLES)]
     Edit {
-        /// Looks or scenes.
+        /// Looks or scenes
         files: Vec<PathBuf>,
     },
+    /// Write a look or a scene to begin with
+    New(new::Arguments),
+    /// Tell everything that is wrong or odd in looks and scenes
+    Check(check::Arguments),
+    /// Tell what is drawn, in which passes, on which data, and why
+    Explain(explain::Arguments),
+    /// List the nodes that looks are made of, or tell all about one
+    Nodes(nodes::Arguments),
     /// Render a look or a scene to a PNG
     #[cfg(feature = "gpu")]
     Render(render::Arguments),
     /// Print a look's value, or any node's, at given surface samples
     #[cfg(feature = "gpu")]
     Eval(eval::Arguments),
+    /// Write a look as shaders for other programs
+    Export(export::Arguments),
 }
+
+const EDIT_EXAMPLES: &str = "\
+Examples:
+  chiaro edit
+  chiaro edit examples/looks/figure1-layers.json";
+
+/// Codes of diagnostics about the command line itself, which are told as the argument parser's own are.
+const USAGE: [&str; 2] = ["bad-argument", "unknown-language"];
 
 /// What `main` does after the command line was read.
 #[derive(Debug)]
@@ -59,21 +92,35 @@ pub enum Outcome {
 
 /// Reads the command line and does what it says, but for the editor, which `main` opens.
 pub fn run() -> Outcome {
-    let arguments = Arguments::parse();
-    let output = Output::new();
-    let result: Result<(), Vec<Diagnostic>> = match arguments.command {
+    let command = match Arguments::parse().command {
         None => return Outcome::Edit(Vec::new()),
         Some(Command::Edit { files }) => return Outcome::Edit(files),
+        Some(command) => command,
+    };
+    interrupt::clean_up_on_interrupt();
+    let output = Output::new();
+    let result = match &command {
+        Command::Edit { .. } => Ok(()),
+        Command::New(arguments) => new::run(arguments, &output),
+        Command::Check(arguments) => match check::run(arguments, &output) {
+            // Its problems are told: they are the result.
+            Ok(true) => return Outcome::Done(ExitCode::FAILURE),
+            found => found.map(drop),
+        },
+        Command::Explain(arguments) => explain::run(arguments, &output),
+        Command::Nodes(arguments) => nodes::run(arguments, &output),
         #[cfg(feature = "gpu")]
-        Some(Command::Render(arguments)) => render::run(&arguments, &output),
+        Command::Render(arguments) => render::run(arguments, &output),
         #[cfg(feature = "gpu")]
-        Some(Command::Eval(arguments)) => eval::run(&arguments, &output),
+        Command::Eval(arguments) => eval::run(arguments, &output),
+        Command::Export(arguments) => export::run(arguments, &output),
     };
     Outcome::Done(match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(problems) => {
             output.diagnostics(&problems);
-            ExitCode::FAILURE
+            let is_usage = problems.iter().all(|problem| USAGE.contains(&problem.code));
+            if is_usage { ExitCode::from(2) } else { ExitCode::FAILURE }
         }
     })
 }

@@ -1,6 +1,9 @@
 //! What is printed, in one place: results to standard output, everything else to standard error.
 
+use std::collections::HashSet;
 use std::io::Write as _;
+
+use serde_json::Value as Json;
 
 use crate::diag::Diagnostic;
 
@@ -19,6 +22,11 @@ impl Output {
         let _ = writeln!(out, "{text}");
     }
 
+    /// A result as JSON.
+    pub(super) fn json(&self, value: &Json) {
+        self.result(&serde_json::to_string_pretty(value).unwrap_or_default());
+    }
+
     /// A message about what is being done.
     pub(super) fn message(&self, text: &str) {
         let _ = writeln!(std::io::stderr().lock(), "{text}");
@@ -26,13 +34,19 @@ impl Output {
 
     /// Diagnostics, each once.
     pub(super) fn diagnostics(&self, diagnostics: &[Diagnostic]) {
-        let mut shown: Vec<String> = Vec::new();
+        let mut shown: HashSet<String> = HashSet::new();
         for diagnostic in diagnostics {
             let text = diagnostic.to_string();
-            if !shown.contains(&text) {
+            if shown.insert(text.clone()) {
                 self.message(&text);
-                shown.push(text);
             }
         }
     }
+}
+
+/// The same diagnostics, each once.
+pub(super) fn once(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    let mut seen: HashSet<String> = HashSet::new();
+    diagnostics.retain(|diagnostic| seen.insert(format!("{diagnostic}{:?}", diagnostic.place)));
+    diagnostics
 }

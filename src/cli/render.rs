@@ -4,13 +4,15 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use glam::{DQuat, DVec3};
+use serde_json::json;
 
-use super::output::Output;
+use super::clock::Clock;
+use super::open::{check_nodes_folder, library_for};
+use super::output::{Output, once};
 use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::{Projection, Scene, parse_hex, write_atomic};
 use crate::frame::{Assets, PlanOptions, Planner, open};
-use crate::library::Library;
 use crate::render::{Gpu, Picture, Renderer, block_on};
 
 const EXAMPLES: &str = "\
@@ -18,7 +20,8 @@ Examples:
   chiaro render look.json -o look.png
   chiaro render look.json -o look.png --mesh shape:knot --size 1920x1080 --samples 4
   chiaro render look.json -o turned.png --turn-lights 90 --camera orbit=30,15
-  chiaro render scene.json -o frame.png --time 1.5 --backdrop none";
+  chiaro render look.json -o close.png --camera 'eye=1,0.5,3;target=0,0.2,0;fov=20'
+  chiaro render scene.json -o frame.png --time 1.5 --backdrop none --json";
 
 /// What `chiaro render` is given.
 #[derive(Debug, clap::Args)]
@@ -38,8 +41,8 @@ pub(super) struct Arguments {
     /// Samples a pixel
     #[arg(long, default_value_t = 4, value_parser = parse_samples)]
     samples: u32,
-    /// Where the picture is taken from: `orbit=YAW,PITCH` in degrees around the target, `distance=D`, `ortho=HEIGHT`,
-    /// `fov=DEGREES`; joined by `;`
+    /// Where the picture is taken from: `eye=X,Y,Z`, `target=X,Y,Z`, `up=X,Y,Z`, `orbit=YAW,PITCH` in degrees around the
+    /// target, `distance=D` from it, `ortho=HEIGHT`, `fov=DEGREES`; joined by `;`, taken in order
     #[arg(short, long)]
     camera: Option<String>,
     /// Turns the illumination frame, and every light in it: degrees around the vertical axis, or `YAW,PITCH`
@@ -49,14 +52,17 @@ pub(super) struct Arguments {
     #[arg(long)]
     backdrop: Option<String>,
     /// The time in seconds
-    #[arg(long, default_value_t = 0.0)]
+    #[arg(long, default_value_t = 0.0, value_parser = parse_time, allow_negative_numbers = true)]
     time: f64,
     /// A folder of a project's own nodes; `nodes/` beside the document is found without it
     #[arg(long)]
     nodes: Option<PathBuf>,
-    /// Fold nothing and remove nothing: what pruning is held against
-    #[arg(long, hide = true)]
+    /// Draw as while the look is edited: every value is a uniform, and nothing is folded
+    #[arg(long)]
     live: bool,
+    /// Print what was done as JSON: size, seconds, adapter, passes that ran, warnings
+    #[arg(long)]
+    json: bool,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -80,36 +86,65 @@ fn parse_samples(text: &str) -> Result<u32, String> {
     }
 }
 
-/// The built-in library with the project's own nodes.
-pub(super) fn library_for(document: &Path, nodes: Option<&Path>) -> Library {
-    let beside = document.parent().unwrap_or(Path::new("")).join("nodes");
-    match nodes {
-        Some(folder) => Library::built_in().with_project(folder),
-        None if beside.is_dir() => Library::built_in().with_project(&beside),
-        None => Library::built_in().clone(),
-    }
-}
-
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let one = |problem: Diagnostic| vec![problem];
+    check_nodes_folder(arguments.nodes.as_deref())?;
+    check_target(&arguments.output).map_err(one)?;
+    let clock = Clock::start();
     let library = library_for(&arguments.document, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);
     let mut assets = Assets::default();
-    let (mut setup, warnings) = open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?;
-    output.diagnostics(&warnings);
+    let (mut setup, mut warnings) = open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?;
     adjust(&mut setup.scene, arguments).map_err(one)?;
     let mut planner = Planner::new(assets);
     let options = PlanOptions { size: arguments.size.0, samples: arguments.samples, time: arguments.time };
     let live = if arguments.live { Live::All } else { Live::Keyed };
     let plan = planner.plan(&setup, &library, &live, &options)?;
-    output.diagnostics(&planner.warnings);
+    warnings.extend(planner.warnings);
+    output.diagnostics(&warnings);
     let gpu = block_on(Gpu::headless()).map_err(|error| one(error.into()))?;
     let mut renderer = Renderer::new(gpu);
+    let passes = block_on(renderer.draw(&plan)).map_err(|error| one(error.into()))?;
+    // Nothing is drawn again: every pass has what it would draw.
     let picture = block_on(renderer.picture(&plan)).map_err(|error| one(error.into()))?;
     write_png(&arguments.output, &picture).map_err(one)?;
     let [width, height] = picture.size;
-    output.message(&format!("{}: {width}x{height}, on {}", arguments.output.display(), renderer.gpu().name()));
+    let (file, adapter) = (arguments.output.display().to_string(), renderer.gpu().name());
+    if arguments.json {
+        output.json(&json!({
+            "file": file, "width": width, "height": height, "samples": arguments.samples, "time": arguments.time,
+            "adapter": adapter, "seconds": clock.seconds(), "passes": passes, "warnings": once(warnings),
+        }));
+    } else {
+        output.message(&format!("{file}: {width}x{height}, on {adapter}"));
+    }
     Ok(())
+}
+
+fn parse_time(text: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|time: &f64| time.is_finite()).ok_or_else(|| "it is a number of seconds".to_owned())
+}
+
+/// Whether a file can be written there, asked before the work is done.
+fn check_target(path: &Path) -> Result<(), Diagnostic> {
+    let problem = |message: String| {
+        Diagnostic::error("cannot-write", message)
+            .in_file(path.display().to_string())
+            .hint("choose another file with -o, in a folder that is there and may be written to")
+    };
+    if path.is_dir() {
+        return Err(problem("this is a folder".to_owned()));
+    }
+    if !path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png")) {
+        return Err(problem("pictures are written as PNG, so the name must end in .png".to_owned()));
+    }
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    if !folder.is_dir() {
+        return Err(problem(format!("there is no folder `{}`", folder.display())));
+    }
+    // A file without a name, gone as soon as it is closed.
+    let tried = tempfile::tempfile_in(folder);
+    tried.map(drop).map_err(|error| problem(format!("nothing can be written into `{}`: {error}", folder.display())))
 }
 
 /// Writes a picture as PNG: straight alpha, 8 bits a channel.
@@ -149,35 +184,43 @@ fn adjust(scene: &mut Scene, arguments: &Arguments) -> Result<(), Diagnostic> {
 }
 
 fn adjust_camera(scene: &mut Scene, text: &str) -> Result<(), Diagnostic> {
-    let bad = || {
-        let wanted = "orbit=YAW,PITCH, distance=D, ortho=HEIGHT or fov=DEGREES, joined by `;`";
-        bad_argument("--camera", text, wanted)
+    let bad = |part: &str| {
+        let wanted = "eye=X,Y,Z, target=X,Y,Z, up=X,Y,Z, orbit=YAW,PITCH, distance=D, ortho=HEIGHT or fov=DEGREES, \
+                      joined by `;`";
+        bad_argument("--camera", part, wanted)
     };
-    for part in text.split(';').filter(|part| !part.trim().is_empty()) {
-        let (key, value) = part.trim().split_once('=').ok_or_else(bad)?;
-        let values = numbers(value).filter(|numbers| !numbers.is_empty()).ok_or_else(bad)?;
-        let camera = &mut scene.camera;
+    let camera = &mut scene.camera;
+    for part in text.split(';').map(str::trim).filter(|part| !part.is_empty()) {
+        let (key, value) = part.split_once('=').ok_or_else(|| bad(part))?;
+        let values = numbers(value).ok_or_else(|| bad(part))?;
         let target = DVec3::from(camera.target);
         let offset = DVec3::from(camera.eye) - target;
-        match key.trim() {
-            "orbit" if values.len() == 2 => {
-                let yaw = DQuat::from_rotation_y(values[0].to_radians());
-                let pitch = DQuat::from_rotation_x(-values[1].to_radians());
-                camera.eye = (target + yaw * pitch * DVec3::Z * offset.length()).to_array();
+        match (key.trim(), values.as_slice()) {
+            ("eye", &[x, y, z]) => camera.eye = [x, y, z],
+            ("target", &[x, y, z]) => camera.target = [x, y, z],
+            ("up", &[x, y, z]) => camera.up = [x, y, z],
+            ("orbit", &[yaw, pitch]) => {
+                let turn = DQuat::from_rotation_y(yaw.to_radians()) * DQuat::from_rotation_x(-pitch.to_radians());
+                camera.eye = (target + turn * DVec3::Z * offset.length()).to_array();
+                // From straight above, too, the picture has an up.
+                camera.up = (turn * DVec3::Y).to_array();
             }
-            "distance" if values[0] > 0.0 => {
-                camera.eye = (target + offset.normalize_or(DVec3::Z) * values[0]).to_array();
+            ("distance", &[distance]) if distance > 0.0 => {
+                camera.eye = (target + offset.normalize_or(DVec3::Z) * distance).to_array();
             }
-            "ortho" if values[0] > 0.0 => {
+            ("ortho", &[height]) if height > 0.0 => {
                 camera.projection = Projection::Orthographic;
-                camera.height = values[0];
+                camera.height = height;
             }
-            "fov" if values[0] > 0.0 && values[0] < 180.0 => {
+            ("fov", &[degrees]) if degrees > 0.0 && degrees < 180.0 => {
                 camera.projection = Projection::Perspective;
-                camera.fov = values[0].to_radians();
+                camera.fov = degrees.to_radians();
             }
-            _ => return Err(bad()),
+            _ => return Err(bad(part)),
         }
+    }
+    if DVec3::from(camera.target).distance(camera.eye.into()) < 1e-9 || DVec3::from(camera.up).length() < 1e-9 {
+        return Err(bad_argument("--camera", text, "an eye away from the target, and an `up` of any length but 0"));
     }
     Ok(())
 }

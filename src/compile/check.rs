@@ -113,13 +113,7 @@ pub fn check(
 ) -> Result<(TypedGraph, Vec<Diagnostic>), Vec<Diagnostic>> {
     let mut problems = Vec::new();
     let flat = flatten(look, library, &mut problems);
-    let order = match order(&flat) {
-        Ok(order) => order,
-        Err(cycles) => {
-            problems.extend(cycles);
-            return Err(problems);
-        }
-    };
+    let order = order(&flat, &mut problems);
     let root = find_root(&flat, root, &mut problems);
     let reached = root.map_or_else(|| vec![true; flat.nodes.len()], |(node, _)| reach(&flat, node));
     let mut typer = Typer { look, flat: &flat, variants: vec![None; flat.nodes.len()], problems: Vec::new() };
@@ -197,8 +191,9 @@ fn keyed_targets(look: &Look) -> Vec<Target> {
     targets
 }
 
-/// Every node after what it depends on.
-fn order(flat: &FlatGraph) -> Result<Vec<usize>, Vec<Diagnostic>> {
+/// Every node after what it depends on, but for rings, which are problems; their nodes come in any order, so that
+/// what else is wrong with them is told too.
+fn order(flat: &FlatGraph, problems: &mut Vec<Diagnostic>) -> Vec<usize> {
     let wires = flat.nodes.iter().map(|node| node.inputs.len()).sum();
     let mut graph = DiGraph::<(), (), u32>::with_capacity(flat.nodes.len(), wires);
     for _ in &flat.nodes {
@@ -212,11 +207,13 @@ fn order(flat: &FlatGraph) -> Result<Vec<usize>, Vec<Diagnostic>> {
         }
     }
     if let Ok(order) = petgraph::algo::toposort(&graph, None) {
-        return Ok(order.into_iter().map(NodeIndex::index).collect());
+        return order.into_iter().map(NodeIndex::index).collect();
     }
-    let is_cycle = |component: &Vec<NodeIndex>| component.len() > 1 || graph.contains_edge(component[0], component[0]);
-    let cycles = petgraph::algo::kosaraju_scc(&graph).into_iter().filter(is_cycle);
-    Err(cycles.map(|cycle| cycle_problem(flat, &cycle)).collect())
+    let is_cycle = |component: &[NodeIndex]| component.len() > 1 || graph.contains_edge(component[0], component[0]);
+    let components = petgraph::algo::kosaraju_scc(&graph);
+    problems.extend(components.iter().filter(|component| is_cycle(component)).map(|cycle| cycle_problem(flat, cycle)));
+    // Components come with what depends on others first.
+    components.iter().rev().flatten().map(|node| node.index()).collect()
 }
 
 fn cycle_problem(flat: &FlatGraph, cycle: &[NodeIndex]) -> Diagnostic {

@@ -9,15 +9,10 @@ use std::sync::Arc;
 use crate::diag::Diagnostic;
 use crate::document::{Definition, Graph, InterfacePort, Look, Node, Tier, Value, Wire};
 use crate::ids::{GROUP_INPUTS, GROUP_OUTPUTS, NodeId, NodePath, PortName};
-use crate::library::{Library, NodeDef, Special, load_node};
+use crate::library::{CUSTOM_CODE, CUSTOM_KIND, Library, NodeDef, Special, load_node};
 
 /// As many nodes as a look may have once its groups are inlined.
 pub const MAX_FLAT_NODES: usize = 1_000_000;
-
-/// The kind of a node whose WGSL is a value of its own.
-pub(super) const CUSTOM_KIND: &str = "wgsl";
-/// The value that holds it.
-const CODE: &str = "code";
 
 /// An index into [`FlatGraph::params`].
 pub type ParamId = usize;
@@ -263,19 +258,19 @@ impl<'a> Flattener<'a> {
     }
 
     fn custom_def(&mut self, node: &Node, path: &NodePath) -> Option<Arc<NodeDef>> {
-        let code = match node.values.get(CODE) {
+        let code = match node.values.get(CUSTOM_CODE) {
             Some(Value::Text(code)) => code.as_str(),
             _ => {
                 let problem = Diagnostic::error("missing-code", "this WGSL node has no code");
                 let hint = "give it a function: `fn tint(color: Color) -> Color { return color; }`";
-                self.problems.push(problem.node(path.clone()).port(CODE.into()).hint(hint));
+                self.problems.push(problem.node(path.clone()).port(CUSTOM_CODE.into()).hint(hint));
                 return None;
             }
         };
         match load_node(&format!("{path}.wgsl"), code, Some(CUSTOM_KIND)) {
             Ok(def) => Some(Arc::new(def)),
             Err(problems) => {
-                let on_node = |problem: Diagnostic| problem.node(path.clone()).port(CODE.into());
+                let on_node = |problem: Diagnostic| problem.node(path.clone()).port(CUSTOM_CODE.into());
                 self.problems.extend(problems.into_iter().map(on_node));
                 None
             }
@@ -293,7 +288,7 @@ impl<'a> Flattener<'a> {
     ) -> usize {
         let own = if node.name.is_empty() { readable(id, &def.label) } else { node.name.clone() };
         let name = join_names(&self.scopes[scope].name, &own);
-        let code = (node.kind == CUSTOM_KIND).then_some(CODE);
+        let code = (node.kind == CUSTOM_KIND).then_some(CUSTOM_CODE);
         let known: Vec<&str> = def.visible_inputs().map(|input| input.name.as_str()).chain(code).collect();
         self.unknown_values(node, &path, &known);
         let index = self.flat.nodes.len();

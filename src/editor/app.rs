@@ -93,6 +93,24 @@ impl App {
         &self.viewport
     }
 
+    /// Whether shaders or pictures are being made.
+    pub fn is_busy(&self) -> bool {
+        self.session.is_compiling() || self.picture.as_ref().is_some_and(Picture::is_busy)
+    }
+
+    /// Waits for them; for tests.
+    pub fn wait(&self) {
+        self.session.wait();
+        if let Some(picture) = &self.picture {
+            picture.wait();
+        }
+    }
+
+    /// How many pictures were asked for.
+    pub fn pictures(&self) -> u64 {
+        self.picture.as_ref().map_or(0, |picture| picture.wishes)
+    }
+
     /// Opens a look and tells where that fails.
     pub fn open(&mut self, path: &Path) {
         self.message = (!self.session.open(path)).then(|| format!("{} could not be opened", path.display()));
@@ -117,6 +135,7 @@ impl App {
         if ui.input(|input| input.pointer.any_pressed()) {
             self.presses += 1;
         }
+        self.canvas.claim_tab(ui);
         let mut commands = Vec::new();
         self.shortcuts(ui, &mut commands);
         let dropped = ui.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_path_buf()));
@@ -141,7 +160,10 @@ impl App {
 
     fn panels(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
         Panel::top("bar").frame(theme::panel()).resizable(false).show(ui, |ui| self.bar(ui, commands));
-        let problems: Vec<Diagnostic> = self.all_problems().cloned().collect();
+        if let Some(picture) = &self.picture {
+            self.session.set_picture_problems(&picture.problems);
+        }
+        let problems: Vec<Diagnostic> = self.session.all_problems().cloned().collect();
         Panel::bottom("status").frame(theme::panel()).resizable(false).show(ui, |ui| {
             let listed: Vec<&Diagnostic> = problems.iter().collect();
             if !listed.is_empty() {
@@ -155,10 +177,10 @@ impl App {
         let left = Panel::left("picture").frame(theme::panel()).default_size(500.0).size_range(220.0..=1400.0);
         left.show(ui, |ui| {
             if self.shows_code {
-                let height = (ui.available_height() * 0.36).max(80.0);
+                const HEIGHT: f32 = 240.0;
                 let code = Panel::bottom("code")
                     .frame(egui::Frame::new().inner_margin(egui::Margin { top: 8, ..Default::default() }));
-                code.default_size(height).size_range(60.0..=2000.0).show(ui, |ui| {
+                code.default_size(HEIGHT).size_range(60.0..=2000.0).show(ui, |ui| {
                     commands.extend(self.code.show(ui, &self.session));
                 });
             }
@@ -167,10 +189,6 @@ impl App {
             });
         });
         egui::CentralPanel::no_frame().show(ui, |ui| commands.extend(self.canvas.show(ui, &self.session)));
-    }
-
-    fn all_problems(&self) -> impl Iterator<Item = &Diagnostic> {
-        self.session.all_problems().chain(self.picture.iter().flat_map(|picture| &picture.problems))
     }
 
     fn bar(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
@@ -268,7 +286,7 @@ impl App {
         match command {
             Command::Edit(edit) => self.tell(|session| session.apply(edit, None)),
             Command::EditHeld(widget, edit) => {
-                let focus = ui.memory(|memory| memory.focused());
+                let focus = ui.memory(egui::Memory::focused);
                 let mut hasher = DefaultHasher::new();
                 (widget, self.presses, focus).hash(&mut hasher);
                 let hand = hasher.finish();

@@ -39,10 +39,10 @@ pub(crate) struct Picture {
     worker: Worker<Wish, Drawn>,
     texture: Option<TextureId>,
     wished: Option<(u64, Orbit, [u32; 2], std::path::PathBuf)>,
+    /// How many pictures were asked for.
+    pub(crate) wishes: u64,
     /// What keeps the picture from being drawn, or was odd about it.
     pub(crate) problems: Vec<Diagnostic>,
-    /// Grows with the problems.
-    pub(crate) number: u64,
 }
 
 impl Picture {
@@ -50,8 +50,8 @@ impl Picture {
     pub(crate) fn new(state: RenderState, wake: impl Fn() + Send + 'static) -> Self {
         let gpu = Gpu::new(state.device.clone(), state.queue.clone(), state.adapter.get_info());
         let mut artist = Artist { renderer: Renderer::new(gpu), planner: Planner::default(), provided: None };
-        let worker = Worker::new("picture", wake, move |wish| artist.draw(wish));
-        Self { state, worker, texture: None, wished: None, problems: Vec::new(), number: 0 }
+        let worker = Worker::new("picture", wake, move |wish| artist.draw(&wish));
+        Self { state, worker, texture: None, wished: None, wishes: 0, problems: Vec::new() }
     }
 
     /// Asks for a picture of `size` pixels if anything changed, and returns the newest there is.
@@ -60,10 +60,7 @@ impl Picture {
             if let Some(view) = drawn.texture {
                 self.show(&view);
             }
-            if self.problems != drawn.problems {
-                self.problems = drawn.problems;
-                self.number += 1;
-            }
+            self.problems = drawn.problems;
         }
         let folder =
             session.path().and_then(|path| path.parent()).map(std::path::Path::to_path_buf).unwrap_or_default();
@@ -73,6 +70,7 @@ impl Picture {
             && let Some(showing) = session.showing()
         {
             self.wished = wished;
+            self.wishes += 1;
             let wish = Wish {
                 showing,
                 source: session.source().clone(),
@@ -84,6 +82,16 @@ impl Picture {
             self.worker.request(|_| wish);
         }
         self.texture
+    }
+
+    /// Whether one is being made.
+    pub(crate) fn is_busy(&self) -> bool {
+        self.worker.is_busy()
+    }
+
+    /// Waits for it.
+    pub(crate) fn wait(&self) {
+        self.worker.wait();
     }
 
     fn show(&mut self, view: &wgpu::TextureView) {
@@ -105,8 +113,8 @@ struct Artist {
 }
 
 impl Artist {
-    fn draw(&mut self, wish: Wish) -> Drawn {
-        match self.try_draw(&wish) {
+    fn draw(&mut self, wish: &Wish) -> Drawn {
+        match self.try_draw(wish) {
             Ok(()) => {
                 let problems = std::mem::take(&mut self.planner.warnings);
                 Drawn { texture: self.renderer.picture_view(), problems }

@@ -94,7 +94,7 @@ impl Assets {
     /// The image at `path`, relative to `folder`.
     ///
     /// # Errors
-    /// Why it cannot be used.
+    /// Why it cannot be used; the caller adds who names it.
     pub fn image(&mut self, folder: &Path, path: &str) -> Result<Arc<Image>, Diagnostic> {
         let path = folder.join(path);
         let stamp = stamp(&path);
@@ -113,21 +113,20 @@ fn stamp(path: &Path) -> Option<(SystemTime, u64)> {
 }
 
 fn read_image(path: &Path) -> Result<Image, Diagnostic> {
+    let name = path.display();
     let problem = |message: String| {
-        Diagnostic::error("missing-asset", message)
-            .in_file(path.display().to_string())
-            .hint("paths of images are relative to the look's own file")
+        Diagnostic::error("missing-asset", message).hint("paths of images are relative to the look's own file")
     };
-    let reader =
-        image::ImageReader::open(path).map_err(|error| problem(format!("this image cannot be opened: {error}")))?;
+    let reader = image::ImageReader::open(path)
+        .map_err(|error| problem(format!("the image `{name}` cannot be opened: {error}")))?;
     let mut reader =
-        reader.with_guessed_format().map_err(|error| problem(format!("this image cannot be read: {error}")))?;
+        reader.with_guessed_format().map_err(|error| problem(format!("the image `{name}` cannot be read: {error}")))?;
     let mut limits = image::Limits::default();
     limits.max_image_width = Some(MAX_IMAGE_SIDE);
     limits.max_image_height = Some(MAX_IMAGE_SIDE);
     limits.max_alloc = Some(MAX_IMAGE_BYTES);
     reader.limits(limits);
-    let decoded = reader.decode().map_err(|error| problem(format!("this image cannot be decoded: {error}")))?;
+    let decoded = reader.decode().map_err(|error| problem(format!("the image `{name}` cannot be decoded: {error}")))?;
     let rgba = decoded.into_rgba8();
     Ok(Image::new([rgba.width(), rgba.height()], rgba.into_raw()))
 }

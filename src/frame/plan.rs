@@ -3,7 +3,6 @@
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::ops::Range;
-use std::path::Path;
 use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
@@ -12,6 +11,7 @@ use super::assets::{Assets, Image};
 use super::camera::{View, object_bytes};
 use super::keys::{Moment, ParamTable, Rig, structural_look};
 use super::setup::{Setup, SetupLook, SetupObject};
+use super::values::live_for_values;
 use crate::compile::{CompiledShader, HostInputs, Live, Options, Param, Stage, compile};
 use crate::diag::Diagnostic;
 use crate::document::{Graph, Look, Value};
@@ -162,9 +162,7 @@ impl Planner {
         live: &Live,
         options: &PlanOptions,
     ) -> Result<FramePlan, Vec<Diagnostic>> {
-        // Values that the objects set are exposed ones; folded they would not be seen.
-        let sets_values = *live == Live::Keyed && setup.objects.iter().any(|object| !object.values.is_empty());
-        let live = if sets_values { &Live::Exposed } else { live };
+        let live = &live_for_values(live, setup.objects.iter().any(|object| !object.values.is_empty()));
         let (center, radius) = bounds(&setup.objects);
         let view = View::new(&setup.scene.camera, options.size, center, radius);
         let mut problems = Vec::new();
@@ -305,7 +303,7 @@ impl Planner {
                 };
                 look_uniforms.insert(stage, shader.host.uniform_bytes(&inputs).map_err(|problem| vec![problem])?);
             }
-            let images = images(&mut self.assets, &shaders.draw, &setup.looks[look].folder)?;
+            let images = images(&mut self.assets, &shaders.draw, &setup.looks[look])?;
             draws.push(Draw {
                 object: object.id.clone(),
                 mesh: object.mesh.clone(),
@@ -332,7 +330,7 @@ impl Planner {
 pub(super) fn images(
     assets: &mut Assets,
     shader: &CompiledShader,
-    folder: &Path,
+    setup: &SetupLook,
 ) -> Result<Vec<Arc<Image>>, Vec<Diagnostic>> {
     let mut problems = Vec::new();
     let images = shader
@@ -344,12 +342,13 @@ pub(super) fn images(
                 // No image chosen yet: white, so that what it tints stays as it is.
                 return Arc::new(Image::single([255; 4]));
             }
-            assets.image(folder, &image.path).unwrap_or_else(|problem| {
+            assets.image(&setup.folder, &image.path).unwrap_or_else(|problem| {
                 problems.push(problem.node(image.node.clone()));
                 Arc::new(Image::single([255, 0, 255, 255]))
             })
         })
         .collect();
+    setup.source.locate_all(&mut problems);
     if problems.is_empty() { Ok(images) } else { Err(problems) }
 }
 

@@ -1,5 +1,6 @@
 //! Surface samples for `chiaro eval`: each is an object of its own, with its view, its lights and its camera.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use glam::{DMat3, DQuat, DVec2, DVec3};
@@ -9,9 +10,12 @@ use super::assets::{Assets, Image};
 use super::keys::{Moment, ParamTable, Rig, structural_look};
 use super::plan::images;
 use super::setup::SetupLook;
-use crate::compile::{CompiledShader, HostInputs, LightValues, Live, Options, Stage, StructLayout, compile};
+use super::values::{check_exposed_value, live_for_values};
+use crate::compile::{
+    CompiledShader, HostInputs, LightValues, Options, Stage, StructLayout, TypedGraph, check, compile,
+};
 use crate::diag::Diagnostic;
-use crate::document::{Light, LightKind, Value, Values};
+use crate::document::{Light, LightKind, Look, Value, Values};
 use crate::ids::LightId;
 use crate::interp;
 use crate::library::{Context, Library};
@@ -102,7 +106,16 @@ pub fn eval_batches(
     options: &Options,
     assets: &mut Assets,
 ) -> Result<Vec<EvalBatch>, Vec<Diagnostic>> {
-    let problems = check_samples(setup, samples);
+    let located = |mut problems: Vec<Diagnostic>| {
+        setup.source.locate_all(&mut problems);
+        problems
+    };
+    let mut problems = check_samples(setup, samples);
+    let any_set = samples.iter().any(|sample| !sample.values.is_empty());
+    if problems.is_empty() && any_set {
+        let (typed, _) = check(&setup.look, library, None).map_err(located)?;
+        problems = check_values(&setup.look, &typed, samples);
+    }
     if !problems.is_empty() {
         return Err(problems);
     }
@@ -110,16 +123,15 @@ pub fn eval_batches(
     for indices in group(setup, samples).into_values() {
         let first = &samples[indices[0]];
         let look = structural_look(&setup.look, first.time, &first.values);
-        let mut options = Options { stage: Stage::Eval, ..options.clone() };
-        if options.live == Live::Keyed && indices.iter().any(|&index| !samples[index].values.is_empty()) {
-            options.live = Live::Exposed;
-        }
-        let shader = compile(&look, library, &options).map_err(|mut problems| {
-            setup.source.locate_all(&mut problems);
-            problems
+        let options = Options { stage: Stage::Eval, live: live_for_values(&options.live, any_set), ..options.clone() };
+        let is_set = matches!(look, Cow::Owned(_));
+        let shader = compile(&look, library, &options).map_err(|problems| {
+            let told =
+                |problem: Diagnostic| problem.hint(format!("this is with the values of sample [{}]", indices[0]));
+            located(problems.into_iter().map(|problem| if is_set { told(problem) } else { problem }).collect())
         })?;
         let shader = Arc::new(shader);
-        let images = images(assets, &shader, &setup.folder)?;
+        let images = images(assets, &shader, setup)?;
         let (rig, _) = Rig::new(&look);
         let table = ParamTable::new(&shader.params);
         let packer = Packer::new(&shader);
@@ -166,12 +178,30 @@ fn check_samples(setup: &SetupLook, samples: &[EvalSample]) -> Vec<Diagnostic> {
             });
         }
         for id in sample.lights.keys().filter(|id| !setup.look.lights.contains_key(*id)) {
-            let known = setup.look.lights.keys().map(AsRef::as_ref);
+            let known: Vec<&str> = setup.look.lights.keys().map(AsRef::as_ref).collect();
+            let hint = if known.is_empty() {
+                "it has none".to_owned()
+            } else {
+                format!("its lights are {}", known.join(", "))
+            };
             problems.push(
                 Diagnostic::error("unknown-light", format!("the look has no light `{id}`"))
                     .json_path(format!("[{index}].lights.{id}"))
-                    .suggest(id.as_str(), known),
+                    .suggest(id.as_str(), known.iter().copied())
+                    .hint(hint),
             );
+        }
+    }
+    problems
+}
+
+/// Values that a parameter cannot have.
+fn check_values(look: &Look, typed: &TypedGraph, samples: &[EvalSample]) -> Vec<Diagnostic> {
+    let mut problems = Vec::new();
+    for (index, sample) in samples.iter().enumerate() {
+        for (name, value) in &sample.values {
+            let problem = check_exposed_value(look, typed, name.as_str(), value);
+            problems.extend(problem.map(|problem| problem.json_path(format!("[{index}].values.{name}"))));
         }
     }
     problems
@@ -205,8 +235,13 @@ impl<'a> Packer<'a> {
         let surface = SurfaceValues::new(sample);
         if let Some((offset, layout)) = &self.surface {
             for context in &self.shader.needs.contexts {
-                if let Some((member, layout)) = layout.member(context.word()) {
-                    layout.write(&surface.value(*context), at + (*offset + member) as usize, bytes);
+                let Some((member, layout)) = layout.member(context.word()) else { continue };
+                let at = at + (*offset + member) as usize;
+                if let Context::Kappa | Context::KappaDetail = context {
+                    // As it is: whether a look stands infinite curvature, or none at all, is worth asking.
+                    bytes[at..at + 4].copy_from_slice(&(sample.kappa as f32).to_le_bytes());
+                } else {
+                    layout.write(&surface.value(*context), at, bytes);
                 }
             }
         }

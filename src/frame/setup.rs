@@ -117,7 +117,9 @@ pub fn object_matrix(transform: &Transform, mesh: &Mesh) -> DMat4 {
     DMat4::from_scale_rotation_translation(transform.scale.into(), rotation, transform.translate.into()) * fit
 }
 
-fn scene_setup(
+/// Finds what a scene that was read names: meshes relative to `folder` (`mesh` in place of all of them) and looks. What
+/// is wrong goes to `problems`; what could not be found is left out.
+pub fn scene_setup(
     scene: Scene,
     folder: &Path,
     source: &SourceMap,

@@ -81,34 +81,114 @@ pub enum LightField {
     Fading,
 }
 
-/// Every context with the word that node files use, its WGSL type and its rate.
-const TABLE: &[(Context, &str, &str, Rate)] = &[
-    (Context::Normal, "normal", "vec3f", Rate::Fragment),
-    (Context::View, "view", "vec3f", Rate::Fragment),
-    (Context::Position, "position", "vec3f", Rate::Fragment),
-    (Context::PositionObject, "position_object", "vec3f", Rate::Fragment),
-    (Context::PositionCamera, "position_camera", "vec3f", Rate::Fragment),
-    (Context::Uv, "uv", "vec2f", Rate::Fragment),
-    (Context::VertexColor, "vertex_color", "Color", Rate::Fragment),
-    (Context::Tangent, "tangent", "vec3f", Rate::Fragment),
-    (Context::Bitangent, "bitangent", "vec3f", Rate::Fragment),
-    (Context::Depth, "depth", "f32", Rate::Fragment),
-    (Context::Kappa, "kappa", "f32", Rate::Fragment),
-    (Context::KappaDetail, "kappa_detail", "f32", Rate::Fragment),
-    (Context::CameraFromWorld, "camera_from_world", "mat3x3f", Rate::Frame),
-    (Context::ObjectId, "object_id", "f32", Rate::Object),
-    (Context::Time, "time", "f32", Rate::Frame),
-    (Context::Frame, "frame", "f32", Rate::Frame),
-    (Context::Viewport, "viewport", "vec2f", Rate::Frame),
-    (Context::Light(LightField::Direction), "light.direction", "vec3f", Rate::Object),
-    (Context::Light(LightField::OwnDirection), "light.own_direction", "vec3f", Rate::Object),
-    (Context::Light(LightField::Position), "light.position", "vec3f", Rate::Object),
-    (Context::Light(LightField::Aim), "light.aim", "vec3f", Rate::Object),
-    (Context::Light(LightField::OwnFromWorld), "light.own_from_world", "mat3x3f", Rate::Object),
-    (Context::Light(LightField::Color), "light.color", "vec3f", Rate::Object),
-    (Context::Light(LightField::Intensity), "light.intensity", "f32", Rate::Object),
-    (Context::Light(LightField::Cone), "light.cone", "vec2f", Rate::Object),
-    (Context::Light(LightField::Fading), "light.fading", "vec2f", Rate::Object),
+type Row = (Context, &'static str, &'static str, Rate, &'static str);
+
+/// Every context with the word that node files use, its WGSL type, its rate, and what it is.
+const TABLE: &[Row] = &[
+    (
+        Context::Normal,
+        "normal",
+        "vec3f",
+        Rate::Fragment,
+        "unit surface normal, world space, toward the side that is seen",
+    ),
+    (Context::View, "view", "vec3f", Rate::Fragment, "unit, from the surface to the eye, world space"),
+    (Context::Position, "position", "vec3f", Rate::Fragment, "the place on the surface, world space"),
+    (
+        Context::PositionObject,
+        "position_object",
+        "vec3f",
+        Rate::Fragment,
+        "the place on the surface, the object's own space",
+    ),
+    (
+        Context::PositionCamera,
+        "position_camera",
+        "vec3f",
+        Rate::Fragment,
+        "the place on the surface from the eye, camera axes: x right, y up, z toward the viewer",
+    ),
+    (Context::Uv, "uv", "vec2f", Rate::Fragment, "texture coordinates; v up"),
+    (
+        Context::VertexColor,
+        "vertex_color",
+        "Color",
+        Rate::Fragment,
+        "straight RGBA of the vertices; white where the mesh has none",
+    ),
+    (
+        Context::Tangent,
+        "tangent",
+        "vec3f",
+        Rate::Fragment,
+        "unit, along u, world space, at a right angle to the normal",
+    ),
+    (Context::Bitangent, "bitangent", "vec3f", Rate::Fragment, "unit, along v, world space"),
+    (
+        Context::Depth,
+        "depth",
+        "f32",
+        Rate::Fragment,
+        "distance in front of the eye along the viewing axis, scene units",
+    ),
+    (
+        Context::Kappa,
+        "kappa",
+        "f32",
+        Rate::Fragment,
+        "signed curvature of the surface in 1/viewport-height, convex positive",
+    ),
+    (
+        Context::KappaDetail,
+        "kappa_detail",
+        "f32",
+        Rate::Fragment,
+        "signed curvature of the Output node's detail normal, in 1/viewport-height",
+    ),
+    (Context::CameraFromWorld, "camera_from_world", "mat3x3f", Rate::Frame, "the rotation from world to camera axes"),
+    (Context::ObjectId, "object_id", "f32", Rate::Object, "counts objects from 0"),
+    (Context::Time, "time", "f32", Rate::Frame, "seconds"),
+    (Context::Frame, "frame", "f32", Rate::Frame, "frames since the start of the time range"),
+    (Context::Viewport, "viewport", "vec2f", Rate::Frame, "width and height in pixels"),
+    (
+        Context::Light(LightField::Direction),
+        "light.direction",
+        "vec3f",
+        Rate::Object,
+        "unit, toward a directional light, world space",
+    ),
+    (
+        Context::Light(LightField::OwnDirection),
+        "light.own_direction",
+        "vec3f",
+        Rate::Object,
+        "unit, toward a directional light, as the artist gave it",
+    ),
+    (Context::Light(LightField::Position), "light.position", "vec3f", Rate::Object, "where the light is, world space"),
+    (
+        Context::Light(LightField::Aim),
+        "light.aim",
+        "vec3f",
+        Rate::Object,
+        "unit, from a spot light outward, world space",
+    ),
+    (
+        Context::Light(LightField::OwnFromWorld),
+        "light.own_from_world",
+        "mat3x3f",
+        Rate::Object,
+        "the rotation from world space to the light's own frame",
+    ),
+    (Context::Light(LightField::Color), "light.color", "vec3f", Rate::Object, "straight RGB"),
+    (Context::Light(LightField::Intensity), "light.intensity", "f32", Rate::Object, "0 or more"),
+    (
+        Context::Light(LightField::Cone),
+        "light.cone",
+        "vec2f",
+        Rate::Object,
+        "the cosines of a spot light's inner and outer half-angles",
+    ),
+    (Context::Light(LightField::Fading), "light.fading", "vec2f", Rate::Object, "half distance and range"),
 ];
 
 impl Context {
@@ -122,7 +202,7 @@ impl Context {
         TABLE.iter().find(|row| row.1 == word).map(|row| row.0)
     }
 
-    fn row(self) -> &'static (Self, &'static str, &'static str, Rate) {
+    fn row(self) -> &'static Row {
         TABLE.iter().find(|row| row.0 == self).expect("the table holds every context")
     }
 
@@ -139,5 +219,10 @@ impl Context {
     /// When it is known. Lights are of object rate, because a direction key may turn them for each object.
     pub fn rate(self) -> Rate {
         self.row().3
+    }
+
+    /// What it is, with its space and unit: a phrase for docs and tooltips.
+    pub fn help(self) -> &'static str {
+        self.row().4
     }
 }

@@ -14,12 +14,14 @@
 
 mod context;
 pub mod docs;
+mod group;
 mod load;
 mod node;
 mod read;
 mod types;
 
 pub use context::{Context, LightField, Rate};
+pub use group::{CUSTOM_CODE, CUSTOM_KIND, GroupPorts};
 pub use load::{GroupDef, Library};
 pub use node::{
     Bypass, BypassResult, Condition, Fallback, Input, NodeDef, NodeModule, Output, Parameter, Prepare, Preset, Special,

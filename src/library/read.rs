@@ -39,8 +39,10 @@ pub(super) fn load_module(sources: &[Source<'_>]) -> Result<NodeModule, Vec<Diag
 fn refused(linked: &Linked, error: &wgsl::WgslError) -> Diagnostic {
     let mut problem = Diagnostic::error("invalid-wgsl", error.message.clone());
     let place = error.span.as_ref().and_then(|span| linked.locate(span.start));
-    if let Some((file, at)) = place {
+    if let (Some((file, at)), Some(span)) = (place, &error.span) {
         problem = problem.in_file(file).at(at);
+        let line = linked.text[span.start..].lines().next().unwrap_or_default().trim();
+        problem = problem.hint(format!("it is about `{line}`"));
     }
     problem
 }
@@ -437,7 +439,8 @@ fn sentence(name: &str) -> String {
     characters.next().map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
 }
 
-fn plain_input(name: &str, ty: Type, fallback: Fallback) -> Input {
+/// An input that is told nothing of but its name and type.
+pub(super) fn plain_input(name: &str, ty: Type, fallback: Fallback) -> Input {
     Input {
         name: PortName::new(name),
         label: sentence(name),

@@ -46,7 +46,9 @@ pub fn validate(module: naga::Module) -> Result<Valid, WgslError> {
     match validator.validate(&module) {
         Ok(info) => Ok(Valid { module, info }),
         Err(error) => {
-            let span = error.spans().next().and_then(|(span, _)| span.to_range());
+            // naga tells of the function and of what is inside it; the innermost place is the one to mend.
+            let spans = error.spans().filter_map(|(span, _)| span.to_range());
+            let span = spans.min_by_key(ExactSizeIterator::len);
             let mut message = error.as_inner().to_string();
             let mut cause = std::error::Error::source(error.as_inner());
             while let Some(inner) = cause {

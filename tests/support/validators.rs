@@ -92,6 +92,20 @@ pub(crate) fn glslang(source: &str, stage: Stage, flags: &[&str]) -> Result<(), 
     if output.status.success() { Ok(()) } else { Err(format!("{}\n{}", said(&output), numbered(source))) }
 }
 
+/// What glslang finds in the program that `files` of `folder` make together: names, offsets and types of its uniforms,
+/// a line each. `None` without glslang; panics where it cannot link them.
+pub(crate) fn glslang_reflection(folder: &Path, files: &[String]) -> Option<String> {
+    if !Tool::Glslang.is_here() {
+        Tool::Glslang.missing().expect("a required tool");
+        return None;
+    }
+    let mut command = Command::new("glslangValidator");
+    command.args(["-q", "-l"]).args(files).current_dir(folder);
+    let output = command.output().expect("glslangValidator starts");
+    assert!(output.status.success(), "{}", said(&output));
+    Some(said(&output))
+}
+
 /// Has spirv-val check a SPIR-V module, little-endian words as written to a `.spv` file, by the rules of `environment`,
 /// e.g. `vulkan1.1`.
 pub(crate) fn spirv_val(module: &[u8], environment: &str) -> Result<(), String> {

@@ -17,6 +17,9 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 
 const root = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
 
+// Kept for as long as the program runs: Dawn falls over when these are collected while a device lives.
+const alive = [];
+
 /** A device that compiles shaders and draws nothing. Optional features are on, since a module has to enable them. */
 async function openDevice() {
   const folder = process.env.CHIARO_TINT ?? join(root, '.tools', 'tint');
@@ -25,9 +28,11 @@ async function openDevice() {
   }
   const entry = createRequire(join(folder, 'package.json')).resolve('webgpu');
   const { create } = await import(pathToFileURL(entry).href);
-  const adapter = await create(['backend=null']).requestAdapter();
+  const gpu = create(['backend=null']);
+  const adapter = await gpu.requestAdapter();
   const wanted = ['shader-f16', 'subgroups', 'dual-source-blending', 'clip-distances'];
   const device = await adapter.requestDevice({ requiredFeatures: wanted.filter((name) => adapter.features.has(name)) });
+  alive.push(gpu, adapter, device);
   // The messages are read from each module; without a listener Dawn would print them a second time.
   device.addEventListener('uncapturederror', (event) => event.preventDefault());
   return device;

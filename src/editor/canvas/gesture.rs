@@ -46,7 +46,7 @@ impl Canvas {
     pub(super) fn navigate(&mut self, ui: &Ui, response: &Response, pointer: Option<Pos2>) {
         if let Some(at) = pointer.filter(|_| self.palette.is_none()) {
             let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
-            let factor = (scroll / 240.0).exp() * pinch;
+            let factor = (scroll / 380.0).exp() * pinch;
             if factor != 1.0 {
                 self.view.zoom_about(at, factor);
             }
@@ -213,6 +213,18 @@ impl Canvas {
         Loose { end: self.endpoint(socket), ty, accepts, is_output: socket.is_output }
     }
 
+    /// Takes the Tab key before it moves the focus, while the pointer is on the canvas.
+    pub(crate) fn claim_tab(&mut self, ui: &Ui) {
+        let is_here = ui.input(|input| input.pointer.hover_pos()).is_some_and(|at| self.view.screen.contains(at));
+        self.wants_search = is_here
+            && self.palette.is_none()
+            && !ui.ctx().egui_wants_keyboard_input()
+            && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Tab));
+        if self.wants_search {
+            ui.memory_mut(|memory| memory.move_focus(egui::FocusDirection::None));
+        }
+    }
+
     /// Keys, while no text is being typed.
     pub(super) fn keys(&mut self, ui: &Ui, pointer: Option<Pos2>, session: &Session, out: &mut Vec<Command>) {
         if self.palette.is_some() || ui.ctx().egui_wants_keyboard_input() {
@@ -224,7 +236,7 @@ impl Canvas {
             self.table.forget();
         }
         if let Some(at) = pointer
-            && (pressed(Modifiers::NONE, Key::Tab) || pressed(Modifiers::NONE, Key::A))
+            && (std::mem::take(&mut self.wants_search) || pressed(Modifiers::NONE, Key::A))
         {
             self.palette = Some(Palette::new(at, None));
         }

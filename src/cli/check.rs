@@ -1,0 +1,280 @@
+//! `chiaro check`: everything that is wrong or odd in looks and scenes, without drawing anything.
+
+use std::collections::{HashMap, HashSet};
+use std::path::{Path, PathBuf};
+
+use serde_json::json;
+
+use super::open::{check_nodes_folder, library_for};
+use super::output::{Output, once};
+use crate::compile::{Live, Options, TypedSource, check as check_look, compile_typed};
+use crate::diag::{Diagnostic, Severity, has_errors};
+use crate::document::{Document, Loaded, Look, Object, Scene, Value};
+use crate::frame::{Assets, Rig, check_exposed_value, scene_setup};
+use crate::library::{Library, Type};
+
+const EXAMPLES: &str = "\
+Examples:
+  chiaro check look.json
+  chiaro check examples/            every look and scene in a folder and below
+  chiaro check scene.json --json    a list of objects, for a script or an editor
+
+Each problem has a severity, a code that stays the same between versions, a place (file, line, column, JSON path,
+node, port), and help. The exit code is 1 where there is an error; warnings alone give 0.";
+
+/// What `chiaro check` is given.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// Looks, scenes, or folders of them
+    #[arg(required = true)]
+    files: Vec<PathBuf>,
+    /// A folder of a project's own nodes; `nodes/` beside each document is found without it
+    #[arg(long)]
+    nodes: Option<PathBuf>,
+    /// Print the problems as a JSON list
+    #[arg(long)]
+    json: bool,
+}
+
+/// Whether any error was found is the answer.
+pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<bool, Vec<Diagnostic>> {
+    check_nodes_folder(arguments.nodes.as_deref())?;
+    let mut checker = Checker { nodes: arguments.nodes.as_deref(), ..Checker::default() };
+    let mut files = Vec::new();
+    for file in &arguments.files {
+        if file.is_dir() { checker.folder(file, &mut files) } else { files.push(file.clone()) }
+    }
+    files.iter().for_each(|file| checker.document(file));
+    let problems = once(checker.problems);
+    if arguments.json {
+        output.json(&json!(problems));
+    } else {
+        output.diagnostics(&problems);
+    }
+    output.message(&summary(files.len(), &problems));
+    Ok(has_errors(&problems))
+}
+
+fn summary(files: usize, problems: &[Diagnostic]) -> String {
+    let count = |severity: Severity| problems.iter().filter(|problem| problem.severity == severity).count();
+    let plural = |n: usize, word: &str| format!("{n} {word}{}", if n == 1 { "" } else { "s" });
+    let kinds = [(Severity::Error, "error"), (Severity::Warning, "warning"), (Severity::Note, "note")];
+    let found = kinds.map(|(severity, word)| (count(severity), word));
+    let told: Vec<String> = found.iter().filter(|(n, _)| *n > 0).map(|(n, word)| plural(*n, word)).collect();
+    let told = if told.is_empty() { "nothing is wrong".to_owned() } else { told.join(", ") };
+    format!("{} checked: {told}", plural(files, "document"))
+}
+
+#[derive(Default)]
+struct Checker<'a> {
+    nodes: Option<&'a Path>,
+    assets: Assets,
+    libraries: HashMap<PathBuf, Library>,
+    looks: HashSet<PathBuf>,
+    problems: Vec<Diagnostic>,
+}
+
+impl Checker<'_> {
+    /// Looks and scenes in a folder and below; other JSON files are left alone, broken ones are not.
+    fn folder(&mut self, folder: &Path, files: &mut Vec<PathBuf>) {
+        // Deep enough for any project; a link to a parent folder must not hang.
+        const MAX_DEPTH: usize = 16;
+        let before = files.len();
+        let mut open = vec![(folder.to_path_buf(), 0)];
+        while let Some((next, depth)) = open.pop() {
+            let entries = match std::fs::read_dir(&next) {
+                Ok(entries) => entries,
+                Err(error) => {
+                    let message = format!("this folder cannot be read: {error}");
+                    self.problems.push(Diagnostic::error("cannot-read", message).in_file(next.display().to_string()));
+                    continue;
+                }
+            };
+            for path in entries.flatten().map(|entry| entry.path()) {
+                if path.is_dir() {
+                    // Groups for the library are read with it.
+                    let is_library = path.file_name().is_some_and(|name| name == "nodes");
+                    if depth < MAX_DEPTH && !is_library {
+                        open.push((path, depth + 1));
+                    }
+                } else if path.extension().is_some_and(|extension| extension == "json") && may_be_document(&path) {
+                    files.push(path);
+                }
+            }
+        }
+        files[before..].sort();
+        if files.len() == before {
+            let problem = Diagnostic::warning("no-documents", "there is no look and no scene in this folder");
+            self.problems.push(problem.in_file(folder.display().to_string()));
+        }
+    }
+
+    fn library(&mut self, document: &Path) -> Library {
+        let folder = document.parent().unwrap_or(Path::new("")).to_path_buf();
+        if let Some(known) = self.libraries.get(&folder) {
+            return known.clone();
+        }
+        let library = library_for(document, self.nodes);
+        self.problems.extend(library.problems.iter().cloned());
+        self.libraries.insert(folder, library.clone());
+        library
+    }
+
+    fn document(&mut self, path: &Path) {
+        let library = self.library(path);
+        match Document::load(path) {
+            Document::Look(loaded) => self.look(path, &loaded, &library),
+            Document::Scene(loaded) => self.scene(path, &loaded, &library),
+        }
+    }
+
+    fn look(&mut self, path: &Path, loaded: &Loaded<Look>, library: &Library) {
+        if !self.looks.insert(path.to_path_buf()) {
+            return;
+        }
+        self.problems.extend(loaded.diagnostics.iter().cloned());
+        let Some(look) = &loaded.value else { return };
+        let mut found = Vec::new();
+        let folder = path.parent().unwrap_or(Path::new(""));
+        match check_look(look, library, None) {
+            Ok((typed, warnings)) => {
+                missing_images(&typed, folder, &mut self.assets, &mut found);
+                let options = Options { live: Live::Exposed, ..Options::default() };
+                match compile_typed(&typed, &options, warnings) {
+                    Ok(compiled) => found.extend(compiled.warnings),
+                    Err(problems) => found.extend(problems),
+                }
+            }
+            Err(problems) => found.extend(problems),
+        }
+        if !loaded.has_errors() {
+            found.extend(Rig::new(look).1);
+        } else {
+            // What could not be read was left out; that something is missing now is no news.
+            found.retain(|problem| !FOLLOWS.contains(&problem.code));
+        }
+        loaded.source.locate_all(&mut found);
+        self.problems.extend(found);
+    }
+
+    fn scene(&mut self, path: &Path, loaded: &Loaded<Scene>, library: &Library) {
+        self.problems.extend(loaded.diagnostics.iter().cloned());
+        let Some(scene) = &loaded.value else { return };
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let mut looks: Vec<&String> = scene.objects.values().flat_map(|object| object.looks.values()).collect();
+        looks.sort();
+        looks.dedup();
+        let mut exposed: HashMap<&str, Vec<String>> = HashMap::new();
+        let mut found = missing_looks(scene, folder);
+        for name in looks {
+            let look_path = folder.join(name);
+            let look = Look::load(&look_path);
+            if look.value.is_none() && !look_path.is_file() {
+                // Told below, where the object names it.
+                continue;
+            }
+            let names = look.value.iter().flat_map(|look| &look.exposed).map(|exposed| exposed.name.to_string());
+            exposed.insert(name, names.collect());
+            found.extend(wrong_values(scene, name, look.value.as_ref(), library));
+            self.look(&look_path, &look, library);
+        }
+        found.extend(unknown_values(scene, &exposed));
+        // An object that is not drawn now may be later.
+        let mut all = scene.clone();
+        all.objects.values_mut().for_each(|object| {
+            object.visible = true;
+            object.looks.retain(|_, name| folder.join(name).is_file());
+        });
+        let mut of_setup = Vec::new();
+        scene_setup(all, folder, &loaded.source, None, &mut self.assets, &mut of_setup);
+        // Those of the looks were told with the looks.
+        let file = path.display().to_string();
+        found.extend(of_setup.into_iter().filter(|problem| {
+            let place = problem.place.file.as_deref();
+            place.is_none() || place == Some(&file) || !exposed.keys().any(|look| place == folder.join(look).to_str())
+        }));
+        loaded.source.locate_all(&mut found);
+        self.problems.extend(found);
+    }
+}
+
+/// Codes of what follows from something that could not be read.
+const FOLLOWS: [&str; 5] = ["no-output", "unwired", "unknown-node", "unknown-target", "unknown-light"];
+
+/// Whether a JSON file in a folder is one of ours, or broken, which is worth telling.
+fn may_be_document(path: &Path) -> bool {
+    let Ok(text) = crate::document::read_text(path) else { return true };
+    match serde_json::from_str::<serde_json::Value>(&text) {
+        Ok(serde_json::Value::Object(fields)) => ["chiaro", "nodes", "objects"]
+            .iter()
+            .any(|field| fields.get(*field).is_some_and(|value| !value.is_object())),
+        Ok(_) => false,
+        Err(_) => true,
+    }
+}
+
+fn missing_images(typed: &crate::compile::TypedGraph, folder: &Path, assets: &mut Assets, found: &mut Vec<Diagnostic>) {
+    for node in &typed.nodes {
+        for (input, port) in node.inputs.iter().zip(&node.def.inputs) {
+            let Some(TypedSource::Param(_, Value::Text(name))) = input.as_ref().map(|input| &input.source) else {
+                continue;
+            };
+            if port.ty != Type::Image || name.is_empty() {
+                continue;
+            }
+            if let Err(problem) = assets.image(folder, name) {
+                let mut problem = problem.node(node.path.clone()).port(port.name.clone());
+                problem.place.file = None;
+                found.push(problem);
+            }
+        }
+    }
+}
+
+fn missing_looks(scene: &Scene, folder: &Path) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    for (index, (id, object)) in scene.objects.iter().enumerate() {
+        for (material, name) in object.looks.iter().filter(|(_, name)| !folder.join(name).is_file()) {
+            let message = format!("object `{id}` wears the look `{name}`, which there is not");
+            let problem = Diagnostic::error("missing-asset", message)
+                .json_path(format!("objects[{index}].looks[{}]", serde_json::Value::from(material.as_str())))
+                .hint("paths of looks are relative to the scene's own file");
+            found.push(problem);
+        }
+    }
+    found
+}
+
+/// Values that an object sets and that its look cannot take.
+fn wrong_values(scene: &Scene, look_name: &str, look: Option<&Look>, library: &Library) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    let Some((look, (typed, _))) = look.and_then(|look| Some((look, check_look(look, library, None).ok()?))) else {
+        return found;
+    };
+    let wears = |object: &Object| object.looks.values().any(|name| name == look_name);
+    for (index, (_, object)) in scene.objects.iter().enumerate().filter(|(_, (_, object))| wears(object)) {
+        for (name, value) in &object.values {
+            let problem = check_exposed_value(look, &typed, name.as_str(), value);
+            found.extend(problem.map(|problem| problem.json_path(format!("objects[{index}].values.{name}"))));
+        }
+    }
+    found
+}
+
+/// Values that an object sets and none of its looks exposes.
+fn unknown_values(scene: &Scene, exposed: &HashMap<&str, Vec<String>>) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    for (index, (id, object)) in scene.objects.iter().enumerate() {
+        let known: Vec<&str> =
+            object.looks.values().filter_map(|look| exposed.get(look.as_str())).flatten().map(String::as_str).collect();
+        for name in object.values.keys().filter(|name| !known.contains(&name.as_str())) {
+            let message = format!("object `{id}` sets `{name}`, which none of its looks exposes");
+            let problem = Diagnostic::warning("unknown-parameter", message)
+                .json_path(format!("objects[{index}].values.{name}"))
+                .suggest(name.as_str(), known.iter().copied());
+            found.push(problem);
+        }
+    }
+    found
+}

@@ -1,0 +1,294 @@
+//! What there is to tell of a frame plan, as data.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+use serde::Serialize;
+
+use crate::compile::{Attribute, CompiledShader, HostStep, Removal, TypedGraph, TypedSource, check};
+use crate::diag::Diagnostic;
+use crate::document::Values;
+use crate::frame::{Draw, Dropped, FramePlan, Pass, PassKind, Setup, structural_look};
+use crate::ids::NodePath;
+use crate::library::{Context, Library, Rate, Special};
+
+/// Why a node is not in the shader though nothing of it is lost, in [`Removal::reason`].
+const FOLDED: &str = "its value is known before drawing";
+
+/// A frame plan.
+#[derive(Debug, Serialize)]
+pub(super) struct Report {
+    pub(super) passes: Vec<Pass>,
+    pub(super) dropped: Vec<Dropped>,
+    /// Bytes of the uniforms that every module reads.
+    pub(super) view_bytes: usize,
+    pub(super) object_bytes: usize,
+    pub(super) looks: Vec<LookReport>,
+}
+
+/// A look as it is drawn. One that is compiled in two ways (a choice is keyed or set) is told twice.
+#[derive(Debug, Serialize)]
+pub(super) struct LookReport {
+    pub(super) name: String,
+    /// The objects that wear it.
+    pub(super) objects: BTreeSet<String>,
+    pub(super) modules: Vec<Module>,
+    pub(super) attributes: Vec<AttributeReport>,
+    pub(super) attributes_not_read: Vec<&'static str>,
+    pub(super) surroundings: Vec<Reading>,
+    pub(super) images: Vec<ImageReport>,
+    pub(super) uniforms: Vec<Uniform>,
+    pub(super) nodes: Nodes,
+    #[serde(skip)]
+    compiled: Vec<(&'static str, Arc<CompiledShader>)>,
+}
+
+/// A WGSL module.
+#[derive(Debug, Serialize)]
+pub(super) struct Module {
+    pub(super) name: &'static str,
+    pub(super) lines: usize,
+    /// Of its `Look` uniform.
+    pub(super) uniform_bytes: u32,
+}
+
+/// A vertex attribute with its reason.
+#[derive(Debug, Serialize)]
+pub(super) struct AttributeReport {
+    pub(super) name: &'static str,
+    #[serde(rename = "type")]
+    pub(super) ty: &'static str,
+    pub(super) why: String,
+}
+
+/// Something of the surroundings that fragments read.
+#[derive(Debug, Serialize)]
+pub(super) struct Reading {
+    pub(super) word: &'static str,
+    pub(super) what: &'static str,
+    pub(super) readers: Vec<String>,
+}
+
+/// An image that is read.
+#[derive(Debug, Serialize)]
+pub(super) struct ImageReport {
+    pub(super) path: String,
+    pub(super) node: String,
+}
+
+/// A member of the `Look` uniform, computed on the host in f64.
+#[derive(Debug, Serialize)]
+pub(super) struct Uniform {
+    pub(super) name: String,
+    #[serde(rename = "type")]
+    pub(super) ty: String,
+    pub(super) offset: u32,
+    pub(super) of: String,
+    pub(super) rate: Rate,
+    /// What it is computed from.
+    pub(super) from: Vec<String>,
+}
+
+/// Where the look's nodes run, groups inlined.
+#[derive(Debug, Default, Serialize)]
+pub(super) struct Nodes {
+    pub(super) total: usize,
+    pub(super) fragment: Vec<String>,
+    pub(super) host: Vec<String>,
+    pub(super) folded: Vec<String>,
+    pub(super) removed: Vec<Removal>,
+}
+
+impl Report {
+    /// # Errors
+    /// What is wrong with a look; none that was planned has anything.
+    pub(super) fn new(setup: &Setup, plan: &FramePlan, library: &Library) -> Result<Self, Vec<Diagnostic>> {
+        let mut looks: Vec<(usize, LookReport)> = Vec::new();
+        for draw in &plan.draws {
+            let Some((index, values)) = look_of(setup, draw) else { continue };
+            let same =
+                |known: &&mut (usize, LookReport)| known.0 == index && Arc::ptr_eq(&known.1.compiled[0].1, &draw.look);
+            if let Some((_, known)) = looks.iter_mut().find(same) {
+                known.objects.insert(draw.object.to_string());
+                continue;
+            }
+            // Time is in the plan already: what it chose is what was compiled, so nothing here depends on it.
+            let shown = structural_look(&setup.looks[index].look, 0.0, values);
+            let (typed, _) = check(&shown, library, None)?;
+            looks.push((index, LookReport::new(&shown.name, draw, &typed)));
+        }
+        looks.sort_by_key(|(index, _)| *index);
+        Ok(Self {
+            passes: plan.passes.clone(),
+            dropped: plan.dropped.clone(),
+            view_bytes: plan.view.uniform_bytes().len(),
+            object_bytes: plan.draws.first().map_or(0, |draw| draw.object_uniform.len()),
+            looks: looks.into_iter().map(|(_, look)| look).collect(),
+        })
+    }
+
+    /// Every module; where there is more than one, each under a line that names it.
+    pub(super) fn wgsl(&self) -> String {
+        let modules: Vec<_> = self.looks.iter().flat_map(|look| look.compiled.iter().map(move |m| (look, m))).collect();
+        if let [(_, (_, only))] = modules.as_slice() {
+            return only.wgsl.clone();
+        }
+        let told = modules.iter().map(|(look, (name, module))| {
+            let of = if look.name.is_empty() { "a look" } else { &look.name };
+            let of: String = of.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+            format!("// ---- {of}: {name} ----\n\n{}", module.wgsl)
+        });
+        told.collect::<Vec<_>>().join("\n")
+    }
+}
+
+/// Which look a draw wears, and the values that its object sets.
+fn look_of<'s>(setup: &'s Setup, draw: &Draw) -> Option<(usize, &'s Values)> {
+    let object = setup.objects.iter().find(|object| object.id == draw.object)?;
+    let part = object.mesh.parts.iter().position(|part| part.indices == draw.indices)?;
+    Some(((*object.looks.get(part)?)?, &object.values))
+}
+
+impl LookReport {
+    fn new(name: &str, draw: &Draw, typed: &TypedGraph) -> Self {
+        let shader = &draw.look;
+        let mut compiled = vec![("look", shader.clone())];
+        for (kind, name) in [(PassKind::Normals, "normals"), (PassKind::DetailNormals, "detail-normals")] {
+            compiled.extend(draw.normals.get(&kind).map(|module| (name, module.clone())));
+        }
+        let module = |(name, shader): &(&'static str, Arc<CompiledShader>)| Module {
+            name,
+            lines: shader.wgsl.lines().count(),
+            uniform_bytes: shader.host.size,
+        };
+        let surroundings: Vec<Reading> =
+            shader.needs.contexts.iter().map(|context| reading(*context, shader, typed)).collect();
+        let read = shader.needs.attributes();
+        Self {
+            name: name.to_owned(),
+            objects: BTreeSet::from([draw.object.to_string()]),
+            modules: compiled.iter().map(module).collect(),
+            attributes: read.iter().map(|attribute| attribute_report(*attribute, &surroundings)).collect(),
+            attributes_not_read: Attribute::ALL.iter().filter(|a| !read.contains(a)).map(|a| a.name()).collect(),
+            surroundings,
+            images: shader
+                .needs
+                .images
+                .iter()
+                .map(|image| ImageReport { path: image.path.clone(), node: image.node.to_string() })
+                .collect(),
+            uniforms: uniforms(shader),
+            nodes: Nodes::new(shader, typed),
+            compiled,
+        }
+    }
+}
+
+fn reading(context: Context, shader: &CompiledShader, typed: &TypedGraph) -> Reading {
+    let reads = |input: &Option<crate::compile::TypedInput>| {
+        input.as_ref().is_some_and(|input| input.source == TypedSource::Context(context))
+    };
+    let is_live = |path: &NodePath| shader.spans.spans_of(path).next().is_some();
+    // The Output's normal is for the modules that draw normals.
+    let is_plain = |node: &crate::compile::TypedNode| node.def.special != Special::Output;
+    let reader =
+        |node: &&crate::compile::TypedNode| node.inputs.iter().any(reads) && is_plain(node) && is_live(&node.path);
+    let readers = typed.nodes.iter().filter(reader);
+    Reading { word: context.word(), what: context.help(), readers: readers.map(|node| node.path.to_string()).collect() }
+}
+
+fn attribute_report(attribute: Attribute, surroundings: &[Reading]) -> AttributeReport {
+    let words: &[&str] = match attribute {
+        Attribute::Position => &["position", "position_object", "position_camera", "view", "depth"],
+        Attribute::Normal => &["normal", "tangent", "bitangent"],
+        Attribute::Tangent => &["tangent", "bitangent"],
+        Attribute::Uv => &["uv"],
+        Attribute::Color => &["vertex_color"],
+    };
+    let told = surroundings.iter().filter(|reading| words.contains(&reading.word));
+    let told: Vec<String> = told.map(|reading| format!("`{}` for {}", reading.word, names(&reading.readers))).collect();
+    let why = match (attribute, told.is_empty()) {
+        (Attribute::Position, true) => "it places the mesh in the picture".to_owned(),
+        (Attribute::Position, false) => format!("it places the mesh in the picture, and gives {}", told.join(", ")),
+        _ => format!("it gives {}", told.join(", ")),
+    };
+    AttributeReport { name: attribute.name(), ty: attribute.wgsl_type(), why }
+}
+
+/// Some names; many are counted.
+pub(super) fn names(paths: &[String]) -> String {
+    const MOST: usize = 4;
+    let shown: Vec<String> = paths.iter().take(MOST).map(|path| format!("`{path}`")).collect();
+    match paths.len() {
+        0 => "the module's frame".to_owned(),
+        n if n > MOST => format!("{} and {} more", shown.join(", "), n - MOST),
+        _ => shown.join(", "),
+    }
+}
+
+/// The members of the `Look` uniform, with what each depends on.
+fn uniforms(shader: &CompiledShader) -> Vec<Uniform> {
+    let steps = shader.host.source().steps;
+    // Steps read only earlier ones, so one pass does.
+    let mut known: Vec<(Rate, BTreeSet<String>)> = Vec::with_capacity(steps.len());
+    for step in &steps {
+        known.push(match step {
+            HostStep::Constant(_) => (Rate::Constant, BTreeSet::new()),
+            HostStep::Param { id, .. } => {
+                let param = &shader.params[*id];
+                (Rate::Object, BTreeSet::from([format!("{}.{}", param.path, param.port)]))
+            }
+            HostStep::Context(context, light) => {
+                let word = context.word();
+                let of_light = |light| format!("lights.{light}.{}", word.trim_start_matches("light."));
+                (context.rate(), BTreeSet::from([light.as_ref().map_or_else(|| word.to_owned(), of_light)]))
+            }
+            HostStep::Call { arguments, .. } => joined(&known, arguments),
+            HostStep::Member { value, .. } => joined(&known, &[*value]),
+        });
+    }
+    let uniform = |member: &crate::compile::UniformMember| {
+        let (rate, from) = known.get(member.step).cloned().unwrap_or_default();
+        Uniform {
+            name: member.name.clone(),
+            ty: member.ty.wgsl().to_owned(),
+            offset: member.offset,
+            of: member.origin.clone(),
+            rate,
+            from: from.into_iter().collect(),
+        }
+    };
+    shader.host.members.iter().map(uniform).collect()
+}
+
+fn joined(known: &[(Rate, BTreeSet<String>)], operands: &[usize]) -> (Rate, BTreeSet<String>) {
+    let operands = operands.iter().filter_map(|&index| known.get(index));
+    operands.fold((Rate::Constant, BTreeSet::new()), |(rate, mut from), (of, more)| {
+        from.extend(more.iter().cloned());
+        (rate.max(*of), from)
+    })
+}
+
+impl Nodes {
+    fn new(shader: &CompiledShader, typed: &TypedGraph) -> Self {
+        let removed: BTreeMap<&NodePath, &Removal> =
+            shader.removed.iter().map(|removal| (&removal.path, removal)).collect();
+        let mut nodes = Self { total: typed.order.len(), ..Self::default() };
+        for node in typed.order.iter().map(|&index| &typed.nodes[index]) {
+            let path = node.path.to_string();
+            let is_of = |origin: &str| {
+                origin.strip_prefix(path.as_str()).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+            };
+            if shader.spans.spans_of(&node.path).next().is_some() {
+                nodes.fragment.push(path);
+            } else if shader.host.members.iter().any(|member| is_of(&member.origin)) {
+                nodes.host.push(path);
+            } else if let Some(removal) = removed.get(&node.path).filter(|removal| removal.reason != FOLDED) {
+                nodes.removed.push((*removal).clone());
+            } else {
+                nodes.folded.push(path);
+            }
+        }
+        nodes
+    }
+}

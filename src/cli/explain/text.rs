@@ -1,0 +1,115 @@
+//! A report in words.
+
+use std::fmt::Write as _;
+
+use super::report::{LookReport, Report, names};
+use crate::frame::PassKind;
+use crate::library::Rate;
+
+pub(super) fn tell(report: &Report, document: &str) -> String {
+    let mut text = format!("{document}\n\nPasses, in order\n");
+    for pass in &report.passes {
+        let _ = writeln!(text, "  {:16} {}", pass_word(&pass.kind), pass.reason);
+    }
+    if !report.dropped.is_empty() {
+        text += "\nLeft out\n";
+        for dropped in &report.dropped {
+            let _ = writeln!(text, "  {}: {}", dropped.what, dropped.why);
+        }
+    }
+    for look in &report.looks {
+        text += &tell_look(look, report);
+    }
+    if report.looks.is_empty() {
+        text += "\nNo visible object wears a look.";
+    }
+    text.trim_end().to_owned()
+}
+
+fn pass_word(kind: &PassKind) -> &'static str {
+    match kind {
+        PassKind::Normals => "normals",
+        PassKind::DetailNormals => "detail normals",
+        PassKind::Curvature => "curvature",
+        PassKind::DetailCurvature => "detail curvature",
+        PassKind::Look => "look",
+    }
+}
+
+fn tell_look(look: &LookReport, report: &Report) -> String {
+    let name = if look.name.is_empty() { "A look".to_owned() } else { format!("The look \"{}\"", look.name) };
+    let objects: Vec<String> = look.objects.iter().cloned().collect();
+    let mut text = format!("\n{name}, worn by {}\n", names(&objects));
+    text += "\n  WGSL modules\n";
+    for module in &look.modules {
+        let uniform = match module.uniform_bytes {
+            0 => "no uniform of its own".to_owned(),
+            bytes => format!("{bytes} bytes of uniforms of its own"),
+        };
+        let _ = writeln!(text, "    {:16} {} lines, {uniform}", module.name, module.lines);
+    }
+    let _ = writeln!(
+        text,
+        "    each also reads {} bytes of the view and {} of the object",
+        report.view_bytes, report.object_bytes
+    );
+    text += "\n  Vertex attributes\n";
+    for attribute in &look.attributes {
+        let _ = writeln!(text, "    {:8} {}  {}", attribute.name, attribute.ty, attribute.why);
+    }
+    if !look.attributes_not_read.is_empty() {
+        let _ = writeln!(text, "    not read: {}", look.attributes_not_read.join(", "));
+    }
+    if !look.surroundings.is_empty() {
+        text += "\n  Surroundings that fragments read\n";
+        for reading in &look.surroundings {
+            let _ = writeln!(text, "    {:16} {} ({})", reading.word, names(&reading.readers), reading.what);
+        }
+    }
+    text += "\n  Textures\n";
+    if look.images.is_empty() {
+        text += "    none: no node that reaches the output reads an image\n";
+    }
+    for image in &look.images {
+        let path = if image.path.is_empty() { "(no image chosen: white)" } else { &image.path };
+        let _ = writeln!(text, "    {path}  for `{}`", image.node);
+    }
+    text + &tell_uniforms(look) + &tell_nodes(look)
+}
+
+fn tell_uniforms(look: &LookReport) -> String {
+    let mut text = "\n  Uniforms, computed by the host in 64 bits\n".to_owned();
+    if look.uniforms.is_empty() {
+        text += "    none: everything is known when the look is compiled, or at each fragment\n";
+    }
+    for uniform in &look.uniforms {
+        let rate = match uniform.rate {
+            Rate::Constant => "once",
+            Rate::Frame => "each frame",
+            _ => "each object and frame",
+        };
+        let from = names(&uniform.from);
+        let _ = writeln!(text, "    {}: {}, byte {}, {rate}, from {from}", uniform.name, uniform.ty, uniform.offset);
+    }
+    text
+}
+
+fn tell_nodes(look: &LookReport) -> String {
+    let nodes = &look.nodes;
+    let mut text = format!("\n  Nodes: {} once groups are opened\n", nodes.total);
+    let kinds = [
+        ("run at each fragment", &nodes.fragment),
+        ("run on the host before drawing", &nodes.host),
+        ("folded into constants when the look was compiled", &nodes.folded),
+    ];
+    for (what, paths) in kinds.iter().filter(|(_, paths)| !paths.is_empty()) {
+        let _ = writeln!(text, "    {} {what}: {}", paths.len(), paths.join(", "));
+    }
+    if !nodes.removed.is_empty() {
+        let _ = writeln!(text, "    {} left out, without changing the picture:", nodes.removed.len());
+        for removal in &nodes.removed {
+            let _ = writeln!(text, "      `{}`: {}", removal.path, removal.reason);
+        }
+    }
+    text
+}

@@ -1,0 +1,142 @@
+//! `chiaro new`: a look to begin with.
+
+use std::path::{Path, PathBuf};
+
+use clap::ValueEnum;
+
+use super::output::Output;
+use crate::diag::Diagnostic;
+use crate::document::write_atomic;
+
+const EXAMPLES: &str = "\
+Examples:
+  chiaro new rim                      rim.json: five light layers over a base
+  chiaro new flat --template minimal  light and shadow, two colours
+  chiaro new stage --template scene   stage.json, a scene, and stage-look.json, which it wears";
+
+/// What `chiaro new` is given.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// The name of the look; also the file's, with `.json`
+    name: PathBuf,
+    /// What to begin with
+    #[arg(long, value_enum, default_value_t = Template::Layers)]
+    template: Template,
+    /// Replace files that are there
+    #[arg(long)]
+    force: bool,
+}
+
+/// What to begin with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Template {
+    /// Fill, body, glow, gleam and rim: what a painter lays down
+    Layers,
+    /// Light and shadow
+    Minimal,
+    /// Two objects that wear a look of layers
+    Scene,
+}
+
+const LAYERS: &str = include_str!("templates/layers.json");
+const MINIMAL: &str = include_str!("templates/minimal.json");
+const SCENE: &str = include_str!("templates/scene.json");
+
+pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+    let files = files(&arguments.name, arguments.template).map_err(|problem| vec![problem])?;
+    // All or none: a scene without its look would be no start.
+    let taken = files.iter().filter(|(path, _)| !arguments.force && path.exists());
+    let taken: Vec<Diagnostic> = taken
+        .map(|(path, _)| {
+            Diagnostic::error("file-exists", "this file is there already")
+                .in_file(path.display().to_string())
+                .hint("choose another name, or replace it with --force")
+        })
+        .collect();
+    if !taken.is_empty() {
+        return Err(taken);
+    }
+    for (path, text) in &files {
+        write_atomic(path, text.as_bytes()).map_err(|problem| vec![*problem])?;
+        output.result(&path.display().to_string());
+    }
+    let (document, _) = &files[0];
+    let name = quoted(document);
+    let stem = quoted(&document.with_extension(""));
+    output.message(&format!(
+        "\nWhat next:\n  chiaro edit {name}\n  chiaro render {name} -o {stem}.png\n  chiaro check {name}\n  chiaro nodes"
+    ));
+    Ok(())
+}
+
+/// Paths and texts, the one to open first.
+fn files(name: &Path, template: Template) -> Result<Vec<(PathBuf, String)>, Diagnostic> {
+    let is_json = name.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"));
+    let stem = if is_json { name.file_stem() } else { name.file_name() };
+    let Some(stem) = stem.and_then(|stem| stem.to_str()).filter(|stem| !stem.is_empty()) else {
+        let message = format!("the name cannot be `{}`", name.display());
+        return Err(
+            Diagnostic::error("bad-argument", message).hint("write a name such as rim, or a path such as looks/rim")
+        );
+    };
+    let path = name.with_file_name(format!("{stem}.json"));
+    let title = in_json(&title(stem));
+    let look = |text: &str| text.replace("{{name}}", &title);
+    Ok(match template {
+        Template::Layers => vec![(path, look(LAYERS))],
+        Template::Minimal => vec![(path, look(MINIMAL))],
+        Template::Scene => {
+            let worn = format!("{stem}-look.json");
+            let scene = SCENE.replace("{{look}}", &in_json(&worn)).replace("{{name}}", &title);
+            vec![(path, scene), (name.with_file_name(worn), look(LAYERS))]
+        }
+    })
+}
+
+/// `rim_light-2` becomes `Rim light 2`.
+fn title(stem: &str) -> String {
+    let spaced = stem.replace(['_', '-'], " ");
+    let mut characters = spaced.chars();
+    characters.next().map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
+}
+
+/// The inside of a JSON text.
+fn in_json(text: &str) -> String {
+    let quoted = serde_json::Value::from(text).to_string();
+    quoted[1..quoted.len() - 1].to_owned()
+}
+
+/// As a shell takes it.
+fn quoted(path: &Path) -> String {
+    let text = path.display().to_string();
+    let is_plain = text.chars().all(|c| c.is_alphanumeric() || "/._-\\:".contains(c));
+    if is_plain { text } else { format!("'{}'", text.replace('\'', r"'\''")) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::{Look, Scene};
+
+    #[test]
+    fn templates_are_sound_whatever_the_name() {
+        for name in ["rim", "folder/rim.json", "odd \"name\" \\ here", "光", "v1.2"] {
+            for template in [Template::Layers, Template::Minimal, Template::Scene] {
+                for (path, text) in files(Path::new(name), template).unwrap() {
+                    let file = path.display().to_string();
+                    let problems = if text.contains("\"objects\"") {
+                        Scene::read(&text, &file).diagnostics
+                    } else {
+                        Look::read(&text, &file).diagnostics
+                    };
+                    assert!(problems.is_empty(), "{file}: {problems:?}");
+                    assert!(!text.contains("{{"), "{text}");
+                }
+            }
+        }
+        assert_eq!(files(Path::new("v1.2"), Template::Minimal).unwrap()[0].0, Path::new("v1.2.json"));
+        assert!(files(Path::new("/"), Template::Minimal).is_err());
+        assert_eq!(title("rim_light-2"), "Rim light 2");
+    }
+}

@@ -1,0 +1,57 @@
+//! Nodes as JSON, for scripts and other editors.
+
+use serde_json::{Value as Json, json};
+
+use super::entry::Entry;
+use crate::library::{Fallback, Input};
+
+pub(super) fn pretty(value: &Json) -> String {
+    serde_json::to_string_pretty(value).unwrap_or_default()
+}
+
+pub(super) fn entry(entry: &Entry) -> Json {
+    let outputs = entry.outputs.iter().map(|output| {
+        json!({"name": output.name, "label": output.label, "type": output.ty.to_string(), "help": output.help})
+    });
+    let presets = entry.presets.iter().map(|preset| {
+        let values: serde_json::Map<String, Json> =
+            preset.values.iter().map(|(name, value)| (name.to_string(), json!(value))).collect();
+        json!({"label": preset.label, "values": values})
+    });
+    json!({
+        "kind": entry.kind,
+        "label": entry.label,
+        "category": entry.category,
+        "group": entry.is_group,
+        "help": entry.help,
+        "inputs": entry.inputs.iter().map(input).collect::<Vec<_>>(),
+        "outputs": outputs.collect::<Vec<_>>(),
+        "presets": presets.collect::<Vec<_>>(),
+        "also": entry.widths.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "tiers": entry.tiers,
+        "sources": entry.sources,
+    })
+}
+
+/// An input; what it has not is left out.
+fn input(input: &Input) -> Json {
+    let mut told = json!({"name": input.name, "label": input.label, "type": input.ty.to_string(), "help": input.help});
+    match &input.fallback {
+        Fallback::Value(value) => told["default"] = json!(value),
+        Fallback::Context(context) => told["from"] = json!(context.word()),
+        Fallback::Wire => told["wire"] = json!(true),
+    }
+    for (key, number) in [("min", input.min), ("max", input.max)] {
+        if let Some(number) = number {
+            told[key] = json!(number);
+        }
+    }
+    if !input.unit.is_empty() {
+        told["unit"] = json!(input.unit);
+    }
+    if !input.options.is_empty() {
+        let option = |(word, label): &(String, String)| json!({"word": word, "label": label});
+        told["choices"] = input.options.iter().map(option).collect();
+    }
+    told
+}

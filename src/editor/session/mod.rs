@@ -1,0 +1,326 @@
+//! One open look: the document and its past, the file, what is selected, and the shaders made of it.
+
+mod shading;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use indexmap::IndexSet;
+
+use super::catalog::Catalog;
+use super::compiling::{self, Compiler};
+use super::orbit::Orbit;
+use crate::diag::Diagnostic;
+use crate::document::{Edit, History, Look, SourceMap, write_atomic};
+use crate::ids::NodeId;
+use crate::library::{Fallback, Library};
+pub(crate) use shading::Showing;
+use shading::Shown;
+
+/// One open look.
+pub struct Session {
+    history: History<Look>,
+    source: Arc<SourceMap>,
+    path: Option<PathBuf>,
+    /// Whether the file holds more than could be read, so that saving over it would lose that.
+    is_partial: bool,
+    pub(crate) library: Arc<Library>,
+    pub(crate) catalog: Catalog,
+    /// Nodes of the look's own graph, the first one selected last.
+    pub(crate) selection: IndexSet<NodeId>,
+    pub(crate) view: Orbit,
+    /// What reading the file told.
+    pub(crate) load_problems: Vec<Diagnostic>,
+    compiler: Compiler,
+    shaders: Shown,
+    problems: Vec<Diagnostic>,
+    /// What keeps the picture from being drawn, or was odd about it.
+    picture_problems: Vec<Diagnostic>,
+    problems_number: u64,
+    gestures: Gestures,
+    document_number: u64,
+    picture: u64,
+    good_revision: (u64, u64),
+}
+
+/// Consecutive edits by the same hand, as one step.
+#[derive(Default)]
+struct Gestures {
+    last: Option<(u64, u64)>,
+    number: u64,
+}
+
+impl Session {
+    /// An empty look, with what every look needs. `wake` is called from another thread when there is something new.
+    pub fn new(library: Arc<Library>, wake: impl Fn() + Send + 'static) -> Self {
+        let catalog = Catalog::new(&library);
+        let loaded = Look::read(NEW_LOOK, "new look");
+        let mut session = Self {
+            history: History::new(Look::default()),
+            source: Arc::new(loaded.source),
+            path: None,
+            is_partial: false,
+            library,
+            catalog,
+            selection: IndexSet::new(),
+            view: Orbit::default(),
+            load_problems: Vec::new(),
+            compiler: compiling::start(wake),
+            shaders: Shown::default(),
+            problems: Vec::new(),
+            picture_problems: Vec::new(),
+            problems_number: 0,
+            gestures: Gestures::default(),
+            document_number: 0,
+            picture: 0,
+            good_revision: (0, 0),
+        };
+        session.start_new();
+        session
+    }
+
+    /// Begins a new look: a base, one light layer and an output, wired.
+    pub fn start_new(&mut self) {
+        let loaded = Look::read(NEW_LOOK, "new look");
+        self.replace(loaded.value.unwrap_or_default(), loaded.source, None);
+        self.is_partial = false;
+        self.load_problems.clear();
+    }
+
+    /// Opens a look. Where the file cannot be read at all, the look that was open stays, and the problems are told.
+    pub fn open(&mut self, path: &Path) -> bool {
+        let loaded = Look::load(path);
+        let is_partial = loaded.has_errors();
+        let diagnostics = loaded.diagnostics;
+        let opened = loaded.value.is_some();
+        if let Some(look) = loaded.value {
+            self.use_project(path);
+            self.replace(look, loaded.source, Some(path.to_owned()));
+            self.is_partial = is_partial;
+        }
+        self.load_problems = diagnostics;
+        self.problems_number += 1;
+        opened
+    }
+
+    /// Saves to a file, which is the look's own from then on.
+    ///
+    /// # Errors
+    /// A diagnostic that says why not; the old file is then as it was.
+    pub fn save_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
+        let is_own = self.path.as_deref() == Some(path);
+        if is_own && self.is_partial {
+            let message = "this file holds things that could not be read, and saving over it would lose them";
+            return Err(Box::new(Diagnostic::error("partly-read", message).hint("save under another name")));
+        }
+        let text = if is_own { self.look().to_text_like(&self.source) } else { self.look().to_text() };
+        write_atomic(path, text.as_bytes())?;
+        self.source = Arc::new(Look::read(&text, &path.display().to_string()).source);
+        self.history.mark_saved();
+        self.path = Some(path.to_owned());
+        self.is_partial = false;
+        self.load_problems.clear();
+        self.problems_number += 1;
+        Ok(())
+    }
+
+    fn use_project(&mut self, path: &Path) {
+        let folder = path.parent().unwrap_or(Path::new("")).join("nodes");
+        let built_in = Library::built_in();
+        let library = if folder.is_dir() { built_in.with_project(&folder) } else { built_in.clone() };
+        self.library = Arc::new(library);
+        self.catalog = Catalog::new(&self.library);
+    }
+
+    fn replace(&mut self, look: Look, source: SourceMap, path: Option<PathBuf>) {
+        self.document_number += 1;
+        self.history = History::new(look);
+        self.source = Arc::new(source);
+        self.path = path;
+        self.selection.clear();
+        self.view = Orbit { mesh: self.view.mesh.clone(), ..Orbit::default() };
+        self.problems.clear();
+        self.problems_number += 1;
+        self.shaders = Shown::default();
+        self.picture += 1;
+        self.catalog.sync(self.history.document(), &self.library);
+    }
+
+    /// The look as it is.
+    pub fn look(&self) -> &Look {
+        self.history.document()
+    }
+
+    /// The file, once there is one.
+    pub fn path(&self) -> Option<&Path> {
+        self.path.as_deref()
+    }
+
+    /// Whether there are changes that no file holds.
+    pub fn is_dirty(&self) -> bool {
+        !self.history.is_saved()
+    }
+
+    /// Which document is open, as revisions of each begin anew.
+    pub(crate) fn document_number(&self) -> u64 {
+        self.document_number
+    }
+
+    /// Grows with every change.
+    pub fn revision(&self) -> u64 {
+        self.history.revision()
+    }
+
+    /// What undo would take back.
+    pub fn undo_label(&self) -> Option<&str> {
+        self.history.undo_label()
+    }
+
+    /// What redo would repeat.
+    pub fn redo_label(&self) -> Option<&str> {
+        self.history.redo_label()
+    }
+
+    /// Nodes that are selected.
+    pub fn selected(&self) -> impl Iterator<Item = &NodeId> {
+        self.selection.iter()
+    }
+
+    /// Selects nodes and no others.
+    pub fn select(&mut self, ids: Vec<NodeId>) {
+        let nodes = &self.history.document().graph.nodes;
+        self.selection = ids.into_iter().filter(|id| nodes.contains_key(id)).collect();
+    }
+
+    /// Lets unsaved changes go: they are no longer asked about.
+    pub(crate) fn give_up_changes(&mut self) {
+        self.history.mark_saved();
+    }
+
+    /// Where the camera and the lights are turned to.
+    pub fn orbit(&self) -> &Orbit {
+        &self.view
+    }
+
+    /// What is wrong with the look, as the compiler last told.
+    pub fn problems(&self) -> &[Diagnostic] {
+        &self.problems
+    }
+
+    pub(crate) fn problems_number(&self) -> u64 {
+        self.problems_number
+    }
+
+    /// Applies an edit. With a `hand` (a widget and its press), consecutive edits by it are one step.
+    ///
+    /// # Errors
+    /// A diagnostic where the edit is impossible; nothing is changed then.
+    pub fn apply(&mut self, edit: Edit, hand: Option<u64>) -> Result<(), Box<Diagnostic>> {
+        let is_structural = self.is_structural(&edit);
+        let before = self.history.revision();
+        match hand {
+            Some(hand) => {
+                let gesture = self.gestures.of(hand, before);
+                self.history.apply_in(gesture, edit)?;
+                self.gestures.last = Some((hand, self.history.revision()));
+            }
+            None => self.history.apply(edit)?,
+        }
+        if self.history.revision() != before {
+            self.changed(is_structural);
+        }
+        Ok(())
+    }
+
+    /// Takes the last step back.
+    pub fn undo(&mut self) -> bool {
+        let did = self.history.undo().is_some();
+        if did {
+            self.changed(true);
+        }
+        did
+    }
+
+    /// Repeats the step that was taken back last.
+    pub fn redo(&mut self) -> bool {
+        let did = self.history.redo().is_some();
+        if did {
+            self.changed(true);
+        }
+        did
+    }
+
+    fn changed(&mut self, is_structural: bool) {
+        if is_structural {
+            self.shaders.structure = self.history.revision();
+            self.catalog.sync(self.history.document(), &self.library);
+        }
+        let nodes = &self.history.document().graph.nodes;
+        self.selection.retain(|id| nodes.contains_key(id));
+        self.picture += 1;
+    }
+
+    /// Whether a live shader cannot show an edit by its uniforms.
+    fn is_structural(&self, edit: &Edit) -> bool {
+        match edit {
+            Edit::Group { edits } => edits.iter().any(|edit| self.is_structural(edit)),
+            Edit::MoveNodes { .. } | Edit::SetLookName { .. } => false,
+            Edit::SetLight { id, light } => {
+                self.look().lights.get(id).is_none_or(|old| (old.kind, &old.name) != (light.kind, &light.name))
+            }
+            Edit::SetValue { graph, id, port, .. } => {
+                let node = self.look().graph_of(graph).and_then(|graph| graph.nodes.get(id));
+                let Some((node, kind)) = node.and_then(|node| Some((node, self.catalog.of(node)?))) else {
+                    return true;
+                };
+                let Some(port) = kind.input(port.as_str()).map(|index| &kind.inputs[index]) else { return true };
+                let had_one = node.values.contains_key(&port.name) || matches!(port.fallback, Fallback::Value(_));
+                port.ty.is_setting() || !had_one
+            }
+            _ => true,
+        }
+    }
+
+    /// The text that the look was read from.
+    pub(crate) fn source(&self) -> &Arc<SourceMap> {
+        &self.source
+    }
+
+    /// Everything wrong with the file and the look.
+    pub(crate) fn all_problems(&self) -> impl Iterator<Item = &Diagnostic> {
+        self.load_problems.iter().chain(&self.problems).chain(&self.picture_problems)
+    }
+
+    /// Takes what the renderer tells.
+    pub(crate) fn set_picture_problems(&mut self, problems: &[Diagnostic]) {
+        if self.picture_problems != problems {
+            self.picture_problems = problems.to_vec();
+            self.problems_number += 1;
+        }
+    }
+}
+
+impl Gestures {
+    /// The gesture that an edit by `hand` belongs to: the last one, if nothing else was done since.
+    fn of(&mut self, hand: u64, revision: u64) -> u64 {
+        if self.last != Some((hand, revision)) {
+            self.number += 1;
+        }
+        self.number
+    }
+}
+
+/// What a new look begins with.
+const NEW_LOOK: &str = r##"{
+  "name": "New look",
+  "lights": {"key": {"direction": [-0.5, 0.7, 0.6]}},
+  "nodes": [
+    {"id": "base", "kind": "base", "at": [0, 0], "values": {"color": [0.16, 0.15, 0.2]}},
+    {"id": "diffuse", "kind": "light_layer", "at": [260, 0], "name": "Diffuse", "values": {"light": "key", "convex": [0.85, 0.72, 0.6], "concave": [0.7, 0.45, 0.42]}},
+    {"id": "output", "kind": "output", "at": [520, 0]}
+  ],
+  "wires": [
+    {"from": "base", "to": "diffuse.below"},
+    {"from": "diffuse", "to": "output.color"}
+  ]
+}"##;

@@ -1,0 +1,524 @@
+//! The program itself, each subcommand as a shell runs it: results, messages, exit codes, files.
+
+mod support;
+
+use std::fs;
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+use serde_json::{Value as Json, json};
+
+/// A folder of one test's own, and the program run in it.
+struct Shop(tempfile::TempDir);
+
+/// What a run came to.
+struct Ran {
+    code: Option<i32>,
+    out: String,
+    err: String,
+}
+
+impl Shop {
+    fn new() -> Self {
+        Self(tempfile::tempdir().unwrap())
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn write(&self, name: &str, text: &str) {
+        let path = self.path(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, text).unwrap();
+    }
+
+    fn names(&self) -> Vec<String> {
+        let mut names: Vec<_> =
+            fs::read_dir(self.0.path()).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+
+    fn command(&self, arguments: &[&str]) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_chiaro"));
+        command.args(arguments).current_dir(self.0.path());
+        command
+    }
+
+    fn run(&self, arguments: &[&str]) -> Ran {
+        Ran::of(self.command(arguments).output().unwrap())
+    }
+
+    /// Without any driver of a GPU: whatever asks for one fails.
+    fn run_without_gpu(&self, arguments: &[&str]) -> Ran {
+        let no_gpu = [("WGPU_BACKEND", "noop"), ("VK_DRIVER_FILES", "/none"), ("VK_ICD_FILENAMES", "/none")];
+        Ran::of(self.command(arguments).envs(no_gpu).output().unwrap())
+    }
+}
+
+impl Ran {
+    fn of(output: Output) -> Self {
+        let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+        let ran = Self { code: output.status.code(), out: text(output.stdout), err: text(output.stderr) };
+        assert!(!ran.err.contains("panicked"), "{}", ran.err);
+        ran
+    }
+
+    #[track_caller]
+    fn ok(self) -> Self {
+        assert_eq!(self.code, Some(0), "{}{}", self.out, self.err);
+        self
+    }
+
+    #[track_caller]
+    fn fails(self, code: i32, with: &[&str]) -> Self {
+        assert_eq!(self.code, Some(code), "{}{}", self.out, self.err);
+        for text in with {
+            assert!(self.err.contains(text), "no `{text}` in\n{}", self.err);
+        }
+        self
+    }
+
+    #[track_caller]
+    fn json(&self) -> Json {
+        serde_json::from_str(&self.out).unwrap_or_else(|error| panic!("{error} in\n{}", self.out))
+    }
+}
+
+/// A layer of one colour under the light `key`, hard where u is 1 radian; its colour and offset can be set.
+const LOOK: &str = r#"{
+  "name": "Flat",
+  "lights": {"key": {"direction": [0, 0, 1]}},
+  "nodes": [
+    {"id": "paper", "kind": "base", "values": {"color": [0.25, 0.5, 0.75]}},
+    {"id": "layer", "kind": "light_layer", "values": {"light": "key", "offset": 1, "falloff": 1, "cutoff": 1,
+      "convex": [1, 0, 0], "concave": [1, 0, 0], "blend": "alpha"}},
+    {"kind": "output"}
+  ],
+  "wires": [{"from": "paper", "to": "layer.below"}, {"from": "layer.below", "to": "output.color"}],
+  "exposed": [{"name": "paint", "target": "layer.convex"}, {"name": "cover", "target": "layer.opacity"},
+              {"name": "how", "target": "layer.blend"}]
+}"#;
+
+fn shop() -> Shop {
+    let shop = Shop::new();
+    shop.write("flat.json", LOOK);
+    shop
+}
+
+/// Width and height out of a PNG's header, once its first and last bytes are what they must be.
+fn png_size(path: &Path) -> [u32; 2] {
+    let bytes = fs::read(path).unwrap();
+    assert_eq!(&bytes[..8], b"\x89PNG\r\n\x1a\n");
+    assert_eq!(&bytes[bytes.len() - 8..bytes.len() - 4], b"IEND");
+    let number = |at: usize| u32::from_be_bytes(bytes[at..at + 4].try_into().unwrap());
+    [number(16), number(20)]
+}
+
+#[test]
+fn every_subcommand_has_help_with_examples_and_exit_codes_are_documented() {
+    let shop = Shop::new();
+    let top = shop.run(&["--help"]).ok().out;
+    assert!(top.contains("Exit codes: 0 done; 1 ") && top.contains("130"), "{top}");
+    for command in ["edit", "new", "check", "explain", "nodes", "render", "eval", "export"] {
+        assert!(top.contains(&format!("  {command} ")), "{top}");
+        let help = shop.run(&[command, "--help"]).ok().out;
+        assert!(help.contains("Examples:") && help.contains(&format!("chiaro {command}")), "{help}");
+    }
+    assert!(shop.run(&["--version"]).ok().out.starts_with("chiaro "));
+    shop.run(&["paint"]).fails(2, &["unrecognized subcommand"]);
+    shop.run(&["render", "a.json"]).fails(2, &["--output"]);
+}
+
+#[test]
+fn check_tells_everything_with_its_place() {
+    let shop = shop();
+    shop.run_without_gpu(&["check", "flat.json"]).ok();
+    shop.write(
+        "bad.json",
+        r#"{
+  "nodes": [
+    {"id": "paper", "kind": "bas"},
+    {"id": "rim", "kind": "profile", "values": {"ofset": 1}},
+    {"id": "photo", "kind": "image", "values": {"image": "missing.png"}},
+    {"id": "output", "kind": "output"}
+  ],
+  "wires": [{"from": "photo", "to": "output.color"}, {"from": "nobody", "to": "rim.angle"}]
+}"#,
+    );
+    let ran = shop.run(&["check", "bad.json", "flat.json", "--json"]).fails(1, &["2 documents checked: "]);
+    let problems = ran.json();
+    let codes: Vec<&str> = problems.as_array().unwrap().iter().map(|p| p["code"].as_str().unwrap()).collect();
+    for code in ["unknown-kind", "unknown-port", "unknown-node"] {
+        assert!(codes.contains(&code), "{codes:?}");
+    }
+    let port = problems.as_array().unwrap().iter().find(|p| p["code"] == "unknown-port").unwrap();
+    assert_eq!((&port["file"], &port["at"]["line"]), (&json!("bad.json"), &json!(4)));
+    assert_eq!((&port["node"], &port["port"]), (&json!("rim"), &json!("ofset")));
+    assert_eq!((&port["json_path"], &port["severity"]), (&json!("nodes[1].values.ofset"), &json!("error")));
+    assert!(port["hints"][0].as_str().unwrap().contains("offset"));
+    // The same for people: on standard error, with help; nothing on standard output.
+    let ran = shop.run(&["check", "bad.json"]).fails(1, &["bad.json:4:", "help: did you mean `offset`?", "1 document"]);
+    assert!(ran.out.is_empty(), "{}", ran.out);
+    shop.run(&["check", "flat.json", "--nodes", "nowhere"]).fails(2, &["nowhere"]);
+    shop.run(&["check"]).fails(2, &["FILE"]);
+    shop.run(&["check", "none.json"]).fails(1, &["none.json"]);
+}
+
+#[test]
+fn check_looks_for_what_documents_name() {
+    let shop = shop();
+    let image = LOOK.replace(
+        r#"{"kind": "output"}"#,
+        r#"{"id": "photo", "kind": "image", "values": {"image": "missing.png"}}, {"kind": "output"}"#,
+    );
+    shop.write("looks/photo.json", &image);
+    shop.write(
+        "scene.json",
+        r##"{"objects": [
+          {"id": "a", "mesh": "gone.obj", "looks": "looks/photo.json"},
+          {"id": "b", "mesh": "shape:sphere", "looks": "looks/none.json", "visible": false},
+          {"id": "c", "mesh": "shape:spere", "looks": "flat.json", "values": {"pant": 1, "cover": "wide"}}
+        ]}"##,
+    );
+    let ran = shop.run(&["check", "scene.json", "--json"]).fails(1, &["1 document checked: "]);
+    let problems = ran.json();
+    let all = problems.as_array().unwrap();
+    let with = |code: &str, text: &str| {
+        let is_it = |p: &&Json| p["code"] == code && p.to_string().contains(text);
+        all.iter().find(is_it).unwrap_or_else(|| panic!("no {code} with {text} in {problems:#}"))
+    };
+    let photo = with("missing-asset", "missing.png");
+    assert_eq!((&photo["node"], &photo["port"]), (&json!("photo"), &json!("image")));
+    assert!(photo["file"].as_str().unwrap().ends_with("photo.json") && photo["at"]["line"].as_u64().unwrap() > 1);
+    assert!(with("missing-asset", "none.json")["json_path"].as_str().unwrap().starts_with("objects[1].looks"));
+    with("mesh-read", "gone.obj");
+    assert!(with("unknown-shape", "spere")["hints"][0].as_str().unwrap().contains("sphere"));
+    assert_eq!(with("unknown-parameter", "pant")["severity"], "warning");
+    assert_eq!(with("wrong-type", "cover")["json_path"], "objects[2].values.cover");
+    // Each problem once, though two objects may wear one look.
+    let texts: std::collections::BTreeSet<String> = all.iter().map(ToString::to_string).collect();
+    assert_eq!(texts.len(), all.len());
+}
+
+#[test]
+fn check_walks_folders_and_reads_a_projects_own_nodes() {
+    let shop = Shop::new();
+    shop.write("project/looks/flat.json", LOOK);
+    shop.write("project/samples.json", "[{}]");
+    shop.write("project/package.json", r#"{"name": "not ours"}"#);
+    shop.run(&["check", "project"]).ok().fails(0, &["1 document checked: nothing is wrong"]);
+    shop.write("project/cut.json", r#"{"nodes": ["#);
+    shop.run(&["check", "project"]).fails(1, &["project/cut.json:1:"]);
+    fs::remove_file(shop.path("project/cut.json")).unwrap();
+    shop.write("project/looks/nodes/own/broken.wgsl", "fn broken(x: f32) -> f32 { return y; }\n");
+    shop.run(&["check", "project"]).fails(1, &["broken.wgsl:1:"]);
+    shop.write("empty/readme.txt", "");
+    shop.run(&["check", "empty"]).ok().fails(0, &["no-documents"]);
+}
+
+#[test]
+fn the_example_in_the_docs_is_a_node() {
+    let shop = Shop::new();
+    let docs = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/nodes.md")).unwrap();
+    let block = |language: &str, with: &str| {
+        let fence = format!("```{language}\n");
+        let mut blocks = docs.split(&fence).skip(1).map(|rest| rest.split("```").next().unwrap());
+        blocks.find(|block| block.contains(with)).unwrap_or_else(|| panic!("no block with {with}")).to_owned()
+    };
+    shop.write("nodes/own/warm_tint.wgsl", &block("wgsl", "fn warm_tint_soft"));
+    let listed = shop.run(&["nodes", "warm_tint", "--nodes", "nodes", "--json"]).ok().json();
+    assert_eq!((&listed["category"], &listed["inputs"][1]["default"]), (&json!("own"), &json!(0.3)));
+    shop.write("first.json", &block("json", "\"shadow\""));
+    shop.run(&["check", "first.json"]).ok();
+    let tint = block("json", "fn tint");
+    shop.write(
+        "custom.json",
+        &format!(
+            r#"{{"nodes": [{tint}, {{"id": "own", "kind": "warm_tint"}}, {{"kind": "output"}}],
+                "wires": [{{"from": "own", "to": "tint.color"}}, {{"from": "tint", "to": "output.color"}}]}}"#
+        ),
+    );
+    shop.run(&["check", "custom.json"]).ok();
+}
+
+#[test]
+fn explain_tells_passes_and_reasons_without_a_gpu() {
+    let shop = shop();
+    let text = shop.run_without_gpu(&["explain", "flat.json"]).ok().out;
+    for part in
+        ["Passes", "it is the picture", "Left out", "curvature", "Vertex attributes", "not read: tangent, uv", "Nodes:"]
+    {
+        assert!(text.contains(part), "no `{part}` in\n{text}");
+    }
+    let told = shop.run(&["explain", "flat.json", "--json"]).ok().json();
+    assert_eq!(told["passes"].as_array().unwrap().len(), 1);
+    let look = &told["looks"][0];
+    let removed: Vec<&str> =
+        look["nodes"]["removed"].as_array().unwrap().iter().map(|r| r["path"].as_str().unwrap()).collect();
+    assert!(removed.contains(&"layer/warp"), "{removed:?}");
+    let counted = |list: &str| look["nodes"][list].as_array().unwrap().len();
+    let total = counted("fragment") + counted("host") + counted("folded") + counted("removed");
+    assert_eq!(look["nodes"]["total"], total);
+    assert_eq!(look["uniforms"][0]["rate"], "object");
+    // A look that bends with curvature needs the passes, and says for whom.
+    let bent = LOOK.replace(r#""blend": "alpha""#, r#""blend": "alpha", "slope": 0.2, "amount": 0.3"#);
+    shop.write("bent.json", &bent);
+    let told = shop.run(&["explain", "bent.json", "--json"]).ok().json();
+    let kinds: Vec<&str> = told["passes"].as_array().unwrap().iter().map(|p| p["kind"].as_str().unwrap()).collect();
+    assert_eq!(kinds, ["normals", "curvature", "look"]);
+    assert!(told["passes"][1]["reason"].as_str().unwrap().contains("\"Flat\""));
+    assert_eq!(told["looks"][0]["modules"].as_array().unwrap().len(), 2);
+    let wgsl = shop.run(&["explain", "flat.json", "--wgsl"]).ok().out;
+    assert!(wgsl.contains("fn fs_main"), "{wgsl}");
+    shop.run(&["explain", "missing.json"]).fails(1, &["missing.json"]);
+    shop.run(&["explain", "flat.json", "--mesh", "shape:cuboid"]).fails(1, &["unknown-shape"]);
+}
+
+#[test]
+fn nodes_lists_and_documents_the_library() {
+    let shop = Shop::new();
+    let table = shop.run_without_gpu(&["nodes"]).ok().out;
+    assert!(
+        table.contains("light_layer") && table.contains("wgsl") && table.contains("angle, offset, falloff"),
+        "{table}"
+    );
+    let listed = shop.run(&["nodes", "--json"]).ok().json();
+    let files = support::files::below(&Path::new(env!("CARGO_MANIFEST_DIR")).join("nodes"));
+    let wgsl = files.iter().filter(|path| path.extension().is_some_and(|e| e == "wgsl"));
+    for path in wgsl {
+        let kind = path.file_stem().unwrap().to_str().unwrap();
+        assert!(listed.as_array().unwrap().iter().any(|entry| entry["kind"] == kind), "{kind} is not listed");
+    }
+    let layer = shop.run(&["nodes", "light_layer", "--json"]).ok().json();
+    let blend = layer["inputs"].as_array().unwrap().iter().find(|input| input["name"] == "blend").unwrap();
+    assert_eq!((&blend["type"], &blend["default"]), (&json!("choice"), &json!("add")));
+    let text = shop.run(&["nodes", "profile"]).ok().out;
+    assert!(text.contains("Half-Lambert") && text.contains("BADF eq. 5"), "{text}");
+    shop.run(&["nodes", "profil"]).fails(1, &["did you mean `profile`"]);
+    shop.run(&["nodes", "--markdown", "profile"]).fails(2, &["cannot be used with"]);
+}
+
+#[test]
+fn docs_nodes_md_is_what_the_code_says() {
+    let printed = Shop::new().run(&["nodes", "--markdown"]).ok().out;
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/nodes.md");
+    if std::env::var("CHIARO_BLESS").is_ok_and(|value| value == "1") {
+        fs::write(&path, &printed).unwrap();
+    }
+    let kept = fs::read_to_string(&path).unwrap_or_default();
+    assert!(
+        kept == printed,
+        "docs/nodes.md is not what the code says; CHIARO_BLESS=1 cargo test --test cli writes it anew"
+    );
+}
+
+#[test]
+fn new_writes_sound_documents_and_replaces_nothing() {
+    let shop = Shop::new();
+    for (name, template) in [("rim", "layers"), ("flat", "minimal"), ("stage", "scene")] {
+        let ran = shop.run_without_gpu(&["new", name, "--template", template]).ok();
+        assert!(
+            ran.out.contains(&format!("{name}.json")) && ran.err.contains("chiaro render"),
+            "{}{}",
+            ran.out,
+            ran.err
+        );
+    }
+    assert_eq!(shop.names(), ["flat.json", "rim.json", "stage-look.json", "stage.json"]);
+    shop.run(&["check", "."]).ok().fails(0, &["4 documents checked: nothing is wrong"]);
+    shop.write("rim.json", "mine");
+    shop.run(&["new", "rim"]).fails(1, &["rim.json", "--force"]);
+    assert_eq!(fs::read_to_string(shop.path("rim.json")).unwrap(), "mine");
+    shop.run(&["new", "rim", "--force"]).ok();
+    shop.run(&["check", "rim.json"]).ok();
+    shop.run(&["new", "no/such/folder/rim"]).fails(1, &["cannot-write"]);
+    shop.run(&["new", "rim", "--template", "oil"]).fails(2, &["oil"]);
+}
+
+#[test]
+fn export_writes_files_and_lists_them() {
+    let shop = shop();
+    let ran = shop.run_without_gpu(&["export", "flat.json", "--to", "all", "-o", "out"]).ok();
+    assert!(ran.err.contains("unverified"), "{}", ran.err);
+    let listed: Vec<&str> = ran.out.lines().collect();
+    assert!(listed.len() > 8 && listed.iter().all(|file| shop.path(file).is_file()), "{listed:?}");
+    assert_eq!(fs::read_dir(shop.path("out")).unwrap().count(), listed.len());
+    let described: Json = serde_json::from_slice(&fs::read(shop.path("out/flat.json")).unwrap()).unwrap();
+    assert_eq!(described["parameters"][0]["name"], "paint");
+    let told = shop.run(&["export", "flat.json", "--to", "wgsl,msl,wgsl", "-o", "out", "--json"]).ok().json();
+    assert_eq!(told["languages"], json!(["wgsl", "msl"]));
+    assert!(told["unverified"][0].as_str().unwrap().contains("Metal"), "{told}");
+    let wgsl = shop.run(&["export", "flat.json", "--to", "wgsl"]).ok().out;
+    assert!(wgsl.contains("@fragment"), "{wgsl}");
+    shop.run(&["export", "flat.json", "--to", "hlsl"]).fails(2, &["-o"]);
+    shop.run(&["export", "flat.json", "--to", "glsl"]).fails(2, &["did you mean", "glsl-330"]);
+    shop.run(&["export", "flat.json", "-o", "out"]).fails(2, &["--to"]);
+    // The description has the look's own name: here it would take its place.
+    shop.run(&["export", "flat.json", "--to", "wgsl", "-o", "."]).fails(1, &["would-overwrite"]);
+    assert_eq!(fs::read_to_string(shop.path("flat.json")).unwrap(), LOOK);
+    shop.write("scene.json", r#"{"objects": [{"looks": "flat.json"}]}"#);
+    shop.run(&["export", "scene.json", "--to", "wgsl"]).fails(1, &["this is a scene"]);
+}
+
+#[cfg(feature = "gpu")]
+mod gpu {
+    use super::*;
+
+    #[test]
+    fn render_writes_a_picture_and_tells_about_it() {
+        let shop = shop();
+        let arguments = ["render", "flat.json", "-o", "a.png", "--mesh", "shape:sphere", "--size", "48x32", "--json"];
+        let told = shop.run(&arguments).ok().json();
+        assert_eq!(png_size(&shop.path("a.png")), [48, 32]);
+        assert_eq!((&told["width"], &told["passes"], &told["warnings"]), (&json!(48), &json!(["look"]), &json!([])));
+        assert!(told["seconds"].is_number() && told["adapter"].is_string() && told["file"] == "a.png");
+        let small = ["--mesh", "shape:sphere", "--size", "32x32", "--samples", "1"];
+        let shoot = |name: &str, camera: &[&str]| {
+            shop.run(&[&["render", "flat.json", "-o", name], &small[..], camera].concat()).ok();
+            fs::read(shop.path(name)).unwrap()
+        };
+        // One eye, said in two ways; from above there is an up, too.
+        let orbit = shoot("b.png", &["--camera", "distance=4;orbit=90,0"]);
+        let eye = shoot("c.png", &["--camera", "target=0,0,0;eye=4,0,0;up=0,1,0"]);
+        assert_eq!(orbit, eye);
+        assert_ne!(
+            orbit,
+            shoot("d.png", &["--camera", "orbit=0,90;fov=60", "--backdrop", "none", "--turn-lights", "-30,10"])
+        );
+    }
+
+    #[test]
+    fn render_says_what_is_wrong_before_it_works() {
+        let shop = shop();
+        shop.run(&["render", "flat.json", "-o", "none/a.png"]).fails(1, &["cannot-write", "none", "-o"]);
+        shop.run(&["render", "flat.json", "-o", "a.jpg"]).fails(1, &["PNG"]);
+        shop.run(&["render", "flat.json", "-o", "a.png", "--camera", "eye=1,2"])
+            .fails(2, &["--camera", "eye=1,2", "target="]);
+        shop.run(&["render", "flat.json", "-o", "a.png", "--camera", "eye=0,0,0"]).fails(2, &["--camera"]);
+        shop.run(&["render", "flat.json", "-o", "a.png", "--backdrop", "mauve"]).fails(2, &["--backdrop"]);
+        shop.run(&["render", "flat.json", "-o", "a.png", "--size", "0x4"]).fails(2, &["800x600"]);
+        shop.run(&["render", "flat.json", "-o", "a.png", "--samples", "3"]).fails(2, &["1 or 4"]);
+        shop.run(&["render", "flat.json", "-o", "a.png", "--time", "inf"]).fails(2, &["seconds"]);
+        shop.run(&["render", "flat.json", "-o", "a.png", "--mesh", "gone.obj"]).fails(1, &["gone.obj"]);
+        shop.write("bad.json", &LOOK.replace("light_layer", "lihgt_layer"));
+        shop.run(&["render", "bad.json", "-o", "a.png"]).fails(1, &["bad.json:6:", "light_layer"]);
+        assert_eq!(shop.names(), ["bad.json", "flat.json"]);
+    }
+
+    fn eval(shop: &Shop, more: &[&str], samples: &str) -> Ran {
+        let arguments = [&["eval", "flat.json", "--at", "-"], more].concat();
+        let mut child = shop
+            .command(&arguments)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        // A program that has seen enough of its arguments reads nothing.
+        let _ = child.stdin.take().unwrap().write_all(samples.as_bytes());
+        Ran::of(child.wait_with_output().unwrap())
+    }
+
+    #[test]
+    fn eval_answers_in_order() {
+        let shop = shop();
+        // The layer covers up to 1 radian (57.3 degrees) from the light, and not beyond; the edge is hard.
+        let samples = r#"[{"normal": [0, 0, 7]}, {"normal": [0, 1, 0]}, {"normal": [0, 0.8, 0.6]},
+                          {"normal": [0, 1, 0], "lights": {"key": {"direction": [0, 3, 0]}}},
+                          {"normal": [0, 1, 0], "frame": [[1, 0, 0], [0, 0, 1], [0, -1, 0]]}]"#;
+        let red = json!({"value": [1.0, 0.0, 0.0, 1.0]});
+        let paper = json!({"value": [0.25, 0.5, 0.75, 1.0]});
+        let want = json!([red, paper, red, red, red]);
+        assert_eq!(eval(&shop, &[], samples).ok().json(), want);
+        assert_eq!(eval(&shop, &["--unspecialized", "--tier", "fast"], samples).ok().json(), want);
+        // A node, a node in a group, an output of the group.
+        let tones = json!([{"value": [1.0]}, {"value": [0.0]}]);
+        for output in ["layer.tone", "layer/tone", "layer/tone.tone"] {
+            let two = r#"[{"normal": [0, 0, 1]}, {"normal": [0, 0, -1]}]"#;
+            assert_eq!(eval(&shop, &["--output", output], two).ok().json(), tones, "{output}");
+        }
+        let angle = eval(&shop, &["--output", "layer/angle"], r#"[{"normal": [0, 1, 0]}]"#).ok().json();
+        let u = angle[0]["value"][0].as_f64().unwrap();
+        assert!((u - std::f64::consts::FRAC_PI_2).abs() < 1e-6, "{u}");
+        assert_eq!(eval(&shop, &[], "[]").ok().out.trim(), "[]");
+        let wild = r#"[{"kappa": "inf"}, {"kappa": "nan"}, {"kappa": "-inf"}]"#;
+        assert_eq!(eval(&shop, &[], wild).ok().json(), json!([red, red, red]));
+    }
+
+    #[test]
+    fn eval_sets_exposed_parameters() {
+        let shop = shop();
+        let samples = r##"[{"values": {"paint": "#00ff00"}}, {"values": {"paint": [0, 0, 1]}}, {},
+                          {"values": {"cover": 0.5}}, {"values": {"how": "add"}}]"##;
+        let values: Vec<Json> = eval(&shop, &[], samples).ok().json().as_array().unwrap().clone();
+        let third = |i: usize| values[i]["value"].clone();
+        // Convex and concave meet half-way where the surface is flat.
+        assert_eq!(third(0), json!([0.5, 0.5, 0.0, 1.0]));
+        assert_eq!(third(1), json!([0.5, 0.0, 0.5, 1.0]));
+        assert_eq!(third(2), json!([1.0, 0.0, 0.0, 1.0]));
+        assert_eq!(third(3), json!([0.625, 0.25, 0.375, 1.0]));
+        assert_eq!(third(4), json!([1.0, 0.5, 0.75, 1.0]));
+    }
+
+    #[test]
+    fn eval_tells_what_is_wrong_with_samples() {
+        let shop = shop();
+        let bad = r#"[{"nromal": [0, 0, 1]}, {"lights": {"kye": {"direction": [0, 0, 1]}}}]"#;
+        let ran = eval(&shop, &[], bad).fails(1, &["standard input", "[0].nromal", "did you mean `normal`?"]);
+        assert!(ran.out.is_empty());
+        let ran = eval(&shop, &[], r#"[{}, {"lights": {"kye": {"intensity": 1}}}, {"values": {"pint": 1}}]"#);
+        ran.fails(1, &["[1].lights.kye", "its lights are key", "[2].values.pint", "`paint`"]);
+        eval(&shop, &[], r#"[{"values": {"cover": "wide"}}]"#).fails(1, &["[0].values.cover", "a number"]);
+        eval(&shop, &[], r#"[{}, {"values": {"how": "ad"}}]"#).fails(1, &["unknown-choice", "sample [1]"]);
+        eval(&shop, &[], "{}").fails(1, &["a list of samples"]);
+        eval(&shop, &[], "[").fails(1, &["1:"]);
+        eval(&shop, &["--output", "layr.tone"], "[]").fails(1, &["unknown-node", "layer/tone"]);
+        eval(&shop, &["--output", "layer.ton"], "[{}]").fails(1, &["layer"]);
+        eval(&shop, &["--tier", "best"], "[]").fails(2, &["exact, balanced or fast"]);
+        shop.run(&["eval", "flat.json", "--at", "none.json"]).fails(1, &["none.json"]);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn an_interrupted_render_leaves_no_half_written_file() {
+        let shop = shop();
+        for round in 0..3 {
+            let name = format!("big{round}.png");
+            let arguments = ["render", "flat.json", "-o", &name, "--size", "3000x3000", "--samples", "1"];
+            let mut child = shop.command(&arguments).stderr(Stdio::null()).spawn().unwrap();
+            // From just after the start to the middle of writing, where that can be met.
+            let is_writing = || shop.names().iter().any(|name| name.ends_with(".tmp"));
+            while round > 0 && !is_writing() && child.try_wait().unwrap().is_none() {
+                std::thread::yield_now();
+            }
+            let id = child.id().to_string();
+            assert!(Command::new("kill").args(["-INT", &id]).stderr(Stdio::null()).status().is_ok());
+            let status = child.wait().unwrap();
+            assert!(!shop.names().iter().any(|name| name.ends_with(".tmp")), "{:?}", shop.names());
+            // Whoever was too late finds it whole.
+            let path = shop.path(&name);
+            match status.code() {
+                Some(0) => assert_eq!(png_size(&path), [3000, 3000]),
+                code => assert!(code == Some(130) || code.is_none(), "{status}"),
+            }
+            if path.exists() {
+                assert_eq!(png_size(&path), [3000, 3000]);
+            }
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn ctrl_c_ends_with_130() {
+        let shop = shop();
+        let mut child = shop.command(&["eval", "flat.json", "--at", "-"]).stdin(Stdio::piped()).spawn().unwrap();
+        // More than a pipe holds: once it is written the program is reading, and it waits for an end that never comes.
+        child.stdin.as_mut().unwrap().write_all(&[b' '; 1 << 20]).unwrap();
+        assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+        let code = child.wait().unwrap().code();
+        assert_eq!(code, Some(130));
+    }
+}

@@ -1,0 +1,210 @@
+//! A hand that drives the window.
+#![allow(dead_code, reason = "each test file uses its part")]
+
+use chiaro::document::Look;
+use chiaro::editor::App;
+use eframe::egui::{self, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect, Vec2, ViewportId, vec2};
+use egui_kittest::kittest::Queryable as _;
+use egui_kittest::{Harness, HarnessBuilder};
+
+/// A window without display and GPU, and a hand in it.
+pub(crate) struct Hand {
+    /// What the hand drives.
+    pub(crate) harness: Harness<'static, Option<App>>,
+}
+
+impl Hand {
+    /// A window with a new look.
+    pub(crate) fn new() -> Self {
+        Self::with(|ctx| App::new(ctx, None))
+    }
+
+    /// A window made by `make`.
+    pub(crate) fn with(make: impl Fn(&egui::Context) -> App + 'static) -> Self {
+        Self::with_builder(Harness::builder(), make)
+    }
+
+    /// A window with a renderer of its own.
+    pub(crate) fn with_builder(
+        builder: HarnessBuilder<Option<App>>,
+        make: impl Fn(&egui::Context) -> App + 'static,
+    ) -> Self {
+        let show = move |ui: &mut egui::Ui, app: &mut Option<App>| app.get_or_insert_with(|| make(ui.ctx())).show(ui);
+        let builder = builder.with_size(vec2(1500.0, 900.0)).with_max_steps(20);
+        let mut hand = Self { harness: builder.build_ui_state(show, None) };
+        hand.settle();
+        hand
+    }
+
+    pub(crate) fn app(&self) -> &App {
+        self.harness.state().as_ref().expect("made in the first frame")
+    }
+
+    pub(crate) fn app_mut(&mut self) -> &mut App {
+        self.harness.state_mut().as_mut().expect("made in the first frame")
+    }
+
+    pub(crate) fn look(&self) -> &Look {
+        self.app().session().look()
+    }
+
+    /// Runs until everything is compiled and shown.
+    pub(crate) fn settle(&mut self) {
+        for _ in 0..20 {
+            self.harness.run_ok();
+            let was_busy = self.app().is_busy();
+            self.app().wait();
+            if !was_busy && self.repaint_delay() > std::time::Duration::from_secs(60) {
+                return;
+            }
+        }
+    }
+
+    pub(crate) fn repaint_delay(&self) -> std::time::Duration {
+        self.harness.output().viewport_output[&ViewportId::ROOT].repaint_delay
+    }
+
+    fn event(&mut self, event: Event) {
+        self.harness.event(event);
+        self.harness.step();
+    }
+
+    pub(crate) fn hover(&mut self, at: Pos2) {
+        self.event(Event::PointerMoved(at));
+        self.harness.step();
+    }
+
+    fn button(&mut self, modifiers: Modifiers, pos: Pos2, pressed: bool) {
+        self.event(Event::ModifiersChanged(modifiers));
+        self.event(Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers });
+    }
+
+    pub(crate) fn click_with(&mut self, modifiers: Modifiers, at: Pos2) {
+        self.hover(at);
+        self.button(modifiers, at, true);
+        self.button(modifiers, at, false);
+        self.event(Event::ModifiersChanged(Modifiers::NONE));
+        self.harness.run_steps(2);
+    }
+
+    pub(crate) fn click(&mut self, at: Pos2) {
+        // Long enough after the last one not to be a double click.
+        self.harness.run_steps(4);
+        self.click_with(Modifiers::NONE, at);
+    }
+
+    pub(crate) fn double_click(&mut self, at: Pos2) {
+        self.hover(at);
+        self.harness.run_steps(4);
+        for _ in 0..2 {
+            for pressed in [true, false] {
+                let button = PointerButton::Primary;
+                self.harness.input_mut().events.push(Event::PointerButton {
+                    pos: at,
+                    button,
+                    pressed,
+                    modifiers: Modifiers::NONE,
+                });
+            }
+        }
+        self.harness.run_steps(3);
+    }
+
+    /// Presses, moves in steps, lets go; the pointer stays.
+    pub(crate) fn drag(&mut self, from: Pos2, to: Pos2) {
+        const STEPS: u8 = 6;
+        self.hover(from);
+        self.button(Modifiers::NONE, from, true);
+        for step in 1..=STEPS {
+            let t = f32::from(step) / f32::from(STEPS);
+            self.event(Event::PointerMoved(from + (to - from) * t));
+        }
+        self.harness.step();
+        self.button(Modifiers::NONE, to, false);
+        self.harness.run_steps(2);
+    }
+
+    pub(crate) fn wheel(&mut self, at: Pos2, points: f32) {
+        self.hover(at);
+        let delta: Vec2 = vec2(0.0, points);
+        let phase = egui::TouchPhase::Move;
+        let (unit, source) = (MouseWheelUnit::Point, egui::MouseWheelSource::Unknown);
+        self.event(Event::MouseWheel { unit, delta, phase, source, modifiers: Modifiers::NONE });
+        self.harness.run_steps(8);
+    }
+
+    pub(crate) fn key(&mut self, key: Key) {
+        self.key_with(Modifiers::NONE, key);
+    }
+
+    pub(crate) fn key_with(&mut self, modifiers: Modifiers, key: Key) {
+        self.harness.key_press_modifiers(modifiers, key);
+        self.harness.run_steps(3);
+    }
+
+    pub(crate) fn type_text(&mut self, text: &str) {
+        self.event(Event::Text(text.to_owned()));
+        self.harness.run_steps(2);
+    }
+
+    pub(crate) fn undo(&mut self) {
+        let at = self.harness.get_by_label("Undo").rect().center();
+        self.click(at);
+    }
+
+    pub(crate) fn redo(&mut self) {
+        let at = self.harness.get_by_label("Redo").rect().center();
+        self.click(at);
+    }
+
+    /// The slider of an input, its number included.
+    pub(crate) fn slider(&self, label: &str) -> Rect {
+        let found = self.harness.get_all_by_label(label);
+        let rects = found.map(|node| node.rect()).filter(|rect| rect.min.x > 1100.0);
+        rects.max_by(|a, b| a.width().total_cmp(&b.width())).expect("there is one")
+    }
+
+    /// The number beside the slider of an input.
+    pub(crate) fn number_field(&self, label: &str) -> Rect {
+        let slider = self.slider(label);
+        let fields = self.harness.get_all_by_role(egui::accesskit::Role::SpinButton).map(|node| node.rect());
+        let beside =
+            |rect: &Rect| (rect.center().y - slider.center().y).abs() < 4.0 && rect.min.x >= slider.max.x - 4.0;
+        fields.into_iter().find(beside).unwrap_or(slider)
+    }
+
+    pub(crate) fn output(&self, node: &str, port: &str) -> Pos2 {
+        self.app().canvas().socket(node, port, true).expect("there is one")
+    }
+
+    pub(crate) fn input(&self, node: &str, port: &str) -> Pos2 {
+        self.app().canvas().socket(node, port, false).expect("there is one")
+    }
+
+    /// A place of the canvas with nothing on it.
+    pub(crate) fn empty_place(&self) -> Pos2 {
+        let output = self.app().canvas().node_rect("output").expect("a new look has one");
+        output.center_bottom() + vec2(-20.0, 120.0)
+    }
+
+    /// Adds a node of a kind by edits, as scripts do.
+    pub(crate) fn add(&mut self, kind: &str, at: Pos2) {
+        use chiaro::document::{Edit, GraphId, Node, Value};
+        let mut node = Node { kind: kind.to_owned(), position: [at.x.into(), at.y.into()], ..Node::default() };
+        if kind == "light" {
+            node.values.insert("light".into(), Value::Text("key".into()));
+        }
+        let edit = Edit::AddNode { graph: GraphId::Look, id: kind.into(), node, index: None };
+        self.app_mut().session_mut().apply(edit, None).expect("a new id");
+        self.settle();
+    }
+}
+
+/// Where a click takes a node and no socket.
+pub(crate) fn node_center(hand: &Hand, id: &str) -> Pos2 {
+    hand.app().canvas().node_rect(id).expect("there is one").center_top() + vec2(0.0, 10.0)
+}
+
+pub(crate) fn close(a: f64, b: f64) -> bool {
+    (a - b).abs() < 1e-3
+}

@@ -1,0 +1,15 @@
+#version 330 core
+// Curvature in color and extent: made by Chiaro 0.1.0, GLSL 3.30.
+// The vertex shader. Finds curvature from normals and depth.
+// Uniform blocks (std140): CurvatureBlock 0.
+// Textures: u_normals 0, u_depths 1.
+// figure4-both.json says what to put there and how to draw.
+const float WEIGHTS[3] = float[3](1.0, 0.85, 0.5);
+
+
+void main() {
+    uint index = uint(gl_VertexID);
+    gl_Position = vec4(((float((index & 1u)) * 4.0) - 1.0), ((float((index >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
+    return;
+}
+

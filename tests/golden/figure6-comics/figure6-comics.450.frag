@@ -1,0 +1,439 @@
+#version 450 core
+// Comics: made by Chiaro 0.1.0, GLSL 4.50.
+// The fragment shader. Draws a mesh with the look; the result is straight RGBA.
+// Uniform blocks (std140): ViewBlock 0, ObjectBlock 1, LookBlock 2.
+// Textures: u_curvature_map 0.
+// figure6-comics.json says what to put there and how to draw.
+struct View {
+    mat4x4 clip_from_world;
+    mat4x4 camera_from_world;
+    vec4 eye;
+};
+struct Light {
+    vec3 direction;
+    vec3 own_direction;
+    vec3 color;
+    float intensity;
+};
+struct Look {
+    Light key;
+    Light rim;
+    Light fill;
+};
+struct Surface {
+    vec3 normal;
+    vec3 view;
+    float kappa;
+};
+struct Angle {
+    float half_sin;
+    float half_cos;
+};
+struct LitLayer {
+    vec4 color;
+    float tone;
+};
+struct ProfileShape {
+    float half_cos_offset;
+    float half_sin_offset;
+    float scale;
+    float exponent;
+    float offset;
+    float edge_mean;
+    float edge_deviation;
+    uint kind;
+};
+struct Varyings {
+    vec4 clip;
+    vec3 position;
+    vec3 normal;
+};
+const float PI = 3.1415927;
+const float HALF_PI = 1.5707964;
+const float LN_2_ = 0.6931472;
+const float LOG2_E = 1.442695;
+const uint PROFILE_STEP = 1u;
+const uint PROFILE_AMBIENT = 2u;
+const ProfileShape shadow_tone_shape = ProfileShape(1.489752e-9, 1.0, 0.0, 1.0, 3.1415927, 0.0, 0.0, 2u);
+const ProfileShape key_tone_shape = ProfileShape(0.8472551, 0.5311862, 0.0, 1.0, 1.12, 0.0, 0.0, 1u);
+const ProfileShape bounce_tone_shape = ProfileShape(0.9358968, 0.35227424, 0.0, 1.0, 0.72, 0.0, 0.0, 1u);
+const ProfileShape light_tone_shape = ProfileShape(0.96638995, 0.25708055, 0.0, 1.0, 0.52, 0.0, 0.0, 1u);
+const ProfileShape rim_tone_shape = ProfileShape(0.9130889, 0.40776044, 0.0, 1.0, 0.84, 0.0, 0.0, 1u);
+const ProfileShape highlight_tone_shape = ProfileShape(0.99280864, 0.119712204, 0.0, 1.0, 0.24, 0.0, 0.0, 1u);
+
+layout(std140, binding = 0) uniform ViewBlock { View u_view; };
+
+layout(std140, binding = 2) uniform LookBlock { Look u_look; };
+
+layout(binding = 0) uniform sampler2D u_curvature_map;
+
+layout(location = 0) smooth in vec3 v_position;
+layout(location = 1) smooth in vec3 v_normal;
+layout(location = 0) out vec4 out_color;
+
+bool is_finite(float x) {
+    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
+}
+
+float finite_or(float x_1, float otherwise) {
+    bool _e2 = is_finite(x_1);
+    return (_e2 ? x_1 : otherwise);
+}
+
+vec3 finite_vec3_(vec3 v) {
+    float _e3 = finite_or(v.x, 0.0);
+    float _e6 = finite_or(v.y, 0.0);
+    float _e9 = finite_or(v.z, 0.0);
+    return vec3(_e3, _e6, _e9);
+}
+
+vec4 finite_vec4_(vec4 v_1) {
+    vec3 _e2 = finite_vec3_(v_1.xyz);
+    float _e5 = finite_or(v_1.w, 0.0);
+    return vec4(_e2, _e5);
+}
+
+vec3 normalize_or(vec3 v_2, vec3 otherwise_1) {
+    bool local = false;
+    float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
+    if ((largest > 1e-30)) {
+        local = (largest < 1e30);
+    } else {
+        local = false;
+    }
+    bool _e17 = local;
+    if (!(_e17)) {
+        return otherwise_1;
+    }
+    vec3 scaled = (v_2 * (1.0 / largest));
+    float square = dot(scaled, scaled);
+    bool _e23 = is_finite(square);
+    if (!(_e23)) {
+        return otherwise_1;
+    }
+    return (scaled * (1.0 / sqrt(square)));
+}
+
+float power_of_two(int n) {
+    return uintBitsToFloat((uint((n + 127)) << 23u));
+}
+
+float exp2_stable(float x_2) {
+    float clamped_2 = clamp(x_2, -150.0, 127.99999);
+    float whole = roundEven(clamped_2);
+    float f = ((clamped_2 - whole) * LN_2_);
+    float p = (1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127))))))))))))));
+    int half_whole = (int(whole) / 2);
+    float _e33 = power_of_two(half_whole);
+    float _e37 = power_of_two((int(whole) - half_whole));
+    return ((p * _e33) * _e37);
+}
+
+float log_stable(float x_3) {
+    uint bits = floatBitsToUint(x_3);
+    int shift_2 = int(((bits - 1060439283u) >> 23u));
+    int exponent_1 = ((shift_2 >= 256) ? (shift_2 - 512) : shift_2);
+    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
+    float z = ((mantissa - 1.0) / (mantissa + 1.0));
+    float z2_ = (z * z);
+    float series = ((2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111)))))))));
+    return ((float(exponent_1) * LN_2_) + series);
+}
+
+float log1p_negative(float y) {
+    if ((y < 0.25)) {
+        float z_1 = (y / (2.0 - y));
+        float z2_1 = (z_1 * z_1);
+        return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
+    }
+    float _e27 = log_stable(max((1.0 - y), 1.1754944e-38));
+    return _e27;
+}
+
+vec2 sin_cos_quarter(float x_4) {
+    float h = (0.5 * x_4);
+    float h2_ = (h * h);
+    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * 2.7557319e-6)))))))));
+    float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * 2.755732e-7)))))))));
+    float c = (1.0 - one_minus_c);
+    return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+}
+
+Angle angle_between(vec3 d, vec3 l) {
+    float p_1 = length((d - l));
+    float s_1 = length((d + l));
+    float k = (1.0 / sqrt(max(((p_1 * p_1) + (s_1 * s_1)), 1e-30)));
+    return Angle((p_1 * k), (s_1 * k));
+}
+
+float atan2_positive(float y_1, float x_5) {
+    float small = min(y_1, x_5);
+    float large = max(y_1, x_5);
+    if ((large <= 0.0)) {
+        return 0.0;
+    }
+    float t = (small / large);
+    bool is_wide = (t > 0.41421357);
+    float r = (is_wide ? ((small - large) / (small + large)) : t);
+    float r2_ = (r * r);
+    float series_1 = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285713 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
+    float a = (is_wide ? (series_1 + 0.7853982) : series_1);
+    return ((y_1 > x_5) ? (HALF_PI - a) : a);
+}
+
+float angle_radians(Angle u) {
+    float _e3 = atan2_positive(u.half_sin, u.half_cos);
+    return (2.0 * _e3);
+}
+
+Angle angle_shifted(Angle u_1, float shift) {
+    vec2 _e7 = sin_cos_quarter((0.5 * clamp(shift, -3.1415927, PI)));
+    float s_2 = ((u_1.half_sin * _e7.y) - (u_1.half_cos * _e7.x));
+    float c_1 = ((u_1.half_cos * _e7.y) + (u_1.half_sin * _e7.x));
+    if ((s_2 <= 0.0)) {
+        return Angle(0.0, 1.0);
+    }
+    if ((c_1 <= 0.0)) {
+        return Angle(1.0, 0.0);
+    }
+    return Angle(s_2, c_1);
+}
+
+float angle_footprint(Angle u_2) {
+    vec2 half_ = vec2(u_2.half_sin, u_2.half_cos);
+    vec2 dx = dFdx(half_);
+    vec2 dy = dFdy(half_);
+    float w_1 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float _e13 = finite_or(w_1, 0.5);
+    return min(_e13, 0.5);
+}
+
+vec4 straight(vec4 composite) {
+    if ((composite.w <= 0.0)) {
+        return composite;
+    }
+    return vec4((composite.xyz / vec3(composite.w)), composite.w);
+}
+
+vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
+    return (concave + (convexity * (convex - concave)));
+}
+
+float kappa_safe(float kappa) {
+    bool is_nan = ((floatBitsToUint(kappa) & 2147483647u) > 2139095040u);
+    return (is_nan ? 0.0 : clamp(kappa, -10000.0, 10000.0));
+}
+
+float curvature_signed(float kappa_1, float slope) {
+    float _e2 = kappa_safe(kappa_1);
+    float _e4 = finite_or(slope, 0.0);
+    float a_1 = (_e2 * clamp(_e4, -1e30, 1e30));
+    float magnitude = min(abs(a_1), 50.0);
+    if ((magnitude < 0.0625)) {
+        float a2_ = (a_1 * a_1);
+        return (a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
+    }
+    float _e28 = exp2_stable((-2.88539 * magnitude));
+    float t_1 = ((1.0 - _e28) / (1.0 + _e28));
+    return ((a_1 >= 0.0) ? t_1 : -(t_1));
+}
+
+float transition(float kappa_2, float slope_1) {
+    float _e2 = curvature_signed(kappa_2, slope_1);
+    return (0.5 + (0.5 * _e2));
+}
+
+float warp(float convexity_1, float amount) {
+    return (((2.0 * convexity_1) - 1.0) * clamp(amount, -3.1415927, 3.1415927));
+}
+
+vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool clamped) {
+    if ((opacity <= 0.0)) {
+        return below;
+    }
+    vec4 mixed = vec4((below.xyz + (opacity * (blended - below.xyz))), alpha);
+    return (clamped ? clamp(mixed, vec4(0.0), vec4(1.0)) : mixed);
+}
+
+vec4 blend_alpha(vec4 below_1, vec4 color, float tone, float opacity_1, bool clamped_1) {
+    float a_2 = (opacity_1 * color.w);
+    float alpha_1 = (below_1.w + ((tone * a_2) * (1.0 - below_1.w)));
+    vec4 _e20 = blend_finish(below_1, (below_1.xyz + (tone * (color.xyz - below_1.xyz))), alpha_1, a_2, clamped_1);
+    return _e20;
+}
+
+vec4 output_(vec4 color_1) {
+    vec4 _e1 = straight(color_1);
+    vec4 _e2 = finite_vec4_(_e1);
+    return _e2;
+}
+
+vec2 light_split(float intensity) {
+    return vec2(min(intensity, 1.0), max(intensity, 1.0));
+}
+
+LitLayer light_apply(Light light, vec4 color_2, float tone_1) {
+    vec2 _e4 = light_split(light.intensity);
+    return LitLayer(vec4(((color_2.xyz * light.color) * _e4.y), color_2.w), (tone_1 * _e4.x));
+}
+
+Angle parametrization_diffuse(Light light_1, vec3 normal) {
+    vec3 _e6 = normalize_or(normal, vec3(0.0, 0.0, 1.0));
+    Angle _e8 = angle_between(_e6, light_1.direction);
+    return _e8;
+}
+
+Angle parametrization_specular(Light light_2, vec3 normal_1, vec3 view) {
+    vec3 _e7 = normalize_or(normal_1, vec3(0.0, 0.0, 1.0));
+    vec3 mirrored = (((2.0 * dot(_e7, view)) * _e7) - view);
+    vec3 _e13 = normalize_or(mirrored, _e7);
+    Angle _e15 = angle_between(_e13, light_2.direction);
+    return _e15;
+}
+
+float profile_power(float q, float exponent) {
+    float log_base = 0.0;
+    if ((q >= 1.0)) {
+        return 0.0;
+    }
+    if ((q < 0.5)) {
+        float _e10 = log1p_negative((q * q));
+        log_base = _e10;
+    } else {
+        float _e16 = log_stable(((1.0 - q) * (1.0 + q)));
+        log_base = _e16;
+    }
+    float _e19 = log_base;
+    float _e21 = exp2_stable(((exponent * LOG2_E) * _e19));
+    return clamp(_e21, 0.0, 1.0);
+}
+
+float profile_point(Angle u_3, ProfileShape shape) {
+    bool local_1 = false;
+    float s_3 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
+    if (!((s_3 <= 0.0))) {
+        local_1 = (shape.kind == PROFILE_AMBIENT);
+    } else {
+        local_1 = true;
+    }
+    bool _e18 = local_1;
+    if (_e18) {
+        return 1.0;
+    }
+    if ((shape.kind == PROFILE_STEP)) {
+        return ((s_3 <= 4e-7) ? 1.0 : 0.0);
+    }
+    float q_1 = (s_3 * shape.scale);
+    float _e31 = profile_power(q_1, shape.exponent);
+    return _e31;
+}
+
+float profile_filtered(Angle u_4, float w, ProfileShape shape_1) {
+    bool local_2 = false;
+    float _e3 = profile_point(u_4, shape_1);
+    if (!((w <= 0.0))) {
+        local_2 = (shape_1.kind == PROFILE_AMBIENT);
+    } else {
+        local_2 = true;
+    }
+    bool _e13 = local_2;
+    if (_e13) {
+        return _e3;
+    }
+    bool is_narrow = (w >= (3.4641016 * shape_1.edge_deviation));
+    if (is_narrow) {
+        float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
+        float _e29 = angle_radians(u_4);
+        return clamp((0.5 + (((shape_1.offset + shape_1.edge_mean) - _e29) / width)), 0.0, 1.0);
+    }
+    if ((w < (0.1 * shape_1.edge_deviation))) {
+        return _e3;
+    }
+    float reach = (0.38729835 * w);
+    Angle _e43 = angle_shifted(u_4, reach);
+    float _e44 = profile_point(_e43, shape_1);
+    Angle _e46 = angle_shifted(u_4, -(reach));
+    float _e47 = profile_point(_e46, shape_1);
+    return ((((5.0 * _e44) + (8.0 * _e3)) + (5.0 * _e47)) / 18.0);
+}
+
+float profile(Angle angle, float shift_1, ProfileShape shape_2) {
+    Angle _e3 = angle_shifted(angle, shift_1);
+    float _e4 = angle_footprint(_e3);
+    float _e5 = profile_filtered(_e3, _e4, shape_2);
+    return _e5;
+}
+
+vec4 shade(Surface surface_1) {
+    float _e3 = transition(surface_1.kappa, 0.35);
+    vec4 _e14 = curvature_color(_e3, vec4(0.7059, 0.3412, 0.2902, 1.0), vec4(0.2941, 0.1098, 0.2, 1.0));
+    Light _e17 = u_look.key;
+    Angle _e19 = parametrization_diffuse(_e17, surface_1.normal);
+    float _e22 = profile(_e19, 0.0, shadow_tone_shape);
+    Light _e25 = u_look.key;
+    LitLayer _e26 = light_apply(_e25, _e14, _e22);
+    vec4 _e36 = blend_alpha(vec4(0.8863, 0.6275, 0.4353, 1.0), _e26.color, _e26.tone, 1.0, true);
+    vec4 _e47 = curvature_color(_e3, vec4(0.9529, 0.6902, 0.4392, 1.0), vec4(0.7686, 0.3451, 0.2902, 1.0));
+    float _e49 = warp(_e3, 0.45);
+    float _e51 = profile(_e19, _e49, key_tone_shape);
+    Light _e54 = u_look.key;
+    LitLayer _e55 = light_apply(_e54, _e47, _e51);
+    vec4 _e60 = blend_alpha(_e36, _e55.color, _e55.tone, 1.0, true);
+    float _e63 = transition(surface_1.kappa, 0.3);
+    vec4 _e74 = curvature_color(_e63, vec4(0.8157, 0.4863, 0.3686, 1.0), vec4(0.549, 0.2275, 0.298, 1.0));
+    Light _e77 = u_look.fill;
+    Angle _e79 = parametrization_diffuse(_e77, surface_1.normal);
+    float _e81 = warp(_e63, 0.35);
+    float _e83 = profile(_e79, _e81, bounce_tone_shape);
+    Light _e86 = u_look.fill;
+    LitLayer _e87 = light_apply(_e86, _e74, _e83);
+    vec4 _e92 = blend_alpha(_e60, _e87.color, _e87.tone, 1.0, true);
+    vec4 _e103 = curvature_color(_e63, vec4(1.0, 0.851, 0.6275, 1.0), vec4(0.9412, 0.6431, 0.4078, 1.0));
+    float _e105 = warp(_e63, 0.3);
+    float _e107 = profile(_e19, _e105, light_tone_shape);
+    Light _e110 = u_look.key;
+    LitLayer _e111 = light_apply(_e110, _e103, _e107);
+    vec4 _e116 = blend_alpha(_e92, _e111.color, _e111.tone, 1.0, true);
+    float _e119 = transition(surface_1.kappa, 0.25);
+    vec4 _e130 = curvature_color(_e119, vec4(1.0, 0.9569, 0.8627, 1.0), vec4(0.949, 0.6588, 0.4196, 1.0));
+    Light _e133 = u_look.rim;
+    Angle _e135 = parametrization_diffuse(_e133, surface_1.normal);
+    float _e137 = warp(_e119, 0.2);
+    float _e139 = profile(_e135, _e137, rim_tone_shape);
+    Light _e142 = u_look.rim;
+    LitLayer _e143 = light_apply(_e142, _e130, _e139);
+    vec4 _e148 = blend_alpha(_e116, _e143.color, _e143.tone, 1.0, true);
+    vec4 _e159 = curvature_color(_e119, vec4(1.0, 0.9804, 0.9412, 1.0), vec4(1.0, 0.8863, 0.7216, 1.0));
+    Light _e162 = u_look.key;
+    Angle _e165 = parametrization_specular(_e162, surface_1.normal, surface_1.view);
+    float _e167 = warp(_e119, 0.1);
+    float _e169 = profile(_e165, _e167, highlight_tone_shape);
+    Light _e172 = u_look.key;
+    LitLayer _e173 = light_apply(_e172, _e159, _e169);
+    vec4 _e178 = blend_alpha(_e148, _e173.color, _e173.tone, 1.0, true);
+    vec4 _e179 = output_(_e178);
+    return _e179;
+}
+
+void main() {
+    Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
+    bool is_front = gl_FrontFacing;
+    Surface surface = Surface(vec3(0.0), vec3(0.0), 0.0);
+    vec3 _e7 = normalize_or(in_.normal, vec3(0.0, 0.0, 1.0));
+    vec3 normal_2 = (is_front ? _e7 : -(_e7));
+    surface.normal = normal_2;
+    vec4 _e15 = u_view.eye;
+    float _e20 = u_view.eye.w;
+    vec4 _e26 = u_view.eye;
+    vec3 _e32 = normalize_or(_e26.xyz, vec3(0.0, 0.0, 1.0));
+    vec3 _e33 = normalize_or((_e15.xyz - (_e20 * in_.position)), _e32);
+    surface.view = _e33;
+    vec4 _e40 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    surface.kappa = _e40.x;
+    Surface _e42 = surface;
+    vec4 _e43 = shade(_e42);
+    vec4 _e44 = finite_vec4_(_e43);
+    out_color = _e44;
+    return;
+}
+

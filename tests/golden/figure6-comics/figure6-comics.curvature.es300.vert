@@ -1,0 +1,19 @@
+#version 300 es
+// Comics: made by Chiaro 0.1.0, GLSL ES 3.00.
+// The vertex shader. Finds curvature from normals and depth.
+// Uniform blocks (std140): CurvatureBlock 0.
+// Textures: u_normals 0, u_depths 1.
+// figure6-comics.json says what to put there and how to draw.
+
+precision highp float;
+precision highp int;
+
+const float WEIGHTS[3] = float[3](1.0, 0.85, 0.5);
+
+
+void main() {
+    uint index = uint(gl_VertexID);
+    gl_Position = vec4(((float((index & 1u)) * 4.0) - 1.0), ((float((index >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
+    return;
+}
+
