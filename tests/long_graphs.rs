@@ -1,0 +1,89 @@
+//! Long looks: they compile in pieces, without recursion, to the right value.
+
+mod support;
+
+use chiaro::compile::{Live, Options, Stage, compile};
+use chiaro::document::{Loaded, Look};
+use chiaro::library::Library;
+use serde_json::json;
+
+/// A chain of multiplications and additions, x -> a x + b, begun with the surface's curvature.
+fn chain(count: usize) -> Loaded<Look> {
+    let mut nodes = vec![json!({"id": "start", "kind": "kappa"})];
+    let mut wires = Vec::new();
+    let mut from = "start".to_owned();
+    for index in 0..count {
+        let id = format!("n{index}");
+        let (kind, b) = step(index);
+        nodes.push(json!({"id": id, "kind": kind, "values": {"b": b}}));
+        wires.push(json!({"from": from, "to": format!("{id}.a")}));
+        from = id;
+    }
+    nodes.push(json!({"id": "output", "kind": "output"}));
+    wires.push(json!({"from": from, "to": "output.color"}));
+    let text = json!({"nodes": nodes, "wires": wires}).to_string();
+    let loaded = Look::read(&text, "chain.json");
+    let problems: Vec<String> = loaded.diagnostics.iter().take(5).map(ToString::to_string).collect();
+    assert!(problems.is_empty(), "{problems:?}");
+    loaded
+}
+
+fn look_of(chain: Loaded<Look>) -> Look {
+    chain.value.expect("a look")
+}
+
+fn step(index: usize) -> (&'static str, f64) {
+    if index.is_multiple_of(2) { ("multiply", 0.75) } else { ("add", 0.125 + 0.001 * (index % 97) as f64) }
+}
+
+fn lines_of_longest_function(wgsl: &str) -> usize {
+    wgsl.split("\nfn ").map(|text| text.lines().take_while(|line| *line != "}").count()).max().unwrap_or(0)
+}
+
+fn compiles(count: usize) {
+    let shader = compile(&look_of(chain(count)), Library::built_in(), &Options::default()).expect("it compiles");
+    assert!(shader.wgsl.len() > 20 * count, "where did {count} nodes go?");
+    assert!(lines_of_longest_function(&shader.wgsl) < 500, "{}", lines_of_longest_function(&shader.wgsl));
+}
+
+#[test]
+fn two_thousand_nodes_compile_for_every_stage_and_liveness() {
+    let look = look_of(chain(2000));
+    for stage in [Stage::Draw, Stage::Eval] {
+        for live in [Live::Keyed, Live::All] {
+            compile(&look, Library::built_in(), &Options { stage, live, ..Options::default() }).expect("it compiles");
+        }
+    }
+    compiles(2000);
+}
+
+#[cfg(feature = "gpu")]
+#[test]
+fn two_thousand_nodes_give_the_closed_form() {
+    use chiaro::frame::{EvalSample, SetupLook};
+    let loaded = chain(2000);
+    let source = loaded.source.clone().into();
+    let setup = SetupLook { look: look_of(loaded), source, folder: std::path::PathBuf::new() };
+    let starts = [0.0, 1.0, -3.0, 1000.0];
+    let samples = starts.map(|kappa| EvalSample { kappa, ..EvalSample::default() });
+    for (value, start) in support::eval::eval(&setup, "n1999.sum", &samples).iter().zip(starts) {
+        let wanted = (0..2000).map(step).fold(start, |x, (kind, b)| if kind == "add" { x + b } else { x * b });
+        assert!((value[0] - wanted).abs() < 1e-6, "{} for {wanted}", value[0]);
+    }
+    // Half way, too, where the start is still felt.
+    for (value, start) in support::eval::eval(&setup, "n19.sum", &samples).iter().zip(starts) {
+        let wanted = (0..20).map(step).fold(start, |x, (kind, b)| if kind == "add" { x + b } else { x * b });
+        assert!((value[0] - wanted).abs() < 1e-5 * wanted.abs().max(1.0), "{} for {wanted}", value[0]);
+    }
+}
+
+#[test]
+fn twenty_thousand_nodes_compile() {
+    compiles(20_000);
+}
+
+#[test]
+#[ignore = "long in a debug build; scripts/soak runs it"]
+fn a_hundred_thousand_nodes_compile_soak() {
+    compiles(100_000);
+}
