@@ -15,6 +15,9 @@ use crate::library::{Context, Library, Rate, Special};
 /// Why a node is not in the shader though nothing of it is lost, in [`Removal::reason`].
 const FOLDED: &str = "its value is known before drawing";
 
+/// As many things as are told that a uniform is computed from: along a chain they add up.
+const MAX_FROM: usize = 32;
+
 /// A frame plan.
 #[derive(Debug, Serialize)]
 pub(super) struct Report {
@@ -85,7 +88,7 @@ pub(super) struct Uniform {
     pub(super) offset: u32,
     pub(super) of: String,
     pub(super) rate: Rate,
-    /// What it is computed from.
+    /// What it is computed from; 32 things at most.
     pub(super) from: Vec<String>,
 }
 
@@ -265,7 +268,8 @@ fn uniforms(shader: &CompiledShader) -> Vec<Uniform> {
 fn joined(known: &[(Rate, BTreeSet<String>)], operands: &[usize]) -> (Rate, BTreeSet<String>) {
     let operands = operands.iter().filter_map(|&index| known.get(index));
     operands.fold((Rate::Constant, BTreeSet::new()), |(rate, mut from), (of, more)| {
-        from.extend(more.iter().cloned());
+        let room = MAX_FROM.saturating_sub(from.len());
+        from.extend(more.iter().take(room).cloned());
         (rate.max(*of), from)
     })
 }
