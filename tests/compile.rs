@@ -88,12 +88,13 @@ fn what_changes_nothing_is_removed_with_its_reason() {
 #[test]
 fn a_look_with_many_values_keeps_its_uniform_small() {
     let mut look = Look::default();
-    let mut json = String::from(r#"{"nodes": [{"id": "base", "kind": "base"}"#);
+    let mut json = String::from(r#"{"nodes": [{"id": "base", "kind": "base"}, {"id": "facing", "kind": "facing"}"#);
     let mut wires = String::new();
     let mut from = "base".to_owned();
     for i in 0..800 {
         json += &format!(r#", {{"id": "mix{i}", "kind": "blend"}}"#);
         wires += &format!(r#"{{"from": "{from}", "to": "mix{i}.below"}}, "#);
+        wires += &format!(r#"{{"from": "facing", "to": "mix{i}.tone"}}, "#);
         from = format!("mix{i}");
     }
     json += &format!(

@@ -32,6 +32,7 @@ fn look(count: usize) -> Look {
     Look { graph, ..Look::default() }
 }
 
+#[expect(clippy::disallowed_methods, reason = "it measures time")]
 fn measure(count: usize, is_all: bool) -> (Duration, Duration, usize) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("big.json");

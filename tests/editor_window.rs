@@ -362,6 +362,49 @@ fn the_wheel_zooms_about_the_pointer() {
     hand.key(Key::F);
 }
 
+/// Every kind of value, with numbers that no slider's step would give and some beyond its range.
+const MIXED: &str = r##"{"lights": {
+    "key": {"direction": [-0.5, 0.7, 0.6], "intensity": 7.12345},
+    "spot": {"type": "spot", "inner": 0.3512345, "outer": 0.5123456}
+  }, "nodes": [
+    {"id": "light", "kind": "light", "values": {"light": "spot"}},
+    {"id": "angle", "kind": "parametrization", "at": [240, 0], "values": {"normal": [0.123456, 0.5, 1]}},
+    {"id": "tone", "kind": "profile", "at": [480, 0], "values": {"offset": 0.123456789, "cutoff": 1.23456789}},
+    {"id": "bands", "kind": "bands", "at": [720, 0], "values": {"count": 5, "softness": 0.333333}},
+    {"id": "curve", "kind": "curve", "at": [0, 200], "values": {"curve": {"points": [[0, 0.12345], [0.4, 0.7], [2, 1]]}}},
+    {"id": "ramp", "kind": "ramp", "at": [960, 0], "values": {"ramp": {"stops": [{"at": 0.12345, "color": [0.1, 0.12345, 0.3]}]}}},
+    {"id": "mine", "kind": "wgsl", "at": [0, 400], "values": {"code": "fn mine(a: f32) -> f32 { return a; }"}},
+    {"id": "layer", "kind": "light_layer", "at": [240, 300], "values": {"light": "key", "convex": "#336699", "opacity": 0.123456}},
+    {"id": "base", "kind": "base", "at": [480, 300], "values": {"color": [1.5, 0.123456, 0.3, 0.55555]}},
+    {"id": "output", "kind": "output", "at": [1200, 0]}
+  ], "wires": [
+    {"from": "light", "to": "angle.light"}, {"from": "angle", "to": "tone.angle"}, {"from": "tone", "to": "bands.value"},
+    {"from": "bands", "to": "ramp.value"}, {"from": "ramp", "to": "output.color"}, {"from": "base", "to": "layer.below"}
+  ]}"##;
+
+#[test]
+fn looking_changes_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("mixed.json");
+    std::fs::write(&path, MIXED).unwrap();
+    let mut hand = Hand::new();
+    hand.app_mut().open(&path);
+    hand.settle();
+    assert!(
+        hand.app().session().problems().iter().all(|problem| !problem.is_error()),
+        "{:?}",
+        hand.app().session().problems()
+    );
+    let ids: Vec<NodeId> = hand.look().graph.nodes.keys().cloned().collect();
+    for id in ids {
+        hand.app_mut().session_mut().select(vec![id.clone()]);
+        hand.settle();
+        assert_eq!(hand.app().session().undo_label(), None, "showing {id} changed it");
+    }
+    hand.app_mut().save_as(&path);
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), MIXED);
+}
+
 #[test]
 fn a_window_at_rest_asks_for_no_frame() {
     let mut hand = Hand::new();

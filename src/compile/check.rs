@@ -112,7 +112,7 @@ pub fn check(
     root: Option<&(NodePath, PortName)>,
 ) -> Result<(TypedGraph, Vec<Diagnostic>), Vec<Diagnostic>> {
     let mut problems = Vec::new();
-    let flat = flatten(look, library, root, &mut problems);
+    let flat = flatten(look, library, &mut problems);
     let order = order(&flat, &mut problems);
     let root = find_root(&flat, root, &mut problems);
     let reached = root.map_or_else(|| vec![true; flat.nodes.len()], |(node, _)| reach(&flat, node));
@@ -230,10 +230,15 @@ fn find_root(
     root: Option<&(NodePath, PortName)>,
     problems: &mut Vec<Diagnostic>,
 ) -> Option<(usize, usize)> {
-    if let (Some(_), Some(output)) = (root, flat.group_output) {
-        return Some(output);
-    }
     if let Some((path, port)) = root {
+        if let Some(outputs) = flat.group_outputs.get(path) {
+            return outputs.get(port).copied().or_else(|| {
+                let problem = Diagnostic::error("unknown-port", format!("the group `{path}` has no output `{port}`"));
+                let known = outputs.keys().map(PortName::as_str).filter(|name| !name.is_empty());
+                problems.push(problem.node(path.clone()).suggest(port.as_str(), known));
+                None
+            });
+        }
         let Some(&node) = flat.by_path.get(path) else {
             let known: Vec<_> = flat.nodes.iter().map(|node| node.path.to_string()).collect();
             let problem = Diagnostic::error("unknown-node", format!("there is no node `{path}`"));

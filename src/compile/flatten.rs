@@ -72,8 +72,8 @@ pub(super) struct FlatGraph {
     pub params: Vec<Param>,
     /// By path.
     pub by_path: HashMap<NodePath, usize>,
-    /// What the output of a group comes to that `flatten` was asked for: a node and the index of its output.
-    pub group_output: Option<(usize, usize)>,
+    /// What a group's outputs come from, by the group's path; the empty port is the first output.
+    pub group_outputs: HashMap<NodePath, HashMap<PortName, (usize, usize)>>,
 }
 
 enum Slot {
@@ -104,14 +104,8 @@ struct Flattener<'a> {
     problems: Vec<Diagnostic>,
 }
 
-/// Inlines the groups of `look`. Problems are added to `problems`; what can be made out is returned. Groups are gone
-/// then, so an output of one that is to be looked at is asked for as `output`.
-pub(super) fn flatten(
-    look: &Look,
-    library: &Library,
-    output: Option<&(NodePath, PortName)>,
-    problems: &mut Vec<Diagnostic>,
-) -> FlatGraph {
+/// Inlines the groups of `look`. Problems are added to `problems`; what can be made out is returned.
+pub(super) fn flatten(look: &Look, library: &Library, problems: &mut Vec<Diagnostic>) -> FlatGraph {
     let mut flattener = Flattener {
         look,
         library,
@@ -124,7 +118,7 @@ pub(super) fn flatten(
     flattener.open_scopes();
     flattener.check_wires();
     flattener.bind_inputs();
-    flattener.flat.group_output = output.and_then(|(path, port)| flattener.group_output(path, port));
+    flattener.bind_group_outputs();
     problems.append(&mut flattener.problems);
     flattener.flat
 }
@@ -360,29 +354,32 @@ impl<'a> Flattener<'a> {
         Some(problem.suggest(port.as_str(), known.iter().copied()).hint(list_of("its outputs are", &known)))
     }
 
-    /// The node that an output of a group comes from; the first output where `port` is empty.
-    fn group_output(&mut self, path: &NodePath, port: &PortName) -> Option<(usize, usize)> {
-        let scope = self.scopes.iter().position(|scope| scope.path.as_ref() == Some(path))?;
-        let (_, definition) = self.scopes[scope].definition?;
-        let first = definition.outputs.first().map(|port| port.name.clone());
-        let port = if port.as_str().is_empty() { first? } else { port.clone() };
-        let wire = *self.scopes[scope].wires.get(&(GROUP_OUTPUTS, port.as_str()))?;
-        let (scope, id, port) = match self.follow(scope, wire)? {
-            Source::Output { node, output } => return Some((node, output)),
-            Source::Input { scope, id, port, .. } => (scope, id, port),
-        };
-        match self.resolve(scope, id, &port) {
-            FlatInput::Wire { node, output } => Some((node, output)),
-            FlatInput::Param(_) | FlatInput::Broken => None,
-        }
-    }
-
     fn bind_inputs(&mut self) {
         for index in 0..self.flat.nodes.len() {
             let (scope, id, _) = self.origins[index];
             let def = self.flat.nodes[index].def.clone();
             let inputs = def.inputs.iter().map(|input| self.resolve(scope, id, &input.name)).collect();
             self.flat.nodes[index].inputs = inputs;
+        }
+    }
+
+    /// Finds what stands behind the outputs of groups, so that they can be shown like those of nodes.
+    fn bind_group_outputs(&mut self) {
+        for scope in 1..self.scopes.len() {
+            let Some((_, definition)) = self.scopes[scope].definition else { continue };
+            let mut found = HashMap::new();
+            for (index, port) in definition.outputs.iter().enumerate() {
+                let Some(&wire) = self.scopes[scope].wires.get(&(GROUP_OUTPUTS, port.name.as_str())) else { continue };
+                if let FlatInput::Wire { node, output } = self.resolve(scope, &wire.to.node, &port.name) {
+                    found.insert(port.name.clone(), (node, output));
+                    if index == 0 {
+                        found.insert(PortName::default(), (node, output));
+                    }
+                }
+            }
+            if let Some(path) = self.scopes[scope].path.clone() {
+                self.flat.group_outputs.insert(path, found);
+            }
         }
     }
 

@@ -160,7 +160,10 @@ impl App {
 
     fn panels(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
         Panel::top("bar").frame(theme::panel()).resizable(false).show(ui, |ui| self.bar(ui, commands));
-        let problems: Vec<Diagnostic> = self.all_problems().cloned().collect();
+        if let Some(picture) = &self.picture {
+            self.session.set_picture_problems(&picture.problems);
+        }
+        let problems: Vec<Diagnostic> = self.session.all_problems().cloned().collect();
         Panel::bottom("status").frame(theme::panel()).resizable(false).show(ui, |ui| {
             let listed: Vec<&Diagnostic> = problems.iter().collect();
             if !listed.is_empty() {
@@ -186,10 +189,6 @@ impl App {
             });
         });
         egui::CentralPanel::no_frame().show(ui, |ui| commands.extend(self.canvas.show(ui, &self.session)));
-    }
-
-    fn all_problems(&self) -> impl Iterator<Item = &Diagnostic> {
-        self.session.all_problems().chain(self.picture.iter().flat_map(|picture| &picture.problems))
     }
 
     fn bar(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
@@ -287,7 +286,7 @@ impl App {
         match command {
             Command::Edit(edit) => self.tell(|session| session.apply(edit, None)),
             Command::EditHeld(widget, edit) => {
-                let focus = ui.memory(|memory| memory.focused());
+                let focus = ui.memory(egui::Memory::focused);
                 let mut hasher = DefaultHasher::new();
                 (widget, self.presses, focus).hash(&mut hasher);
                 let hand = hasher.finish();

@@ -80,7 +80,7 @@ pub(crate) struct Kind {
     pub(crate) presets: Vec<Preset>,
     pub(crate) tiers: Vec<Tier>,
     pub(crate) is_reroute: bool,
-    /// Whether it could not be found.
+    /// Whether it could not be found, or has errors.
     pub(crate) is_missing: bool,
 }
 
@@ -276,7 +276,6 @@ fn custom_kind(code: &str) -> Kind {
     let text = Fallback::Value(Value::Text(CUSTOM_CODE.to_owned()));
     let code = Port { label: "Code".into(), ty: Type::Text, fallback: text, ..Port::named(CODE) };
     kind.inputs.push(code);
-    kind.is_missing = false;
     kind
 }
 

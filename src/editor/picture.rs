@@ -50,7 +50,7 @@ impl Picture {
     pub(crate) fn new(state: RenderState, wake: impl Fn() + Send + 'static) -> Self {
         let gpu = Gpu::new(state.device.clone(), state.queue.clone(), state.adapter.get_info());
         let mut artist = Artist { renderer: Renderer::new(gpu), planner: Planner::default(), provided: None };
-        let worker = Worker::new("picture", wake, move |wish| artist.draw(wish));
+        let worker = Worker::new("picture", wake, move |wish| artist.draw(&wish));
         Self { state, worker, texture: None, wished: None, wishes: 0, problems: Vec::new() }
     }
 
@@ -113,8 +113,8 @@ struct Artist {
 }
 
 impl Artist {
-    fn draw(&mut self, wish: Wish) -> Drawn {
-        match self.try_draw(&wish) {
+    fn draw(&mut self, wish: &Wish) -> Drawn {
+        match self.try_draw(wish) {
             Ok(()) => {
                 let problems = std::mem::take(&mut self.planner.warnings);
                 Drawn { texture: self.renderer.picture_view(), problems }

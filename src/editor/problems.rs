@@ -41,7 +41,8 @@ pub(crate) fn show(ui: &mut Ui, problems: &[&Diagnostic]) -> Vec<Command> {
                     if ui.link(RichText::new(text).color(theme::ACCENT)).on_hover_text("Shows this node").clicked() {
                         commands.push(Command::Reveal(node));
                     }
-                } else if let Some(at) = problem.place.at {
+                }
+                if let Some(at) = problem.place.at {
                     ui.label(RichText::new(format!("line {}", at.line)).color(theme::DIM));
                 }
                 ui.label(problem.message.as_str());

@@ -18,6 +18,8 @@ pub(crate) const GRID: Color32 = Color32::from_rgb(45, 47, 52);
 pub(crate) const NODE: Color32 = Color32::from_rgb(44, 46, 51);
 /// The edge of a node.
 pub(crate) const NODE_EDGE: Color32 = Color32::from_rgb(16, 17, 19);
+/// Around a colour, so that dark ones are seen.
+pub(crate) const SWATCH_EDGE: Color32 = Color32::from_rgb(92, 94, 100);
 /// Plain text.
 pub(crate) const TEXT: Color32 = Color32::from_rgb(222, 221, 217);
 /// Text of less weight: units, hints, line numbers.

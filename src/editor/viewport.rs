@@ -165,7 +165,9 @@ fn show_picture(ui: &Ui, rect: Rect, session: &mut Session, picture: &mut Pictur
         None => {
             ui.painter().rect_filled(rect, 0.0, theme::CANVAS);
             let font = egui::FontId::proportional(theme::TEXT_SIZE);
-            let text = if picture.problems.is_empty() { "Making the first picture" } else { "No picture yet" };
+            let is_broken = !picture.problems.is_empty() || crate::diag::has_errors(session.problems());
+            let text =
+                if is_broken { "No picture until what is listed below is mended" } else { "Making the first picture" };
             ui.painter().text(rect.center(), egui::Align2::CENTER_CENTER, text, font, theme::DIM);
         }
     }

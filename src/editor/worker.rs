@@ -105,6 +105,7 @@ fn next<Q, A>(shared: &Shared<Q, A>) -> Option<Q> {
 }
 
 /// Starts a thread; `None` where the system has none to give.
+#[expect(clippy::disallowed_methods, reason = "the one place of the window that starts threads")]
 pub(crate) fn start(name: &str, work: impl FnOnce() + Send + 'static) -> Option<JoinHandle<()>> {
     std::thread::Builder::new().name(name.to_owned()).spawn(work).ok()
 }

@@ -179,7 +179,11 @@ fn check_samples(setup: &SetupLook, samples: &[EvalSample]) -> Vec<Diagnostic> {
         }
         for id in sample.lights.keys().filter(|id| !setup.look.lights.contains_key(*id)) {
             let known: Vec<&str> = setup.look.lights.keys().map(AsRef::as_ref).collect();
-            let hint = if known.is_empty() { "it has none".to_owned() } else { format!("its lights are {}", known.join(", ")) };
+            let hint = if known.is_empty() {
+                "it has none".to_owned()
+            } else {
+                format!("its lights are {}", known.join(", "))
+            };
             problems.push(
                 Diagnostic::error("unknown-light", format!("the look has no light `{id}`"))
                     .json_path(format!("[{index}].lights.{id}"))

@@ -25,9 +25,8 @@ pub fn check_exposed_value(look: &Look, typed: &TypedGraph, name: &str, value: &
     };
     // Words and lights' ids are no inputs of what was typed; setting them compiles the look anew, which tells.
     let is_it = |id: usize| typed.params[id].path == *node && typed.params[id].port == *port;
-    let is_target = |source: &TypedSource| matches!(source, TypedSource::Param(id, _) if is_it(*id));
     let mut inputs = typed.nodes.iter().flat_map(|node| node.inputs.iter().flatten());
-    let input = inputs.find(|input| is_target(&input.source))?;
+    let input = inputs.find(|input| matches!(&input.source, TypedSource::Param(id, _) if is_it(*id)))?;
     let is_path = matches!((&input.ty, value), (Type::Image, Value::Text(_)));
     typed_value(value, &input.ty).err().filter(|_| !is_path).map(wrong)
 }

@@ -47,10 +47,10 @@ impl Canvas {
         // The frame before has let go of its share by now, so this copies nothing.
         let mesh = Arc::make_mut(&mut buffer);
         mesh.clear();
-        let size = painter.fonts(|fonts| fonts.font_image_size());
+        let [u, v] = painter.fonts(|fonts| fonts.font_image_size().map(|side| 1.0 / side as f32));
         let pen = Pen {
             painter,
-            uv: vec2(1.0 / size[0] as f32, 1.0 / size[1] as f32),
+            uv: vec2(u, v),
             pixels: painter.pixels_per_point(),
             zoom: self.view.zoom,
             visible: self.view.visible(),
@@ -165,9 +165,8 @@ impl Canvas {
     }
 
     fn draw_sockets(&self, mesh: &mut Mesh, pen: &Pen<'_>, index: usize) {
-        let row = &self.table.nodes[index];
         for at in self.table.sockets(index) {
-            let ty = if at.is_output { &row.kind.outputs[at.port].ty } else { &row.kind.inputs[at.port].ty };
+            let ty = &self.table.socket_type(at);
             let center = self.view.to_screen(self.table.place(at));
             let is_hovered = self.hovered == Some(Hit::Socket(at));
             let is_out = pen.fits.is_some_and(|fits| !fits(at));
@@ -196,7 +195,7 @@ impl Canvas {
         for (offset, color) in &row.text.swatches {
             let size = vec2(28.0, ROW_HEIGHT - 7.0) * pen.zoom;
             let r = Rect::from_center_size(corner + *offset * pen.zoom, size);
-            rounded(mesh, r.expand(1.0), 3.0 * pen.zoom, (true, true), theme::NODE_EDGE);
+            rounded(mesh, r.expand(1.0), 3.0 * pen.zoom, (true, true), theme::SWATCH_EDGE);
             let [red, green, blue, alpha] = color.map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
             // Left half opaque, so that the hue of a transparent colour is seen.
             rounded(mesh, r, 2.0 * pen.zoom, (true, true), Color32::from_rgb(red, green, blue));

@@ -46,7 +46,7 @@ impl Canvas {
     pub(super) fn navigate(&mut self, ui: &Ui, response: &Response, pointer: Option<Pos2>) {
         if let Some(at) = pointer.filter(|_| self.palette.is_none()) {
             let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
-            let factor = (scroll / 240.0).exp() * pinch;
+            let factor = (scroll / 380.0).exp() * pinch;
             if factor != 1.0 {
                 self.view.zoom_about(at, factor);
             }

@@ -99,15 +99,14 @@ impl Canvas {
             self.palette = None;
         }
         // Where the font image was made anew, galleys point at what is no longer there.
-        let fill = ui.fonts(|fonts| fonts.font_atlas_fill_ratio());
-        let pixels = ui.pixels_per_point();
-        if fill < self.fonts.0 || pixels != self.fonts.1 {
+        let fonts = ui.fonts(|fonts| (fonts.font_atlas_fill_ratio(), ui.pixels_per_point()));
+        if fonts.0 < self.fonts.0 || fonts.1 != self.fonts.1 {
             self.table.forget_text();
         }
-        self.fonts = (fill, pixels);
+        self.fonts = fonts;
         if self.marks_number != Some(session.problems_number()) {
             self.marks_number = Some(session.problems_number());
-            self.marks = marks(session.problems());
+            self.marks = marks(session.all_problems());
         }
         if let Some(id) = self.reveal.take()
             && let Some(index) = self.table.index_of(&id)
@@ -256,9 +255,9 @@ impl Canvas {
 }
 
 /// The worst problem of each node of the look's own graph, and the text of all of them.
-fn marks(problems: &[Diagnostic]) -> HashMap<NodeId, Mark> {
+fn marks<'a>(problems: impl Iterator<Item = &'a Diagnostic>) -> HashMap<NodeId, Mark> {
     let mut marks: HashMap<NodeId, Mark> = HashMap::new();
-    for problem in problems.iter().filter(|problem| problem.severity > Severity::Note) {
+    for problem in problems.filter(|problem| problem.severity > Severity::Note) {
         let Some(id) = problem.place.node.as_ref().and_then(|path| path.outermost()) else { continue };
         let text = super::problems::sentence(problem);
         match marks.get_mut(id) {

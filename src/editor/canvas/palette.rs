@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use eframe::egui::{Align2, Area, Id, Key, Modifiers, Order, Pos2, RichText, ScrollArea, TextEdit, Ui, pos2, vec2};
 
-use super::super::catalog::{Catalog, Kind};
+use super::super::catalog::{Catalog, Kind, Port};
 use super::super::theme;
 use crate::document::Endpoint;
 use crate::library::Type;
@@ -29,7 +29,10 @@ impl Loose {
     pub(crate) fn fit(&self, kind: &Kind) -> Option<(usize, f32)> {
         if self.is_output {
             let ports = kind.inputs.iter().enumerate().filter(|(_, port)| port.takes(&self.ty));
-            return best(ports.map(|(index, port)| (index, fitness(&self.ty, &port.ty))));
+            let first = kind.inputs.iter().position(Port::is_wirable);
+            // What a node is about comes in first.
+            let weight = |index| if Some(index) == first { 1.5 } else { 0.0 };
+            return best(ports.map(|(index, port)| (index, fitness(&self.ty, &port.ty) + weight(index))));
         }
         let fits = |ty: &Type| self.accepts.iter().any(|to| ty.convert_to(to).is_some());
         let ports = kind.outputs.iter().enumerate().filter(|(_, port)| kind.is_reroute || fits(&port.ty));

@@ -42,6 +42,8 @@ pub(crate) struct NodeRow {
     pub(crate) rect: Rect,
     /// For each input whether a wire leads to it.
     pub(crate) is_wired: Vec<bool>,
+    /// What a reroute passes on.
+    passes: Option<Type>,
     pub(crate) text: NodeText,
 }
 
@@ -75,7 +77,7 @@ impl Table {
         self.nodes.clear();
         let missing = missing_kinds(graph, catalog);
         for (id, node) in &graph.nodes {
-            let kind = catalog.of(node).cloned().or_else(|| missing.get(id).cloned());
+            let kind = missing.get(id).or_else(|| catalog.of(node)).cloned();
             let Some(kind) = kind else { continue };
             let rows = kind.inputs.len() + kind.outputs.len();
             let height = TITLE_HEIGHT + ROW_HEIGHT * rows as f32 + NODE_FOOT;
@@ -87,6 +89,7 @@ impl Table {
                 title,
                 rect: Rect::from_min_size(pos2(x, y), vec2(NODE_WIDTH, height)),
                 is_wired: vec![false; kind.inputs.len()],
+                passes: None,
                 kind,
                 text: NodeText::default(),
             });
@@ -123,8 +126,14 @@ impl Table {
             self.wires.push(WireRow { index, from, to, bounds: Rect::NOTHING, color: Color32::GRAY });
         }
         let into: HashMap<usize, usize> = self.wires.iter().enumerate().map(|(i, wire)| (wire.to.node, i)).collect();
+        for node in 0..self.nodes.len() {
+            if self.nodes[node].kind.is_reroute {
+                let socket = Socket { node, port: 0, is_output: true };
+                self.nodes[node].passes = into.contains_key(&node).then(|| self.resolved_type(socket, &into));
+            }
+        }
         for index in 0..self.wires.len() {
-            let color = type_color(&self.resolved_type(self.wires[index].from, &into));
+            let color = type_color(&self.socket_type(self.wires[index].from));
             self.wires[index].color = color;
             self.wires[index].bounds = self.wire_bounds(index);
         }
@@ -146,15 +155,12 @@ impl Table {
 
     /// The type that a socket gives or takes.
     pub(crate) fn socket_type(&self, socket: Socket) -> Type {
-        let kind = &self.nodes[socket.node].kind;
-        if !socket.is_output {
-            return kind.inputs[socket.port].ty.clone();
+        let NodeRow { kind, passes, .. } = &self.nodes[socket.node];
+        if kind.is_reroute {
+            return passes.clone().unwrap_or(Type::Prepared("anything".to_owned()));
         }
-        if !kind.is_reroute {
-            return kind.outputs[socket.port].ty.clone();
-        }
-        let into = self.wires.iter().enumerate().map(|(i, wire)| (wire.to.node, i)).collect();
-        self.resolved_type(socket, &into)
+        let ports = if socket.is_output { &kind.outputs } else { &kind.inputs };
+        ports[socket.port].ty.clone()
     }
 
     fn wire_bounds(&self, index: usize) -> Rect {
@@ -239,7 +245,8 @@ impl Table {
 
 /// Kinds that do not exist, with the ports that wires and values name.
 fn missing_kinds(graph: &Graph, catalog: &Catalog) -> HashMap<NodeId, Arc<Kind>> {
-    let is_missing = |(_, node): &(&NodeId, &crate::document::Node)| catalog.of(node).is_none();
+    let is_missing =
+        |(_, node): &(&NodeId, &crate::document::Node)| catalog.of(node).is_none_or(|kind| kind.is_missing);
     let mut ports: HashMap<&NodeId, (Vec<PortName>, Vec<PortName>)> = HashMap::new();
     for (id, node) in graph.nodes.iter().filter(is_missing) {
         ports.insert(id, (node.values.keys().cloned().collect(), Vec::new()));
@@ -261,7 +268,11 @@ fn missing_kinds(graph: &Graph, catalog: &Catalog) -> HashMap<NodeId, Arc<Kind>>
     }
     let kind = |id: &NodeId| graph.nodes.get(id).map_or("", |node| node.kind.as_str());
     let stand_in = |(id, (inputs, outputs)): (&NodeId, (Vec<PortName>, Vec<PortName>))| {
-        (id.clone(), Arc::new(Catalog::stand_in(kind(id), &inputs, &outputs)))
+        let mut stand_in = Catalog::stand_in(kind(id), &inputs, &outputs);
+        if let Some(known) = graph.nodes.get(id).and_then(|node| catalog.of(node)) {
+            stand_in.label.clone_from(&known.label);
+        }
+        (id.clone(), Arc::new(stand_in))
     };
     ports.into_iter().map(stand_in).collect()
 }

@@ -161,9 +161,12 @@ fn xyz(ui: &mut Ui, label: Id, numbers: &mut [f64; 3]) -> Option<Id> {
 fn angle(ui: &mut Ui, label: Id, radians: &mut f64, max: f64) -> Option<Id> {
     let mut degrees = radians.to_degrees();
     ui.spacing_mut().slider_width = (ui.available_width() - 66.0).max(40.0);
-    let response =
-        ui.add(Slider::new(&mut degrees, 0.0..=max.to_degrees()).suffix("°").max_decimals(1)).labelled_by(label);
-    *radians = degrees.to_radians();
+    // Without a hand on it a slider must not touch the value, be it only to round it.
+    let slider = Slider::new(&mut degrees, 0.0..=max.to_degrees()).clamping(egui::SliderClamping::Edits);
+    let response = ui.add(slider.suffix("°").max_decimals(1)).labelled_by(label);
+    if response.changed() {
+        *radians = degrees.to_radians();
+    }
     response.changed().then_some(response.id)
 }
 

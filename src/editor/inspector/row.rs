@@ -179,12 +179,18 @@ fn number(ui: &mut Ui, label: Id, port: &Port, value: Option<&Value>) -> Option<
             ui.spacing_mut().slider_width = (ui.available_width() - 66.0).max(40.0);
             let range = min * scale..=max * scale;
             let slider = Slider::new(&mut shown, range).suffix(suffix).max_decimals(decimals);
-            ui.add(if is_int { slider.integer() } else { slider.clamping(egui::SliderClamping::Edits) })
+            let slider = slider.clamping(egui::SliderClamping::Edits);
+            ui.add(if is_int { slider.integer() } else { slider })
         }
         (min, max) => {
             let range = min.map_or(f64::NEG_INFINITY, |x| x * scale)..=max.map_or(f64::INFINITY, |x| x * scale);
             let speed = if is_int { 0.1 } else { 0.01 * scale.max(1.0) };
-            let drag = DragValue::new(&mut shown).range(range).suffix(suffix).max_decimals(decimals).speed(speed);
+            let drag = DragValue::new(&mut shown)
+                .range(range)
+                .clamp_existing_to_range(false)
+                .suffix(suffix)
+                .max_decimals(decimals)
+                .speed(speed);
             ui.add_sized(vec2(ui.available_width(), ui.spacing().interact_size.y), drag)
         }
     };
@@ -200,7 +206,7 @@ fn vector(ui: &mut Ui, label: Id, port: &Port, value: Option<&Value>, width: usi
     let each = (ui.available_width() - ui.spacing().item_spacing.x * (width as f32 - 1.0)) / width as f32;
     let mut changed = None;
     for number in &mut numbers {
-        let mut drag = DragValue::new(number).speed(0.01).max_decimals(3);
+        let mut drag = DragValue::new(number).speed(0.01).max_decimals(3).clamp_existing_to_range(false);
         if let (Some(min), Some(max)) = (port.min, port.max) {
             drag = drag.range(min..=max);
         }

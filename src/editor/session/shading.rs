@@ -1,0 +1,153 @@
+//! Which shader shows the look: requests to the compiler, what it answers, and which of both shaders serves now.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use super::super::compiling::{Answer, Request};
+use super::Session;
+use crate::compile::{CompiledShader, Live};
+use crate::document::Look;
+
+/// What a look is after nothing was done to it for so long, in seconds, is compiled without uniforms.
+const REST: f64 = 0.8;
+
+/// The shaders that are shown, and how they relate to the document.
+#[derive(Default)]
+pub(super) struct Shown {
+    /// The look that a shader can show: the document, or, while that does not compile, as it was when it last did.
+    pub(super) good: Option<Arc<Look>>,
+    pub(super) live: Option<Arc<CompiledShader>>,
+    /// The structure that the live shader has.
+    pub(super) live_structure: Option<u64>,
+    pub(super) baked: Option<Arc<CompiledShader>>,
+    /// The revision that the baked one says.
+    pub(super) baked_revision: Option<u64>,
+    /// The revision of the last edit that a live shader cannot show.
+    pub(super) structure: u64,
+    pub(super) requested: Option<u64>,
+    pub(super) requested_structure: Option<u64>,
+    /// When the document changed last, in seconds of the window's clock.
+    pub(super) changed_at: f64,
+    pub(super) seen_revision: u64,
+}
+
+/// A look with a shader that shows it.
+pub(crate) struct Showing {
+    pub(crate) look: Arc<Look>,
+    pub(crate) shader: Arc<CompiledShader>,
+    pub(crate) live: Live,
+}
+
+impl Session {
+    /// Asks for what must be compiled, takes what is. `now` is the window's clock. Returns when to look again.
+    pub(crate) fn tick(&mut self, now: f64) -> Option<Duration> {
+        for answer in self.compiler.answers() {
+            self.take(answer);
+        }
+        let revision = self.history.revision();
+        if self.shaders.seen_revision != revision {
+            self.shaders.seen_revision = revision;
+            self.shaders.changed_at = now;
+        }
+        if self.shaders.requested_structure != Some(self.shaders.structure) {
+            self.request(false);
+            return None;
+        }
+        if self.shaders.requested == Some(revision) {
+            return None;
+        }
+        let rested = now - self.shaders.changed_at;
+        if rested >= REST {
+            self.request(true);
+            return None;
+        }
+        Some(Duration::from_secs_f64((REST - rested).max(0.01)))
+    }
+
+    fn request(&mut self, only_baked: bool) {
+        self.shaders.requested = Some(self.history.revision());
+        self.shaders.requested_structure = Some(self.shaders.structure);
+        let request = Request {
+            look: Arc::new(self.look().clone()),
+            document: self.document_number,
+            revision: self.history.revision(),
+            structure: self.shaders.structure,
+            library: self.library.clone(),
+            only_baked,
+        };
+        // What waited for both must not be lost to a wish for less.
+        self.compiler.request(|waiting| Request {
+            only_baked: request.only_baked && waiting.is_none_or(|waiting| waiting.only_baked),
+            ..request
+        });
+    }
+
+    fn take(&mut self, Answer { request, result }: Answer) {
+        let is_current = request.document == self.document_number && request.structure == self.shaders.structure;
+        if !is_current {
+            // A newer one is on its way, and what this one is about is gone.
+            return;
+        }
+        self.problems_number += 1;
+        match result {
+            Ok(shaders) => {
+                self.problems.clone_from(&shaders.baked.warnings);
+                if let Some(live) = shaders.live {
+                    self.shaders.live = Some(live);
+                    self.shaders.live_structure = Some(request.structure);
+                }
+                self.shaders.baked = Some(shaders.baked);
+                self.shaders.baked_revision = Some(request.revision);
+                self.shaders.good = Some(request.look);
+                self.picture += 1;
+            }
+            // The last good picture stays.
+            Err(problems) => self.problems = problems,
+        }
+        if self.history.revision() == 0 {
+            self.source.locate_all(&mut self.problems);
+        }
+    }
+
+    /// Whether something is being compiled.
+    pub fn is_compiling(&self) -> bool {
+        self.compiler.is_busy()
+    }
+
+    /// Waits for the compiler; for tests.
+    pub fn wait(&self) {
+        self.compiler.wait();
+    }
+
+    /// Grows whenever the picture may be another.
+    pub(crate) fn picture(&self) -> u64 {
+        self.picture
+    }
+
+    /// What can be shown: the look as it is, by the baked shader where nothing changed since, else by the live one; or
+    /// the last look that could be compiled.
+    pub(crate) fn showing(&mut self) -> Option<Showing> {
+        let revision = self.history.revision();
+        let shaders = &mut self.shaders;
+        let is_live = shaders.live_structure == Some(shaders.structure);
+        let good = shaders.good.as_mut()?;
+        if shaders.baked_revision == Some(revision) {
+            return Some(Showing { look: good.clone(), shader: shaders.baked.clone()?, live: Live::Keyed });
+        }
+        if is_live && self.good_revision != (self.document_number, revision) {
+            *good = Arc::new(self.history.document().clone());
+            self.good_revision = (self.document_number, revision);
+        }
+        Some(Showing { look: good.clone(), shader: shaders.live.clone()?, live: Live::All })
+    }
+
+    /// The shader whose text is shown.
+    pub fn baked(&self) -> Option<&Arc<CompiledShader>> {
+        self.shaders.baked.as_ref()
+    }
+
+    /// The shader whose values are uniforms.
+    pub fn live(&self) -> Option<&Arc<CompiledShader>> {
+        self.shaders.live.as_ref()
+    }
+}
