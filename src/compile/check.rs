@@ -363,10 +363,13 @@ impl Typer<'_> {
         }
         let variant = self.variant(flat, &choices, light.as_ref())?;
         let mut inputs = vec![None; flat.def.inputs.len()];
+        let mut is_whole = true;
         for (i, ty) in taken_inputs(&flat.def, variant) {
             inputs[i] = self.input(flat, i, ty);
+            is_whole &= inputs[i].is_some();
         }
-        if self.problems[before..].iter().any(Diagnostic::is_error) {
+        // What lacks an input was reported here or at what feeds it.
+        if !is_whole || self.problems[before..].iter().any(Diagnostic::is_error) {
             return None;
         }
         self.variants[index] = Some(variant);
