@@ -126,6 +126,9 @@ pub fn check(
         }
     }
     problems.append(&mut typer.problems);
+    if let Some((node, _)) = root.filter(|(node, _)| nodes[*node].is_none() && !has_errors(&problems)) {
+        problems.push(broken_wire(&flat, &reached, node));
+    }
     let Some(root) = root.filter(|_| !has_errors(&problems)) else { return Err(problems) };
     let order: Vec<usize> = order.into_iter().filter(|&index| reached[index] || nodes[index].is_some()).collect();
     let keyed = keyed_targets(look);
@@ -144,6 +147,21 @@ pub fn check(
     };
     check_targets(&graph, look, &mut problems);
     if has_errors(&problems) { Err(problems) } else { Ok((graph, problems)) }
+}
+
+/// What keeps a root from being typed where nothing else was reported: a wire from a node that there is not, which
+/// only a look that was not read from a file can have.
+fn broken_wire(flat: &FlatGraph, reached: &[bool], root: usize) -> Diagnostic {
+    let broken = flat.nodes.iter().zip(reached).filter(|(_, reached)| **reached).find_map(|(node, _)| {
+        let input = node.inputs.iter().position(|input| *input == FlatInput::Broken)?;
+        Some((node.path.clone(), node.def.inputs[input].name.clone()))
+    });
+    let problem = Diagnostic::error("broken-wire", "this input is wired to a node that there is not");
+    match broken {
+        Some((path, port)) => problem.node(path).port(port),
+        None => problem.node(flat.nodes[root].path.clone()),
+    }
+    .hint("remove the wire")
 }
 
 fn stand_in(flat: &FlatNode) -> TypedNode {
