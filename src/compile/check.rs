@@ -126,6 +126,9 @@ pub fn check(
         }
     }
     problems.append(&mut typer.problems);
+    if let Some((node, _)) = root.filter(|(node, _)| nodes[*node].is_none() && !has_errors(&problems)) {
+        problems.push(broken_wire(&flat, &reached, node));
+    }
     let is_whole = (0..flat.nodes.len()).all(|index| !reached[index] || nodes[index].is_some());
     let stops = problems.iter().any(|problem| problem.is_error() && concerns_picture(problem, &flat, &reached));
     let Some(root) = root.filter(|_| is_whole && !stops) else { return Err(problems) };
@@ -156,6 +159,21 @@ pub fn check(
 fn concerns_picture(problem: &Diagnostic, flat: &FlatGraph, reached: &[bool]) -> bool {
     let Some(path) = &problem.place.node else { return true };
     flat.nodes.iter().zip(reached).any(|(node, reached)| *reached && node.path.ids().starts_with(path.ids()))
+}
+
+/// What keeps a root from being typed where nothing else was reported: a wire from a node that there is not, which
+/// only a look that was not read from a file can have.
+fn broken_wire(flat: &FlatGraph, reached: &[bool], root: usize) -> Diagnostic {
+    let broken = flat.nodes.iter().zip(reached).filter(|(_, reached)| **reached).find_map(|(node, _)| {
+        let input = node.inputs.iter().position(|input| *input == FlatInput::Broken)?;
+        Some((node.path.clone(), node.def.inputs[input].name.clone()))
+    });
+    let problem = Diagnostic::error("broken-wire", "this input is wired to a node that there is not");
+    match broken {
+        Some((path, port)) => problem.node(path).port(port),
+        None => problem.node(flat.nodes[root].path.clone()),
+    }
+    .hint("remove the wire")
 }
 
 fn stand_in(flat: &FlatNode) -> TypedNode {
