@@ -43,7 +43,9 @@ fn lines_of_longest_function(wgsl: &str) -> usize {
 fn compiles(count: usize) {
     let shader = compile(&look_of(chain(count)), Library::built_in(), &Options::default()).expect("it compiles");
     assert!(shader.wgsl.len() > 20 * count, "where did {count} nodes go?");
-    assert!(lines_of_longest_function(&shader.wgsl) < 500, "{}", lines_of_longest_function(&shader.wgsl));
+    // Pieces of fifty or so, and one function that calls them.
+    let longest = lines_of_longest_function(&shader.wgsl);
+    assert!(longest < 100 + count / 40, "a function of {longest} lines");
 }
 
 #[test]
@@ -83,7 +85,6 @@ fn twenty_thousand_nodes_compile() {
 }
 
 #[test]
-#[ignore = "long in a debug build; scripts/soak runs it"]
-fn a_hundred_thousand_nodes_compile_soak() {
+fn a_hundred_thousand_nodes_compile() {
     compiles(100_000);
 }

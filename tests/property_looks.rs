@@ -80,12 +80,12 @@ impl Growing {
         let id = format!("n{}", self.nodes.len());
         let (mut values, mut wires) = (Map::new(), Vec::new());
         let is_wide = def.variants.iter().any(|variant| variant.width.is_some());
-        let mut wide = None;
+        let mut fed: Vec<Type> = Vec::new();
         for input in def.visible_inputs() {
             let must = input.fallback == Fallback::Wire;
             let is_wired = must || (input.options.is_empty() && !input.ty.is_setting() && random.chance(0.5));
             // A node of any width takes any width, though only one.
-            let first_of_width = is_wide && input.ty == Type::Float && wide.is_none();
+            let first_of_width = is_wide && input.ty == Type::Float && fed.is_empty();
             let ty = if def.special == Special::Reroute || (first_of_width && random.chance(0.5)) {
                 random.pick(&[Type::Float, Type::Vec3, Type::Color]).clone()
             } else {
@@ -94,8 +94,8 @@ impl Growing {
             match self.source_for(&ty, random).filter(|_| is_wired) {
                 Some(source) => {
                     wires.push(json!({"from": source.endpoint, "to": format!("{id}.{}", input.name)}));
-                    if first_of_width || def.special == Special::Reroute {
-                        wide = Some(source.ty.clone());
+                    if (is_wide && input.ty == Type::Float) || def.special == Special::Reroute {
+                        fed.push(source.ty.clone());
                     }
                 }
                 None if must => return false,
@@ -107,10 +107,17 @@ impl Growing {
                 None => {}
             }
         }
+        // What a node of any width gives is left to what it is fed with; where that is mixed, nobody takes it here.
+        fed.dedup();
+        let has_variant = |ty: &Type| def.variants.iter().any(|variant| variant.width.as_ref() == Some(ty));
         for output in &def.outputs {
             let is_open = output.ty == Type::Float && is_wide || def.special == Special::Reroute;
-            // What a node of any width gives is left to the first that it is fed with.
-            let ty = if is_open { wide.clone().unwrap_or(output.ty.clone()) } else { output.ty.clone() };
+            let ty = match fed.as_slice() {
+                _ if !is_open => output.ty.clone(),
+                [ty] if def.special == Special::Reroute || has_variant(ty) => ty.clone(),
+                [] | [Type::Float | Type::Angle | Type::Int | Type::Bool] => Type::Float,
+                _ => continue,
+            };
             self.sources.push(Source { endpoint: format!("{id}.{}", output.name), ty });
         }
         self.nodes.push(json!({"id": id, "kind": def.kind, "values": values}));
@@ -259,12 +266,12 @@ fn run(cases: u32, check: impl Fn(u64) -> Result<(), TestCaseError>) {
 
 #[test]
 fn random_looks_compile() {
-    run(60, |seed| check_valid(seed, false));
+    run(150, |seed| check_valid(seed, false));
 }
 
 #[test]
 fn random_looks_show_finite_pixels() {
-    run(25, |seed| check_valid(seed, true));
+    run(50, |seed| check_valid(seed, true));
 }
 
 #[test]
@@ -400,7 +407,7 @@ fn check_broken(seed: u64) -> Result<(), TestCaseError> {
 
 #[test]
 fn broken_looks_are_told_about() {
-    run(400, check_broken);
+    run(1000, check_broken);
 }
 
 #[test]
