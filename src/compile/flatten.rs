@@ -14,7 +14,7 @@ use crate::library::{CUSTOM_CODE, CUSTOM_KIND, Library, NodeDef, Special, load_n
 /// As many nodes as a look may have once its groups are inlined.
 pub const MAX_FLAT_NODES: usize = 1_000_000;
 
-/// An index into [`FlatGraph::params`].
+/// An index into the parameters of a look.
 pub type ParamId = usize;
 
 /// A value that the artist may edit: an unwired input, at the outermost node that holds it.

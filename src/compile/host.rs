@@ -20,7 +20,7 @@ use crate::wgsl::{self, Source};
 /// Everything a host program reads: one object, in one view, at one time.
 #[derive(Clone, Copy, Debug)]
 pub struct HostInputs<'a> {
-    /// Values in place of the document's, by index into [`CompiledShader::params`](super::CompiledShader::params).
+    /// Values in place of the document's, by index into [`CompiledShader::params`](crate::compile::CompiledShader::params).
     pub params: &'a HashMap<ParamId, Value>,
     /// The look's lights, resolved.
     pub lights: &'a IndexMap<LightId, LightValues>,

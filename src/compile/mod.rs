@@ -1,7 +1,7 @@
 //! From a look to one WGSL module.
 //!
-//! [`check`] inlines groups and types every value; [`specialize`] folds, merges and removes, each removal with its
-//! reason; [`emit`] writes the WGSL, which naga then validates. Each step has its own type, so none can be left out.
+//! [`check()`] inlines groups and types every value; `specialize` folds, merges and removes, each removal with its
+//! reason; `emit` writes the WGSL, which naga then validates. Each step has its own type, so none can be left out.
 
 mod check;
 mod emit;

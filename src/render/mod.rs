@@ -1,7 +1,7 @@
 //! Executes frame plans on wgpu.
 //!
 //! [`Gpu`] is a device, our own or a window's. [`Renderer`] keeps what is expensive (pipelines, meshes, images, targets)
-//! and runs a [`FramePlan`](crate::frame::FramePlan)'s passes in order. [`Renderer::evaluate`] runs surface samples.
+//! and runs a [`FramePlan`]'s passes in order. [`Renderer::evaluate`] runs surface samples.
 //! Creation and readback are async; [`block_on`] is for the command line.
 
 mod error;
