@@ -41,7 +41,7 @@ fn benchmark(criterion: &mut Criterion) {
         let look = chain(count);
         let text = look.to_text();
         group.bench_with_input(BenchmarkId::new("read", count), &text, |b, text| {
-            b.iter(|| Look::read(black_box(text), "chain.json"))
+            b.iter(|| Look::read(black_box(text), "chain.json"));
         });
         for live in [Live::Keyed, Live::All] {
             let options = Options { live: live.clone(), ..Options::default() };

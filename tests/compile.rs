@@ -105,3 +105,47 @@ fn a_look_with_many_values_keeps_its_uniform_small() {
     assert!(shader.host.size <= MAX_UNIFORM_BYTES, "{} bytes", shader.host.size);
     assert_ne!(shader.live, Live::All, "it says that fewer values are live");
 }
+
+/// A look with one broken custom node, wired to the output or not.
+fn with_broken_node(is_wired: bool) -> Look {
+    let from = if is_wired { "broken" } else { "base" };
+    let json = format!(
+        r#"{{"nodes": [{{"id": "base", "kind": "base"}},
+            {{"id": "broken", "kind": "wgsl", "values": {{"code": "fn f() -> Color {{ return vec3f(1.0); }}"}}}},
+            {{"id": "odd", "kind": "nonsense"}}, {{"id": "output", "kind": "output"}}],
+            "wires": [{{"from": "{from}", "to": "output.color"}}]}}"#
+    );
+    Look::read(&json, "broken.json").value.unwrap()
+}
+
+#[test]
+fn a_broken_node_stops_only_what_depends_on_it() {
+    let apart = compiled(&with_broken_node(false), &Options::default());
+    let told = |code: &str| {
+        let found = apart.warnings.iter().find(|problem| problem.code == code);
+        found.unwrap_or_else(|| panic!("{code} is not told: {:?}", apart.warnings))
+    };
+    let broken = told("invalid-wgsl");
+    assert!(broken.is_error() && broken.place.at.is_some(), "{broken}");
+    assert_eq!(broken.place.node.as_ref().map(ToString::to_string).as_deref(), Some("broken"));
+    assert!(told("unknown-kind").is_error());
+    let problems = compile(&with_broken_node(true), Library::built_in(), &Options::default()).unwrap_err();
+    assert!(problems.iter().any(|problem| problem.code == "invalid-wgsl"), "{problems:?}");
+}
+
+#[test]
+fn every_problem_is_told_at_once() {
+    let json = r#"{"nodes": [
+        {"id": "a", "kind": "add"}, {"id": "b", "kind": "multiply"},
+        {"id": "p", "kind": "profile", "values": {"offset": "wide", "ofset": 1}},
+        {"id": "x", "kind": "profil"}, {"id": "output", "kind": "output"}],
+        "wires": [{"from": "a", "to": "b.a"}, {"from": "b", "to": "a.a"}, {"from": "a", "to": "output.colour"}]}"#;
+    let look = Look::read(json, "wrong.json").value.unwrap();
+    let problems = compile(&look, Library::built_in(), &Options::default()).unwrap_err();
+    let codes: Vec<&str> = problems.iter().map(|problem| problem.code).collect();
+    for code in ["cycle", "wrong-type", "unknown-port", "unknown-kind", "unwired"] {
+        assert!(codes.contains(&code), "{code} is missing: {codes:?}");
+    }
+    let ring = problems.iter().find(|problem| problem.code == "cycle").unwrap();
+    assert!(ring.message.contains("`a`, `b`"), "{ring}");
+}

@@ -129,7 +129,8 @@ fn objects(schema: &Value) -> Vec<(Vec<String>, Vec<String>)> {
 /// about any other.
 #[test]
 fn the_reader_knows_the_fields_of_the_schemas() {
-    let read: [(Value, fn(&str) -> Vec<chiaro::diag::Diagnostic>); 2] = [
+    type Reader = fn(&str) -> Vec<chiaro::diag::Diagnostic>;
+    let read: [(Value, Reader); 2] = [
         (look_schema(), |text| Look::read(text, "").diagnostics),
         (scene_schema(), |text| Scene::read(text, "").diagnostics),
     ];

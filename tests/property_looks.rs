@@ -260,8 +260,8 @@ fn check_valid(seed: u64, with_gpu: bool) -> Result<(), TestCaseError> {
     }
     let (mesh, matrix) = shape("torus");
     let scene = scene_of(vec![(setup, mesh, matrix)], Scene::default());
-    let live = if seed % 2 == 0 { Live::Keyed } else { Live::All };
-    let picture = draw(&scene, library, &live, [24, 24], if seed % 3 == 0 { 4 } else { 1 });
+    let live = if seed.is_multiple_of(2) { Live::Keyed } else { Live::All };
+    let picture = draw(&scene, library, &live, [24, 24], if seed.is_multiple_of(3) { 4 } else { 1 });
     if let Some(pixel) = picture.rgba.iter().find(|pixel| pixel.iter().any(|x| !x.is_finite())) {
         return Err(fail(format!("the pixel {pixel:?}"), &json));
     }

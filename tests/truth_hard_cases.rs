@@ -200,7 +200,9 @@ fn case_06_ambient_is_everywhere() {
         .collect();
     cases.push(Case { shift: -1.0, ..Case::at(PI, [PI, 0.3, 0.6], 1.0, 0.0) });
     cases.push(Case { shift: -PI, normal: -DVec3::Z, ..Case::at(PI, [f32_of(PI), 0.0, 0.0], 1.0, 0.0) });
-    cases.push(Case { shift: -1.0, ..Case::at(PI, [3.14159, 0.0, 0.0], 1.0, 0.0) });
+    // As people write pi: it is ambient too.
+    let written = ["3.14159".parse().unwrap(), 0.0, 0.0];
+    cases.push(Case { shift: -1.0, ..Case::at(PI, written, 1.0, 0.0) });
     check(&cases);
 }
 

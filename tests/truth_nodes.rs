@@ -240,6 +240,7 @@ fn mixed_colors(mode: &str, inputs: In<'_>) -> Vec<f64> {
 }
 
 /// What a node of a kind gives by its documentation; `None` for kinds with tests of their own.
+#[expect(clippy::too_many_lines, reason = "a table: one line a node")]
 fn truth(kind: &str, word: &str) -> Option<Truth> {
     Some(match (kind, word) {
         ("absolute", _) => |i| each(i, f64::abs),
@@ -445,10 +446,10 @@ fn type_rows(def: &NodeDef) -> Vec<Vec<Type>> {
         }
         let mut row = own.clone();
         for parameter in &variant.parameters {
-            if let chiaro::library::Parameter::Input(index, ty) = parameter {
-                if let Some(place) = inputs.iter().position(|input| input.name == def.inputs[*index].name) {
-                    row[place] = ty.clone();
-                }
+            if let chiaro::library::Parameter::Input(index, ty) = parameter
+                && let Some(place) = inputs.iter().position(|input| input.name == def.inputs[*index].name)
+            {
+                row[place] = ty.clone();
             }
         }
         if !rows.contains(&row) {

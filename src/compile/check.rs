@@ -104,8 +104,8 @@ fn output_type(def: &NodeDef, variant: usize, output: usize) -> Type {
 /// Types `look`; `root` shows another output than the look's own. Also returns warnings.
 ///
 /// # Errors
-/// Everything that is wrong. What is wrong with a node that does not reach the root is a warning, so that a look stays
-/// alive while something is being built beside it.
+/// Everything that is wrong, if any of it concerns the picture. What is wrong only with nodes that do not reach the root
+/// comes with the graph, so that a look stays alive while something is being built beside it.
 pub fn check(
     look: &Look,
     library: &Library,
@@ -129,7 +129,9 @@ pub fn check(
     if let Some((node, _)) = root.filter(|(node, _)| nodes[*node].is_none() && !has_errors(&problems)) {
         problems.push(broken_wire(&flat, &reached, node));
     }
-    let Some(root) = root.filter(|_| !has_errors(&problems)) else { return Err(problems) };
+    let is_whole = (0..flat.nodes.len()).all(|index| !reached[index] || nodes[index].is_some());
+    let stops = problems.iter().any(|problem| problem.is_error() && concerns_picture(problem, &flat, &reached));
+    let Some(root) = root.filter(|_| is_whole && !stops) else { return Err(problems) };
     let order: Vec<usize> = order.into_iter().filter(|&index| reached[index] || nodes[index].is_some()).collect();
     let keyed = keyed_targets(look);
     let typed_inputs: Vec<(ParamId, Value, Option<Value>)> = nodes.iter().flatten().flat_map(param_values).collect();
@@ -145,8 +147,18 @@ pub fn check(
         color_space: look.color_space,
         name: look.name.clone(),
     };
-    check_targets(&graph, look, &mut problems);
-    if has_errors(&problems) { Err(problems) } else { Ok((graph, problems)) }
+    let mut wrong_targets = Vec::new();
+    check_targets(&graph, look, &mut wrong_targets);
+    let stops = has_errors(&wrong_targets);
+    problems.append(&mut wrong_targets);
+    if stops { Err(problems) } else { Ok((graph, problems)) }
+}
+
+/// Whether a problem is of a node that the picture depends on, or of no node at all. A node of a kind that there is
+/// not has no outputs; whatever it feeds cannot be typed, which stops the look where that is seen.
+fn concerns_picture(problem: &Diagnostic, flat: &FlatGraph, reached: &[bool]) -> bool {
+    let Some(path) = &problem.place.node else { return true };
+    flat.nodes.iter().zip(reached).any(|(node, reached)| *reached && node.path.ids().starts_with(path.ids()))
 }
 
 /// What keeps a root from being typed where nothing else was reported: a wire from a node that there is not, which
@@ -381,13 +393,13 @@ impl Typer<'_> {
         }
         let variant = self.variant(flat, &choices, light.as_ref())?;
         let mut inputs = vec![None; flat.def.inputs.len()];
+        // What feeds it may be broken, which was told where it is.
         let mut is_whole = true;
         for (i, ty) in taken_inputs(&flat.def, variant) {
             inputs[i] = self.input(flat, i, ty);
             is_whole &= inputs[i].is_some();
         }
-        // What lacks an input was reported here or at what feeds it.
-        if !is_whole || self.problems[before..].iter().any(Diagnostic::is_error) {
+        if !is_whole {
             return None;
         }
         self.variants[index] = Some(variant);

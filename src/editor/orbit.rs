@@ -31,12 +31,13 @@ pub struct Orbit {
 
 impl Default for Orbit {
     fn default() -> Self {
+        let camera = Camera::default();
         Self {
             yaw: 0.0,
             pitch: 0.0,
-            distance: 5.0,
-            target: DVec3::ZERO,
-            fov: 0.5,
+            distance: DVec3::from(camera.eye).distance(camera.target.into()),
+            target: camera.target.into(),
+            fov: camera.fov,
             illumination: DQuat::IDENTITY,
             mesh: DEFAULT_MESH.to_owned(),
         }

@@ -1,6 +1,6 @@
 //! What there is to tell of a frame plan, as data.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::sync::Arc;
 
 use serde::Serialize;
@@ -14,6 +14,9 @@ use crate::library::{Context, Library, Rate, Special};
 
 /// Why a node is not in the shader though nothing of it is lost, in [`Removal::reason`].
 const FOLDED: &str = "its value is known before drawing";
+
+/// As many things as are told that a uniform is computed from: along a chain they add up.
+const MAX_FROM: usize = 32;
 
 /// A frame plan.
 #[derive(Debug, Serialize)]
@@ -85,7 +88,7 @@ pub(super) struct Uniform {
     pub(super) offset: u32,
     pub(super) of: String,
     pub(super) rate: Rate,
-    /// What it is computed from.
+    /// What it is computed from; 32 things at most.
     pub(super) from: Vec<String>,
 }
 
@@ -152,6 +155,7 @@ fn look_of<'s>(setup: &'s Setup, draw: &Draw) -> Option<(usize, &'s Values)> {
 impl LookReport {
     fn new(name: &str, draw: &Draw, typed: &TypedGraph) -> Self {
         let shader = &draw.look;
+        let emitted: HashSet<&NodePath> = shader.spans.nodes().collect();
         let mut compiled = vec![("look", shader.clone())];
         for (kind, name) in [(PassKind::Normals, "normals"), (PassKind::DetailNormals, "detail-normals")] {
             compiled.extend(draw.normals.get(&kind).map(|module| (name, module.clone())));
@@ -162,7 +166,7 @@ impl LookReport {
             uniform_bytes: shader.host.size,
         };
         let surroundings: Vec<Reading> =
-            shader.needs.contexts.iter().map(|context| reading(*context, shader, typed)).collect();
+            shader.needs.contexts.iter().map(|context| reading(*context, &emitted, typed)).collect();
         let read = shader.needs.attributes();
         Self {
             name: name.to_owned(),
@@ -178,21 +182,21 @@ impl LookReport {
                 .map(|image| ImageReport { path: image.path.clone(), node: image.node.to_string() })
                 .collect(),
             uniforms: uniforms(shader),
-            nodes: Nodes::new(shader, typed),
+            nodes: Nodes::new(shader, &emitted, typed),
             compiled,
         }
     }
 }
 
-fn reading(context: Context, shader: &CompiledShader, typed: &TypedGraph) -> Reading {
+fn reading(context: Context, emitted: &HashSet<&NodePath>, typed: &TypedGraph) -> Reading {
     let reads = |input: &Option<crate::compile::TypedInput>| {
         input.as_ref().is_some_and(|input| input.source == TypedSource::Context(context))
     };
-    let is_live = |path: &NodePath| shader.spans.spans_of(path).next().is_some();
     // The Output's normal is for the modules that draw normals.
     let is_plain = |node: &crate::compile::TypedNode| node.def.special != Special::Output;
-    let reader =
-        |node: &&crate::compile::TypedNode| node.inputs.iter().any(reads) && is_plain(node) && is_live(&node.path);
+    let reader = |node: &&crate::compile::TypedNode| {
+        node.inputs.iter().any(reads) && is_plain(node) && emitted.contains(&node.path)
+    };
     let readers = typed.nodes.iter().filter(reader);
     Reading { word: context.word(), what: context.help(), readers: readers.map(|node| node.path.to_string()).collect() }
 }
@@ -264,24 +268,25 @@ fn uniforms(shader: &CompiledShader) -> Vec<Uniform> {
 fn joined(known: &[(Rate, BTreeSet<String>)], operands: &[usize]) -> (Rate, BTreeSet<String>) {
     let operands = operands.iter().filter_map(|&index| known.get(index));
     operands.fold((Rate::Constant, BTreeSet::new()), |(rate, mut from), (of, more)| {
-        from.extend(more.iter().cloned());
+        let room = MAX_FROM.saturating_sub(from.len());
+        from.extend(more.iter().take(room).cloned());
         (rate.max(*of), from)
     })
 }
 
 impl Nodes {
-    fn new(shader: &CompiledShader, typed: &TypedGraph) -> Self {
+    fn new(shader: &CompiledShader, emitted: &HashSet<&NodePath>, typed: &TypedGraph) -> Self {
         let removed: BTreeMap<&NodePath, &Removal> =
             shader.removed.iter().map(|removal| (&removal.path, removal)).collect();
+        // A member's origin is `node` or `node.part`, and no id has a dot.
+        let node_of = |origin: &'_ str| origin.split_once('.').map_or(origin.to_owned(), |(node, _)| node.to_owned());
+        let on_host: HashSet<String> = shader.host.members.iter().map(|member| node_of(&member.origin)).collect();
         let mut nodes = Self { total: typed.order.len(), ..Self::default() };
         for node in typed.order.iter().map(|&index| &typed.nodes[index]) {
             let path = node.path.to_string();
-            let is_of = |origin: &str| {
-                origin.strip_prefix(path.as_str()).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
-            };
-            if shader.spans.spans_of(&node.path).next().is_some() {
+            if emitted.contains(&node.path) {
                 nodes.fragment.push(path);
-            } else if shader.host.members.iter().any(|member| is_of(&member.origin)) {
+            } else if on_host.contains(path.as_str()) {
                 nodes.host.push(path);
             } else if let Some(removal) = removed.get(&node.path).filter(|removal| removal.reason != FOLDED) {
                 nodes.removed.push((*removal).clone());

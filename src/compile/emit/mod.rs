@@ -74,6 +74,11 @@ impl SpanMap {
         span.contains(&offset).then_some(path)
     }
 
+    /// The nodes that any bytes came from, one for each stretch of bytes.
+    pub fn nodes(&self) -> impl Iterator<Item = &NodePath> {
+        self.spans.iter().map(|(_, path)| path)
+    }
+
     /// The bytes that came from a node, or from the nodes inside a group.
     pub fn spans_of<'m>(&'m self, path: &'m NodePath) -> impl Iterator<Item = Range<usize>> + 'm {
         let is_of = move |found: &NodePath| found.ids().starts_with(path.ids());

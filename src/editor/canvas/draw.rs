@@ -183,14 +183,11 @@ impl Canvas {
         let look = pen.session.look();
         let row = &mut self.table.nodes[index];
         let Some(node) = look.graph.nodes.get(&row.id) else { return };
-        lay_out(row, pen.painter, pen.zoom, pen.session.revision(), look, node);
-        let count = if pen.zoom > ALL_TEXT { usize::MAX } else { 1 };
+        let has_rows = pen.zoom > ALL_TEXT;
+        lay_out(row, pen.painter, (pen.zoom, has_rows), pen.session.revision(), look, node);
         let corner = self.view.to_screen(row.rect.min);
-        for (offset, galley) in row.text.lines.iter().take(count) {
+        for (offset, galley) in &row.text.lines {
             glyphs(mesh, corner + *offset * pen.zoom, galley, pen.uv, pen.pixels);
-        }
-        if count == 1 {
-            return;
         }
         for (offset, color) in &row.text.swatches {
             let size = vec2(28.0, ROW_HEIGHT - 7.0) * pen.zoom;

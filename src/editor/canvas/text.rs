@@ -15,28 +15,43 @@ use crate::library::{Fallback, Type};
 /// Everything of a node's text that depends on the font's size.
 #[derive(Default)]
 pub(crate) struct NodeText {
-    /// The size in half points, and the revision.
-    key: Option<(i32, u64)>,
+    /// The size in half points, the revision, and whether there is more than a title.
+    key: Option<(i32, u64, bool)>,
     /// The title comes first. Where, from the node's corner, in points of the graph; and what.
     pub(crate) lines: Vec<(Vec2, Arc<Galley>)>,
     /// Colours shown in rows: where their middle is, and straight RGBA.
     pub(crate) swatches: Vec<(Vec2, [f64; 4])>,
 }
 
+/// The least size of a title: below it titles no longer shrink with the view.
+const LEAST_TITLE: f32 = 10.0;
+
 /// Lays a node's text out anew where the size or the document changed.
-pub(crate) fn lay_out(row: &mut NodeRow, painter: &Painter, zoom: f32, revision: u64, look: &Look, node: &Node) {
+pub(crate) fn lay_out(
+    row: &mut NodeRow,
+    painter: &Painter,
+    (zoom, has_rows): (f32, bool),
+    revision: u64,
+    look: &Look,
+    node: &Node,
+) {
     // Half points, or zooming would fill the font image.
     let half_points = (theme::TEXT_SIZE * zoom * 2.0).round() as i32;
-    if row.text.key == Some((half_points, revision)) {
+    let key = Some((half_points, revision, has_rows));
+    if row.text.key == key {
         return;
     }
     let size = half_points as f32 / 2.0;
-    let mut text = NodeText { key: Some((half_points, revision)), ..NodeText::default() };
+    let mut text = NodeText { key, ..NodeText::default() };
     let line = |text: &str, width: f32, color| one_line(painter, text, size, width * zoom, color);
     let centered = |galley: &Galley, y: f32| y - galley.size().y / zoom / 2.0;
 
-    let title = line(&row.title, NODE_WIDTH - 20.0, theme::TEXT);
+    let title = one_line(painter, &row.title, size.max(LEAST_TITLE), (NODE_WIDTH - 18.0) * zoom, theme::TEXT);
     text.lines.push((vec2(10.0, centered(&title, TITLE_HEIGHT / 2.0)), title));
+    if !has_rows {
+        row.text = text;
+        return;
+    }
     for (index, port) in row.kind.outputs.iter().enumerate() {
         let label = line(&port.label, NODE_WIDTH - 24.0, theme::TEXT);
         let x = NODE_WIDTH - 12.0 - label.size().x / zoom;
