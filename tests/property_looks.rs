@@ -8,7 +8,8 @@ use chiaro::compile::{Live, Options, Stage, compile};
 use chiaro::diag::{Diagnostic, has_errors};
 use chiaro::document::{Document, Look, Scene};
 use chiaro::frame::{EvalSample, SetupLook};
-use chiaro::library::{Fallback, Input, Library, NodeDef, Special, Type};
+use chiaro::ids::PortName;
+use chiaro::library::{Fallback, Input, Library, NodeDef, Parameter, Special, Type};
 use glam::{DMat3, DVec2};
 use proptest::prelude::{ProptestConfig, any};
 use proptest::test_runner::{TestCaseError, TestRunner};
@@ -65,6 +66,12 @@ fn value_for(input: &Input, random: &mut Random) -> Option<Json> {
     })
 }
 
+/// Whether a function for a wider type takes this number as that type.
+fn is_widened(def: &NodeDef, port: &PortName) -> bool {
+    let is_wide = |parameter: &Parameter| matches!(parameter, Parameter::Input(index, ty) if def.inputs[*index].name == *port && *ty != Type::Float);
+    def.variants.iter().any(|variant| variant.parameters.iter().any(is_wide))
+}
+
 impl Growing {
     fn new() -> Self {
         Self { nodes: Vec::new(), wires: Vec::new(), sources: Vec::new() }
@@ -85,7 +92,8 @@ impl Growing {
             let must = input.fallback == Fallback::Wire;
             let is_wired = must || (input.options.is_empty() && !input.ty.is_setting() && random.chance(0.5));
             // A node of any width takes any width, though only one.
-            let first_of_width = is_wide && input.ty == Type::Float && fed.is_empty();
+            let widens = input.ty == Type::Float && is_widened(def, &input.name);
+            let first_of_width = widens && fed.is_empty();
             let ty = if def.special == Special::Reroute || (first_of_width && random.chance(0.5)) {
                 random.pick(&[Type::Float, Type::Vec3, Type::Color]).clone()
             } else {
@@ -94,7 +102,7 @@ impl Growing {
             match self.source_for(&ty, random).filter(|_| is_wired) {
                 Some(source) => {
                     wires.push(json!({"from": source.endpoint, "to": format!("{id}.{}", input.name)}));
-                    if (is_wide && input.ty == Type::Float) || def.special == Special::Reroute {
+                    if widens || def.special == Special::Reroute {
                         fed.push(source.ty.clone());
                     }
                 }
@@ -178,6 +186,11 @@ fn random_look(seed: u64, count: usize) -> Json {
     }
     let last = outer.sources.iter().rev().find(|source| source.ty.convert_to(&Type::Composite).is_some());
     let shown = last.map_or("n0".to_owned(), |source| source.endpoint.clone());
+    // Something half built that nothing needs: a light where a number belongs, and what hangs on it.
+    outer.nodes.push(json!({"id": "loose", "kind": "sine"}));
+    outer.nodes.push(json!({"id": "end", "kind": "arctangent"}));
+    outer.wires.push(json!({"from": "n1.light", "to": "loose.angle"}));
+    outer.wires.push(json!({"from": "loose", "to": "end.y"}));
     outer.nodes.push(json!({"id": "output", "kind": "output"}));
     outer.wires.push(json!({"from": shown, "to": "output.color"}));
     json!({

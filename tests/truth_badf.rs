@@ -216,7 +216,7 @@ fn alpha_with_offsets() {
 
 #[test]
 fn alpha_of_narrow_profiles() {
-    for (least, most, bound) in [(0.1_f64, 1.0_f64, 2e-6), (0.01, 0.1, 1e-5), (1e-3, 1e-2, 1e-4)] {
+    for (least, most, bound) in [(0.1_f64, 1.0_f64, 1e-6), (0.01, 0.1, 1e-6), (1e-3, 1e-2, 1e-6)] {
         let mut random = Random::new(7);
         let cases: Vec<_> = (0..8000)
             .map(|_| {
