@@ -12,7 +12,6 @@
 // Floor 0: words that everything is said in.
 pub mod diag;
 pub mod ids;
-pub mod math;
 
 // Floor 1: WGSL sources, and the only caller of naga's front end and validator.
 pub mod wgsl;

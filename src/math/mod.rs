@@ -1,1 +1,0 @@
-//! Small mathematics shared by all floors.
