@@ -149,3 +149,18 @@ fn every_problem_is_told_at_once() {
     let ring = problems.iter().find(|problem| problem.code == "cycle").unwrap();
     assert!(ring.message.contains("`a`, `b`"), "{ring}");
 }
+
+#[test]
+fn an_exposed_input_that_reads_its_surroundings_is_told() {
+    let json = r#"{"lights": {"key": {}}, "nodes": [{"id": "light", "kind": "light"},
+        {"id": "angle", "kind": "parametrization"}, {"id": "output", "kind": "output"}],
+        "wires": [{"from": "light", "to": "angle.light"}, {"from": "angle", "to": "output.color"}],
+        "exposed": [{"name": "normal", "target": "angle.normal"}]}"#;
+    let json = json.replace(r#"{"from": "angle", "to": "output.color"}"#, r#"{"from": "tone", "to": "output.color"}"#);
+    let json = json.replace(r#"{"id": "output""#, r#"{"id": "tone", "kind": "profile"}, {"id": "output""#);
+    let json = json.replace(r#""wires": ["#, r#""wires": [{"from": "angle", "to": "tone.angle"}, "#);
+    let read = Look::read(&json, "exposed.json");
+    assert!(read.diagnostics.is_empty(), "{:?}", read.diagnostics);
+    let problems = compile(&read.value.unwrap(), Library::built_in(), &Options::default()).unwrap_err();
+    assert_eq!(problems.iter().map(|problem| problem.code).collect::<Vec<_>>(), ["unset-target"]);
+}

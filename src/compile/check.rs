@@ -326,10 +326,17 @@ fn check_targets(graph: &TypedGraph, look: &Look, problems: &mut Vec<Diagnostic>
             key.values.keys().map(move |target| (target, format!("direction_keys[{i}].keys[{k}].values.{target}")))
         })
     });
-    let known: HashMap<_, _> = graph.params.iter().map(|param| ((&param.path, &param.port), ())).collect();
+    let known: HashMap<_, _> = graph.params.iter().map(|param| ((&param.path, &param.port), param)).collect();
     for (target, json_path) in exposed.chain(timed).chain(directed) {
         let problem = match target {
-            Target::Input { node, port } if known.contains_key(&(node, port)) => continue,
+            Target::Input { node, port } if known.get(&(node, port)).is_some_and(|param| param.value.is_some()) => {
+                continue;
+            }
+            Target::Input { node, port } if known.contains_key(&(node, port)) => {
+                let message = format!("`{target}` has no value to set: it reads the surroundings");
+                let problem = Diagnostic::error("unset-target", message).node(node.clone()).port(port.clone());
+                problem.hint("give the input a value in the look; that is then its default")
+            }
             Target::Light { light, field } => match light_target_problem(look, light, field) {
                 None => continue,
                 Some(problem) => problem,
