@@ -52,8 +52,11 @@ enum Command {
     /// Open looks or scenes in the editor (also what `chiaro` alone does)
     #[command(after_help = EDIT_EXAMPLES)]
     Edit {
-        /// Looks or scenes
+        /// A look
         files: Vec<PathBuf>,
+        /// The mesh to see it on: a file (OBJ, PLY, STL, glTF, GLB) or an own shape (shape:knot)
+        #[arg(short, long)]
+        mesh: Option<String>,
     },
     /// Write a look or a scene to begin with
     New(new::Arguments),
@@ -87,14 +90,19 @@ pub enum Outcome {
     /// It is done.
     Done(ExitCode),
     /// The editor is to be opened with these files.
-    Edit(Vec<PathBuf>),
+    Edit {
+        /// Looks; the first is shown.
+        files: Vec<PathBuf>,
+        /// The mesh to see it on.
+        mesh: Option<String>,
+    },
 }
 
 /// Reads the command line and does what it says, but for the editor, which `main` opens.
 pub fn run() -> Outcome {
     let command = match Arguments::parse().command {
-        None => return Outcome::Edit(Vec::new()),
-        Some(Command::Edit { files }) => return Outcome::Edit(files),
+        None => return Outcome::Edit { files: Vec::new(), mesh: None },
+        Some(Command::Edit { files, mesh }) => return Outcome::Edit { files, mesh },
         Some(command) => command,
     };
     interrupt::clean_up_on_interrupt();

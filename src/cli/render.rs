@@ -35,6 +35,9 @@ pub(super) struct Arguments {
     /// A mesh (OBJ, PLY, STL, glTF, GLB) or an own shape (shape:creature) in place of the document's
     #[arg(short, long)]
     mesh: Option<String>,
+    /// Stands up meshes whose z axis points up, as in many scans
+    #[arg(long)]
+    z_up: bool,
     /// Width and height in pixels
     #[arg(short, long, default_value = "800x800")]
     size: Size,
@@ -95,6 +98,9 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     output.diagnostics(&library.problems);
     let mut assets = Assets::default();
     let (mut setup, mut warnings) = open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?;
+    if arguments.z_up {
+        setup.stand_up();
+    }
     adjust(&mut setup.scene, arguments).map_err(one)?;
     let mut planner = Planner::new(assets);
     let options = PlanOptions { size: arguments.size.0, samples: arguments.samples, time: arguments.time };

@@ -10,7 +10,7 @@ use eframe::egui::{Key, KeyboardShortcut, Modifiers, Panel, RichText, Ui, Viewpo
 use super::canvas::Canvas;
 use super::code::Code;
 use super::command::Command;
-use super::dialogs::{Dialogs, Purpose};
+use super::dialogs::{Dialogs, MESHES, Purpose};
 use super::picture::Picture;
 use super::session::Session;
 use super::viewport::Viewport;
@@ -66,6 +66,12 @@ impl App {
             presses: 0,
             closes: false,
         }
+    }
+
+    /// Shows the look on a mesh: a path, or `shape:` and the name of an own shape. What is wrong with it is told where
+    /// problems are; the last good picture stays.
+    pub fn show_on(&mut self, mesh: &str) {
+        mesh.clone_into(&mut self.session.view.mesh);
     }
 
     /// The open look.
@@ -139,10 +145,14 @@ impl App {
         let mut commands = Vec::new();
         self.shortcuts(ui, &mut commands);
         let dropped = ui.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_path_buf()));
-        commands.extend(dropped.map(|path| Command::Open(Some(path))));
+        commands.extend(dropped.map(|path| {
+            let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_lowercase();
+            if MESHES.contains(&ending.as_str()) { Command::ShowOn(Some(path)) } else { Command::Open(Some(path)) }
+        }));
         commands.extend(self.dialogs.answers().map(|(purpose, path)| match purpose {
             Purpose::Open => Command::Open(Some(path)),
             Purpose::Save => Command::SaveTo(path),
+            Purpose::Mesh => Command::ShowOn(Some(path)),
         }));
         if let Some(again) = self.session.tick(ui.input(|input| input.time)) {
             ui.ctx().request_repaint_after(again);
@@ -185,7 +195,7 @@ impl App {
                 });
             }
             egui::CentralPanel::no_frame().show(ui, |ui| {
-                self.viewport.show(ui, &mut self.session, self.picture.as_mut());
+                commands.extend(self.viewport.show(ui, &mut self.session, self.picture.as_mut()));
             });
         });
         egui::CentralPanel::no_frame().show(ui, |ui| commands.extend(self.canvas.show(ui, &self.session)));
@@ -309,6 +319,8 @@ impl App {
                     self.go_on();
                 }
             }
+            Command::ShowOn(Some(path)) => self.show_on(&path.to_string_lossy()),
+            Command::ShowOn(None) => self.dialogs.ask(Purpose::Mesh, Some(Path::new(&self.session.view.mesh))),
             Command::Copy(text) => ui.ctx().copy_text(text),
         }
     }

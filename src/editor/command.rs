@@ -27,6 +27,8 @@ pub(crate) enum Command {
     SaveAs,
     /// Saves to this file.
     SaveTo(PathBuf),
+    /// Shows the look on the mesh of this file; asks for one where there is none.
+    ShowOn(Option<PathBuf>),
     /// Copies text to the clipboard.
     Copy(String),
 }

@@ -11,7 +11,11 @@ use crate::render::block_on;
 pub(crate) enum Purpose {
     Open,
     Save,
+    Mesh,
 }
+
+/// The endings of meshes that can be read.
+pub(crate) const MESHES: [&str; 5] = ["obj", "ply", "stl", "gltf", "glb"];
 
 /// Dialogs that are open, and what became of them.
 pub(crate) struct Dialogs {
@@ -27,7 +31,11 @@ impl Dialogs {
 
     /// Asks for a file, beginning in the folder of `near`.
     pub(crate) fn ask(&self, purpose: Purpose, near: Option<&Path>) {
-        let mut dialog = rfd::AsyncFileDialog::new().add_filter("Chiaro look", &["json"]);
+        let dialog = rfd::AsyncFileDialog::new();
+        let mut dialog = match purpose {
+            Purpose::Open | Purpose::Save => dialog.add_filter("Chiaro look", &["json"]),
+            Purpose::Mesh => dialog.add_filter("Mesh", &MESHES),
+        };
         if let Some(folder) = near.and_then(Path::parent).filter(|folder| folder.is_dir()) {
             dialog = dialog.set_directory(folder);
         }
@@ -36,7 +44,7 @@ impl Dialogs {
         let (answers, wake) = (self.answers.clone(), self.wake.clone());
         let _ = start("dialog", move || {
             let file = match purpose {
-                Purpose::Open => block_on(dialog.pick_file()),
+                Purpose::Open | Purpose::Mesh => block_on(dialog.pick_file()),
                 Purpose::Save => block_on(dialog.set_file_name(name).save_file()),
             };
             if let Some(file) = file {

@@ -31,12 +31,14 @@ pub use viewport::Viewport;
 
 use crate::diag::Diagnostic;
 
-/// Opens the window with the first of `files`, or a new look, and returns when it is closed.
+/// Opens the window with the first of `files`, or a new look, on `mesh` (a path, or `shape:` and a name), and returns
+/// when it is closed.
 ///
 /// # Errors
 /// Why there can be no window.
-pub fn run(files: &[PathBuf]) -> Result<(), Box<Diagnostic>> {
+pub fn run(files: &[PathBuf], mesh: Option<&str>) -> Result<(), Box<Diagnostic>> {
     let file = files.first().cloned();
+    let mesh = mesh.map(str::to_owned);
     let viewport = egui::ViewportBuilder::default()
         .with_app_id("chiaro")
         .with_title("Chiaro")
@@ -48,6 +50,9 @@ pub fn run(files: &[PathBuf]) -> Result<(), Box<Diagnostic>> {
         let mut app = App::new(&context.egui_ctx, context.wgpu_render_state.clone());
         if let Some(file) = file {
             app.open(&file);
+        }
+        if let Some(mesh) = mesh {
+            app.show_on(&mesh);
         }
         Ok(Box::new(app) as Box<dyn eframe::App>)
     };

@@ -27,6 +27,8 @@ pub struct Orbit {
     pub illumination: DQuat,
     /// A path, or `shape:` and the name of an own shape.
     pub mesh: String,
+    /// Whether the mesh's z axis points up, as in many scans and drawings, and not y.
+    pub z_is_up: bool,
 }
 
 impl Default for Orbit {
@@ -40,6 +42,7 @@ impl Default for Orbit {
             fov: camera.fov,
             illumination: DQuat::IDENTITY,
             mesh: DEFAULT_MESH.to_owned(),
+            z_is_up: false,
         }
     }
 }
@@ -113,7 +116,7 @@ impl Orbit {
 
     /// As in the beginning; the mesh stays.
     pub fn reset(&mut self) {
-        *self = Self { mesh: std::mem::take(&mut self.mesh), ..Self::default() };
+        *self = Self { mesh: std::mem::take(&mut self.mesh), z_is_up: self.z_is_up, ..Self::default() };
     }
 }
 

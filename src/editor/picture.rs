@@ -128,6 +128,9 @@ impl Artist {
         let look =
             SetupLook { look: (*showing.look).clone(), source: wish.source.clone(), folder: wish.folder.clone() };
         let (mut setup, notes) = default_setup(look, &orbit.mesh, &mut self.planner.assets)?;
+        if orbit.z_is_up {
+            setup.stand_up();
+        }
         setup.scene.camera = orbit.camera();
         setup.scene.illumination = DQuat::to_array(&orbit.illumination);
         // The look's lights as they are now: the planner keeps those of the time when it was given the shader.

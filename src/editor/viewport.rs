@@ -5,7 +5,9 @@ use eframe::egui::{
     Color32, Key, Modifiers, PointerButton, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo, pos2, vec2,
 };
 use glam::DVec3;
+use std::path::Path;
 
+use super::command::Command;
 use super::picture::Picture;
 use super::session::Session;
 use super::theme;
@@ -30,8 +32,13 @@ pub struct Viewport {
 impl Viewport {
     /// Shows the picture in all the room there is. The camera and the lights belong to the window, not to the look, so
     /// they are changed here and now.
-    pub(crate) fn show(&mut self, ui: &mut Ui, session: &mut Session, picture: Option<&mut Picture>) {
-        self.bar(ui, session);
+    pub(crate) fn show(
+        &mut self,
+        ui: &mut Ui,
+        session: &mut Session,
+        picture: Option<&mut Picture>,
+    ) -> Option<Command> {
+        let command = self.bar(ui, session);
         let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Picture"));
         self.rect = Some(rect);
@@ -49,22 +56,37 @@ impl Viewport {
         if response.hovered() || self.drag == Some(Drag::Lights) {
             light_needles(ui, rect, session, self.drag == Some(Drag::Lights));
         }
+        command
     }
 
-    fn bar(&self, ui: &mut Ui, session: &mut Session) {
+    /// The mesh that the look is seen on, and how it stands.
+    fn bar(&self, ui: &mut Ui, session: &mut Session) -> Option<Command> {
+        let mut command = None;
         ui.horizontal(|ui| {
             let label = ui.label("On");
             let mesh = session.view.mesh.clone();
             let shape = SHAPES.iter().find(|shape| mesh.strip_prefix("shape:") == Some(shape.name));
-            let shown = shape.map_or(mesh.as_str(), |shape| shape.label);
+            let file = Path::new(&mesh).file_name().map_or(mesh.clone(), |name| name.to_string_lossy().into_owned());
+            let shown = shape.map_or(file.as_str(), |shape| shape.label);
             let combo = egui::ComboBox::from_id_salt("mesh").selected_text(shown).show_ui(ui, |ui| {
                 for shape in SHAPES {
                     let is_it = mesh.strip_prefix("shape:") == Some(shape.name);
                     if ui.selectable_label(is_it, shape.label).on_hover_text(shape.help).clicked() {
                         session.view.mesh = format!("shape:{}", shape.name);
+                        session.view.z_is_up = false;
                     }
                 }
+                ui.separator();
+                let help =
+                    "Shows the look on a mesh of yours (OBJ, PLY, STL, glTF); it can also be dropped on the window";
+                if ui.selectable_label(shape.is_none(), "From a file...").on_hover_text(help).clicked() {
+                    command = Some(Command::ShowOn(None));
+                }
             });
+            if shape.is_none() {
+                ui.checkbox(&mut session.view.z_is_up, "Z is up")
+                    .on_hover_text("Stands up a mesh whose z axis points up");
+            }
             combo.response.labelled_by(label.id);
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 if ui.button("Reset").on_hover_text("Turns camera and lights back (R)").clicked() {
@@ -75,6 +97,7 @@ impl Viewport {
                 }
             });
         });
+        command
     }
 
     fn drags(&mut self, ui: &Ui, response: &Response, rect: Rect, session: &mut Session) {

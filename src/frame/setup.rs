@@ -65,6 +65,22 @@ pub struct Setup {
     pub objects: Vec<SetupObject>,
 }
 
+impl Setup {
+    /// Turns every object so that the z axis of its mesh points up, and not y.
+    pub fn stand_up(&mut self) {
+        let turn = DMat4::from_rotation_x(-std::f64::consts::FRAC_PI_2);
+        for object in &mut self.objects {
+            object.world_from_object *= turn_within(object, turn);
+        }
+    }
+}
+
+/// A turn of the object's mesh around the middle of its bounds, in its own space.
+fn turn_within(object: &SetupObject, turn: DMat4) -> DMat4 {
+    let middle = object.mesh.bounds().center();
+    DMat4::from_translation(middle) * turn * DMat4::from_translation(-middle)
+}
+
 /// Opens a look or a scene. A look opened alone is worn by `mesh` (a path, or `shape:` and a name) in the default scene.
 ///
 /// # Errors
