@@ -76,3 +76,26 @@ fn the_last_good_picture_stays_while_the_look_is_broken() {
     // The list of problems makes the viewport lower, so only what it shows is held, not where.
     assert!(middle_row(&mut hand).iter().any(|color| *color == good[good.len() / 2]));
 }
+
+#[test]
+fn the_look_is_seen_on_another_mesh_and_on_one_from_a_file() {
+    let Some(mut hand) = window() else { return };
+    let creature = middle_row(&mut hand);
+    hand.app_mut().show_on("shape:torus");
+    hand.settle();
+    let torus = middle_row(&mut hand);
+    assert_ne!(creature, torus);
+
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("wedge.obj");
+    std::fs::write(&file, "v -1 -1 0\nv 1 -1 0\nv 1 1 -1\nv -1 1 -1\nf 1 2 3 4\n").unwrap();
+    hand.app_mut().show_on(&file.to_string_lossy());
+    hand.settle();
+    let wedge = middle_row(&mut hand);
+    assert_ne!(torus, wedge);
+
+    // A mesh that is not there is told of, and the last good picture stays.
+    hand.app_mut().show_on("nowhere.obj");
+    hand.settle();
+    assert_eq!(middle_row(&mut hand), wedge);
+}
