@@ -146,6 +146,12 @@ impl NodePath {
         Self(self.0.iter().cloned().chain([id]).collect())
     }
 
+    /// The group node that this one lies in.
+    pub fn parent(&self) -> Option<Self> {
+        let (_, groups) = self.0.split_last()?;
+        (!groups.is_empty()).then(|| Self(groups.into()))
+    }
+
     /// From the outermost group to the node.
     pub fn ids(&self) -> &[NodeId] {
         &self.0

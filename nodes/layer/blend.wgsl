@@ -12,7 +12,7 @@ import chiaro::blend;
 ///   Add brightens; Multiply keeps only what the tone lights (black where the tone is 0); Subtract darkens; Alpha
 ///   covers; Shade multiplies within the tone and leaves the rest, as painters expect of a shadow layer.
 /// @param opacity "Opacity" default=1 min=0 max=1 : 0 leaves what is below as it is, in every mode.
-/// @param clamped "Clamp" default=true : Keeps the result within 0 and 1 after this layer.
+/// @param clamped "Clamp" default=true : Keeps the stack, which is premultiplied, within 0 and 1 after this layer.
 /// @return below "Stack" : The stack with this layer on top.
 /// @bypass below when opacity = 0 : its opacity is 0
 /// @bypass below when tone = 0 and mode = add|subtract|alpha|shade and below = unit : its tone is 0

@@ -43,7 +43,12 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<bool, Vec<Di
     let mut checker = Checker { nodes: arguments.nodes.as_deref(), ..Checker::default() };
     let mut files = Vec::new();
     for file in &arguments.files {
-        if file.is_dir() { checker.folder(file, &mut files) } else { files.push(file.clone()) }
+        if file.is_dir() {
+            checker.is_project = true;
+            checker.folder(file, &mut files);
+        } else {
+            files.push(file.clone());
+        }
     }
     files.iter().for_each(|file| checker.document(file));
     let problems = once(checker.problems);
@@ -68,6 +73,8 @@ fn summary(files: usize, problems: &[Diagnostic]) -> String {
 
 #[derive(Default)]
 struct Checker<'a> {
+    /// Whether folders are checked, with all that is in them.
+    is_project: bool,
     nodes: Option<&'a Path>,
     assets: Assets,
     libraries: HashMap<PathBuf, Library>,
@@ -116,7 +123,11 @@ impl Checker<'_> {
             return known.clone();
         }
         let library = library_for(document, self.nodes);
-        self.problems.extend(library.problems.iter().cloned());
+        // A broken node file is an error of the nodes that use it, which the compiler tells, and of the project as a whole;
+        // to a look that does without it, it is a warning.
+        let severity = if self.is_project { Severity::Error } else { Severity::Warning };
+        let aside = |problem: &Diagnostic| Diagnostic { severity, ..problem.clone() };
+        self.problems.extend(library.problems.iter().map(aside));
         self.libraries.insert(folder, library.clone());
         library
     }

@@ -49,7 +49,7 @@ Exit codes: 0 done; 1 something in a document, an asset or the GPU is at fault (
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Open looks or scenes in the editor (also what `chiaro` alone does)
+    /// Open a look in the editor (also what `chiaro` alone does)
     #[command(after_help = EDIT_EXAMPLES)]
     Edit {
         /// A look

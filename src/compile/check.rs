@@ -377,11 +377,32 @@ struct Typer<'a> {
 
 impl Typer<'_> {
     fn problem(&mut self, node: &FlatNode, port: Option<&Input>, problem: Diagnostic) {
-        let problem = problem.node(node.path.clone());
+        let (path, port) = match port {
+            Some(input) => {
+                let (path, port) = self.place(node, input);
+                (path, Some(port))
+            }
+            None => (node.path.clone(), None),
+        };
+        let problem = problem.node(path);
         self.problems.push(match port {
-            Some(input) => problem.port(input.name.clone()),
+            Some(port) => problem.port(port),
             None => problem,
         });
+    }
+
+    /// Where the artist sets an input: on the node, or on the group around it whose input it is.
+    fn place(&self, node: &FlatNode, input: &Input) -> (NodePath, PortName) {
+        let index = node.def.input(input.name.as_str());
+        match index.and_then(|index| node.inputs.get(index)) {
+            Some(FlatInput::Param(id)) => (self.flat.params[*id].path.clone(), self.flat.params[*id].port.clone()),
+            _ => (node.path.clone(), input.name.clone()),
+        }
+    }
+
+    /// What the artist calls an input.
+    fn port_name(&self, node: &FlatNode, input: &Input) -> PortName {
+        self.place(node, input).1
     }
 
     fn node(&mut self, index: usize) -> Option<TypedNode> {
@@ -438,7 +459,8 @@ impl Typer<'_> {
                 None => Some(fallback),
                 Some(Value::Text(text)) => Some(text.clone()),
                 Some(other) => {
-                    let message = format!("expected a text for `{}`, found {}", input.name, describe(other));
+                    let message =
+                        format!("expected a text for `{}`, found {}", self.port_name(flat, input), describe(other));
                     self.problem(flat, Some(input), Diagnostic::error("wrong-type", message));
                     None
                 }
@@ -452,9 +474,10 @@ impl Typer<'_> {
         if words.contains(&word.as_str()) {
             return Some(word);
         }
-        let problem = Diagnostic::error("unknown-choice", format!("`{}` cannot be `{word}`", input.name))
-            .suggest(&word, words.iter().copied())
-            .hint(format!("it is one of {}", words.join(", ")));
+        let problem =
+            Diagnostic::error("unknown-choice", format!("`{}` cannot be `{word}`", self.port_name(flat, input)))
+                .suggest(&word, words.iter().copied())
+                .hint(format!("it is one of {}", words.join(", ")));
         self.problem(flat, Some(input), problem);
         None
     }
@@ -572,7 +595,7 @@ impl Typer<'_> {
                 return Some((TypedSource::Context(*context), Type::from_wgsl(context.wgsl_type())));
             }
             (None, Fallback::Wire) => {
-                let problem = Diagnostic::error("unwired", format!("`{}` must be wired", input.name));
+                let problem = Diagnostic::error("unwired", format!("`{}` must be wired", self.port_name(flat, input)));
                 self.problem(flat, Some(input), problem.hint(format!("wire it to an output of type {ty}")));
                 return None;
             }
@@ -588,7 +611,11 @@ impl Typer<'_> {
             };
         }
         if let Err(message) = typed_value(&value, ty) {
-            self.problem(flat, Some(input), Diagnostic::error("wrong-type", format!("`{}`: {message}", input.name)));
+            self.problem(
+                flat,
+                Some(input),
+                Diagnostic::error("wrong-type", format!("`{}`: {message}", self.port_name(flat, input))),
+            );
             return None;
         }
         if explicit.is_some() {
@@ -617,7 +644,7 @@ impl Typer<'_> {
             (None, Some(max)) => format!("at most {max}"),
             (None, None) => return,
         };
-        let message = format!("`{}` is {}, outside its range", input.name, describe(value));
+        let message = format!("`{}` is {}, outside its range", self.port_name(flat, input), describe(value));
         let problem = Diagnostic::warning("out-of-range", message).hint(format!("use a value {range}"));
         self.problem(flat, Some(input), problem);
     }

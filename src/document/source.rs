@@ -62,7 +62,9 @@ impl SourceMap {
         if place.json_path.is_none()
             && let Some(node) = &place.node
         {
-            let path = self.path_of_node(node);
+            // What lies in a group of the library is nowhere in the text; the group's node is.
+            let around = std::iter::successors(Some(node.clone()), NodePath::parent);
+            let path = around.into_iter().find_map(|node| self.path_of_node(&node));
             let value = |path: &String| place.port.as_ref().map(|port| format!("{path}.values.{port}"));
             let value = path.as_ref().and_then(value).filter(|value| self.find(value).1);
             place.json_path = value.or(path);

@@ -54,7 +54,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     } else {
         output.result(&text::table(&entries));
     }
-    if library.problems.is_empty() { Ok(()) } else { Err(library.problems) }
+    output.diagnostics(&library.problems);
+    Ok(())
 }
 
 /// Near names, of kinds and of what people read for them.

@@ -87,7 +87,8 @@ impl<D: Editable> History<D> {
         let inverse = self.document.edit(edit, false)?;
         // What sets the value that was there is taken back by itself.
         if D::does_nothing(&inverse) || inverse == repeated {
-            return Ok(());
+            // Equal is not always the same: 0 and -0 are written differently.
+            return self.document.edit(inverse, true).map(drop);
         }
         let before = self.state;
         self.revision += 1;

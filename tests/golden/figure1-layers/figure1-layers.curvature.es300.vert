@@ -8,6 +8,7 @@
 precision highp float;
 precision highp int;
 
+const ivec2 RING[8] = ivec2[8](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1), ivec2(1, 1), ivec2(-1, 1), ivec2(1, -1), ivec2(-1, -1));
 const float WEIGHTS[3] = float[3](1.0, 0.85, 0.5);
 
 

@@ -21,6 +21,7 @@ struct Sides {
     float backward;
     float backward_weight;
 };
+const ivec2 RING[8] = ivec2[8](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1), ivec2(1, 1), ivec2(-1, 1), ivec2(1, -1), ivec2(-1, -1));
 const float WEIGHTS[3] = float[3](1.0, 0.85, 0.5);
 
 uniform sampler2D u_normals;
@@ -31,20 +32,20 @@ layout(std140) uniform CurvatureBlock { Curvature u_curvature; };
 
 layout(location = 0) out float out_color;
 
-Texel texel(ivec2 at) {
-    bool local = false;
+Texel texel(ivec2 at_1) {
+    bool local_1 = false;
     ivec2 size = ivec2(uvec2(textureSize(u_normals, 0).xy));
-    if (!(any(lessThan(at, ivec2(0))))) {
-        local = any(greaterThanEqual(at, size));
+    if (!(any(lessThan(at_1, ivec2(0))))) {
+        local_1 = any(greaterThanEqual(at_1, size));
     } else {
-        local = true;
+        local_1 = true;
     }
-    bool _e14 = local;
+    bool _e14 = local_1;
     if (_e14) {
         return Texel(vec3(0.0), 0.0, 0.0);
     }
-    vec4 normal_1 = texelFetch(u_normals, at, 0);
-    vec4 _e27 = texelFetch(u_depths, at, 0);
+    vec4 normal_1 = texelFetch(u_normals, at_1, 0);
+    vec4 _e27 = texelFetch(u_depths, at_1, 0);
     return Texel(normal_1.xyz, normal_1.w, _e27.x);
 }
 
@@ -52,17 +53,17 @@ vec2 slope(vec3 normal) {
     return (normal.xy / vec2(max(normal.z, 0.2)));
 }
 
-vec3 neighbour(Texel center, ivec2 at_1, vec2 offset) {
-    Texel _e3 = texel(at_1);
-    if ((_e3.object != center.object)) {
+vec3 neighbour(Texel center_1, ivec2 at_2, vec2 offset) {
+    Texel _e3 = texel(at_2);
+    if ((_e3.object != center_1.object)) {
         return vec3(0.0);
     }
     float _e11 = u_curvature.pixel;
     float _e15 = u_curvature.perspective;
-    float pixel = (_e11 * mix(1.0, center.depth, _e15));
-    vec2 gradient = (-(center.normal.xy) / vec2(max(center.normal.z, 0.02)));
+    float pixel = (_e11 * mix(1.0, center_1.depth, _e15));
+    vec2 gradient = (-(center_1.normal.xy) / vec2(max(center_1.normal.z, 0.02)));
     float expected = (dot(gradient, offset) * pixel);
-    float error = abs(((center.depth - _e3.depth) - expected));
+    float error = abs(((center_1.depth - _e3.depth) - expected));
     bool is_near = (error <= (((2.0 * pixel) * length(offset)) * (1.0 + length(gradient))));
     vec2 _e47 = slope(_e3.normal);
     return (is_near ? vec3(_e47, 1.0) : vec3(0.0));
@@ -77,66 +78,112 @@ float derivative(Sides sides) {
 
 void main() {
     vec4 position = gl_FragCoord;
+    ivec2 at = ivec2(0);
+    Texel center = Texel(vec3(0.0), 0.0, 0.0);
+    int k = 0;
+    bool local = false;
     Sides along_x = Sides(0.0, 0.0, 0.0, 0.0);
     Sides along_y = Sides(0.0, 0.0, 0.0, 0.0);
-    int k = 1;
-    ivec2 at_2 = ivec2(position.xy);
-    Texel _e3 = texel(at_2);
-    if ((_e3.object == 0.0)) {
-        out_color = 0.0;
-        return;
-    }
-    vec2 _e9 = slope(_e3.normal);
-    float _e24 = u_curvature.rows_up;
-    int up = ((_e24 > 0.5) ? 1 : -1);
-    float _e32 = u_curvature.viewport_height;
-    int stride = max(int(roundEven((_e32 / 800.0))), 1);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            int _e144 = k;
-            k = (_e144 + 1);
+    int k_1 = 1;
+    at = ivec2(position.xy);
+    ivec2 _e4 = at;
+    Texel _e5 = texel(_e4);
+    center = _e5;
+    float _e8 = center.object;
+    if ((_e8 == 0.0)) {
+        bool loop_init = true;
+        while(true) {
+            if (!loop_init) {
+                int _e33 = k;
+                k = (_e33 + 1);
+            }
+            loop_init = false;
+            int _e13 = k;
+            if ((_e13 < 8)) {
+                float _e19 = center.object;
+                local = (_e19 == 0.0);
+            } else {
+                local = false;
+            }
+            bool _e23 = local;
+            if (_e23) {
+            } else {
+                break;
+            }
+            {
+                int _e27 = k;
+                at = (ivec2(position.xy) + RING[_e27]);
+                ivec2 _e30 = at;
+                Texel _e31 = texel(_e30);
+                center = _e31;
+            }
         }
-        loop_init = false;
-        int _e41 = k;
-        if ((_e41 <= 3)) {
+        float _e36 = center.object;
+        if ((_e36 == 0.0)) {
+            out_color = 0.0;
+            return;
+        }
+    }
+    vec3 _e41 = center.normal;
+    vec2 _e42 = slope(_e41);
+    float _e57 = u_curvature.rows_up;
+    int up = ((_e57 > 0.5) ? 1 : -1);
+    float _e65 = u_curvature.viewport_height;
+    int stride = max(int(roundEven((_e65 / 800.0))), 1);
+    bool loop_init_1 = true;
+    while(true) {
+        if (!loop_init_1) {
+            int _e185 = k_1;
+            k_1 = (_e185 + 1);
+        }
+        loop_init_1 = false;
+        int _e74 = k_1;
+        if ((_e74 <= 3)) {
         } else {
             break;
         }
         {
-            int _e44 = k;
-            int reach = (_e44 * stride);
+            int _e77 = k_1;
+            int reach = (_e77 * stride);
             float distance_ = float(reach);
-            int _e48 = k;
-            float weight = ((WEIGHTS[(_e48 - 1)] * distance_) * distance_);
-            vec3 _e61 = neighbour(_e3, (at_2 + ivec2(-(reach), 0)), vec2(-(distance_), 0.0));
-            vec3 _e67 = neighbour(_e3, (at_2 + ivec2(reach, 0)), vec2(distance_, 0.0));
-            vec3 _e74 = neighbour(_e3, (at_2 + ivec2(0, (up * reach))), vec2(0.0, distance_));
-            vec3 _e82 = neighbour(_e3, (at_2 - ivec2(0, (up * reach))), vec2(0.0, -(distance_)));
-            float _e84 = along_x.forward;
-            along_x.forward = (_e84 + (((weight * _e67.z) * (_e67.x - _e9.x)) / distance_));
-            float _e94 = along_x.forward_weight;
-            along_x.forward_weight = (_e94 + (weight * _e67.z));
-            float _e99 = along_x.backward;
-            along_x.backward = (_e99 + (((weight * _e61.z) * (_e9.x - _e61.x)) / distance_));
-            float _e109 = along_x.backward_weight;
-            along_x.backward_weight = (_e109 + (weight * _e61.z));
-            float _e114 = along_y.forward;
-            along_y.forward = (_e114 + (((weight * _e74.z) * (_e74.y - _e9.y)) / distance_));
-            float _e124 = along_y.forward_weight;
-            along_y.forward_weight = (_e124 + (weight * _e74.z));
-            float _e129 = along_y.backward;
-            along_y.backward = (_e129 + (((weight * _e82.z) * (_e9.y - _e82.y)) / distance_));
-            float _e139 = along_y.backward_weight;
-            along_y.backward_weight = (_e139 + (weight * _e82.z));
+            int _e81 = k_1;
+            float weight = ((WEIGHTS[(_e81 - 1)] * distance_) * distance_);
+            Texel _e87 = center;
+            ivec2 _e88 = at;
+            vec3 _e96 = neighbour(_e87, (_e88 + ivec2(-(reach), 0)), vec2(-(distance_), 0.0));
+            Texel _e97 = center;
+            ivec2 _e98 = at;
+            vec3 _e104 = neighbour(_e97, (_e98 + ivec2(reach, 0)), vec2(distance_, 0.0));
+            Texel _e105 = center;
+            ivec2 _e106 = at;
+            vec3 _e113 = neighbour(_e105, (_e106 + ivec2(0, (up * reach))), vec2(0.0, distance_));
+            Texel _e114 = center;
+            ivec2 _e115 = at;
+            vec3 _e123 = neighbour(_e114, (_e115 - ivec2(0, (up * reach))), vec2(0.0, -(distance_)));
+            float _e125 = along_x.forward;
+            along_x.forward = (_e125 + (((weight * _e104.z) * (_e104.x - _e42.x)) / distance_));
+            float _e135 = along_x.forward_weight;
+            along_x.forward_weight = (_e135 + (weight * _e104.z));
+            float _e140 = along_x.backward;
+            along_x.backward = (_e140 + (((weight * _e96.z) * (_e42.x - _e96.x)) / distance_));
+            float _e150 = along_x.backward_weight;
+            along_x.backward_weight = (_e150 + (weight * _e96.z));
+            float _e155 = along_y.forward;
+            along_y.forward = (_e155 + (((weight * _e113.z) * (_e113.y - _e42.y)) / distance_));
+            float _e165 = along_y.forward_weight;
+            along_y.forward_weight = (_e165 + (weight * _e113.z));
+            float _e170 = along_y.backward;
+            along_y.backward = (_e170 + (((weight * _e123.z) * (_e42.y - _e123.y)) / distance_));
+            float _e180 = along_y.backward_weight;
+            along_y.backward_weight = (_e180 + (weight * _e123.z));
         }
     }
-    Sides _e146 = along_x;
-    float _e147 = derivative(_e146);
-    Sides _e148 = along_y;
-    float _e149 = derivative(_e148);
-    float _e155 = u_curvature.viewport_height;
-    float kappa = ((0.5 * (_e147 + _e149)) * _e155);
+    Sides _e187 = along_x;
+    float _e188 = derivative(_e187);
+    Sides _e189 = along_y;
+    float _e190 = derivative(_e189);
+    float _e196 = u_curvature.viewport_height;
+    float kappa = ((0.5 * (_e188 + _e190)) * _e196);
     out_color = clamp(kappa, -10000.0, 10000.0);
     return;
 }

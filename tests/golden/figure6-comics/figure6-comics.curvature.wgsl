@@ -33,6 +33,11 @@ const DEPTH_TOLERANCE = 2.0;
 /// Curvature beyond this says no more.
 const MOST = 1e4;
 
+/// The pixels around a pixel, nearest first.
+const RING = array<vec2i, 8>(
+    vec2i(1, 0), vec2i(-1, 0), vec2i(0, 1), vec2i(0, -1), vec2i(1, 1), vec2i(-1, 1), vec2i(1, -1), vec2i(-1, -1),
+);
+
 struct Texel {
     normal: vec3f,
     object: f32,
@@ -93,10 +98,18 @@ fn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
 
 @fragment
 fn fs_main(@builtin(position) position: vec4f) -> @location(0) f32 {
-    let at = vec2i(position.xy);
-    let center = texel(at);
+    var at = vec2i(position.xy);
+    var center = texel(at);
     if center.object == 0.0 {
-        return 0.0;
+        // With several samples a pixel, a look also shades pixels whose middle the object just misses: they have the
+        // curvature of a neighbour.
+        for (var k = 0; k < 8 && center.object == 0.0; k++) {
+            at = vec2i(position.xy) + RING[k];
+            center = texel(at);
+        }
+        if center.object == 0.0 {
+            return 0.0;
+        }
     }
     let here = slope(center.normal);
     var along_x = Sides(0.0, 0.0, 0.0, 0.0);

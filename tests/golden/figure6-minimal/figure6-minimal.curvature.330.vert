@@ -4,6 +4,7 @@
 // Uniform blocks (std140): CurvatureBlock 0.
 // Textures: u_normals 0, u_depths 1.
 // figure6-minimal.json says what to put there and how to draw.
+const ivec2 RING[8] = ivec2[8](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1), ivec2(1, 1), ivec2(-1, 1), ivec2(1, -1), ivec2(-1, -1));
 const float WEIGHTS[3] = float[3](1.0, 0.85, 0.5);
 
 
