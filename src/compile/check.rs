@@ -1,6 +1,6 @@
 //! Types every node of a look: which function it is, what its inputs are bound to, and in which order they run.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use indexmap::IndexMap;
@@ -134,6 +134,7 @@ pub fn check(
     let Some(root) = root.filter(|_| is_whole && !stops) else { return Err(problems) };
     let order: Vec<usize> = order.into_iter().filter(|&index| reached[index] || nodes[index].is_some()).collect();
     let keyed = keyed_targets(look);
+    let surroundings = from_surroundings(&flat);
     let typed_inputs: Vec<(ParamId, Value, Option<Value>)> = nodes.iter().flatten().flat_map(param_values).collect();
     let graph = TypedGraph {
         order: order.iter().copied().filter(|&index| nodes[index].is_some()).collect(),
@@ -148,7 +149,7 @@ pub fn check(
         name: look.name.clone(),
     };
     let mut wrong_targets = Vec::new();
-    check_targets(&graph, look, &mut wrong_targets);
+    check_targets(&graph, look, &surroundings, &mut wrong_targets);
     let stops = has_errors(&wrong_targets);
     problems.append(&mut wrong_targets);
     if stops { Err(problems) } else { Ok((graph, problems)) }
@@ -317,8 +318,23 @@ fn reach(flat: &FlatGraph, root: usize) -> Vec<bool> {
     reached
 }
 
+/// The inputs that have no value, because they read their surroundings.
+fn from_surroundings(flat: &FlatGraph) -> HashSet<(NodePath, PortName)> {
+    let inputs = flat.nodes.iter().flat_map(|node| node.inputs.iter().zip(&node.def.inputs));
+    let unset = inputs.filter_map(|(input, port)| match input {
+        FlatInput::Param(id) if matches!(port.fallback, Fallback::Context(_)) => Some(&flat.params[*id]),
+        _ => None,
+    });
+    unset.filter(|param| param.value.is_none()).map(|param| (param.path.clone(), param.port.clone())).collect()
+}
+
 /// Exposed parameters and keys must name values that there are.
-fn check_targets(graph: &TypedGraph, look: &Look, problems: &mut Vec<Diagnostic>) {
+fn check_targets(
+    graph: &TypedGraph,
+    look: &Look,
+    surroundings: &HashSet<(NodePath, PortName)>,
+    problems: &mut Vec<Diagnostic>,
+) {
     let exposed = look.exposed.iter().enumerate().map(|(i, e)| (&e.target, format!("exposed[{i}].target")));
     let timed = look.time_keys.iter().enumerate().map(|(i, track)| (&track.target, format!("time_keys[{i}].target")));
     let directed = look.direction_keys.iter().enumerate().flat_map(|(i, set)| {
@@ -326,17 +342,15 @@ fn check_targets(graph: &TypedGraph, look: &Look, problems: &mut Vec<Diagnostic>
             key.values.keys().map(move |target| (target, format!("direction_keys[{i}].keys[{k}].values.{target}")))
         })
     });
-    let known: HashMap<_, _> = graph.params.iter().map(|param| ((&param.path, &param.port), param)).collect();
+    let known: HashSet<_> = graph.params.iter().map(|param| (&param.path, &param.port)).collect();
     for (target, json_path) in exposed.chain(timed).chain(directed) {
         let problem = match target {
-            Target::Input { node, port } if known.get(&(node, port)).is_some_and(|param| param.value.is_some()) => {
-                continue;
-            }
-            Target::Input { node, port } if known.contains_key(&(node, port)) => {
+            Target::Input { node, port } if surroundings.contains(&(node.clone(), port.clone())) => {
                 let message = format!("`{target}` has no value to set: it reads the surroundings");
                 let problem = Diagnostic::error("unset-target", message).node(node.clone()).port(port.clone());
                 problem.hint("give the input a value in the look; that is then its default")
             }
+            Target::Input { node, port } if known.contains(&(node, port)) => continue,
             Target::Light { light, field } => match light_target_problem(look, light, field) {
                 None => continue,
                 Some(problem) => problem,
