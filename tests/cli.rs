@@ -516,9 +516,12 @@ mod gpu {
         let shop = shop();
         let mut child = shop.command(&["eval", "flat.json", "--at", "-"]).stdin(Stdio::piped()).spawn().unwrap();
         // More than a pipe holds: once it is written the program is reading, and it waits for an end that never comes.
-        child.stdin.as_mut().unwrap().write_all(&[b' '; 1 << 20]).unwrap();
+        // It stays open until the program has ended: waiting for a child would close it.
+        let mut stdin = child.stdin.take().unwrap();
+        stdin.write_all(&[b' '; 1 << 20]).unwrap();
         assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
         let code = child.wait().unwrap().code();
         assert_eq!(code, Some(130));
+        drop(stdin);
     }
 }
