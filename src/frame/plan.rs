@@ -139,9 +139,6 @@ impl Planner {
     }
 
     /// Gives a look's module that was compiled elsewhere (on another thread, say), for the next plans of this look.
-    ///
-    /// # Errors
-    /// Never today; kept so that callers handle a look whose normals cannot be compiled.
     pub fn provide(&mut self, look: &Look, live: &Live, draw: Arc<CompiledShader>) {
         let (rig, problems) = Rig::new(look);
         self.warnings = problems;

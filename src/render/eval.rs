@@ -73,18 +73,13 @@ impl Renderer {
             contents: bytes,
             usage: wgpu::BufferUsages::STORAGE,
         });
-        let mut textures = Vec::new();
-        let mut samplers = Vec::new();
-        for (image, wanted) in batch.images.iter().zip(&batch.shader.needs.images) {
-            textures.push(self.images.texture(&self.gpu, image, wanted)?);
-            samplers.push(self.images.sampler(&self.gpu, wanted));
-        }
+        let images = self.images.of(&self.gpu, &batch.images, &batch.shader.needs.images)?;
         let mut entries = Vec::new();
         for binding in &batch.shader.bindings {
             let resource = match &binding.kind {
                 BindingKind::Samples => Some(samples.as_entire_binding()),
-                BindingKind::Image(index) => textures.get(*index).map(wgpu::BindingResource::TextureView),
-                BindingKind::Sampler(index) => samplers.get(*index).map(wgpu::BindingResource::Sampler),
+                BindingKind::Image(index) => images.get(*index).map(|image| image.texture()),
+                BindingKind::Sampler(index) => images.get(*index).map(|image| image.sampler()),
                 _ => None,
             };
             let missing = || RenderError::Refused { message: format!("nothing to bind to `{}`", binding.name) };

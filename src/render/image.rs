@@ -23,14 +23,38 @@ pub(super) struct Images {
     samplers: HashMap<(String, String), wgpu::Sampler>,
 }
 
+/// An image with its sampler, ready to be bound.
+pub(super) struct Bindable {
+    view: wgpu::TextureView,
+    sampler: wgpu::Sampler,
+}
+
+impl Bindable {
+    pub(super) fn texture(&self) -> wgpu::BindingResource<'_> {
+        wgpu::BindingResource::TextureView(&self.view)
+    }
+
+    pub(super) fn sampler(&self) -> wgpu::BindingResource<'_> {
+        wgpu::BindingResource::Sampler(&self.sampler)
+    }
+}
+
 impl Images {
-    /// The texture of an image, rows from the top; image nodes turn v, which points up, themselves.
-    pub(super) fn texture(
+    /// The images of a module, in the order of its needs.
+    pub(super) fn of(
         &mut self,
         gpu: &Gpu,
-        image: &Arc<Image>,
-        wanted: &ImageUse,
-    ) -> Result<wgpu::TextureView, RenderError> {
+        images: &[Arc<Image>],
+        needs: &[ImageUse],
+    ) -> Result<Vec<Bindable>, RenderError> {
+        let bindable = |(image, wanted): (&Arc<Image>, &ImageUse)| {
+            Ok(Bindable { view: self.texture(gpu, image, wanted)?, sampler: self.sampler(gpu, wanted) })
+        };
+        images.iter().zip(needs).map(bindable).collect()
+    }
+
+    /// The texture of an image, rows from the top; image nodes turn v, which points up, themselves.
+    fn texture(&mut self, gpu: &Gpu, image: &Arc<Image>, wanted: &ImageUse) -> Result<wgpu::TextureView, RenderError> {
         let key = (image.hash, wanted.is_decoded);
         if let Some(known) = self.textures.get(&key) {
             return Ok(known.view.clone());
@@ -64,7 +88,7 @@ impl Images {
     }
 
     /// The sampler that an image node asks for.
-    pub(super) fn sampler(&mut self, gpu: &Gpu, image: &ImageUse) -> wgpu::Sampler {
+    fn sampler(&mut self, gpu: &Gpu, image: &ImageUse) -> wgpu::Sampler {
         let key = (image.wrap.clone(), image.filter.clone());
         let made = || {
             let address = match image.wrap.as_str() {

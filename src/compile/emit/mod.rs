@@ -176,7 +176,7 @@ impl<'a> Emitter<'a> {
         let roots = self.roots();
         self.order_calls(&roots);
         let reached = reachable(&self.special.values, roots.iter().copied());
-        self.want_items(&roots);
+        self.want_items(&reached);
         for name in frame::RESERVED {
             self.names.reserve(name);
         }
@@ -213,7 +213,7 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    fn want_items(&mut self, roots: &[ValueId]) {
+    fn want_items(&mut self, reached: &[bool]) {
         let built_in = Library::built_in().nodes.values().next().map(|def| def.module.clone());
         for &id in &self.calls {
             if let Operation::Call { function, .. } = &self.special.values[id].operation {
@@ -228,8 +228,7 @@ impl<'a> Emitter<'a> {
                 self.items.want(&built_in, name);
             }
         }
-        let reached = reachable(&self.special.values, roots.iter().copied());
-        for (value, _) in self.special.values.iter().zip(&reached).filter(|(_, reached)| **reached) {
+        for (value, _) in self.special.values.iter().zip(reached).filter(|(_, reached)| **reached) {
             if let Operation::Convert { template, .. } = &value.operation {
                 for name in crate::wgsl::identifiers(template) {
                     self.items.want(&built_in, &name);

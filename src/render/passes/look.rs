@@ -90,12 +90,7 @@ impl Renderer {
         self.meshes.prepare(&self.gpu, &draw.mesh, &pipeline.attributes);
         let object = self.uniform(&draw.object_uniform);
         let look = draw.look_uniforms.get(&stage).filter(|bytes| !bytes.is_empty()).map(|bytes| self.uniform(bytes));
-        let mut textures = Vec::new();
-        let mut samplers = Vec::new();
-        for (image, wanted) in draw.images.iter().zip(&shader.needs.images) {
-            textures.push(self.images.texture(&self.gpu, image, wanted)?);
-            samplers.push(self.images.sampler(&self.gpu, wanted));
-        }
+        let images = self.images.of(&self.gpu, &draw.images, &shader.needs.images)?;
         let curvature = |kind: PassKind| self.targets.of(&kind).map(|targets| &targets.curvature);
         let mut entries = Vec::new();
         for binding in &shader.bindings {
@@ -103,8 +98,8 @@ impl Renderer {
                 BindingKind::View => Some(view.as_entire_binding()),
                 BindingKind::Object => Some(object.as_entire_binding()),
                 BindingKind::Look => look.as_ref().map(wgpu::Buffer::as_entire_binding),
-                BindingKind::Image(index) => textures.get(*index).map(wgpu::BindingResource::TextureView),
-                BindingKind::Sampler(index) => samplers.get(*index).map(wgpu::BindingResource::Sampler),
+                BindingKind::Image(index) => images.get(*index).map(|image| image.texture()),
+                BindingKind::Sampler(index) => images.get(*index).map(|image| image.sampler()),
                 BindingKind::Curvature => curvature(PassKind::Curvature).map(wgpu::BindingResource::TextureView),
                 BindingKind::CurvatureDetail => {
                     curvature(PassKind::DetailCurvature).map(wgpu::BindingResource::TextureView)
