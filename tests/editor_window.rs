@@ -162,6 +162,42 @@ fn a_value_edit_compiles_no_live_shader() {
     assert!(!std::sync::Arc::ptr_eq(&before, hand.app().session().live().unwrap()));
 }
 
+/// Past 16 KiB of uniforms a value becomes one when it is touched, at the price of one compile.
+#[test]
+fn a_touched_value_of_a_long_look_becomes_live() {
+    let count = 6000;
+    let nodes = (0..count).map(|index| json!({"id": format!("n{index}"), "kind": "add", "values": {"b": 0.001}}));
+    let nodes: Vec<_> = nodes.chain([json!({"id": "output", "kind": "output"})]).collect();
+    let from = |index: usize| format!("n{index}");
+    let wires = (1..count).map(|index| json!({"from": from(index - 1), "to": format!("n{index}.a")}));
+    let wires: Vec<_> = wires.chain([json!({"from": from(count - 1), "to": "output.color"})]).collect();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("long.json");
+    std::fs::write(&path, json!({"nodes": nodes, "wires": wires}).to_string()).unwrap();
+    let mut hand = Hand::new();
+    hand.app_mut().open(&path);
+    hand.settle();
+    let live_values = |hand: &Hand| match &hand.app().session().live().unwrap().live {
+        Live::Touched(values) => values.iter().map(|(node, port)| format!("{node}.{port}")).collect::<Vec<_>>(),
+        other => panic!("{other:?} in a look past the bound"),
+    };
+    assert!(live_values(&hand).is_empty());
+    let touch = |hand: &mut Hand, id: &str, number: f64| {
+        let (graph, value) = (GraphId::Look, Value::Number(number));
+        let edit = Edit::SetValue { graph, id: id.into(), port: "b".into(), value, index: None };
+        hand.app_mut().session_mut().apply(edit, None).unwrap();
+        hand.settle();
+    };
+    touch(&mut hand, "n7", 0.25);
+    assert_eq!(live_values(&hand), ["n7.b"]);
+    // From then on it moves without a compile.
+    let before = hand.app().session().live().unwrap().clone();
+    touch(&mut hand, "n7", 0.5);
+    assert!(std::sync::Arc::ptr_eq(&before, hand.app().session().live().unwrap()));
+    touch(&mut hand, "n8", 0.5);
+    assert_eq!(live_values(&hand).len(), 2);
+}
+
 #[test]
 fn a_choice_is_chosen() {
     let mut hand = Hand::new();

@@ -75,6 +75,8 @@ impl Stage {
 pub struct Options {
     /// Which values stay uniforms.
     pub live: Live,
+    /// Inputs that stay live where a look is too long for [`Live::All`].
+    pub touched: HashSet<(NodePath, PortName)>,
     /// What the module is for.
     pub stage: Stage,
     /// The output to show in place of the look's own.
@@ -149,7 +151,7 @@ pub fn compile_typed(
     let valid = wgsl::parse(&emitted.text).map_err(|error| vec![emitted.refused(&error)])?;
     let host = emitted.host.with_layout(&valid.module);
     if host.size > MAX_UNIFORM_BYTES && options.live == Live::All {
-        let fewer = Options { live: Live::Touched(HashSet::new()), ..options.clone() };
+        let fewer = Options { live: Live::Touched(options.touched.clone()), ..options.clone() };
         return compile_typed(typed, &fewer, warnings);
     }
     Ok(CompiledShader {

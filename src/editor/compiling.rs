@@ -1,12 +1,14 @@
 //! Compiling a look in the background: the live shader (every value a uniform, for editing) and the baked one (values
 //! folded, for a look at rest and for the code panel).
 
+use std::collections::HashSet;
 use std::sync::Arc;
 
 use super::worker::Worker;
 use crate::compile::{CompiledShader, Live, Options, check, compile_typed};
 use crate::diag::Diagnostic;
 use crate::document::Look;
+use crate::ids::{NodePath, PortName};
 use crate::library::Library;
 
 /// What is to be compiled.
@@ -19,6 +21,8 @@ pub(crate) struct Request {
     pub(crate) revision: u64,
     /// Which structure it has; other values with the same structure are shown by the same live shader.
     pub(crate) structure: u64,
+    /// The values that were edited, which stay live however long the look is.
+    pub(crate) touched: Arc<HashSet<(NodePath, PortName)>>,
     /// The nodes there are.
     pub(crate) library: Arc<Library>,
     /// Whether only the baked shader is wanted, because the live one still serves.
@@ -54,7 +58,7 @@ pub(crate) fn start(wake: impl Fn() + Send + 'static) -> Compiler {
 
 fn compile(request: &Request) -> Result<Shaders, Vec<Diagnostic>> {
     let (typed, warnings) = check(&request.look, &request.library, None)?;
-    let with = |live| Options { live, display: true, ..Options::default() };
+    let with = |live| Options { live, touched: (*request.touched).clone(), display: true, ..Options::default() };
     let baked = Arc::new(compile_typed(&typed, &with(Live::Keyed), warnings.clone())?);
     let live = match request.only_baked {
         true => None,

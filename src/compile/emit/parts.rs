@@ -1,8 +1,8 @@
 //! The look itself as functions of bounded length.
 //!
 //! naga's front end is quadratic in a function's length and people are not much better, so a long look becomes several
-//! functions, split where the artist's groups and frames are. What one part needs of another goes through parameters
-//! and results.
+//! functions, split where the artist's groups and frames are; where there are many of those, they are gathered into
+//! longer ones in turn. What one part needs of another goes through parameters and results.
 
 use std::collections::{HashMap, HashSet};
 use std::fmt::Write as _;
@@ -14,14 +14,14 @@ use crate::compile::specialize::{Operation, ValueId, operands};
 use crate::ids::NodePath;
 use crate::library::{Rate, Type};
 
-/// A look of at most this many calls is one function.
+/// A function of at most this many blocks is left whole.
 const SHORT: usize = 60;
-/// The most calls in a part.
+/// The most blocks in a part.
 const LONGEST: usize = 50;
 /// From this many calls on, a part ends where a group or frame does.
 const WORTH_A_PART: usize = 8;
-/// A part that would need more values from outside ends sooner; WGSL allows 255 parameters.
-const MOST_PARAMETERS: usize = 64;
+/// A part that takes or gives more values than this ends sooner; WGSL allows 255 parameters and 1023 members.
+const MOST_VALUES: usize = 64;
 
 /// The functions' text, with spans relative to its start.
 #[derive(Debug, Default)]
@@ -30,41 +30,37 @@ pub(super) struct Body {
     pub(super) spans: Vec<(Range<usize>, NodePath)>,
 }
 
+/// One `let` of a function.
+enum Block {
+    Call(ValueId),
+    Part(Part),
+}
+
+/// A function of its own.
 struct Part {
     name: String,
-    calls: Range<usize>,
+    /// What its result is called where it is called.
+    variable: String,
+    blocks: Vec<Block>,
     inputs: Vec<ValueId>,
     outputs: Vec<ValueId>,
+    reads_surface: bool,
 }
 
 impl Emitter<'_> {
     pub(super) fn look_functions(&mut self) -> Body {
         let mut body = Body::default();
-        let parts = if self.calls.len() <= SHORT { Vec::new() } else { self.parts() };
-        let mut renamed: HashMap<ValueId, String> = HashMap::new();
-        for part in &parts {
-            self.write_part(part, &mut body);
-            // Seen from `shade`, a part's values go by the variable that holds its result.
-            let variable = self.names.give(&format!("{}_result", part.name));
-            for &output in &part.outputs {
-                let local = self.value_names.get(&output).cloned().unwrap_or_default();
-                let text = if part.outputs.len() == 1 { variable.clone() } else { format!("{variable}.{local}") };
-                renamed.insert(output, text);
+        let blocks = self.blocks();
+        for block in &blocks {
+            if let Block::Part(part) = block {
+                self.write_part(part, &mut body);
             }
         }
-        let locals = self.value_names.clone();
-        if !parts.is_empty() {
-            for &id in &self.calls {
-                self.value_names.remove(&id);
-            }
-            self.value_names.extend(renamed.iter().map(|(id, name)| (*id, name.clone())));
-        }
-        self.write_shade(&parts, &mut body);
-        self.value_names = locals;
+        self.write_shade(&blocks, &mut body);
         body
     }
 
-    fn write_shade(&mut self, parts: &[Part], body: &mut Body) {
+    fn write_shade(&mut self, blocks: &[Block], body: &mut Body) {
         let parameters = if self.has_surface() { "surface: Surface" } else { "" };
         let comment = match self.options.stage {
             Stage::Normals | Stage::DetailNormals => "/// The normal that the curvature pass sees.",
@@ -83,17 +79,7 @@ impl Emitter<'_> {
             );
         }
         let _ = writeln!(body.text, "{comment}\nfn shade({parameters}) -> {result} {{");
-        if parts.is_empty() {
-            for index in 0..self.calls.len() {
-                self.write_call(self.calls[index], body);
-            }
-        }
-        for part in parts {
-            let arguments = self.arguments(part);
-            let first = part.outputs.first().and_then(|id| self.value_names.get(id)).cloned().unwrap_or_default();
-            let variable = first.split('.').next().unwrap_or_default();
-            let _ = writeln!(body.text, "    let {variable} = {}({});", part.name, arguments.join(", "));
-        }
+        let inherited = self.write_blocks(blocks, body);
         let value = self.expression(root);
         if let (Some(cutoff), Some(color)) = (self.special.cutoff, self.special.color) {
             let _ = writeln!(
@@ -106,30 +92,51 @@ impl Emitter<'_> {
             let _ = writeln!(body.text, "    return {value};");
         }
         body.text.push_str("}\n");
+        self.value_names.extend(inherited);
     }
 
     pub(super) fn has_surface(&self) -> bool {
         !self.needs.contexts.is_empty()
     }
 
-    fn arguments(&self, part: &Part) -> Vec<String> {
-        let surface = self.part_uses_surface(part).then(|| "surface".to_owned());
-        surface.into_iter().chain(part.inputs.iter().map(|&input| self.expression(input))).collect()
+    fn reads_surface(&self, call: ValueId) -> bool {
+        let mut open: Vec<ValueId> = operands(&self.special.values[call].operation).collect();
+        while let Some(id) = open.pop() {
+            let value = &self.special.values[id];
+            match &value.operation {
+                Operation::Context(..) if value.rate == Rate::Fragment => return true,
+                Operation::Member { value, .. } | Operation::Convert { value, .. } => open.push(*value),
+                _ => {}
+            }
+        }
+        false
     }
 
-    fn part_uses_surface(&self, part: &Part) -> bool {
-        self.calls[part.calls.clone()].iter().any(|&call| {
-            let mut open: Vec<ValueId> = operands(&self.special.values[call].operation).collect();
-            while let Some(id) = open.pop() {
-                let value = &self.special.values[id];
-                match &value.operation {
-                    Operation::Context(..) if value.rate == Rate::Fragment => return true,
-                    Operation::Member { value, .. } | Operation::Convert { value, .. } => open.push(*value),
-                    _ => {}
+    /// Writes one `let` a block, and from then on calls the results of parts as this function does. Gives back what the
+    /// values were called before, to be restored after the function's end.
+    fn write_blocks(&mut self, blocks: &[Block], body: &mut Body) -> HashMap<ValueId, String> {
+        let mut before = HashMap::new();
+        for block in blocks {
+            let part = match block {
+                Block::Call(call) => {
+                    self.write_call(*call, body);
+                    continue;
                 }
+                Block::Part(part) => part,
+            };
+            let surface = part.reads_surface.then(|| "surface".to_owned());
+            let arguments: Vec<String> =
+                surface.into_iter().chain(part.inputs.iter().map(|&input| self.expression(input))).collect();
+            let _ = writeln!(body.text, "    let {} = {}({});", part.variable, part.name, arguments.join(", "));
+            for &output in &part.outputs {
+                let member = self.value_names.get(&output).cloned().unwrap_or_default();
+                let text =
+                    if part.outputs.len() == 1 { part.variable.clone() } else { format!("{}.{member}", part.variable) };
+                self.value_names.insert(output, text);
+                before.insert(output, member);
             }
-            false
-        })
+        }
+        before
     }
 
     fn write_call(&self, id: ValueId, body: &mut Body) {
@@ -142,7 +149,13 @@ impl Emitter<'_> {
         body.text.push('\n');
     }
 
+    /// Writes a part after the parts that it calls; their depth is the logarithm of the look's length.
     fn write_part(&mut self, part: &Part, body: &mut Body) {
+        for block in &part.blocks {
+            if let Block::Part(inner) = block {
+                self.write_part(inner, body);
+            }
+        }
         let result = match part.outputs.as_slice() {
             [one] => self.value_type(*one),
             _ => {
@@ -157,7 +170,7 @@ impl Emitter<'_> {
             }
         };
         let mut parameters = Vec::new();
-        if self.part_uses_surface(part) {
+        if part.reads_surface {
             parameters.push("surface: Surface".to_owned());
         }
         for &input in &part.inputs {
@@ -165,47 +178,93 @@ impl Emitter<'_> {
             parameters.push(format!("{name}: {}", self.value_type(input)));
         }
         let _ = writeln!(body.text, "fn {}({}) -> {result} {{", part.name, parameters.join(", "));
-        for index in part.calls.clone() {
-            self.write_call(self.calls[index], body);
-        }
+        let inherited = self.write_blocks(&part.blocks, body);
         let values: Vec<String> = part.outputs.iter().map(|&output| self.expression(output)).collect();
         let value =
             if let [one] = values.as_slice() { one.clone() } else { format!("{result}({})", values.join(", ")) };
         let _ = writeln!(body.text, "    return {value};\n}}\n");
+        self.value_names.extend(inherited);
     }
 
     fn value_type(&self, id: ValueId) -> String {
         self.type_name(&self.special.values[id].ty, self.special.values[id].node)
     }
 
-    /// Cuts the calls into parts, then finds what each needs and gives.
-    fn parts(&mut self) -> Vec<Part> {
-        let ranges = self.part_ranges();
-        let mut part_of: HashMap<ValueId, usize> = HashMap::new();
-        for (index, range) in ranges.iter().enumerate() {
-            part_of.extend(self.calls[range.clone()].iter().map(|&id| (id, index)));
-        }
-        let mut inputs: Vec<Vec<ValueId>> = vec![Vec::new(); ranges.len()];
-        let mut is_output: HashSet<ValueId> =
-            self.roots().into_iter().flat_map(|root| self.call_operands(root, true)).collect();
-        for (index, range) in ranges.iter().enumerate() {
-            let mut seen = HashSet::new();
-            for &call in &self.calls[range.clone()] {
-                for operand in self.call_operands(call, false) {
-                    if part_of.get(&operand) != Some(&index) && seen.insert(operand) {
-                        inputs[index].push(operand);
-                        is_output.insert(operand);
-                    }
-                }
+    /// What `shade` consists of: the look's calls, gathered into parts until they are few.
+    fn blocks(&mut self) -> Vec<Block> {
+        let mut blocks: Vec<Block> = self.calls.iter().map(|&call| Block::Call(call)).collect();
+        while blocks.len() > SHORT {
+            let before = blocks.len();
+            blocks = self.gathered(blocks);
+            if blocks.len() == before {
+                break; // Each needs so much from outside that nothing is won by one more level.
             }
         }
-        let mut parts = Vec::new();
-        for (range, inputs) in ranges.into_iter().zip(inputs) {
-            let outputs = self.calls[range.clone()].iter().copied().filter(|id| is_output.contains(id)).collect();
-            let wanted = self.part_name(&range);
-            parts.push(Part { name: self.names.give(&wanted), calls: range, inputs, outputs });
+        blocks
+    }
+
+    /// One level of parts over these blocks.
+    fn gathered(&mut self, blocks: Vec<Block>) -> Vec<Block> {
+        let last_use = self.last_uses(&blocks);
+        let ranges = self.part_ranges(&blocks, &last_use);
+        let mut blocks = blocks.into_iter();
+        let mut gathered = Vec::with_capacity(ranges.len());
+        for range in ranges {
+            let mut inner: Vec<Block> = blocks.by_ref().take(range.len()).collect();
+            if let [Block::Part(_)] = inner.as_slice() {
+                gathered.append(&mut inner);
+                continue;
+            }
+            let mut given: HashSet<ValueId> = HashSet::new();
+            let mut seen = HashSet::new();
+            let (mut inputs, mut outputs) = (Vec::new(), Vec::new());
+            for block in &inner {
+                inputs.extend(self.needs(block).into_iter().filter(|need| !given.contains(need) && seen.insert(*need)));
+                given.extend(gives(block));
+                outputs.extend(gives(block).iter().filter(|value| is_used_from(&last_use, **value, range.end)));
+            }
+            let reads_surface = inner.iter().any(|block| match block {
+                Block::Call(call) => self.reads_surface(*call),
+                Block::Part(part) => part.reads_surface,
+            });
+            let wanted = self.part_name(&inner);
+            let name = self.names.give(&wanted);
+            gathered.push(Block::Part(Part {
+                variable: String::new(),
+                name,
+                blocks: inner,
+                inputs,
+                outputs,
+                reads_surface,
+            }));
         }
-        parts
+        for block in &mut gathered {
+            if let Block::Part(part) = block
+                && part.variable.is_empty()
+            {
+                part.variable = self.names.give(&format!("{}_result", part.name));
+            }
+        }
+        gathered
+    }
+
+    /// The last block that reads each value; the end for what the look itself gives.
+    fn last_uses(&self, blocks: &[Block]) -> HashMap<ValueId, usize> {
+        let mut last_use = HashMap::new();
+        for (index, block) in blocks.iter().enumerate() {
+            last_use.extend(self.needs(block).into_iter().map(|value| (value, index)));
+        }
+        let roots = self.roots().into_iter().flat_map(|root| self.call_operands(root, true));
+        last_use.extend(roots.map(|value| (value, blocks.len())));
+        last_use
+    }
+
+    /// The values of other blocks that a block reads.
+    fn needs(&self, block: &Block) -> Vec<ValueId> {
+        match block {
+            Block::Call(call) => self.call_operands(*call, false),
+            Block::Part(part) => part.inputs.clone(),
+        }
     }
 
     /// The calls that a value reads, through members and conversions; the value itself, if it is one and `or_itself`.
@@ -229,41 +288,57 @@ impl Emitter<'_> {
         found
     }
 
-    fn region(&self, call: ValueId) -> Option<&str> {
-        self.graph.nodes[self.special.values[call].node].region.as_deref()
-    }
-
-    fn part_ranges(&self) -> Vec<Range<usize>> {
+    /// Where parts begin and end: none too long, none that exchanges too many values, and where groups do.
+    fn part_ranges(&self, blocks: &[Block], last_use: &HashMap<ValueId, usize>) -> Vec<Range<usize>> {
         let mut ranges = Vec::new();
         let mut start = 0;
         let mut inside: HashSet<ValueId> = HashSet::new();
         let mut outside: HashSet<ValueId> = HashSet::new();
-        for index in 0..self.calls.len() {
-            let call = self.calls[index];
+        for (index, block) in blocks.iter().enumerate() {
             let length = index - start;
-            let leaves_region = index > start && self.region(call) != self.region(self.calls[index - 1]);
-            let is_full = length >= LONGEST || outside.len() >= MOST_PARAMETERS;
+            let leaves_region = index > start && self.region(block) != self.region(&blocks[index - 1]);
+            let given = inside.iter().filter(|value| is_used_from(last_use, **value, index)).count();
+            let is_full = length >= LONGEST || outside.len() >= MOST_VALUES || given >= MOST_VALUES;
             if length > 0 && (is_full || (leaves_region && length >= WORTH_A_PART)) {
                 ranges.push(start..index);
                 start = index;
                 inside.clear();
                 outside.clear();
             }
-            outside.extend(self.call_operands(call, false).into_iter().filter(|operand| !inside.contains(operand)));
-            inside.insert(call);
+            outside.extend(self.needs(block).into_iter().filter(|value| !inside.contains(value)));
+            inside.extend(gives(block));
         }
-        if start < self.calls.len() {
-            ranges.push(start..self.calls.len());
+        if start < blocks.len() {
+            ranges.push(start..blocks.len());
         }
         ranges
     }
 
-    fn part_name(&self, range: &Range<usize>) -> String {
-        let first = self.region(self.calls[range.start]);
-        let is_one_region = self.calls[range.clone()].iter().all(|&call| self.region(call) == first);
+    /// The group or frame that a call came from; parts of parts have none.
+    fn region(&self, block: &Block) -> Option<&str> {
+        match block {
+            Block::Call(call) => self.graph.nodes[self.special.values[*call].node].region.as_deref(),
+            Block::Part(_) => None,
+        }
+    }
+
+    fn part_name(&self, blocks: &[Block]) -> String {
+        let first = blocks.first().and_then(|block| self.region(block));
+        let is_one_region = blocks.iter().all(|block| self.region(block) == first);
         match first {
             Some(region) if is_one_region => region.to_owned(),
             _ => "part".to_owned(),
         }
     }
+}
+
+fn gives(block: &Block) -> &[ValueId] {
+    match block {
+        Block::Call(call) => std::slice::from_ref(call),
+        Block::Part(part) => &part.outputs,
+    }
+}
+
+fn is_used_from(last_use: &HashMap<ValueId, usize>, value: ValueId, block: usize) -> bool {
+    last_use.get(&value).is_some_and(|&last| last >= block)
 }

@@ -218,6 +218,7 @@ impl Session {
     pub fn apply(&mut self, edit: Edit, hand: Option<u64>) -> Result<(), Box<Diagnostic>> {
         let is_structural = self.is_structural(&edit);
         let before = self.history.revision();
+        self.shaders.touch(&edit);
         match hand {
             Some(hand) => {
                 let gesture = self.gestures.of(hand, before);

@@ -1,15 +1,20 @@
 //! Which shader shows the look: requests to the compiler, what it answers, and which of both shaders serves now.
 
+use std::collections::HashSet;
 use std::sync::Arc;
 use std::time::Duration;
 
 use super::super::compiling::{Answer, Request};
 use super::Session;
 use crate::compile::{CompiledShader, Live};
-use crate::document::Look;
+use crate::document::{Edit, GraphId, Look};
+use crate::ids::{NodePath, PortName};
 
 /// What a look is after nothing was done to it for so long, in seconds, is compiled without uniforms.
 const REST: f64 = 0.8;
+
+/// How many edited values a long look keeps as uniforms before it begins anew.
+const MOST_TOUCHED: usize = 512;
 
 /// The shaders that are shown, and how they relate to the document.
 #[derive(Default)]
@@ -26,6 +31,10 @@ pub(super) struct Shown {
     pub(super) structure: u64,
     pub(super) requested: Option<u64>,
     pub(super) requested_structure: Option<u64>,
+    /// The values that were edited since the look was opened: what a long look's live shader keeps as uniforms.
+    pub(super) touched: Arc<HashSet<(NodePath, PortName)>>,
+    /// How many of them there were when a live shader was asked for last.
+    pub(super) requested_touched: usize,
     /// When the document changed last, in seconds of the window's clock.
     pub(super) changed_at: f64,
     pub(super) seen_revision: u64,
@@ -36,6 +45,32 @@ pub(crate) struct Showing {
     pub(crate) look: Arc<Look>,
     pub(crate) shader: Arc<CompiledShader>,
     pub(crate) live: Live,
+}
+
+impl Shown {
+    /// Whether the live shader of a long look has folded a value that is edited now, and none was asked for since.
+    fn lacks_a_uniform(&self) -> bool {
+        let Some(Live::Touched(known)) = self.live.as_ref().map(|shader| &shader.live) else { return false };
+        self.requested_touched != self.touched.len() && self.touched.iter().any(|value| !known.contains(value))
+    }
+
+    /// Remembers which inputs an edit sets.
+    pub(super) fn touch(&mut self, edit: &Edit) {
+        match edit {
+            Edit::Group { edits } => edits.iter().for_each(|edit| self.touch(edit)),
+            Edit::SetValue { graph: GraphId::Look, id, port, .. } => {
+                let value = (NodePath::root(id.clone()), port.clone());
+                if !self.touched.contains(&value) {
+                    let touched = Arc::make_mut(&mut self.touched);
+                    if touched.len() >= MOST_TOUCHED {
+                        touched.clear();
+                    }
+                    touched.insert(value);
+                }
+            }
+            _ => {}
+        }
+    }
 }
 
 impl Session {
@@ -49,7 +84,8 @@ impl Session {
             self.shaders.seen_revision = revision;
             self.shaders.changed_at = now;
         }
-        if self.shaders.requested_structure != Some(self.shaders.structure) {
+        let is_another = self.shaders.requested_structure != Some(self.shaders.structure);
+        if is_another || self.shaders.lacks_a_uniform() {
             self.request(false);
             return None;
         }
@@ -67,11 +103,15 @@ impl Session {
     fn request(&mut self, only_baked: bool) {
         self.shaders.requested = Some(self.history.revision());
         self.shaders.requested_structure = Some(self.shaders.structure);
+        if !only_baked {
+            self.shaders.requested_touched = self.shaders.touched.len();
+        }
         let request = Request {
             look: Arc::new(self.look().clone()),
             document: self.document_number,
             revision: self.history.revision(),
             structure: self.shaders.structure,
+            touched: self.shaders.touched.clone(),
             library: self.library.clone(),
             only_baked,
         };
