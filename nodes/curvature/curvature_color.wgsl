@@ -2,12 +2,11 @@ import chiaro::types;
 
 /// Convex/concave color
 ///
-/// One colour for what bulges, another for what is hollow. Flat surfaces have the mean of both, so set both: one that is
-/// left white makes the other paler.
+/// One colour for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 ///
 /// @param convexity "Convexity" default=0.5 min=0 max=1 : From a Curvature transition.
 /// @param convex "Convex" default=1,1,1,1 : Straight RGBA, where the surface bulges.
-/// @param concave "Concave" default=1,1,1,1 : Straight RGBA, where the surface is hollow; set it to the convex colour for one colour everywhere.
+/// @param concave "Concave" same=convex : Straight RGBA, where the surface is hollow; while unset, the convex colour, so that there is one colour everywhere.
 /// @return color "Color" : Between the two, component by component (D7).
 /// @bypass convex when convex = concave : both colours are the same
 /// @source BADF eq. 7

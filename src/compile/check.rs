@@ -116,7 +116,7 @@ pub fn check(
     let order = order(&flat, &mut problems);
     let root = find_root(&flat, root, &mut problems);
     let reached = root.map_or_else(|| vec![true; flat.nodes.len()], |(node, _)| reach(&flat, node));
-    let mut typer = Typer { look, flat: &flat, variants: vec![None; flat.nodes.len()], problems: Vec::new() };
+    let mut typer = Typer::new(look, &flat);
     let mut nodes: Vec<Option<TypedNode>> = vec![None; flat.nodes.len()];
     for &index in &order {
         let before = typer.problems.len();
@@ -384,12 +384,23 @@ fn light_target_problem(look: &Look, light: &LightId, field: &str) -> Option<Dia
 struct Typer<'a> {
     look: &'a Look,
     flat: &'a FlatGraph,
+    /// Inputs that keys move or scenes set: each has a value of its own.
+    targets: HashSet<(NodePath, PortName)>,
     /// The chosen functions of the nodes that were typed.
     variants: Vec<Option<usize>>,
     problems: Vec<Diagnostic>,
 }
 
-impl Typer<'_> {
+impl<'a> Typer<'a> {
+    fn new(look: &'a Look, flat: &'a FlatGraph) -> Self {
+        let exposed = look.exposed.iter().map(|exposed| exposed.target.clone());
+        let targets = exposed.chain(keyed_targets(look)).filter_map(|target| match target {
+            Target::Input { node, port } => Some((node, port)),
+            Target::Light { .. } => None,
+        });
+        Self { look, flat, targets: targets.collect(), variants: vec![None; flat.nodes.len()], problems: Vec::new() }
+    }
+
     fn problem(&mut self, node: &FlatNode, port: Option<&Input>, problem: Diagnostic) {
         let (path, port) = match port {
             Some(input) => {
@@ -589,7 +600,10 @@ impl Typer<'_> {
                 let from = self.source_type(flat, index)?;
                 (TypedSource::Wire { node: *node, output: *output }, from)
             }
-            FlatInput::Param(param) => self.param(flat, index, *param, &ty)?,
+            FlatInput::Param(param) => match self.same(flat, input, *param) {
+                Some(other) => return self.input(flat, other, ty),
+                None => self.param(flat, index, *param, &ty)?,
+            },
         };
         let Some(conversion) = from.convert_to(&ty) else {
             let message = format!("`{}` takes {ty}, and is wired to {from}", input.name);
@@ -597,6 +611,33 @@ impl Typer<'_> {
             return None;
         };
         Some(TypedInput { source, ty, conversion })
+    }
+
+    /// The other input that an unset one is the same as, unless something sets this one.
+    fn same(&self, flat: &FlatNode, input: &Input, param: ParamId) -> Option<usize> {
+        let param = &self.flat.params[param];
+        match &input.fallback {
+            Fallback::Same(other) if param.value.is_none() => {
+                let is_set = self.targets.contains(&(param.path.clone(), param.port.clone()));
+                flat.def.input(other.as_str()).filter(|_| !is_set)
+            }
+            _ => None,
+        }
+    }
+
+    /// The value that an input that is the same as `other` begins with, where keys or scenes set it later.
+    fn value_of_other(&self, flat: &FlatNode, other: &PortName, ty: &Type) -> Value {
+        let index = flat.def.input(other.as_str());
+        let own = index.and_then(|index| match &flat.inputs[index] {
+            FlatInput::Param(id) => self.flat.params[*id].value.clone(),
+            _ => None,
+        });
+        let default = index.and_then(|index| match &flat.def.inputs[index].fallback {
+            Fallback::Value(value) => Some(value.clone()),
+            _ => None,
+        });
+        let neutral = || Value::Vector(vec![1.0; ty.width().unwrap_or(1)]);
+        own.or(default).unwrap_or_else(neutral)
     }
 
     fn param(&mut self, flat: &FlatNode, index: usize, param: ParamId, ty: &Type) -> Option<(TypedSource, Type)> {
@@ -608,6 +649,7 @@ impl Typer<'_> {
             (None, Fallback::Context(context)) => {
                 return Some((TypedSource::Context(*context), Type::from_wgsl(context.wgsl_type())));
             }
+            (None, Fallback::Same(other)) => self.value_of_other(flat, other, ty),
             (None, Fallback::Wire) => {
                 let problem = Diagnostic::error("unwired", format!("`{}` must be wired", self.port_name(flat, input)));
                 self.problem(flat, Some(input), problem.hint(format!("wire it to an output of type {ty}")));

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use crate::document::{Definition, Graph, InterfacePort, Look, Node, Tier, Value};
-use crate::ids::{GROUP_INPUTS, GROUP_OUTPUTS, PortName};
+use crate::ids::{GROUP_INPUTS, GROUP_OUTPUTS, NodeId, PortName};
 use crate::library::{Fallback, Library, NodeDef, Preset, Special, Type, load_node};
 
 /// The kind of a node whose WGSL is a value of its own.
@@ -296,13 +296,27 @@ fn group_kind<'a>(
         library.nodes.get(&node.kind).map(|def| Kind::of_node(def))
     };
     let graph = &definition.graph;
+    let found: Vec<_> = definition.inputs.iter().map(|port| inner_input(graph, port, &inner)).collect();
+    let same = |node: &NodeId, other: &PortName| {
+        let is_it = |found: &Option<(NodeId, Port)>| found.as_ref().is_some_and(|f| f.0 == *node && f.1.name == *other);
+        found.iter().position(is_it).map(|index| definition.inputs[index].name.clone())
+    };
+    let inputs = found.iter().zip(&definition.inputs).map(|(found, own)| {
+        let mut port = found.as_ref().map(|(_, port)| port.clone());
+        if let (Some((node, _)), Some(Port { fallback: Fallback::Same(other), .. })) = (found, &mut port)
+            && let Some(own) = same(node, other)
+        {
+            other.clone_from(&own);
+        }
+        named_by(own, port)
+    });
     Kind {
         id: id.to_owned(),
         label: if definition.label.is_empty() { id } else { &definition.label }.into(),
         category: "group".to_owned(),
         help: definition.help.clone(),
         sources: Vec::new(),
-        inputs: definition.inputs.iter().map(|port| named_by(port, inner_input(graph, port, &inner))).collect(),
+        inputs: inputs.collect(),
         outputs: definition.outputs.iter().map(|port| named_by(port, inner_output(graph, port, &inner))).collect(),
         presets: Vec::new(),
         tiers: Vec::new(),
@@ -311,8 +325,8 @@ fn group_kind<'a>(
     }
 }
 
-/// The inner port that a group's input is wired to first.
-fn inner_input(graph: &Graph, port: &InterfacePort, kind_of: &dyn Fn(&Node) -> Option<Kind>) -> Option<Port> {
+/// The inner port that a group's input is wired to first, and its node.
+fn inner_input(graph: &Graph, port: &InterfacePort, kind_of: &dyn Fn(&Node) -> Option<Kind>) -> Option<(NodeId, Port)> {
     let mut from = (GROUP_INPUTS.to_owned(), port.name.clone());
     for _ in 0..MAX_DEPTH {
         let is_it = |wire: &&crate::document::Wire| wire.from.node.as_str() == from.0 && wire.from.port == from.1;
@@ -320,7 +334,7 @@ fn inner_input(graph: &Graph, port: &InterfacePort, kind_of: &dyn Fn(&Node) -> O
         let kind = kind_of(graph.nodes.get(&wire.to.node)?)?;
         let index = kind.input(wire.to.port.as_str())?;
         if !kind.is_reroute {
-            return Some(kind.inputs[index].clone());
+            return Some((wire.to.node.clone(), kind.inputs[index].clone()));
         }
         from = (wire.to.node.to_string(), kind.outputs.first()?.name.clone());
     }

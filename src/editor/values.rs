@@ -35,6 +35,11 @@ pub(crate) fn number_text(number: f64, decimals: usize) -> String {
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
+/// A name of code as words.
+pub(crate) fn words(name: &str) -> String {
+    name.replace(['_', '.'], " ")
+}
+
 /// What an unwired input has: its own value, or its kind's.
 pub(crate) fn current<'a>(port: &'a Port, own: Option<&'a Value>) -> Option<&'a Value> {
     match (own, &port.fallback) {

@@ -87,6 +87,7 @@ impl<'a> Finder<'a> {
         // From the outside in: what an outer interface says goes before what an inner one does.
         let mut said = vec![port];
         let found = self.inner_input(definition, port, &mut said);
+        let (place, found) = found.unzip();
         let mut input = found.unwrap_or_else(|| plain_input(port.name.as_str(), Type::Float, Fallback::Wire));
         input.name = port.name.clone();
         let first = |get: fn(&InterfacePort) -> Option<&String>| said.iter().find_map(|port| get(port)).cloned();
@@ -99,18 +100,30 @@ impl<'a> Finder<'a> {
         if let Some(default) = said.iter().find_map(|port| port.default.clone()) {
             input.fallback = Fallback::Value(default);
         }
+        if let Fallback::Same(other) = &input.fallback {
+            // The group's own input that feeds the other one, which most groups name alike.
+            let feeds = |own: &&InterfacePort| {
+                let inner = self.inner_input(definition, own, &mut vec![*own]);
+                inner.is_some_and(|(at, inner)| inner.name == *other && Some(at) == place)
+            };
+            if let Some(own) = definition.inputs.iter().find(feeds) {
+                input.fallback = Fallback::Same(own.name.clone());
+            }
+        }
         input.min = said.iter().find_map(|port| port.min).or(input.min);
         input.max = said.iter().find_map(|port| port.max).or(input.max);
         input
     }
 
+    /// The node's input that an interface input feeds first, with the ids of the groups around that node and its own.
     fn inner_input(
         &self,
         definition: &'a Definition,
         port: &'a InterfacePort,
         said: &mut Vec<&'a InterfacePort>,
-    ) -> Option<Input> {
+    ) -> Option<(Vec<&'a NodeId>, Input)> {
         let mut definition = definition;
+        let mut place = Vec::new();
         let (mut from_node, mut from_port) = (GROUP_INPUTS, port.name.as_str());
         for _ in 0..MAX_STEPS {
             let wire = first_wire_from(definition, from_node, from_port)?;
@@ -119,8 +132,12 @@ impl<'a> Finder<'a> {
                     from_node = wire.to.node.as_str();
                     from_port = "";
                 }
-                Kind::Node(def) => return def.input(wire.to.port.as_str()).map(|index| def.inputs[index].clone()),
+                Kind::Node(def) => {
+                    place.push(&wire.to.node);
+                    return def.input(wire.to.port.as_str()).map(|index| (place, def.inputs[index].clone()));
+                }
                 Kind::Group(inner) => {
+                    place.push(&wire.to.node);
                     let next = inner.inputs.iter().find(|next| next.name == wire.to.port)?;
                     said.push(next);
                     definition = inner;

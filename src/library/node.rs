@@ -94,6 +94,8 @@ pub enum Fallback {
     Value(Value),
     /// Something of the surroundings.
     Context(Context),
+    /// Whatever another input of the node has.
+    Same(PortName),
     /// Nothing: it must be wired.
     Wire,
 }

@@ -177,6 +177,16 @@ impl Reader<'_> {
             node.inputs.push(plain_input(name, ty, fallback));
         }
         for index in 0..node.inputs.len() {
+            if let Fallback::Same(other) = &node.inputs[index].fallback {
+                let (other, own) = (other.clone(), node.inputs[index].name.clone());
+                // One step, so that no ring of inputs can form.
+                let has_own = |input: &Input| !matches!(input.fallback, Fallback::Same(_));
+                if node.input(other.as_str()).is_none_or(|other| !has_own(&node.inputs[other])) {
+                    let message =
+                        format!("`@param {own}` is the same as `{other}`, which is no input with a value of its own");
+                    self.problem(head, message);
+                }
+            }
             if let Type::Prepared(name) = &node.inputs[index].ty {
                 let (name, input) = (name.clone(), node.inputs[index].name.clone());
                 self.problem(head, format!("the parameter `{input}` has type `{name}`, which no wire carries"));
@@ -490,6 +500,7 @@ fn set_attribute(input: &mut Input, key: &str, value: &str) -> bool {
             Some(context) => input.fallback = Fallback::Context(context),
             None => return false,
         },
+        "same" => input.fallback = Fallback::Same(value.into()),
         "min" => input.min = docs::number(value),
         "max" => input.max = docs::number(value),
         "unit" => value.clone_into(&mut input.unit),

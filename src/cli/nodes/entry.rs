@@ -121,6 +121,7 @@ pub(super) fn default_text(input: &Input) -> String {
     match &input.fallback {
         Fallback::Wire => "must be wired".to_owned(),
         Fallback::Context(context) => format!("from={}", context.word()),
+        Fallback::Same(other) => format!("same={other}"),
         Fallback::Value(Value::Text(text)) if text.is_empty() => "none".to_owned(),
         Fallback::Value(value) => value_text(value, &input.unit),
     }

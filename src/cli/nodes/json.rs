@@ -39,6 +39,7 @@ fn input(input: &Input) -> Json {
     match &input.fallback {
         Fallback::Value(value) => told["default"] = json!(value),
         Fallback::Context(context) => told["from"] = json!(context.word()),
+        Fallback::Same(other) => told["same"] = json!(other),
         Fallback::Wire => told["wire"] = json!(true),
     }
     for (key, number) in [("min", input.min), ("max", input.max)] {

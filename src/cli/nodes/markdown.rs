@@ -108,7 +108,7 @@ fn input_row(input: &Input) -> String {
     let is_value = matches!(input.fallback, crate::library::Fallback::Value(_)) && default != "none";
     let default = match default.split_once(" (") {
         Some((value, degrees)) if is_value => format!("`{value}` ({degrees}"),
-        _ if is_value || default.starts_with("from=") => format!("`{default}`"),
+        _ if is_value || default.starts_with("from=") || default.starts_with("same=") => format!("`{default}`"),
         _ => default,
     };
     let cells = [input.ty.to_string() + &unit, default, range_text(input), told];

@@ -91,8 +91,11 @@ enum Shown {
 fn shown_value(port: &Port, node: &Node, look: &Look) -> Shown {
     let value = match (node.values.get(&port.name), &port.fallback) {
         (Some(value), _) | (None, Fallback::Value(value)) => value,
+        (None, Fallback::Same(other)) => {
+            return Shown::Text(format!("as {}", values::words(other.as_str())), theme::DIM.gamma_multiply(0.7));
+        }
         (None, Fallback::Context(context)) => {
-            return Shown::Text(context.word().replace(['_', '.'], " "), theme::DIM.gamma_multiply(0.7));
+            return Shown::Text(values::words(context.word()), theme::DIM.gamma_multiply(0.7));
         }
         (None, Fallback::Wire) => return Shown::Nothing,
     };

@@ -101,7 +101,8 @@ fn wired(ui: &mut Ui, subject: &Subject<'_>, port: &Port, wire: &Wire, out: &mut
 fn reset(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Vec<Command>) {
     // What a context would give has no widget of its own, so this is the only way back.
     let is_own = subject.node.values.contains_key(&port.name);
-    if is_own && matches!(port.fallback, Fallback::Context(_)) && ui.small_button("Default").clicked() {
+    let is_read = matches!(port.fallback, Fallback::Context(_) | Fallback::Same(_));
+    if is_own && is_read && ui.small_button("Default").clicked() {
         let edit = Edit::ClearValue { graph: GraphId::Look, id: subject.id.clone(), port: port.name.clone() };
         out.push(Command::Edit(edit));
     }
@@ -111,7 +112,7 @@ fn reset(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Vec<Command>
 fn widget(ui: &mut Ui, label: Id, subject: &Subject<'_>, port: &Port, own: Option<&Value>) -> Option<(Id, Value)> {
     let value = values::current(port, own);
     if value.is_none() {
-        return unset(ui, port);
+        return unset(ui, subject, port);
     }
     match &port.ty {
         Type::Bool => {
@@ -141,19 +142,29 @@ fn widget(ui: &mut Ui, label: Id, subject: &Subject<'_>, port: &Port, own: Optio
 }
 
 /// An input that has neither a value nor a default.
-fn unset(ui: &mut Ui, port: &Port) -> Option<(Id, Value)> {
-    let Fallback::Context(context) = &port.fallback else {
-        ui.label(RichText::new("wire something here").color(theme::WARNING));
-        return None;
+fn unset(ui: &mut Ui, subject: &Subject<'_>, port: &Port) -> Option<(Id, Value)> {
+    let width = port.ty.width();
+    let of_all = |number: f64| match width {
+        Some(1) => Some(Value::Number(number)),
+        Some(width) => Some(Value::Vector(vec![number; width])),
+        None => None,
     };
-    let word = context.word().replace(['_', '.'], " ");
-    ui.label(RichText::new(format!("the surface's {word}")).color(theme::DIM));
-    let zero = match port.ty.width()? {
-        1 => Value::Number(0.0),
-        width => Value::Vector(vec![0.0; width]),
+    let (text, first) = match &port.fallback {
+        Fallback::Context(context) => (format!("the surface's {}", values::words(context.word())), of_all(0.0)),
+        Fallback::Same(other) => {
+            let kind = subject.session.catalog.of(subject.node);
+            let of_other = kind.and_then(|kind| Some(&kind.inputs[kind.input(other.as_str())?]));
+            let value = of_other.and_then(|other| values::current(other, subject.node.values.get(&other.name)));
+            (format!("as {}", values::words(other.as_str())), value.cloned().or_else(|| of_all(1.0)))
+        }
+        _ => {
+            ui.label(RichText::new("wire something here").color(theme::WARNING));
+            return None;
+        }
     };
+    ui.label(RichText::new(text).color(theme::DIM));
     let response = ui.small_button("Set").on_hover_text("Gives it a value of its own");
-    response.clicked().then_some((response.id, zero))
+    if response.clicked() { Some((response.id, first?)) } else { None }
 }
 
 /// Radians are shown as degrees.
