@@ -3,11 +3,13 @@
 
 mod editor_support;
 
-use chiaro::document::{Endpoint, Value};
+use chiaro::compile::Live;
+use chiaro::document::{Edit, Endpoint, GraphId, Value};
 use chiaro::ids::NodeId;
 use editor_support::{Hand, close, node_center};
 use eframe::egui::{Key, Modifiers, pos2, vec2};
 use egui_kittest::kittest::Queryable as _;
+use serde_json::json;
 
 fn wire_into(hand: &Hand, node: &str, port: &str) -> Option<Endpoint> {
     let graph = &hand.look().graph;

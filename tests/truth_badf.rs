@@ -394,6 +394,52 @@ fn curvature_moves_and_colours() {
     [transition, warp, mixed].into_iter().for_each(Errors::finish);
 }
 
+/// While unset, the concave colour is the convex one: a value, a wire, or what a scene sets.
+#[test]
+fn an_unset_concave_colour_is_the_convex_one() {
+    let base = json!({
+        "lights": {"key": {"direction": [0, 0, 1]}},
+        "exposed": [{"name": "convex", "target": "layer.convex"}],
+        "nodes": [
+            {"id": "base", "kind": "base", "values": {"color": [0, 0, 0]}},
+            {"id": "tint", "kind": "combine_vector", "values": {"x": 0.2, "y": 0.6, "z": 0.4}},
+            {"id": "layer", "kind": "light_layer",
+             "values": {"light": "key", "convex": [0.2, 0.6, 0.4], "offset": 3.2, "slope": 1, "blend": "alpha"}},
+            {"id": "output", "kind": "output"}
+        ],
+        "wires": [{"from": "base", "to": "layer.below"}, {"from": "layer", "to": "output.color"}]
+    });
+    let at = |kappa: f64| EvalSample { kappa, ..EvalSample::default() };
+    let mut samples = vec![at(0.0), at(3.0), at(-3.0), at(0.3)];
+    let check = |case: &str, edited: &serde_json::Value, samples: &[EvalSample], wanted: fn(f64) -> [f64; 3]| {
+        for (sample, got) in samples.iter().zip(eval(&look(edited), "", samples)) {
+            let wanted = wanted(sample.kappa);
+            let far = got.iter().zip(wanted).any(|(got, wanted)| (got - wanted).abs() > 1e-6);
+            assert!(!far, "{case}: {got:?} for {wanted:?} at kappa {}", sample.kappa);
+        }
+    };
+    check("value", &base, &samples, |_| [0.2, 0.6, 0.4]);
+    let mut wired = base.clone();
+    wired["wires"].as_array_mut().unwrap().push(json!({"from": "tint", "to": "layer.convex"}));
+    wired["exposed"] = json!([]);
+    check("wire", &wired, &samples, |_| [0.2, 0.6, 0.4]);
+    // An exposed one has a value of its own, which begins with the convex one.
+    let mut exposed = base.clone();
+    exposed["exposed"].as_array_mut().unwrap().push(json!({"name": "concave", "target": "layer.concave"}));
+    check("exposed", &exposed, &samples, |_| [0.2, 0.6, 0.4]);
+    for sample in &mut samples {
+        sample.values.insert("convex".into(), Value::Vector(vec![0.9, 0.1, 0.5]));
+    }
+    check("scene sets convex", &base, &samples, |_| [0.9, 0.1, 0.5]);
+    for sample in &mut samples {
+        sample.values.insert("concave".into(), Value::Vector(vec![0.1, 0.3, 0.5]));
+    }
+    check("scene sets both", &exposed, &samples, |kappa| {
+        let lambda = 0.5 + 0.5 * kappa.tanh();
+        [0.1 + lambda * 0.8, 0.3 - lambda * 0.2, 0.5]
+    });
+}
+
 #[test]
 fn the_blends() {
     for mode in Mode::ALL {

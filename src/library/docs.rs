@@ -7,6 +7,7 @@
 //! ///
 //! /// @param offset "Offset" unit=rad default=0 min=0 max=pi : Up to this angle the tone is 1.
 //! /// @param normal "Normal" from=normal : The normal to use.
+//! /// @param concave "Concave" same=convex : Like another input, while unset.
 //! /// @param angle "Angle" wire : Must be wired.
 //! /// @choice mode "Mode" default=add add="Add" alpha="Alpha" : How it is laid over what is below.
 //! /// @return tone "Tone" : From 0 to 1.

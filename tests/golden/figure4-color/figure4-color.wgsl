@@ -219,8 +219,7 @@ fn straight(composite: Composite) -> Color {
 
 /// Convex/concave color
 ///
-/// One colour for what bulges, another for what is hollow. Flat surfaces have the mean of both, so set both: one that is
-/// left white makes the other paler.
+/// One colour for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
 }
