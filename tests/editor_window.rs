@@ -169,10 +169,12 @@ fn a_value_edit_compiles_no_live_shader() {
 fn a_touched_value_of_a_long_look_becomes_live() {
     let count = 6000;
     let nodes = (0..count).map(|index| json!({"id": format!("n{index}"), "kind": "add", "values": {"b": 0.001}}));
-    let nodes: Vec<_> = nodes.chain([json!({"id": "output", "kind": "output"})]).collect();
+    let ends = [json!({"id": "start", "kind": "kappa"}), json!({"id": "output", "kind": "output"})];
+    let nodes: Vec<_> = nodes.chain(ends).collect();
     let from = |index: usize| format!("n{index}");
     let wires = (1..count).map(|index| json!({"from": from(index - 1), "to": format!("n{index}.a")}));
-    let wires: Vec<_> = wires.chain([json!({"from": from(count - 1), "to": "output.color"})]).collect();
+    let ends = [("start".to_owned(), "n0.a"), (from(count - 1), "output.color")];
+    let wires: Vec<_> = wires.chain(ends.map(|(from, to)| json!({"from": from, "to": to}))).collect();
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("long.json");
     std::fs::write(&path, json!({"nodes": nodes, "wires": wires}).to_string()).unwrap();

@@ -154,7 +154,7 @@ fn bypassed(def: &NodeDef, index: usize, ty: &Type, random: &mut Random) -> Setu
         if is_first { ty.clone() } else { port.ty.clone() }
     };
     for input in def.visible_inputs() {
-        if matches!(input.fallback, Fallback::Value(_)) && input.options.is_empty() {
+        if matches!(input.fallback, Fallback::Value(_) | Fallback::Same(_)) && input.options.is_empty() {
             values.insert(input.name.to_string(), ordinary(&type_of(input), random));
         }
     }
