@@ -5,8 +5,6 @@
 
 mod check;
 #[cfg(feature = "gpu")]
-mod clock;
-#[cfg(feature = "gpu")]
 mod eval;
 mod explain;
 mod export;

@@ -6,9 +6,9 @@ use std::str::FromStr;
 use glam::{DQuat, DVec3};
 use serde_json::json;
 
-use super::clock::Clock;
 use super::open::{check_nodes_folder, library_for};
 use super::output::{Output, once};
+use crate::clock::Clock;
 use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::{Projection, Scene, parse_hex, write_atomic};

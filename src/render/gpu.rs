@@ -87,6 +87,12 @@ impl Gpu {
         format!("{} ({:?})", self.info.name, self.info.backend)
     }
 
+    /// Waits until the GPU has done everything that was submitted.
+    pub(super) fn wait(&self) -> Result<(), RenderError> {
+        let waited = self.device.poll(wgpu::PollType::wait_indefinitely());
+        waited.map(drop).map_err(|error| RenderError::Lost { message: error.to_string() })
+    }
+
     /// Begins to catch what goes wrong.
     pub(super) fn guard(&self) -> Guard {
         Guard {

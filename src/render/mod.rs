@@ -13,6 +13,7 @@ mod passes;
 mod pipeline;
 mod readback;
 mod target;
+mod timer;
 
 use std::collections::HashMap;
 
@@ -21,6 +22,7 @@ use crate::frame::{FramePlan, PassKind};
 pub use error::RenderError;
 pub use gpu::{Gpu, block_on};
 pub use readback::Picture;
+pub use timer::PassTime;
 
 /// Runs frame plans.
 #[derive(Debug)]
@@ -33,6 +35,8 @@ pub struct Renderer {
     targets: target::Targets,
     /// The input hash of what each pass's targets hold.
     done: HashMap<PassKind, u64>,
+    /// While passes are timed.
+    timer: Option<timer::Timer>,
 }
 
 impl Renderer {
@@ -47,6 +51,7 @@ impl Renderer {
             curvature,
             targets: target::Targets::default(),
             done: HashMap::new(),
+            timer: None,
         }
     }
 

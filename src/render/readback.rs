@@ -65,19 +65,25 @@ pub(super) async fn read_texture(gpu: &Gpu, texture: &wgpu::Texture, texel_bytes
     let target = wgpu::TexelCopyBufferInfo { buffer: &buffer, layout };
     encoder.copy_texture_to_buffer(texture.as_image_copy(), target, texture.size());
     gpu.queue.submit([encoder.finish()]);
+    let bytes = read_buffer(gpu, &buffer).await;
+    guard.finish().await?;
+    Ok(bytes?.chunks_exact(padded as usize).flat_map(|padded| &padded[..row as usize]).copied().collect())
+}
+
+/// Waits for the GPU, then gives what a buffer holds that can be mapped.
+pub(super) async fn read_buffer(gpu: &Gpu, buffer: &wgpu::Buffer) -> Result<Vec<u8>, RenderError> {
     let result = Arc::new(Mutex::new(None));
     let slot = result.clone();
     buffer.slice(..).map_async(wgpu::MapMode::Read, move |mapped| {
         *slot.lock().unwrap_or_else(std::sync::PoisonError::into_inner) = Some(mapped);
     });
     let lost = |message: String| RenderError::Lost { message };
-    gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| lost(error.to_string()))?;
-    guard.finish().await?;
+    gpu.wait()?;
     match result.lock().unwrap_or_else(std::sync::PoisonError::into_inner).take() {
         Some(Ok(())) => {}
         Some(Err(error)) => return Err(lost(error.to_string())),
-        None => return Err(lost("the picture never came back".to_owned())),
+        None => return Err(lost("what was asked for never came back".to_owned())),
     }
     let mapped = buffer.slice(..).get_mapped_range().map_err(|error| lost(error.to_string()))?;
-    Ok(mapped.chunks_exact(padded as usize).flat_map(|padded| &padded[..row as usize]).copied().collect())
+    Ok(mapped.to_vec())
 }

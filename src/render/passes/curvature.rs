@@ -47,7 +47,7 @@ impl CurvaturePass {
 
 impl Renderer {
     pub(in crate::render) fn draw_curvature(
-        &self,
+        &mut self,
         plan: &FramePlan,
         kind: &PassKind,
         encoder: &mut wgpu::CommandEncoder,
@@ -74,6 +74,7 @@ impl Renderer {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("curvature"),
             color_attachments: &[Some(super::look::cleared(&targets.curvature, wgpu::Color::TRANSPARENT))],
+            timestamp_writes: Self::stamps(&mut self.timer),
             ..wgpu::RenderPassDescriptor::default()
         });
         pass.set_pipeline(&self.curvature.pipeline);

@@ -59,6 +59,7 @@ impl Renderer {
             label: Some("look"),
             color_attachments: &[Some(color)],
             depth_stencil_attachment: Some(depth_attachment(depth)),
+            timestamp_writes: Self::stamps(&mut self.timer),
             ..wgpu::RenderPassDescriptor::default()
         });
         for (draw, bound) in plan.draws.iter().zip(&bound) {

@@ -28,6 +28,7 @@ impl Renderer {
                 Some(cleared(&targets.depths, wgpu::Color::TRANSPARENT)),
             ],
             depth_stencil_attachment: Some(depth_attachment(&targets.buffer)),
+            timestamp_writes: Self::stamps(&mut self.timer),
             ..wgpu::RenderPassDescriptor::default()
         });
         for (index, bound) in &bound {

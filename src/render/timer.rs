@@ -1,0 +1,113 @@
+//! What passes take: timestamps of the GPU's own clock where it has one, else the clock on the wall.
+
+use std::time::Duration;
+
+use super::{RenderError, Renderer};
+use crate::clock::Clock;
+use crate::frame::{FramePlan, PassKind};
+use crate::render::gpu::Gpu;
+
+/// How many passes can be timed in one frame.
+const MOST_PASSES: u32 = 16;
+const STAMP_BYTES: u64 = 8;
+
+/// What a pass took.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PassTime {
+    /// The pass.
+    pub kind: PassKind,
+    /// From its begin to its end.
+    pub duration: Duration,
+}
+
+/// Where passes leave the time.
+#[derive(Debug)]
+pub(super) struct Timer {
+    stamps: wgpu::QuerySet,
+    resolved: wgpu::Buffer,
+    readback: wgpu::Buffer,
+    next: u32,
+}
+
+impl Timer {
+    fn new(gpu: &Gpu) -> Option<Self> {
+        if !gpu.device.features().contains(wgpu::Features::TIMESTAMP_QUERY) {
+            return None;
+        }
+        let stamps = gpu.device.create_query_set(&wgpu::QuerySetDescriptor {
+            label: Some("timestamps"),
+            ty: wgpu::QueryType::Timestamp,
+            count: 2 * MOST_PASSES,
+        });
+        let buffer = |usage| {
+            gpu.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some("timestamps"),
+                size: u64::from(2 * MOST_PASSES) * STAMP_BYTES,
+                usage: usage | wgpu::BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            })
+        };
+        let resolved = buffer(wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC);
+        let readback = buffer(wgpu::BufferUsages::MAP_READ);
+        Some(Self { stamps, resolved, readback, next: 0 })
+    }
+
+    fn resolve(&self, encoder: &mut wgpu::CommandEncoder) {
+        let count = self.next.min(2 * MOST_PASSES);
+        if count > 0 {
+            encoder.resolve_query_set(&self.stamps, 0..count, &self.resolved, 0);
+            encoder.copy_buffer_to_buffer(&self.resolved, 0, &self.readback, 0, u64::from(count) * STAMP_BYTES);
+        }
+    }
+}
+
+impl Renderer {
+    /// Where the next pass leaves its times; nowhere while nothing is measured.
+    pub(super) fn stamps(timer: &mut Option<Timer>) -> Option<wgpu::RenderPassTimestampWrites<'_>> {
+        let timer = timer.as_mut()?;
+        let first = timer.next;
+        if first + 2 > 2 * MOST_PASSES {
+            return None;
+        }
+        timer.next += 2;
+        Some(wgpu::RenderPassTimestampWrites {
+            query_set: &timer.stamps,
+            beginning_of_pass_write_index: Some(first),
+            end_of_pass_write_index: Some(first + 1),
+        })
+    }
+
+    /// Runs every pass of `plan`, whether its inputs changed or not, and tells what each took. On an adapter without
+    /// timestamps the whole frame's time on the wall is told as that of its last pass.
+    ///
+    /// # Errors
+    /// As [`draw`](Self::draw).
+    pub async fn measure(&mut self, plan: &FramePlan) -> Result<Vec<PassTime>, RenderError> {
+        self.done.clear();
+        self.timer = Timer::new(&self.gpu);
+        let clock = Clock::start();
+        let drawn = self.draw(plan).await;
+        let timer = self.timer.take();
+        let ran = drawn?;
+        let Some(timer) = timer else {
+            self.gpu.wait()?;
+            let whole = Duration::from_secs_f64(clock.seconds());
+            let last = ran.last().cloned();
+            return Ok(last.map(|kind| PassTime { kind, duration: whole }).into_iter().collect());
+        };
+        let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        timer.resolve(&mut encoder);
+        self.gpu.queue.submit([encoder.finish()]);
+        let bytes = super::readback::read_buffer(&self.gpu, &timer.readback).await?;
+        let period = f64::from(self.gpu.queue.get_timestamp_period());
+        let stamp = |index: usize| {
+            let at = index * STAMP_BYTES as usize;
+            bytes.get(at..at + 8).and_then(|bytes| bytes.try_into().ok()).map_or(0, u64::from_le_bytes)
+        };
+        let times = ran.into_iter().enumerate().map(|(index, kind)| {
+            let ticks = stamp(2 * index + 1).saturating_sub(stamp(2 * index));
+            PassTime { kind, duration: Duration::from_nanos((ticks as f64 * period) as u64) }
+        });
+        Ok(times.collect())
+    }
+}
