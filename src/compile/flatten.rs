@@ -9,7 +9,9 @@ use std::sync::Arc;
 use crate::diag::Diagnostic;
 use crate::document::{Definition, Graph, InterfacePort, Look, Node, Tier, Value, Wire};
 use crate::ids::{GROUP_INPUTS, GROUP_OUTPUTS, NodeId, NodePath, PortName};
-use crate::library::{CUSTOM_CODE, CUSTOM_KIND, Library, NodeDef, Special, load_node};
+use crate::library::{
+    CUSTOM_CODE, CUSTOM_KIND, Fallback, GroupPorts, Input, Library, NodeDef, Output, Special, Type, load_node,
+};
 
 /// As many nodes as a look may have once its groups are inlined.
 pub const MAX_FLAT_NODES: usize = 1_000_000;
@@ -387,17 +389,18 @@ impl<'a> Flattener<'a> {
     fn resolve(&mut self, scope: usize, id: &'a NodeId, port: &PortName) -> FlatInput {
         let mut at = (scope, id);
         let mut port = port.clone();
-        let mut default: Option<&'a Value> = None;
+        let mut default: Option<Value> = None;
         // More steps than there are wires means a ring of reroutes or groups.
         let most = 16 + 2 * self.scopes.iter().map(|scope| scope.graph.wires.len()).sum::<usize>();
         for _ in 0..most {
             let (scope, id) = at;
             let Some(&wire) = self.scopes[scope].wires.get(&(id.as_str(), port.as_str())) else {
-                return self.bind_value(scope, id, &port, default);
+                return self.bind_value(scope, id, &port, default.as_ref());
             };
             let Some(next) = self.follow(scope, wire) else { return FlatInput::Broken };
             match next {
                 Source::Output { node, output } => return FlatInput::Wire { node, output },
+                Source::Nothing { scope, id, port, zero } => return self.bind_value(scope, id, &port, Some(&zero)),
                 Source::Input { scope, id, port: next_port, default: interface } => {
                     at = (scope, id);
                     port = next_port;
@@ -420,7 +423,7 @@ impl<'a> Flattener<'a> {
                 (from.node.as_str(), here.definition, here.parent)
             {
                 let interface = definition.inputs.iter().find(|port| port.name == from.port);
-                let default = interface.and_then(|port| port.default.as_ref());
+                let default = interface.and_then(|port| port.default.clone());
                 return Some(Source::Input { scope: parent, id, port: from.port.clone(), default });
             }
             match here.slots.get(from.node.as_str())? {
@@ -436,12 +439,27 @@ impl<'a> Flattener<'a> {
                             default: None,
                         });
                     }
-                    return Some(Source::Output { node: *node, output: def.output(from.port.as_str())? });
+                    let output = def.output(from.port.as_str())?;
+                    let (_, id, document_node) = self.origins[*node];
+                    if document_node.muted
+                        && let Some(source) = muted(&def.inputs, &def.outputs[output], scope, id)
+                    {
+                        return Some(source);
+                    }
+                    return Some(Source::Output { node: *node, output });
                 }
                 Slot::Group(child) => {
                     let (_, definition) = self.scopes[*child].definition?;
                     let first = definition.outputs.first().map_or("", |port| port.name.as_str());
                     let port = if from.port.as_str().is_empty() { first } else { from.port.as_str() };
+                    let (id, node) = here.graph.nodes.get_key_value(from.node.as_str())?;
+                    if node.muted {
+                        let ports = GroupPorts::of(definition, &self.look.definitions, self.library);
+                        let output = definition.outputs.iter().position(|output| output.name.as_str() == port)?;
+                        if let Some(source) = muted(&ports.inputs, &ports.outputs[output], scope, id) {
+                            return Some(source);
+                        }
+                    }
                     from = &self.scopes[*child].wires.get(&(GROUP_OUTPUTS, port))?.from;
                     scope = *child;
                 }
@@ -450,7 +468,7 @@ impl<'a> Flattener<'a> {
         None
     }
 
-    fn bind_value(&mut self, scope: usize, id: &'a NodeId, port: &PortName, default: Option<&'a Value>) -> FlatInput {
+    fn bind_value(&mut self, scope: usize, id: &'a NodeId, port: &PortName, default: Option<&Value>) -> FlatInput {
         let graph = self.scopes[scope].graph;
         let node = graph.nodes.get(id);
         let explicit = node.and_then(|node| node.values.get(port));
@@ -471,8 +489,45 @@ impl<'a> Flattener<'a> {
 }
 
 enum Source<'a> {
-    Output { node: usize, output: usize },
-    Input { scope: usize, id: &'a NodeId, port: PortName, default: Option<&'a Value> },
+    Output {
+        node: usize,
+        output: usize,
+    },
+    Input {
+        scope: usize,
+        id: &'a NodeId,
+        port: PortName,
+        default: Option<Value>,
+    },
+    /// A muted node with nothing to let through gives a zero, as if it were a value of its output.
+    Nothing {
+        scope: usize,
+        id: &'a NodeId,
+        port: PortName,
+        zero: Value,
+    },
+}
+
+/// What stands for an output of a muted node: the input of the same name, else the first that could be its value, else a
+/// zero. Lights and angles have no zero, so the node that makes one stays.
+fn muted<'a>(inputs: &[Input], output: &Output, scope: usize, id: &'a NodeId) -> Option<Source<'a>> {
+    let Output { name, ty, .. } = output;
+    let is_like = |input: &&Input| input.ty == *ty && !input.hidden;
+    let same = inputs.iter().find(|input| input.name == *name).filter(is_like);
+    // A number with a unit is a setting of what the node does, not what it does it to.
+    let is_subject = |input: &&Input| is_like(input) && input.unit.is_empty();
+    if let Some(input) = same.or_else(|| inputs.iter().find(is_subject)) {
+        let default = if let Fallback::Value(value) = &input.fallback { Some(value.clone()) } else { None };
+        return Some(Source::Input { scope, id, port: input.name.clone(), default });
+    }
+    let zero = match ty {
+        Type::Float | Type::Int => Value::Number(0.0),
+        Type::Bool => Value::Bool(false),
+        Type::Color => Value::Vector(vec![0.0, 0.0, 0.0, 1.0]),
+        Type::Vec2 | Type::Vec3 | Type::Vec4 | Type::Composite => Value::Vector(vec![0.0; ty.width()?]),
+        _ => return None,
+    };
+    Some(Source::Nothing { scope, id, port: name.clone(), zero })
 }
 
 fn port_names(ports: &[InterfacePort]) -> Vec<&str> {

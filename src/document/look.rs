@@ -80,6 +80,8 @@ pub struct Node {
     pub values: Values,
     /// Which implementation is asked for.
     pub tier: Tier,
+    /// Whether it is left out: what comes in goes out as it is.
+    pub muted: bool,
     /// Fields of later versions or of other programs.
     #[serde(default, skip_serializing_if = "Unknown::is_empty")]
     pub unknown: Unknown,

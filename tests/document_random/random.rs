@@ -191,6 +191,7 @@ impl Random {
             position: self.numbers(1e6),
             values: self.values(),
             tier: self.choose(&[Tier::Exact, Tier::Balanced, Tier::Fast]),
+            muted: self.chance(5),
             unknown: self.unknown(),
         };
         let with_fields = |value: &&PortName| matches!(node.values[*value], Value::Curve(_) | Value::Ramp(_));

@@ -52,6 +52,8 @@ pub enum Edit {
     SetKind { graph: GraphId, id: NodeId, kind: String },
     /// Asks for another implementation.
     SetTier { graph: GraphId, id: NodeId, tier: Tier },
+    /// Leaves a node out, or takes it in again.
+    SetMuted { graph: GraphId, id: NodeId, muted: bool },
     /// Moves nodes on the canvas, to these places.
     MoveNodes { graph: GraphId, positions: IndexMap<NodeId, [f64; 2]> },
     /// Gives an input a value.
@@ -125,6 +127,8 @@ impl Edit {
             Self::SetName { id, .. } => format!("rename {id}"),
             Self::SetKind { id, .. } => format!("change the kind of {id}"),
             Self::SetTier { id, .. } => format!("change the tier of {id}"),
+            Self::SetMuted { id, muted: true, .. } => format!("mute {id}"),
+            Self::SetMuted { id, .. } => format!("unmute {id}"),
             Self::MoveNodes { positions, .. } => match positions.keys().next() {
                 Some(id) if positions.len() == 1 => format!("move {id}"),
                 _ => format!("move {} nodes", positions.len()),
@@ -220,6 +224,10 @@ fn apply(look: &mut Look, edit: Edit, is_known_good: bool) -> Applied<Edit> {
         Edit::SetTier { graph, id, tier } => {
             let tier = std::mem::replace(&mut graph::node_mut(look, &graph, &id)?.tier, tier);
             Ok(Edit::SetTier { graph, id, tier })
+        }
+        Edit::SetMuted { graph, id, muted } => {
+            let muted = std::mem::replace(&mut graph::node_mut(look, &graph, &id)?.muted, muted);
+            Ok(Edit::SetMuted { graph, id, muted })
         }
         Edit::MoveNodes { graph, positions } => graph::move_nodes(look, graph, positions),
         Edit::SetValue { graph, id, port, value, index } => graph::set_value(look, graph, id, port, value, index),

@@ -135,6 +135,7 @@ fn node(r: &mut Reader<'_>, at: At) -> Option<(Option<NodeId>, Node)> {
         position: r.array(&fields, "at").unwrap_or_default(),
         values: r.values(&mut fields),
         tier: r.word(&fields, "tier").unwrap_or_default(),
+        muted: r.bool(&fields, "muted").unwrap_or_default(),
         unknown: fields.unknown,
     };
     is_some.then_some((id, node))

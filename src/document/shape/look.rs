@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use super::Default::{Json, Required, Words};
 use super::Kind::{
-    Color, Direction, Input, KeyDirection, List, Map, Number, Numbers, Object, Output, Slug, TargetValues, Text, Value,
-    Word,
+    Bool, Color, Direction, Input, KeyDirection, List, Map, Number, Numbers, Object, Output, Slug, TargetValues, Text,
+    Value, Word,
 };
 use super::{Bounds, F32, FAR, Field, Kind, LINE, LONG, MAX_NODES, MAX_WIRES, POSITIVE, Shape, field};
 use crate::document::word::Word as _;
@@ -129,6 +129,7 @@ pub(in crate::document) static NODE: Shape = Shape {
         ),
         field("values", Map(&Value, 1000), Json("{}"), "The values of unwired inputs, by port."),
         field("tier", Word(Tier::WORDS), Json("\"exact\""), "Which implementation is asked for."),
+        field("muted", Bool, Json("false"), "Whether it is left out: what comes in goes out as it is."),
     ],
 };
 

@@ -115,6 +115,9 @@ fn node(w: &mut Writer, id: &NodeId, node: &Node) {
         w.numbers_unless("at", &node.position, &[0.0; 2]);
         values(w, &node.values, &node.unknown);
         w.word_unless("tier", node.tier, Tier::default());
+        if node.muted {
+            w.member("muted", |w| w.bool(true));
+        }
     });
 }
 
