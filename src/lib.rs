@@ -33,6 +33,10 @@ pub mod export;
 #[cfg(feature = "gpu")]
 pub mod render;
 
+// Floor 5: what accuracy costs in time.
+#[cfg(feature = "gpu")]
+pub mod accuracy;
+
 // Floor 6: who people talk to.
 pub mod cli;
 #[cfg(feature = "editor")]

@@ -3,6 +3,8 @@
 //! Results go to standard output, messages to standard error. Exit codes: 0 done; 1 a document, an asset or the GPU is
 //! at fault, and a diagnostic says how; 2 the command line is; 130 ended by Ctrl-C, with no file half written.
 
+#[cfg(feature = "gpu")]
+mod bench;
 mod check;
 #[cfg(feature = "gpu")]
 mod eval;
@@ -70,6 +72,9 @@ enum Command {
     /// Print a look's value, or any node's, at given surface samples
     #[cfg(feature = "gpu")]
     Eval(eval::Arguments),
+    /// Measure what a look costs and how far it is from the truth, whole and node by node
+    #[cfg(feature = "gpu")]
+    Bench(bench::Arguments),
     /// Write a look as shaders for other programs
     Export(export::Arguments),
 }
@@ -119,6 +124,8 @@ pub fn run() -> Outcome {
         Command::Render(arguments) => render::run(arguments, &output),
         #[cfg(feature = "gpu")]
         Command::Eval(arguments) => eval::run(arguments, &output),
+        #[cfg(feature = "gpu")]
+        Command::Bench(arguments) => bench::run(arguments, &output),
         Command::Export(arguments) => export::run(arguments, &output),
     };
     Outcome::Done(match result {

@@ -1,7 +1,7 @@
 //! What is printed, in one place: results to standard output, everything else to standard error.
 
 use std::collections::HashSet;
-use std::io::Write as _;
+use std::io::{IsTerminal as _, Write as _};
 
 use serde_json::Value as Json;
 
@@ -30,6 +30,23 @@ impl Output {
     /// A message about what is being done.
     pub(super) fn message(&self, text: &str) {
         let _ = writeln!(std::io::stderr().lock(), "{text}");
+    }
+
+    /// How far long work has come, on one line that is written over; nothing where nobody watches.
+    pub(super) fn progress(&self, what: &str, done: u64, total: u64) {
+        let mut err = std::io::stderr().lock();
+        if err.is_terminal() && total > 0 {
+            let _ = write!(err, "\r{what}: {} %\x1b[K", 100 * done / total);
+            let _ = err.flush();
+        }
+    }
+
+    /// Takes the line of progress away.
+    pub(super) fn end_progress(&self) {
+        let mut err = std::io::stderr().lock();
+        if err.is_terminal() {
+            let _ = write!(err, "\r\x1b[K");
+        }
     }
 
     /// Diagnostics, each once.

@@ -69,7 +69,7 @@ pub(super) struct Arguments {
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Size([u32; 2]);
+pub(super) struct Size(pub(super) [u32; 2]);
 
 impl FromStr for Size {
     type Err = String;
@@ -81,7 +81,7 @@ impl FromStr for Size {
     }
 }
 
-fn parse_samples(text: &str) -> Result<u32, String> {
+pub(super) fn parse_samples(text: &str) -> Result<u32, String> {
     match text {
         "1" => Ok(1),
         "4" => Ok(4),
@@ -127,7 +127,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     Ok(())
 }
 
-fn parse_time(text: &str) -> Result<f64, String> {
+pub(super) fn parse_time(text: &str) -> Result<f64, String> {
     text.parse().ok().filter(|time: &f64| time.is_finite()).ok_or_else(|| "it is a number of seconds".to_owned())
 }
 

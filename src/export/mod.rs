@@ -31,6 +31,7 @@ use crate::document::Look;
 use crate::library::Library;
 
 pub use language::Language;
+pub use spirv::spirv_words;
 
 /// Every language, in the order of the issue.
 pub const LANGUAGES: [&Language; 7] = [

@@ -17,6 +17,15 @@ pub(super) const LANGUAGE: Language = Language {
     write,
 };
 
+/// A module as SPIR-V words, as [`LANGUAGE`] writes them but for the bindings' numbers.
+///
+/// # Errors
+/// What SPIR-V cannot express.
+pub fn spirv_words(valid: &crate::wgsl::Valid) -> Result<Vec<u32>, String> {
+    let options = spv::Options { lang_version: (1, 3), ..spv::Options::default() };
+    spv::write_vec(&valid.module, &valid.info, &options, None).map_err(|error| error.to_string())
+}
+
 fn write(request: &Request<'_>) -> Result<Written, String> {
     let module = request.module;
     let mut options = spv::Options { lang_version: (1, 3), fake_missing_bindings: false, ..spv::Options::default() };

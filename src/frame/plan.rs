@@ -46,6 +46,19 @@ pub enum PassKind {
     Look,
 }
 
+impl PassKind {
+    /// As people say it.
+    pub fn words(&self) -> &'static str {
+        match self {
+            Self::Normals => "normals",
+            Self::DetailNormals => "detail normals",
+            Self::Curvature => "curvature",
+            Self::DetailCurvature => "detail curvature",
+            Self::Look => "look",
+        }
+    }
+}
+
 /// A pass with its reason.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Pass {

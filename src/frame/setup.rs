@@ -75,6 +75,28 @@ impl Setup {
     }
 }
 
+impl Setup {
+    /// Turns the camera around its target: radians to the right around its up direction, then radians up.
+    pub fn turn_camera(&mut self, [yaw, pitch]: [f64; 2]) {
+        let camera = &mut self.scene.camera;
+        let target = DVec3::from(camera.target);
+        let up = DVec3::from(camera.up).try_normalize().unwrap_or(DVec3::Y);
+        let offset = DQuat::from_axis_angle(up, yaw) * (DVec3::from(camera.eye) - target);
+        let Some(right) = up.cross(offset).try_normalize() else { return };
+        let turn = DQuat::from_axis_angle(right, -pitch);
+        camera.eye = (target + turn * offset).to_array();
+        camera.up = (turn * up).to_array();
+    }
+
+    /// Turns the illumination frame, and every light in it: radians around the vertical axis, then radians up.
+    pub fn turn_lights(&mut self, [yaw, pitch]: [f64; 2]) {
+        let turn = DQuat::from_rotation_y(yaw) * DQuat::from_rotation_x(-pitch);
+        let turned = turn * DQuat::from_array(self.scene.illumination);
+        let length = turned.length();
+        self.scene.illumination = if length > 1e-9 { turned / length } else { turn }.to_array();
+    }
+}
+
 /// A turn of the object's mesh around the middle of its bounds, in its own space.
 fn turn_within(object: &SetupObject, turn: DMat4) -> DMat4 {
     let middle = object.mesh.bounds().center();

@@ -3,6 +3,7 @@
 use std::sync::{Arc, Mutex};
 
 use super::error::RenderError;
+use super::target::PICTURE;
 
 /// A device, our own or a window's.
 #[derive(Clone, Debug)]
@@ -13,6 +14,8 @@ pub struct Gpu {
     pub queue: wgpu::Queue,
     /// What it is.
     pub info: wgpu::AdapterInfo,
+    /// What pictures are drawn in.
+    pub(super) picture: wgpu::TextureFormat,
     /// Errors that no scope caught, and the loss of the device.
     problem: Arc<Mutex<Option<RenderError>>>,
 }
@@ -59,7 +62,8 @@ impl Gpu {
         let adapter = found.ok_or(RenderError::NoAdapter { message: failure })?;
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("chiaro"),
-            required_features: adapter.features() & wgpu::Features::TIMESTAMP_QUERY,
+            required_features: adapter.features()
+                & (wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::FLOAT32_BLENDABLE),
             required_limits: adapter.limits(),
             ..wgpu::DeviceDescriptor::default()
         };
@@ -79,7 +83,24 @@ impl Gpu {
         });
         let uncaught = problem.clone();
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| set(&uncaught, from_wgpu(error))));
-        Self { device, queue, info, problem }
+        Self { device, queue, info, picture: PICTURE, problem }
+    }
+
+    /// The same device, with pictures in 32-bit floats where it can blend them: for comparing, with one sample a pixel.
+    #[must_use]
+    pub fn precise(&self) -> Self {
+        let can = self.device.features().contains(wgpu::Features::FLOAT32_BLENDABLE);
+        Self { picture: if can { wgpu::TextureFormat::Rgba32Float } else { PICTURE }, ..self.clone() }
+    }
+
+    /// Whether it is a program and no device.
+    pub fn is_software(&self) -> bool {
+        self.info.device_type == wgpu::DeviceType::Cpu
+    }
+
+    /// Whether passes can be timed by its own clock.
+    pub fn has_timestamps(&self) -> bool {
+        self.device.features().contains(wgpu::Features::TIMESTAMP_QUERY)
     }
 
     /// What it is called, for reports.

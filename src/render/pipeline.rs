@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::gpu::Gpu;
-use super::target::{DEPTH, NORMALS, NUMBER, PICTURE};
+use super::target::{DEPTH, NORMALS, NUMBER};
 use crate::compile::{Attribute, BindingKind, CompiledShader, Stage};
 
 /// As many pipelines are kept as an editing session comes back to.
@@ -108,7 +108,7 @@ fn make(gpu: &Gpu, shader: &CompiledShader, samples: u32, sides: Sides) -> LookP
             module: &module,
             entry_point: Some("fs_main"),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: &targets(shader.stage),
+            targets: &targets(shader.stage, gpu.picture),
         }),
         multiview_mask: None,
         cache: None,
@@ -116,7 +116,7 @@ fn make(gpu: &Gpu, shader: &CompiledShader, samples: u32, sides: Sides) -> LookP
     LookPipeline { pipeline, layout, attributes }
 }
 
-fn targets(stage: Stage) -> Vec<Option<wgpu::ColorTargetState>> {
+fn targets(stage: Stage, picture: wgpu::TextureFormat) -> Vec<Option<wgpu::ColorTargetState>> {
     let plain = |format| Some(wgpu::ColorTargetState { format, blend: None, write_mask: wgpu::ColorWrites::ALL });
     match stage {
         Stage::Normals | Stage::DetailNormals => vec![plain(NORMALS), plain(NUMBER)],
@@ -131,7 +131,7 @@ fn targets(stage: Stage) -> Vec<Option<wgpu::ColorTargetState>> {
             let blend =
                 wgpu::BlendState { color: over(wgpu::BlendFactor::SrcAlpha), alpha: over(wgpu::BlendFactor::One) };
             vec![Some(wgpu::ColorTargetState {
-                format: PICTURE,
+                format: picture,
                 blend: Some(blend),
                 write_mask: wgpu::ColorWrites::ALL,
             })]

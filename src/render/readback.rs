@@ -31,11 +31,16 @@ impl Picture {
 
 pub(super) async fn read_picture(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Picture, RenderError> {
     let size = [texture.width(), texture.height()];
-    let bytes = read_texture(gpu, texture, 8).await?;
+    let is_precise = texture.format() == wgpu::TextureFormat::Rgba32Float;
+    let texel = if is_precise { 16 } else { 8 };
+    let bytes = read_texture(gpu, texture, texel).await?;
     let rgba = bytes
-        .chunks_exact(8)
+        .chunks_exact(texel as usize)
         .map(|pixel| {
-            let channel = |i: usize| f16::from_le_bytes([pixel[2 * i], pixel[2 * i + 1]]).to_f32();
+            let channel = |i: usize| match is_precise {
+                true => f32::from_le_bytes([pixel[4 * i], pixel[4 * i + 1], pixel[4 * i + 2], pixel[4 * i + 3]]),
+                false => f16::from_le_bytes([pixel[2 * i], pixel[2 * i + 1]]).to_f32(),
+            };
             let alpha = channel(3);
             let scale = if alpha > 0.0 { 1.0 / alpha } else { 0.0 };
             [channel(0) * scale, channel(1) * scale, channel(2) * scale, alpha]

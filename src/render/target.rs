@@ -43,8 +43,8 @@ impl Targets {
                 | wgpu::TextureUsages::COPY_SRC;
             *self = Self {
                 key: Some(key),
-                picture: Some(texture(gpu, plan.size, PICTURE, 1, usage)),
-                multisampled: (plan.samples > 1).then(|| view(gpu, plan.size, PICTURE, plan.samples)),
+                picture: Some(texture(gpu, plan.size, gpu.picture, 1, usage)),
+                multisampled: (plan.samples > 1).then(|| view(gpu, plan.size, gpu.picture, plan.samples)),
                 depth: Some(view(gpu, plan.size, DEPTH, plan.samples)),
                 surface: None,
                 detail: None,

@@ -1,0 +1,192 @@
+//! Takes a look apart: what the whole of it, each node and each pass cost, and how far each is from the truth.
+
+use super::cost::{Series, alternate};
+use super::report::{Report, Row, Subject};
+use super::size::Sizes;
+use super::truth::Truth;
+use super::variant::{Variant, can_be_left_out, tiers_of};
+use super::{ErrorFigures, Estimate, Progress, Stopped};
+use crate::compile::Live;
+use crate::document::Tier;
+use crate::frame::{FramePlan, PlanOptions, Planner, Setup};
+use crate::ids::NodeId;
+use crate::library::Library;
+use crate::render::Renderer;
+
+/// What is measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BenchOptions {
+    /// The picture.
+    pub plan: PlanOptions,
+    /// How often each variant is drawn.
+    pub rounds: usize,
+    /// Whether nodes are measured that have one tier only.
+    pub every_node: bool,
+    /// Whether the picture is compared with the reference's.
+    pub truth: bool,
+}
+
+/// Measures `setup` on `renderer`'s GPU.
+///
+/// # Errors
+/// What is wrong with the setup, what the GPU refuses, or that `progress` stopped it.
+pub fn bench(
+    setup: &Setup,
+    library: &Library,
+    renderer: &mut Renderer,
+    options: &BenchOptions,
+    progress: &mut Progress<'_>,
+) -> Result<Report, Stopped> {
+    let nodes = nodes(setup, library, options.every_node);
+    let tiers = look_tiers(setup, library);
+    progress.expect(((options.rounds + 2) * (1 + nodes.len())) as u64);
+    let mut planner = Planner::default();
+    let mut bench = Bench { setup, library, renderer, options, planner: &mut planner };
+    let truth = if options.truth { Some(bench.truth(progress)?) } else { None };
+    let mut rows = bench.looks(&tiers, truth.as_ref(), progress)?;
+    for node in &nodes {
+        rows.extend(bench.node(node, truth.as_ref(), progress)?);
+    }
+    Ok(Report {
+        adapter: renderer.gpu().name(),
+        is_software: renderer.gpu().is_software(),
+        has_timestamps: renderer.gpu().has_timestamps(),
+        size: options.plan.size,
+        samples: options.plan.samples,
+        rounds: options.rounds,
+        rows,
+    })
+}
+
+/// A node that is measured.
+struct Measured {
+    look: usize,
+    id: NodeId,
+    name: String,
+    kind: String,
+    tiers: Vec<Tier>,
+    can_be_left_out: bool,
+}
+
+fn nodes(setup: &Setup, library: &Library, every_node: bool) -> Vec<Measured> {
+    let of_look = |(index, look): (usize, &crate::frame::SetupLook)| {
+        let look = &look.look;
+        let measured = look.graph.nodes.iter().map(move |(id, node)| Measured {
+            look: index,
+            id: id.clone(),
+            name: if node.name.is_empty() { id.to_string() } else { node.name.clone() },
+            kind: node.kind.clone(),
+            tiers: tiers_of(look, library, &node.kind),
+            can_be_left_out: can_be_left_out(look, library, &node.kind),
+        });
+        measured.collect::<Vec<_>>()
+    };
+    let all = setup.looks.iter().enumerate().flat_map(of_look);
+    all.filter(|node| node.tiers.len() > 1 || (every_node && node.can_be_left_out)).collect()
+}
+
+fn look_tiers(setup: &Setup, library: &Library) -> Vec<Tier> {
+    let kinds = setup.looks.iter().flat_map(|look| look.look.graph.nodes.values().map(move |node| (look, node)));
+    let mut tiers: Vec<Tier> = kinds.flat_map(|(look, node)| tiers_of(&look.look, library, &node.kind)).collect();
+    tiers.sort_unstable();
+    tiers.dedup();
+    tiers
+}
+
+struct Bench<'a> {
+    setup: &'a Setup,
+    library: &'a Library,
+    renderer: &'a mut Renderer,
+    options: &'a BenchOptions,
+    planner: &'a mut Planner,
+}
+
+impl Bench<'_> {
+    fn plan(&mut self, variant: &Variant) -> Result<FramePlan, Stopped> {
+        let setup = variant.of(self.setup);
+        Ok(self.planner.plan(&setup, self.library, &Live::Keyed, &self.options.plan)?)
+    }
+
+    fn truth(&mut self, progress: &mut Progress<'_>) -> Result<Truth, Stopped> {
+        Truth::of(&Variant::Looks(Tier::Exact).of(self.setup), self.library, self.planner, &self.options.plan, progress)
+    }
+
+    fn error(&mut self, plan: &FramePlan, truth: Option<&Truth>) -> Result<Option<ErrorFigures>, Stopped> {
+        truth.map(|truth| truth.compare(self.renderer, plan)).transpose()
+    }
+
+    /// The whole, in each tier and as it asks itself; with the passes of each.
+    fn looks(
+        &mut self,
+        tiers: &[Tier],
+        truth: Option<&Truth>,
+        progress: &mut Progress<'_>,
+    ) -> Result<Vec<Row>, Stopped> {
+        let mut variants: Vec<(Subject, Option<Tier>, Variant)> =
+            tiers.iter().map(|&tier| (Subject::Whole, Some(tier), Variant::Looks(tier))).collect();
+        let asked = Variant::Asked.of(self.setup);
+        let is_one_of_them = tiers.iter().any(|&tier| same_looks(&Variant::Looks(tier).of(self.setup), &asked));
+        if !is_one_of_them {
+            variants.push((Subject::Whole, None, Variant::Asked));
+        }
+        let plans = variants.iter().map(|(_, _, variant)| self.plan(variant)).collect::<Result<Vec<_>, _>>()?;
+        let series = alternate(self.renderer, &plans.iter().collect::<Vec<_>>(), self.options.rounds, progress)?;
+        let mut rows = Vec::new();
+        for (((subject, tier, _), plan), series) in variants.into_iter().zip(&plans).zip(&series) {
+            let error = self.error(plan, truth)?;
+            let passes = series.passes.iter().filter(|_| series.passes.len() > 1).map(|(kind, times)| Row {
+                subject: Subject::Pass(kind.clone()),
+                tier,
+                time: Estimate::of(times),
+                sizes: None,
+                error: None,
+            });
+            let row = Row { subject, tier, time: series.estimate(), sizes: Some(Sizes::of(plan)), error };
+            rows.push(row);
+            rows.extend(passes);
+        }
+        Ok(rows)
+    }
+
+    /// A node in each tier, against the same look without it.
+    fn node(
+        &mut self,
+        node: &Measured,
+        truth: Option<&Truth>,
+        progress: &mut Progress<'_>,
+    ) -> Result<Vec<Row>, Stopped> {
+        let (look, id) = (node.look, &node.id);
+        let mut variants: Vec<Variant> =
+            node.tiers.iter().map(|&tier| Variant::Node { look, node: id.clone(), tier }).collect();
+        if node.can_be_left_out {
+            variants.push(Variant::Without { look, node: id.clone() });
+        }
+        let plans = variants.iter().map(|variant| self.plan(variant)).collect::<Result<Vec<_>, _>>()?;
+        let series = alternate(self.renderer, &plans.iter().collect::<Vec<_>>(), self.options.rounds, progress)?;
+        // What cannot be left out is told against its own cheapest tier, which then costs nothing.
+        let without = series.last().cloned().unwrap_or_default();
+        let mut rows = Vec::new();
+        for ((&tier, plan), series) in node.tiers.iter().zip(&plans).zip(&series) {
+            let subject = Subject::Node {
+                look: self.setup.looks[look].look.name.clone(),
+                id: id.clone(),
+                name: node.name.clone(),
+                kind: node.kind.clone(),
+            };
+            let sizes = Sizes::of(plan).over(&plans.last().map(Sizes::of).unwrap_or_default());
+            let error = self.error(plan, truth)?;
+            rows.push(Row {
+                subject,
+                tier: Some(tier),
+                time: Series::over(series, &without),
+                sizes: Some(sizes),
+                error,
+            });
+        }
+        Ok(rows)
+    }
+}
+
+fn same_looks(a: &Setup, b: &Setup) -> bool {
+    a.looks.iter().zip(&b.looks).all(|(a, b)| a.look == b.look)
+}

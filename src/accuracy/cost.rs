@@ -1,0 +1,153 @@
+//! What something costs in time: measured in turns with what it is compared with, because machines drift and are shared,
+//! and told as a median with its confidence interval.
+
+use serde::Serialize;
+
+use super::{Progress, Stopped};
+use crate::frame::{FramePlan, PassKind};
+use crate::render::{Renderer, block_on};
+
+/// Frames before the first that counts: pipelines are made and caches filled in them.
+const WARM_UP: usize = 2;
+
+/// A median with its 95% confidence interval, in milliseconds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Estimate {
+    /// Half of the measurements lie below.
+    pub median: f64,
+    /// The true median is rarely below.
+    pub low: f64,
+    /// The true median is rarely above.
+    pub high: f64,
+}
+
+impl Estimate {
+    /// The median of `samples`, and the interval by order statistics, which assumes nothing of how they are spread.
+    /// None gives zeros.
+    pub fn of(samples: &[f64]) -> Self {
+        let mut sorted = samples.to_vec();
+        sorted.sort_by(f64::total_cmp);
+        let Some(last) = sorted.len().checked_sub(1) else { return Self::default() };
+        let count = sorted.len() as f64;
+        // The number of samples below the median is binomial(n, 1/2): normal enough from six on.
+        let reach = 0.98 * count.sqrt();
+        let low = (0.5 * count - reach).floor().max(0.0) as usize;
+        let high = (0.5 * count + reach).ceil() as usize;
+        let median = 0.5 * (sorted[last / 2] + sorted[last.div_ceil(2)]);
+        Self { median, low: sorted[low.min(last)], high: sorted[high.min(last)] }
+    }
+
+    /// Whether 0 lies within: nothing was seen beyond the noise.
+    pub fn is_noise(&self) -> bool {
+        self.low <= 0.0 && self.high >= 0.0
+    }
+
+    /// Whether two cannot be told apart.
+    pub fn overlaps(&self, other: &Self) -> bool {
+        self.low <= other.high && other.low <= self.high
+    }
+}
+
+/// What one plan took in each round, in milliseconds.
+#[derive(Clone, Debug, Default)]
+pub struct Series {
+    /// The whole frame.
+    pub frame: Vec<f64>,
+    /// Each pass.
+    pub passes: Vec<(PassKind, Vec<f64>)>,
+}
+
+impl Series {
+    /// The frame's median.
+    pub fn estimate(&self) -> Estimate {
+        Estimate::of(&self.frame)
+    }
+
+    /// What this took more than `other` in the same rounds.
+    pub fn over(&self, other: &Self) -> Estimate {
+        let pairs: Vec<f64> = self.frame.iter().zip(&other.frame).map(|(a, b)| a - b).collect();
+        Estimate::of(&pairs)
+    }
+
+    /// How many times as long this took as `other`, in the same rounds.
+    pub fn ratio(&self, other: &Self) -> Estimate {
+        let pairs: Vec<f64> = self.frame.iter().zip(&other.frame).map(|(a, b)| a / b.max(1e-9)).collect();
+        Estimate::of(&pairs)
+    }
+}
+
+/// Runs the plans in turns, `rounds` times each.
+///
+/// # Errors
+/// What the GPU refuses, or that it was stopped.
+pub fn alternate(
+    renderer: &mut Renderer,
+    plans: &[&FramePlan],
+    rounds: usize,
+    progress: &mut Progress<'_>,
+) -> Result<Vec<Series>, Stopped> {
+    let mut series = vec![Series::default(); plans.len()];
+    for round in 0..WARM_UP + rounds {
+        progress.step()?;
+        // Every other round runs backwards, so that none always follows the same one.
+        let forwards = round % 2 == 0;
+        for turn in 0..plans.len() {
+            let index = if forwards { turn } else { plans.len() - 1 - turn };
+            let times = block_on(renderer.measure(plans[index]))?;
+            if round < WARM_UP {
+                continue;
+            }
+            let of = &mut series[index];
+            of.frame.push(times.iter().map(|time| time.duration.as_secs_f64() * 1e3).sum());
+            of.passes.resize_with(times.len(), || (PassKind::Look, Vec::new()));
+            for (slot, time) in of.passes.iter_mut().zip(&times) {
+                slot.0 = time.kind.clone();
+                slot.1.push(time.duration.as_secs_f64() * 1e3);
+            }
+        }
+    }
+    Ok(series)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_median_and_its_interval() {
+        let samples: Vec<f64> = (1..=25).map(f64::from).collect();
+        let estimate = Estimate::of(&samples);
+        // 12.5 -+ 4.9 samples.
+        assert_eq!((estimate.median, estimate.low, estimate.high), (13.0, 8.0, 19.0));
+        assert_eq!(Estimate::of(&[4.0]), Estimate { median: 4.0, low: 4.0, high: 4.0 });
+        assert_eq!(Estimate::of(&[]), Estimate::default());
+    }
+
+    /// Of many experiments about one in twenty misses the truth, not one in two and not none.
+    #[test]
+    fn the_interval_holds_the_truth_as_often_as_it_says() {
+        let mut state = 9_u64;
+        let mut random = move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        let held = (0..2000).filter(|_| {
+            // A skewed spread, as times have: the median of -ln(1 - x) is ln 2.
+            let samples: Vec<f64> = (0..31).map(|_| -(1.0 - random()).ln()).collect();
+            let estimate = Estimate::of(&samples);
+            (estimate.low..=estimate.high).contains(&std::f64::consts::LN_2)
+        });
+        let share = held.count() as f64 / 2000.0;
+        assert!((0.93..0.99).contains(&share), "{share}");
+    }
+
+    #[test]
+    fn drift_does_not_hide_a_difference() {
+        let drift = |index: usize| 10.0 + 0.5 * index as f64;
+        let with = Series { frame: (0..20).map(|i| drift(i) + 1.0).collect(), passes: Vec::new() };
+        let without = Series { frame: (0..20).map(drift).collect(), passes: Vec::new() };
+        let difference = with.over(&without);
+        assert!((difference.median - 1.0).abs() < 1e-12 && !difference.is_noise());
+        assert!(without.over(&without).is_noise());
+    }
+}

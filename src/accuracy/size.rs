@@ -1,0 +1,122 @@
+//! What a frame is made of, counted and not measured: instructions, memory, and the bytes that must move.
+
+use std::collections::HashSet;
+use std::sync::Arc;
+
+use serde::Serialize;
+
+use crate::compile::{Attribute, CompiledShader};
+use crate::export::spirv_words;
+use crate::frame::{FramePlan, PassKind};
+
+/// Sizes of one frame plan.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Sizes {
+    /// SPIR-V instructions within functions, over all modules that the plan runs, as naga writes them.
+    pub instructions: u64,
+    /// Lines of WGSL, over the same modules.
+    pub lines: u64,
+    /// Bytes of uniforms, meshes, images and targets.
+    pub memory: u64,
+    /// Bytes that a frame must at least read and write once: meshes, images and targets; caches may save no less.
+    pub traffic: u64,
+}
+
+impl Sizes {
+    /// Counts what `plan` needs.
+    pub fn of(plan: &FramePlan) -> Self {
+        let mut sizes = Self::default();
+        let mut modules: HashSet<*const CompiledShader> = HashSet::new();
+        let mut images = HashSet::new();
+        let mut meshes = HashSet::new();
+        for draw in &plan.draws {
+            for shader in std::iter::once(&draw.look).chain(draw.normals.values()) {
+                if modules.insert(Arc::as_ptr(shader)) {
+                    sizes.instructions += instructions(shader);
+                    sizes.lines += shader.wgsl.lines().count() as u64;
+                }
+                // Each draw reads its vertices once in each pass.
+                let vertex: u64 = shader.needs.attributes().into_iter().map(attribute_bytes).sum();
+                sizes.traffic += vertex * draw.mesh.positions.len() as u64 + 4 * draw.indices.len() as u64;
+            }
+            let uniforms = draw.object_uniform.len() + draw.look_uniforms.values().map(Vec::len).sum::<usize>();
+            sizes.memory += uniforms as u64;
+            if meshes.insert(Arc::as_ptr(&draw.mesh)) {
+                let vertex: u64 = draw.look.needs.attributes().into_iter().map(attribute_bytes).sum();
+                sizes.memory += vertex * draw.mesh.positions.len() as u64 + 4 * draw.mesh.indices.len() as u64;
+            }
+            for image in &draw.images {
+                if images.insert(image.hash) {
+                    let bytes = 4 * u64::from(image.size[0]) * u64::from(image.size[1]);
+                    sizes.memory += bytes;
+                    sizes.traffic += bytes;
+                }
+            }
+        }
+        let pixels = u64::from(plan.size[0]) * u64::from(plan.size[1]);
+        for pass in &plan.passes {
+            let (kept, moved) = target_bytes(&pass.kind, u64::from(plan.samples));
+            sizes.memory += kept * pixels;
+            sizes.traffic += moved * pixels;
+        }
+        sizes
+    }
+}
+
+/// Instructions within the functions of a module.
+pub fn instructions(shader: &CompiledShader) -> u64 {
+    let Ok(words) = spirv_words(&shader.valid) else { return 0 };
+    count_in_functions(&words)
+}
+
+/// SPIR-V instructions begin with a word of their length and their code; functions lie between codes 54 and 56.
+fn count_in_functions(words: &[u32]) -> u64 {
+    const HEADER: usize = 5;
+    const FUNCTION: u32 = 54;
+    const FUNCTION_END: u32 = 56;
+    let mut count = 0;
+    let mut inside = false;
+    let mut at = HEADER;
+    while let Some(&word) = words.get(at) {
+        let (length, code) = ((word >> 16) as usize, word & 0xffff);
+        inside |= code == FUNCTION;
+        count += u64::from(inside);
+        inside &= code != FUNCTION_END;
+        at += length.max(1);
+    }
+    count
+}
+
+fn attribute_bytes(attribute: Attribute) -> u64 {
+    match attribute {
+        Attribute::Uv => 8,
+        Attribute::Position | Attribute::Normal => 12,
+        Attribute::Tangent | Attribute::Color => 16,
+    }
+}
+
+/// Bytes a pixel that a pass keeps, and that it moves.
+fn target_bytes(kind: &PassKind, samples: u64) -> (u64, u64) {
+    const COLOR: u64 = 8;
+    const NUMBER: u64 = 4;
+    match kind {
+        // Normals, distance and a depth buffer, written.
+        PassKind::Normals | PassKind::DetailNormals => (COLOR + 2 * NUMBER, COLOR + 2 * NUMBER),
+        // Normals and distances read, curvature written, and read again by the look.
+        PassKind::Curvature | PassKind::DetailCurvature => (NUMBER, COLOR + NUMBER + 2 * NUMBER),
+        PassKind::Look if samples > 1 => (COLOR + samples * (COLOR + NUMBER), COLOR + 2 * samples * (COLOR + NUMBER)),
+        PassKind::Look => (COLOR + NUMBER, COLOR + NUMBER),
+    }
+}
+
+impl Sizes {
+    /// What this needs more than `other`; 0 where it needs less.
+    pub fn over(&self, other: &Self) -> Self {
+        Self {
+            instructions: self.instructions.saturating_sub(other.instructions),
+            lines: self.lines.saturating_sub(other.lines),
+            memory: self.memory.saturating_sub(other.memory),
+            traffic: self.traffic.saturating_sub(other.traffic),
+        }
+    }
+}

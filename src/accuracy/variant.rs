@@ -1,0 +1,114 @@
+//! The same setup with one thing changed.
+
+use crate::document::{Look, Tier};
+use crate::frame::Setup;
+use crate::ids::NodeId;
+use crate::library::{GroupPorts, Library, NodeDef, Type};
+
+/// What a variant changes.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Variant {
+    /// Nothing: the setup as it was read.
+    #[default]
+    Asked,
+    /// Every node of every look in this tier.
+    Looks(Tier),
+    /// One node of one look in this tier, all else exact.
+    Node {
+        /// The look, by its index in the setup.
+        look: usize,
+        /// The node.
+        node: NodeId,
+        /// Its tier.
+        tier: Tier,
+    },
+    /// One node of one look left out, all else exact.
+    Without {
+        /// The look, by its index in the setup.
+        look: usize,
+        /// The node.
+        node: NodeId,
+    },
+}
+
+impl Variant {
+    /// The changed setup.
+    pub fn of(&self, setup: &Setup) -> Setup {
+        let mut setup = setup.clone();
+        if *self != Self::Asked {
+            let tier = if let Self::Looks(tier) = self { *tier } else { Tier::Exact };
+            setup.looks.iter_mut().for_each(|look| set_all(&mut look.look, tier));
+        }
+        match self {
+            Self::Asked | Self::Looks(_) => {}
+            Self::Node { look, node, tier } => {
+                if let Some(node) = setup.looks.get_mut(*look).and_then(|look| look.look.graph.nodes.get_mut(node)) {
+                    node.tier = *tier;
+                }
+            }
+            Self::Without { look, node } => {
+                if let Some(node) = setup.looks.get_mut(*look).and_then(|look| look.look.graph.nodes.get_mut(node)) {
+                    node.muted = true;
+                }
+            }
+        }
+        setup
+    }
+}
+
+impl Variant {
+    /// `setup` with one node of one look in this tier, all else as it is.
+    #[must_use]
+    pub fn of_also(mut setup: Setup, look: usize, node: &NodeId, tier: Tier) -> Setup {
+        if let Some(node) = setup.looks.get_mut(look).and_then(|look| look.look.graph.nodes.get_mut(node)) {
+            node.tier = tier;
+        }
+        setup
+    }
+}
+
+fn set_all(look: &mut Look, tier: Tier) {
+    let graphs = std::iter::once(&mut look.graph).chain(look.definitions.values_mut().map(|group| &mut group.graph));
+    for node in graphs.flat_map(|graph| graph.nodes.values_mut()) {
+        node.tier = tier;
+    }
+}
+
+/// The tiers that differ for a node, groups included: `exact` and whatever cheaper function it or a node within has.
+pub fn tiers_of(look: &Look, library: &Library, kind: &str) -> Vec<Tier> {
+    let mut tiers = vec![Tier::Exact];
+    let mut open = vec![kind];
+    let mut seen = std::collections::HashSet::new();
+    while let Some(kind) = open.pop() {
+        if !seen.insert(kind) {
+            continue;
+        }
+        let definition = look.definitions.get(kind).or_else(|| library.groups.get(kind).map(|group| &group.definition));
+        match definition {
+            Some(definition) => open.extend(definition.graph.nodes.values().map(|node| node.kind.as_str())),
+            None => tiers.extend(library.nodes.get(kind).into_iter().flat_map(|def| own_tiers(def))),
+        }
+    }
+    tiers.sort_unstable();
+    tiers.dedup();
+    tiers
+}
+
+fn own_tiers(def: &NodeDef) -> impl Iterator<Item = Tier> + '_ {
+    def.variants.iter().map(|variant| variant.tier)
+}
+
+/// Whether a look still makes sense without a node: whatever it gives can be passed through or be zero.
+pub fn can_be_left_out(look: &Look, library: &Library, kind: &str) -> bool {
+    let definition = look.definitions.get(kind).or_else(|| library.groups.get(kind).map(|group| &group.definition));
+    let (inputs, outputs) = match (definition, library.nodes.get(kind)) {
+        (Some(definition), _) => {
+            let ports = GroupPorts::of(definition, &look.definitions, library);
+            (ports.inputs, ports.outputs)
+        }
+        (None, Some(def)) if def.special == crate::library::Special::None => (def.inputs.clone(), def.outputs.clone()),
+        _ => return false,
+    };
+    let needs_input = |ty: &Type| matches!(ty, Type::Light | Type::Angle | Type::Mat3 | Type::Prepared(_));
+    outputs.iter().all(|output| !needs_input(&output.ty) || inputs.iter().any(|input| input.ty == output.ty))
+}

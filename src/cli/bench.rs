@@ -1,0 +1,99 @@
+//! `chiaro bench`: what a look costs and how far it is from the truth, whole and node by node.
+
+use std::path::PathBuf;
+
+use super::open::{check_nodes_folder, library_for};
+use super::output::Output;
+use super::render::{Size, parse_samples, parse_time};
+use crate::accuracy::{BenchOptions, Progress, Report, Subject, bench, plot};
+use crate::diag::Diagnostic;
+use crate::document::write_atomic;
+use crate::frame::{Assets, PlanOptions, open};
+use crate::render::{Gpu, Renderer, block_on};
+
+const EXAMPLES: &str = "\
+Examples:
+  chiaro bench look.json
+  chiaro bench look.json --mesh bunny.obj --size 1600x1200 --rounds 60
+  chiaro bench look.json --no-truth --every-node
+  chiaro bench look.json --plot look.svg --json > look-bench.json
+
+Times are GPU timestamps where the adapter has them, of variants that are drawn in turns: medians with 95% confidence
+intervals. A node's time is what it adds to the look. Errors are against the reference's picture in f64.";
+
+/// What `chiaro bench` is given.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// A look or a scene
+    document: PathBuf,
+    /// A mesh or an own shape (shape:creature) in place of the document's
+    #[arg(short, long)]
+    mesh: Option<String>,
+    /// Width and height in pixels
+    #[arg(short, long, default_value = "512x512")]
+    size: Size,
+    /// Samples a pixel, 1 or 4, while time is measured; errors are measured with one
+    #[arg(long, default_value_t = 1, value_parser = parse_samples)]
+    samples: u32,
+    /// How often each variant is drawn, from 3 to 10000
+    #[arg(short, long, default_value_t = 30, value_parser = clap::value_parser!(u32).range(3..=10_000))]
+    rounds: u32,
+    /// The time in seconds
+    #[arg(long, default_value_t = 0.0, value_parser = parse_time, allow_negative_numbers = true)]
+    time: f64,
+    /// Measure nodes that have one tier only, too
+    #[arg(long)]
+    every_node: bool,
+    /// Do not compare with the reference, which takes seconds
+    #[arg(long)]
+    no_truth: bool,
+    /// An SVG to write: error against time, with the front that nothing beats
+    #[arg(short, long)]
+    plot: Option<PathBuf>,
+    /// A folder of a project's own nodes; `nodes/` beside the document is found without it
+    #[arg(long)]
+    nodes: Option<PathBuf>,
+    /// Print the report as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+    check_nodes_folder(arguments.nodes.as_deref())?;
+    let library = library_for(&arguments.document, arguments.nodes.as_deref());
+    output.diagnostics(&library.problems);
+    let (setup, warnings) = open(&arguments.document, arguments.mesh.as_deref(), &mut Assets::default())?;
+    output.diagnostics(&warnings);
+    let gpu = block_on(Gpu::headless()).map_err(|error| vec![error.into()])?;
+    let mut renderer = Renderer::new(gpu);
+    let options = BenchOptions {
+        plan: PlanOptions { size: arguments.size.0, samples: arguments.samples, time: arguments.time },
+        rounds: arguments.rounds as usize,
+        every_node: arguments.every_node,
+        truth: !arguments.no_truth,
+    };
+    let mut told = |done, total| {
+        output.progress("measuring", done, total);
+        true
+    };
+    let report = bench(&setup, &library, &mut renderer, &options, &mut Progress::new(&mut told));
+    output.end_progress();
+    let report = report?;
+    if let Some(path) = &arguments.plot {
+        let title = setup.looks.first().map_or("", |look| look.look.name.as_str());
+        write_plot(path, &report, title)?;
+        output.message(&format!("{}: error against time", path.display()));
+    }
+    if arguments.json {
+        output.json(&serde_json::json!(report));
+    } else {
+        output.result(&report.table());
+    }
+    Ok(())
+}
+
+fn write_plot(path: &std::path::Path, report: &Report, title: &str) -> Result<(), Vec<Diagnostic>> {
+    let svg = plot::svg(report, |subject| *subject == Subject::Whole, title);
+    write_atomic(path, svg.as_bytes()).map_err(|problem| vec![*problem])
+}
