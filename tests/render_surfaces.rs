@@ -50,7 +50,7 @@ impl Folder {
     }
 
     /// Draws a scene of these objects, seen along -z without perspective; `change` has the last word on the scene.
-    fn draw_with(&self, objects: Json, change: impl Fn(&mut Json)) -> Picture {
+    fn draw_with(&self, objects: &Json, change: impl Fn(&mut Json)) -> Picture {
         let mut scene = json!({
             "objects": objects, "backdrop": BACKDROP,
             "camera": {"projection": "orthographic", "height": 2}
@@ -70,7 +70,7 @@ impl Folder {
         block_on(renderer().picture(&plan)).unwrap_or_else(|error| panic!("{error}"))
     }
 
-    fn draw(&self, objects: Json) -> Picture {
+    fn draw(&self, objects: &Json) -> Picture {
         self.draw_with(objects, |_| ())
     }
 }
@@ -190,14 +190,14 @@ fn a_material_with_a_mask_is_cut_out() {
     write_square(&folder, "leaf.gltf", &masked);
     let paint = [0.0, 0.25, 1.0, 1.0];
     let leaf = object("leaf.gltf", "leaf.json");
-    assert_cut(&folder.draw(json!([leaf, object("wall.obj", "paint.json")])), paint);
-    assert_cut(&folder.draw(json!([object("near_wall.obj", "paint.json"), leaf])), paint);
+    assert_cut(&folder.draw(&json!([leaf, object("wall.obj", "paint.json")])), paint);
+    assert_cut(&folder.draw(&json!([object("near_wall.obj", "paint.json"), leaf])), paint);
 
     // The same look on a material without a mask blends by its alpha, and the two do not share a shader.
     write_square(&folder, "veil.gltf", &json!({"name": "leaf", "alphaMode": "OPAQUE", "doubleSided": true}));
     let mut veil = object("veil.gltf", "leaf.json");
     veil["transform"]["translate"] = json!([0, 0, 0.5]);
-    let both = folder.draw(json!([leaf, veil]));
+    let both = folder.draw(&json!([leaf, veil]));
     for (x, y, found) in pixels(&both) {
         let a = f32::from(leaf_alpha(x, y)) / 255.0;
         let over = |c: usize| BACKDROP[c] + a * (f32::from(LEAF[c]) / 255.0 - BACKDROP[c]);
@@ -212,8 +212,8 @@ fn an_output_with_a_cutoff_is_cut_out() {
     folder.json("leaf.json", &image_look("leaf.png", &json!({"cutoff": 0.5})));
     let paint = [0.0, 0.25, 1.0, 1.0];
     let leaf = object("leaf.gltf", "leaf.json");
-    assert_cut(&folder.draw(json!([leaf, object("wall.obj", "paint.json")])), paint);
-    assert_cut(&folder.draw(json!([object("near_wall.obj", "paint.json"), leaf])), paint);
+    assert_cut(&folder.draw(&json!([leaf, object("wall.obj", "paint.json")])), paint);
+    assert_cut(&folder.draw(&json!([object("near_wall.obj", "paint.json"), leaf])), paint);
 }
 
 #[test]
@@ -239,7 +239,7 @@ fn the_greater_of_both_cutoffs_counts_and_alpha_equal_to_it_is_drawn() {
         look["nodes"][1]["values"] = json!({"cutoff": own});
         folder.json("leaf.json", &look);
         let transparent = |scene: &mut Json| scene["backdrop"] = Json::Null;
-        let picture = folder.draw_with(json!([object("leaf.gltf", "leaf.json")]), transparent);
+        let picture = folder.draw_with(&json!([object("leaf.gltf", "leaf.json")]), transparent);
         for (x, y, found) in pixels(&picture) {
             assert_eq!(found[3] > 0.0, is_drawn, "{own} {material} at {x}, {y}");
             if is_drawn {
@@ -285,8 +285,8 @@ fn what_is_seen_through_a_hole_has_its_own_curvature() {
     let mut ball = object("shape:sphere", "bulge.json");
     ball["id"] = json!("ball");
     ball["transform"] = json!({"translate": [0, 0, -2]});
-    let alone = folder.draw(json!([ball]));
-    let behind = folder.draw(json!([object("leaf.gltf", "leaf.json"), ball]));
+    let alone = folder.draw(&json!([ball]));
+    let behind = folder.draw(&json!([object("leaf.gltf", "leaf.json"), ball]));
     let curved = alone.pixel(SIDE / 2, SIDE / 2)[0];
     assert!(curved > 0.53, "a ball is convex, {curved}");
     for (x, y, found) in pixels(&behind) {
@@ -328,7 +328,7 @@ fn colours_come_through_linear_light_as_they_were_and_data_does_not() {
         look["color_space"] = json!(space);
         look["nodes"][0]["values"]["encoding"] = json!(encoding);
         folder.json("card.json", &look);
-        for (x, y, found) in pixels(&folder.draw(json!([object("card.gltf", "card.json")]))) {
+        for (x, y, found) in pixels(&folder.draw(&json!([object("card.gltf", "card.json")]))) {
             let byte = byte_at(x, y);
             let shown = |byte: u8| {
                 let number = f64::from(byte) / 255.0;
@@ -368,7 +368,7 @@ fn light_adds_up_in_linear_light_and_is_encoded_once() {
     for space in ["linear", "display"] {
         folder.json("bent.json", &look(space));
         let light = |coded: f64| if space == "linear" { decoded(coded) } else { coded };
-        for (x, y, found) in pixels(&folder.draw(json!([object("bent.obj", "bent.json")]))) {
+        for (x, y, found) in pixels(&folder.draw(&json!([object("bent.obj", "bent.json")]))) {
             let normal = DVec3::new(place(x, y).0, 0.0, 1.0).normalize();
             let u = angle(normal, held(DVec3::new(1.0, 0.0, 2.0)));
             let pi = std::f64::consts::PI;
@@ -403,7 +403,7 @@ fn vertex_colours_and_backdrops_are_display_colours_in_linear_looks_too() {
     for space in ["linear", "display"] {
         look["color_space"] = json!(space);
         folder.json("left.json", &look);
-        for (x, y, found) in pixels(&folder.draw(json!([object("left.obj", "left.json")]))) {
+        for (x, y, found) in pixels(&folder.draw(&json!([object("left.obj", "left.json")]))) {
             let expected = if place(x, y).0 < 0.0 { [0.25, 0.5, 0.75, 1.0] } else { BACKDROP };
             assert_near(found, expected, NEAR, (x, y));
         }
@@ -457,7 +457,7 @@ fn mirrored_pair(folder: &Folder, mesh: &str, mirror: &Mirror) -> (Picture, Pict
         let moved = DVec3::new(0.053, 0.029, 0.017) * DVec3::from(scale);
         object["transform"] = json!({"fit": false, "scale": scale, "translate": moved.to_array()});
         let light = DVec3::new(0.5, 0.8, 1.0) * DVec3::from(scale);
-        folder.draw_with(json!([object]), |scene| {
+        folder.draw_with(&json!([object]), |scene| {
             scene["camera"]["eye"] = json!([0, 0, 4 * eye as i64]);
             scene["lights"] = json!({"key": {"space": "world", "direction": light.to_array()}});
         })
@@ -508,7 +508,7 @@ fn one_sided_fronts_stay_fronts() {
                 card["transform"]["rotate"] = json!({"axis": [0, 1, 0], "angle": std::f64::consts::PI});
             }
             let expected = if turned { BACKDROP } else { [1.0, 0.0, 0.5, 1.0] };
-            for (x, y, found) in pixels(&folder.draw(json!([card]))) {
+            for (x, y, found) in pixels(&folder.draw(&json!([card]))) {
                 assert_near(found, expected, NEAR, (x, y));
             }
         }
@@ -516,7 +516,7 @@ fn one_sided_fronts_stay_fronts() {
     // A mirror along the axis of sight turns the front away.
     let mut card = object("card.gltf", "paint.json");
     card["transform"]["scale"] = json!([1, 1, -1]);
-    assert_eq!(folder.draw(json!([card])).pixel(9, 9), BACKDROP);
+    assert_eq!(folder.draw(&json!([card])).pixel(9, 9), BACKDROP);
 }
 
 /// A mirror inside a glTF's own nodes is as good as one in the scene.
@@ -530,8 +530,8 @@ fn a_mirror_inside_a_file_is_as_one_in_the_scene() {
     folder.json("mirrored.gltf", &inner);
     let mut card = object("card.gltf", "look.json");
     card["transform"]["scale"] = json!([-1, 0.5, 1]);
-    let by_scene = folder.draw(json!([card]));
-    let by_file = folder.draw(json!([object("mirrored.gltf", "look.json")]));
+    let by_scene = folder.draw(&json!([card]));
+    let by_file = folder.draw(&json!([object("mirrored.gltf", "look.json")]));
     assert_mirrored(&by_scene, &by_file, [false, false]);
     assert!(by_file.pixel(SIDE / 2, SIDE / 2) != BACKDROP && by_file.pixel(SIDE / 2, 2) == BACKDROP);
 }
