@@ -176,7 +176,7 @@ mod tests {
         assert_eq!(problem.code, "cannot-write");
         assert!(problem.hints[0].contains("folder"), "{problem}");
         assert_eq!(problem.place.file, Some(missing.display().to_string()));
-        assert!(problem.message.contains("no/such`") && !problem.to_string().contains(".tmp"), "{problem}");
+        assert!(problem.message.contains("no/such`") && !problem.to_string().contains(".chiaro-"), "{problem}");
 
         let path = folder.path().join("a.json");
         write_atomic(&path, b"old").unwrap();
