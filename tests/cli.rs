@@ -194,13 +194,73 @@ fn check_looks_for_what_documents_name() {
     assert_eq!((&photo["node"], &photo["port"]), (&json!("photo"), &json!("image")));
     assert!(photo["file"].as_str().unwrap().ends_with("photo.json") && photo["at"]["line"].as_u64().unwrap() > 1);
     assert!(with("missing-asset", "none.json")["json_path"].as_str().unwrap().starts_with("objects[1].looks"));
-    with("mesh-read", "gone.obj");
+    let mesh = with("mesh-read", "gone.obj");
+    assert_eq!((&mesh["file"], &mesh["at"]["line"]), (&json!("scene.json"), &json!(2)));
+    assert_eq!(mesh["json_path"], "objects[0].mesh");
+    assert!(mesh["hints"].to_string().contains("relative to the scene's own file"), "{mesh}");
     assert!(with("unknown-shape", "spere")["hints"][0].as_str().unwrap().contains("sphere"));
     assert_eq!(with("unknown-parameter", "pant")["severity"], "warning");
     assert_eq!(with("wrong-type", "cover")["json_path"], "objects[2].values.cover");
     // Each problem once, though two objects may wear one look.
     let texts: std::collections::BTreeSet<String> = all.iter().map(ToString::to_string).collect();
     assert_eq!(texts.len(), all.len());
+}
+
+#[test]
+fn wrong_code_of_a_node_is_told_in_the_look() {
+    let shop = Shop::new();
+    let code = |code: &str| {
+        shop.write(
+            "own.json",
+            &format!(
+                "{{\"nodes\": [\n  {{\"id\": \"c\", \"kind\": \"wgsl\", \"values\": {{\"code\": \"{code}\"}}}},\n  \
+                 {{\"kind\": \"output\"}}],\n \"wires\": [{{\"from\": \"c\", \"to\": \"output.color\"}}]}}"
+            ),
+        );
+        shop.run(&["check", "own.json"])
+    };
+    let place = ["own.json:2:", "node `c`, port `code`, at nodes[0].values.code"];
+    let ran = code(r"// Twice.\nfn tint(a: vec4f) -> vec4f { return twice * a; }");
+    let ran = ran.fails(1, &[&place[..], &["line 2, column 37 of the code: ", "`twice`"]].concat());
+    assert!(!ran.err.contains("c.wgsl"), "{}", ran.err);
+    // What naga takes, and a node cannot be.
+    code("fn tint(a: u32) -> vec4f { return vec4f(f32(a)); }").fails(1, &place);
+    code("const A = 1.0;").fails(1, &place);
+    code("fn tint(").fails(1, &[&place[..], &["of the code"]].concat());
+}
+
+/// What a picture or a plan of a scene would silently do without.
+#[test]
+fn explain_tells_of_scenes_what_check_tells() {
+    let shop = shop();
+    let scene = |object: &str| {
+        let text = format!("{{\"objects\": [\n  {{\"mesh\": \"shape:sphere\", {object}}}\n]}}");
+        shop.write("scene.json", &text);
+        let told = |command: &str| shop.run(&[command, "scene.json"]);
+        [told("check"), told("explain")]
+    };
+    for ran in scene(r#""looks": {"*": "flat.json", "skin": "none.json"}"#) {
+        ran.fails(1, &["scene.json:2:", "missing-asset", "`none.json`", "relative to the scene's own file"]);
+    }
+    for ran in scene(r#""looks": "none.json""#) {
+        ran.fails(1, &["scene.json:2:", "missing-asset"]);
+    }
+    for ran in scene(r#""looks": "flat.json", "values": {"cover": [1, 2, 3]}"#) {
+        ran.fails(1, &["scene.json:2:", "wrong-type", "`cover`", "objects[0].values.cover"]);
+    }
+    for ran in scene(r#""looks": "flat.json", "values": {"pant": 1}"#) {
+        ran.fails(0, &["scene.json:2:", "warning[unknown-parameter]", "did you mean `paint`?"]);
+    }
+    for ran in scene(r#""looks": "flat.json", "values": {"cover": 0.5, "how": "add"}"#) {
+        ran.ok();
+    }
+    for ran in scene(r#""id": "bare""#) {
+        ran.fails(0, &["scene.json:2:", "warning[no-look]", "`bare` wears no look"]);
+    }
+    // What is not seen now is told by check alone.
+    let [check, explain] = scene(r#""looks": "none.json", "values": {"cover": [1, 2, 3]}, "visible": false"#);
+    check.fails(1, &["missing-asset"]);
+    assert!(explain.ok().err.is_empty());
 }
 
 #[test]
@@ -334,7 +394,10 @@ fn new_writes_sound_documents_and_replaces_nothing() {
     assert_eq!(fs::read_to_string(shop.path("rim.json")).unwrap(), "mine");
     shop.run(&["new", "rim", "--force"]).ok();
     shop.run(&["check", "rim.json"]).ok();
-    shop.run(&["new", "no/such/folder/rim"]).fails(1, &["cannot-write"]);
+    let ran = shop.run(&["new", "no such/folder/rim"]);
+    let ran =
+        ran.fails(1, &["no such/folder/rim.json: ", "cannot-write", "no folder `no such/folder`", "make the folder"]);
+    assert!(!ran.err.contains(".tmp"), "{}", ran.err);
     shop.run(&["new", "rim", "--template", "oil"]).fails(2, &["oil"]);
 }
 
@@ -408,6 +471,24 @@ mod gpu {
         assert_eq!(shop.names(), ["bad.json", "flat.json"]);
     }
 
+    #[test]
+    fn render_tells_of_scenes_what_check_tells() {
+        let shop = shop();
+        let render = |object: &str| {
+            shop.write("scene.json", &format!("{{\"objects\": [\n  {{\"mesh\": {object}}}\n]}}"));
+            shop.run(&["render", "scene.json", "-o", "a.png", "--size", "8x8", "--samples", "1"])
+        };
+        render(r#""gone.obj", "looks": "flat.json""#).fails(1, &["scene.json:2:", "gone.obj", "help: paths of meshes"]);
+        render(r#""shape:sphere", "looks": {"*": "flat.json", "skin": "none.json"}"#)
+            .fails(1, &["scene.json:2:", "missing-asset"]);
+        render(r#""shape:sphere", "looks": "flat.json", "values": {"cover": "wide"}"#)
+            .fails(1, &["scene.json:2:", "wrong-type"]);
+        assert_eq!(shop.names(), ["flat.json", "scene.json"]);
+        render(r#""shape:sphere", "looks": "flat.json", "values": {"pant": 1}"#).fails(0, &["unknown-parameter"]);
+        let help = shop.run(&["render", "--help"]).ok().out;
+        assert!(help.contains("Samples a pixel: 1, or 4"), "{help}");
+    }
+
     fn eval(shop: &Shop, more: &[&str], samples: &str) -> Ran {
         let arguments = [&["eval", "flat.json", "--at", "-"], more].concat();
         let mut child = shop
@@ -477,6 +558,11 @@ mod gpu {
         eval(&shop, &[], "[").fails(1, &["1:"]);
         eval(&shop, &["--output", "layr.tone"], "[]").fails(1, &["unknown-node", "layer/tone"]);
         eval(&shop, &["--output", "layer.ton"], "[{}]").fails(1, &["layer"]);
+        // Where nothing is near, all that could be named.
+        eval(&shop, &["--output", "nope.x"], "[]").fails(1, &["the outputs are `paper.below`, ", "`output.color`"]);
+        let ran = eval(&shop, &["--output", "paper.x"], "[]").fails(1, &["the outputs are `paper.below`\n"]);
+        assert!(!ran.err.contains("layer"), "{}", ran.err);
+        eval(&shop, &["--output", "layer/angle.x"], "[]").fails(1, &["`layer/angle.angle`"]);
         eval(&shop, &["--tier", "best"], "[]").fails(2, &["exact, balanced or fast"]);
         shop.run(&["eval", "flat.json", "--at", "none.json"]).fails(1, &["none.json"]);
     }

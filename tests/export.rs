@@ -104,6 +104,23 @@ fn golden_outputs_are_what_is_exported() {
     assert!(complaints.is_empty(), "{}\n{how}", complaints.join("\n"));
 }
 
+/// OpenGL and Vulkan take different texts that both say 450: who reads the description learns which this is.
+#[test]
+fn the_description_says_whose_glsl_it_is() {
+    let look = read_look(
+        r#"{"nodes": [{"kind": "base"}, {"kind": "output"}],
+        "wires": [{"from": "base", "to": "output.color"}]}"#,
+        "a.json",
+    );
+    let files = export_all(&look, "a");
+    let file = files.iter().find(|file| file.name == "a.json").expect("a description");
+    let described: Json = serde_json::from_slice(&file.bytes).expect("JSON");
+    let glsl = &described["languages"]["glsl-450"];
+    let note = glsl["note"].as_str().expect("a note");
+    assert!(note.contains("OpenGL 4.5") && note.contains("not for Vulkan") && note.contains("spirv"), "{note}");
+    assert_eq!(glsl["clip_space"]["depth"], json!([-1, 1]));
+}
+
 #[test]
 fn exporting_twice_gives_the_same_bytes() {
     assert_eq!(expected(), expected());

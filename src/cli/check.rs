@@ -7,10 +7,11 @@ use serde_json::json;
 
 use super::open::{check_nodes_folder, library_for};
 use super::output::{Output, once};
+use super::scene;
 use crate::compile::{Live, Options, TypedSource, check as check_look, compile_typed};
 use crate::diag::{Diagnostic, Severity, has_errors};
-use crate::document::{Document, Loaded, Look, Object, Scene, Value};
-use crate::frame::{Assets, Rig, check_exposed_value, scene_setup};
+use crate::document::{Document, Loaded, Look, Scene, Value};
+use crate::frame::{Assets, Rig, scene_setup};
 use crate::library::{Library, Type};
 
 const EXAMPLES: &str = "\
@@ -173,37 +174,19 @@ impl Checker<'_> {
         self.problems.extend(loaded.diagnostics.iter().cloned());
         let Some(scene) = &loaded.value else { return };
         let folder = path.parent().unwrap_or(Path::new(""));
-        let mut looks: Vec<&String> = scene.objects.values().flat_map(|object| object.looks.values()).collect();
-        looks.sort();
-        looks.dedup();
-        let mut exposed: HashMap<&str, Vec<String>> = HashMap::new();
-        let mut found = missing_looks(scene, folder);
-        for name in looks {
-            let look_path = folder.join(name);
-            let look = Look::load(&look_path);
-            if look.value.is_none() && !look_path.is_file() {
-                // Told below, where the object names it.
-                continue;
-            }
-            let names = look.value.iter().flat_map(|look| &look.exposed).map(|exposed| exposed.name.to_string());
-            exposed.insert(name, names.collect());
-            found.extend(wrong_values(scene, name, look.value.as_ref(), library));
-            self.look(&look_path, &look, library);
-        }
-        found.extend(unknown_values(scene, &exposed));
+        let looks = scene::looks(scene, folder);
+        looks.iter().for_each(|(name, look)| self.look(&folder.join(name), look, library));
+        let mut found = scene::value_problems(scene, &looks, library);
         // An object that is not drawn now may be later.
         let mut all = scene.clone();
-        all.objects.values_mut().for_each(|object| {
-            object.visible = true;
-            object.looks.retain(|_, name| folder.join(name).is_file());
-        });
+        all.objects.values_mut().for_each(|object| object.visible = true);
         let mut of_setup = Vec::new();
         scene_setup(all, folder, &loaded.source, None, &mut self.assets, &mut of_setup);
         // Those of the looks were told with the looks.
         let file = path.display().to_string();
         found.extend(of_setup.into_iter().filter(|problem| {
             let place = problem.place.file.as_deref();
-            place.is_none() || place == Some(&file) || !exposed.keys().any(|look| place == folder.join(look).to_str())
+            place.is_none() || place == Some(&file) || !looks.keys().any(|look| place == folder.join(look).to_str())
         }));
         loaded.source.locate_all(&mut found);
         self.problems.extend(found);
@@ -241,51 +224,4 @@ fn missing_images(typed: &crate::compile::TypedGraph, folder: &Path, assets: &mu
             }
         }
     }
-}
-
-fn missing_looks(scene: &Scene, folder: &Path) -> Vec<Diagnostic> {
-    let mut found = Vec::new();
-    for (index, (id, object)) in scene.objects.iter().enumerate() {
-        for (material, name) in object.looks.iter().filter(|(_, name)| !folder.join(name).is_file()) {
-            let message = format!("object `{id}` wears the look `{name}`, which there is not");
-            let problem = Diagnostic::error("missing-asset", message)
-                .json_path(format!("objects[{index}].looks[{}]", serde_json::Value::from(material.as_str())))
-                .hint("paths of looks are relative to the scene's own file");
-            found.push(problem);
-        }
-    }
-    found
-}
-
-/// Values that an object sets and that its look cannot take.
-fn wrong_values(scene: &Scene, look_name: &str, look: Option<&Look>, library: &Library) -> Vec<Diagnostic> {
-    let mut found = Vec::new();
-    let Some((look, (typed, _))) = look.and_then(|look| Some((look, check_look(look, library, None).ok()?))) else {
-        return found;
-    };
-    let wears = |object: &Object| object.looks.values().any(|name| name == look_name);
-    for (index, (_, object)) in scene.objects.iter().enumerate().filter(|(_, (_, object))| wears(object)) {
-        for (name, value) in &object.values {
-            let problem = check_exposed_value(look, &typed, name.as_str(), value);
-            found.extend(problem.map(|problem| problem.json_path(format!("objects[{index}].values.{name}"))));
-        }
-    }
-    found
-}
-
-/// Values that an object sets and none of its looks exposes.
-fn unknown_values(scene: &Scene, exposed: &HashMap<&str, Vec<String>>) -> Vec<Diagnostic> {
-    let mut found = Vec::new();
-    for (index, (id, object)) in scene.objects.iter().enumerate() {
-        let known: Vec<&str> =
-            object.looks.values().filter_map(|look| exposed.get(look.as_str())).flatten().map(String::as_str).collect();
-        for name in object.values.keys().filter(|name| !known.contains(&name.as_str())) {
-            let message = format!("object `{id}` sets `{name}`, which none of its looks exposes");
-            let problem = Diagnostic::warning("unknown-parameter", message)
-                .json_path(format!("objects[{index}].values.{name}"))
-                .suggest(name.as_str(), known.iter().copied());
-            found.push(problem);
-        }
-    }
-    found
 }

@@ -10,10 +10,10 @@ use super::output::Output;
 use super::samples;
 use crate::compile::{Options, check};
 use crate::diag::Diagnostic;
-use crate::document::{Look, Tier};
+use crate::document::{Look, Node, Tier, Value};
 use crate::frame::{Assets, eval_batches};
 use crate::ids::{NodePath, PortName};
-use crate::library::{Library, Type};
+use crate::library::{CUSTOM_CODE, CUSTOM_KIND, GroupPorts, Library, Output as Port, Type, load_node};
 use crate::render::{Gpu, Renderer, block_on};
 
 const HELP: &str = r#"Examples:
@@ -86,7 +86,12 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         setup.source.locate_all(&mut problems);
         problems
     };
-    let (_, warnings) = check(&setup.look, &library, options.root.as_ref()).map_err(located)?;
+    let (_, warnings) = check(&setup.look, &library, options.root.as_ref()).map_err(|mut problems| {
+        if let Some(root) = &options.root {
+            problems.iter_mut().for_each(|problem| list_outputs(problem, root, &setup.look, &library));
+        }
+        located(problems)
+    })?;
     output.diagnostics(&located(warnings));
     let file = samples::name(&arguments.at);
     let batches =
@@ -110,6 +115,56 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     }
     output.result(&json_lines(&answers));
     Ok(())
+}
+
+/// Where `--output` names what there is not, and nothing is like it: says what could be named.
+fn list_outputs(problem: &mut Diagnostic, root: &(NodePath, PortName), look: &Look, library: &Library) {
+    const MOST: usize = 20;
+    let (path, _) = root;
+    let is_of_node = problem.code == "unknown-port" && problem.place.node.as_ref() == Some(path);
+    let is_of_root = problem.code == "unknown-node" && problem.message.contains(&format!("`{path}`"));
+    if !problem.hints.is_empty() || !(is_of_node || is_of_root) {
+        return;
+    }
+    let mut outputs: Vec<String> = Vec::new();
+    for (id, node) in &look.graph.nodes {
+        let names = output_names(node, look, library);
+        outputs.extend(names.iter().map(|name| format!("{id}.{name}")));
+    }
+    if is_of_node {
+        let of_node = format!("{path}.");
+        outputs.retain(|output| output.starts_with(&of_node));
+        // Of a node in a group.
+        let typed = outputs.is_empty().then(|| check(look, library, None).ok()).flatten();
+        let inner = typed.iter().flat_map(|(typed, _)| &typed.nodes).find(|node| node.path == *path);
+        outputs.extend(inner.iter().flat_map(|node| &node.def.outputs).map(|port| format!("{path}.{}", port.name)));
+    }
+    if outputs.is_empty() {
+        return;
+    }
+    let more = outputs.len().saturating_sub(MOST);
+    let told: Vec<String> = outputs.iter().take(MOST).map(|output| format!("`{output}`")).collect();
+    let rest = if more > 0 { format!(" and {more} more") } else { String::new() };
+    problem.hints.push(format!("the outputs are {}{rest}", told.join(", ")));
+}
+
+/// The outputs of a node of the look: of the library, a group, or with code of its own.
+fn output_names(node: &Node, look: &Look, library: &Library) -> Vec<String> {
+    let ports = |outputs: &[Port]| outputs.iter().map(|output| output.name.to_string()).collect();
+    if let Some(def) = library.nodes.get(&node.kind) {
+        return ports(&def.outputs);
+    }
+    let own = look.definitions.iter().find(|(id, _)| id.as_str() == node.kind).map(|(_, definition)| definition);
+    let group = own.or_else(|| library.groups.get(&node.kind).map(|group| &group.definition));
+    if let Some(definition) = group {
+        return ports(&GroupPorts::of(definition, &look.definitions, library).outputs);
+    }
+    match node.values.get(CUSTOM_CODE) {
+        Some(Value::Text(code)) if node.kind == CUSTOM_KIND => {
+            load_node("code.wgsl", code, Some(CUSTOM_KIND)).map(|def| ports(&def.outputs)).unwrap_or_default()
+        }
+        _ => Vec::new(),
+    }
 }
 
 /// A list with one answer a line.

@@ -19,6 +19,7 @@ mod output;
 mod render;
 #[cfg(feature = "gpu")]
 mod samples;
+mod scene;
 
 use std::path::PathBuf;
 use std::process::ExitCode;

@@ -8,6 +8,7 @@ use serde_json::json;
 
 use super::open::{check_nodes_folder, library_for};
 use super::output::{Output, once};
+use super::scene::check_values;
 use crate::clock::Clock;
 use crate::compile::Live;
 use crate::diag::Diagnostic;
@@ -41,7 +42,7 @@ pub(super) struct Arguments {
     /// Width and height in pixels
     #[arg(short, long, default_value = "800x800")]
     size: Size,
-    /// Samples a pixel
+    /// Samples a pixel: 1, or 4 for smooth edges
     #[arg(long, default_value_t = 4, value_parser = parse_samples)]
     samples: u32,
     /// Where the picture is taken from: `eye=X,Y,Z`, `target=X,Y,Z`, `up=X,Y,Z`, `orbit=YAW,PITCH` in degrees around the
@@ -98,6 +99,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     output.diagnostics(&library.problems);
     let mut assets = Assets::default();
     let (mut setup, mut warnings) = open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?;
+    warnings.extend(check_values(&setup, &arguments.document, &library)?);
     if arguments.z_up {
         setup.stand_up();
     }

@@ -60,15 +60,17 @@ pub fn read_text(path: &Path) -> Result<String, Box<Diagnostic>> {
 /// A diagnostic that names the file; the old file is then as it was.
 pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), Box<Diagnostic>> {
     try_write(path, bytes).map_err(|error| {
+        let missing = path.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.exists());
+        let why = missing.map_or_else(|| reason(&error), |folder| format!("there is no folder `{}`", folder.display()));
         let hint = match error.kind() {
-            io::ErrorKind::NotFound => "the folder does not exist: make it first",
+            io::ErrorKind::NotFound => "make the folder first, or choose another place",
             io::ErrorKind::PermissionDenied => "you may not write here: choose another place",
             io::ErrorKind::StorageFull => "the disk is full: make room and save again",
             io::ErrorKind::ReadOnlyFilesystem => "the disk is read-only: choose another place",
             _ => "choose another place",
         };
         let state = if path.exists() { "; the old file is as it was" } else { "" };
-        let message = format!("cannot write the file: {error}{state}");
+        let message = format!("cannot write the file: {why}{state}");
         Box::new(Diagnostic::error("cannot-write", message).in_file(path.display().to_string()).hint(hint))
     })
 }
@@ -80,6 +82,12 @@ pub fn remove_unfinished() {
         // It may be gone by now, which is what is wanted.
         let _ = fs::remove_file(path);
     }
+}
+
+/// Why a write failed, without the name of the temporary file, which would tell nobody anything.
+fn reason(error: &io::Error) -> String {
+    let inner = error.get_ref().and_then(std::error::Error::source);
+    inner.map_or_else(|| error.to_string(), ToString::to_string)
 }
 
 fn try_write(path: &Path, bytes: &[u8]) -> io::Result<()> {
@@ -167,6 +175,8 @@ mod tests {
         let problem = write_atomic(&missing, b"x").unwrap_err();
         assert_eq!(problem.code, "cannot-write");
         assert!(problem.hints[0].contains("folder"), "{problem}");
+        assert_eq!(problem.place.file, Some(missing.display().to_string()));
+        assert!(problem.message.contains("no/such`") && !problem.to_string().contains(".chiaro-"), "{problem}");
 
         let path = folder.path().join("a.json");
         write_atomic(&path, b"old").unwrap();

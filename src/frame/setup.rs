@@ -59,6 +59,8 @@ impl SetupObject {
 pub struct Setup {
     /// The scene.
     pub scene: Scene,
+    /// The text that the scene was read from, if it was.
+    pub source: Option<Arc<SourceMap>>,
     /// Every look that an object wears.
     pub looks: Vec<SetupLook>,
     /// Visible objects.
@@ -144,7 +146,7 @@ pub fn default_setup(
     let world_from_object = object_matrix(&Transform::default(), &mesh);
     let looks = vec![Some(0); mesh.parts.len()];
     let object = SetupObject { id: ObjectId::new("object"), mesh, world_from_object, looks, values: Values::new() };
-    Ok((Setup { scene: Scene::default(), looks: vec![look], objects: vec![object] }, notes))
+    Ok((Setup { looks: vec![look], objects: vec![object], ..Setup::default() }, notes))
 }
 
 /// World from object space: fit, scale, turn, move.
@@ -172,6 +174,7 @@ pub fn scene_setup(
             continue;
         }
         let path_of = |field: &str| format!("objects[{index}].{field}");
+        missing_looks(id, object, folder, &path_of("looks"), source, problems);
         let found = match mesh {
             Some(replacement) => assets.mesh(Path::new(""), replacement),
             None => assets.mesh(folder, &object.mesh),
@@ -182,14 +185,9 @@ pub fn scene_setup(
                 mesh
             }
             Err(found) => {
-                for mut problem in found {
-                    problem.message = format!("object `{id}`: {}", problem.message);
-                    if problem.place.file.is_none() {
-                        problem = problem.json_path(path_of("mesh"));
-                        source.locate(&mut problem);
-                    }
-                    problems.push(problem);
-                }
+                // What was given in place of the scene's meshes has no place in the scene.
+                let place = mesh.is_none().then(|| path_of("mesh"));
+                problems.extend(found.into_iter().map(|problem| of_object(id, problem, place.as_deref(), source)));
                 continue;
             }
         };
@@ -208,12 +206,53 @@ pub fn scene_setup(
             looks,
             values: object.values.clone(),
         });
-        unworn_materials(id, object, &objects[objects.len() - 1].mesh, &path_of("looks"), source, problems);
+        material_problems(id, object, &objects[objects.len() - 1].mesh, &path_of("looks"), source, problems);
     }
-    Setup { scene, looks: looks.into_iter().map(|(_, look)| look).collect(), objects }
+    Setup {
+        scene,
+        source: Some(source.clone().into()),
+        looks: looks.into_iter().map(|(_, look)| look).collect(),
+        objects,
+    }
 }
 
-fn unworn_materials(
+/// A problem with an object's mesh. Where there is no such mesh, its place is where the scene names it.
+fn of_object(id: &ObjectId, mut problem: Diagnostic, json_path: Option<&str>, source: &SourceMap) -> Diagnostic {
+    problem.message = format!("object `{id}`: {}", problem.message);
+    let Some(json_path) = json_path else { return problem };
+    if problem.code == "mesh-read"
+        && let Some(file) = problem.place.file.take()
+    {
+        problem.message = format!("{} (`{file}`)", problem.message);
+        problem = problem.hint("paths of meshes are relative to the scene's own file");
+    }
+    if problem.place.file.is_none() {
+        problem = problem.json_path(json_path);
+        source.locate(&mut problem);
+    }
+    problem
+}
+
+/// Looks that an object names and that are no files, also those of materials that its mesh has not.
+fn missing_looks(
+    id: &ObjectId,
+    object: &Object,
+    folder: &Path,
+    json_path: &str,
+    source: &SourceMap,
+    problems: &mut Vec<Diagnostic>,
+) {
+    for (material, name) in object.looks.iter().filter(|(_, name)| !folder.join(name).is_file()) {
+        let message = format!("object `{id}` wears the look `{name}`, which there is not");
+        let mut problem = Diagnostic::error("missing-asset", message)
+            .json_path(format!("{json_path}[{}]", serde_json::Value::from(material.as_str())))
+            .hint("paths of looks are relative to the scene's own file");
+        source.locate(&mut problem);
+        problems.push(problem);
+    }
+}
+
+fn material_problems(
     id: &ObjectId,
     object: &Object,
     mesh: &Mesh,
@@ -222,6 +261,14 @@ fn unworn_materials(
     problems: &mut Vec<Diagnostic>,
 ) {
     let materials = || mesh.parts.iter().map(|part| part.material.as_str());
+    let has_look = |material: &str| object.looks.contains_key(material) || object.looks.contains_key(ANY_MATERIAL);
+    if !materials().any(has_look) {
+        let mut problem = Diagnostic::warning("no-look", format!("object `{id}` wears no look, so it is not drawn"))
+            .json_path(json_path)
+            .hint("give it one, as in \"looks\": \"look.json\"");
+        source.locate(&mut problem);
+        problems.push(problem);
+    }
     for name in object.looks.keys().filter(|name| *name != ANY_MATERIAL && !materials().any(|m| m == name.as_str())) {
         let message = format!("object `{id}` has a look for the material `{name}`, which its mesh has not");
         let mut problem = Diagnostic::warning("unknown-material", message)
@@ -242,6 +289,10 @@ fn find_look(
     let path = folder.join(name);
     if let Some(index) = looks.iter().position(|(known, _)| *known == path) {
         return Some(index);
+    }
+    if !path.is_file() {
+        // Told with the object that names it.
+        return None;
     }
     let loaded = Look::load(&path);
     problems.extend(loaded.diagnostics.iter().cloned());

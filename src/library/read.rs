@@ -51,11 +51,23 @@ fn refused(linked: &Linked, error: &wgsl::WgslError) -> Diagnostic {
 /// file's stem.
 ///
 /// # Errors
-/// Everything wrong with it, with line and column.
+/// Everything wrong with it, with line and column. Those of a custom node's code are told in the message, since the code
+/// is no file: the place is the node's, in the look.
 pub fn load_node(file: &str, text: &str, kind: Option<&str>) -> Result<NodeDef, Vec<Diagnostic>> {
     let source = Source { name: file, text };
-    let module = Arc::new(load_module(&[source])?);
-    read_node(&source, &module, kind)
+    let node = load_module(&[source]).and_then(|module| read_node(&source, &Arc::new(module), kind));
+    node.map_err(|mut problems| {
+        let of_code = |problem: &&mut Diagnostic| kind.is_some() && problem.place.file.as_deref() == Some(file);
+        problems.iter_mut().filter(of_code).for_each(tell_place_in_code);
+        problems
+    })
+}
+
+fn tell_place_in_code(problem: &mut Diagnostic) {
+    problem.place.file = None;
+    if let Some(LineColumn { line, column }) = problem.place.at.take() {
+        problem.message = format!("line {line}, column {column} of the code: {}", problem.message);
+    }
 }
 
 pub(super) fn read_node(

@@ -9,6 +9,7 @@ use serde_json::json;
 
 use super::open::{check_nodes_folder, library_for};
 use super::output::Output;
+use super::scene::check_values;
 use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::frame::{Assets, PlanOptions, Planner, open};
@@ -51,7 +52,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let library = library_for(&arguments.document, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);
     let mut assets = Assets::default();
-    let (setup, warnings) = open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?;
+    let (setup, mut warnings) = open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?;
+    warnings.extend(check_values(&setup, &arguments.document, &library)?);
     output.diagnostics(&warnings);
     let live = if arguments.live { Live::All } else { Live::Keyed };
     // As `chiaro render` without options.

@@ -13,69 +13,48 @@ use super::source::SourceMap;
 use super::{Look, Scene, Unknown, VERSION, store};
 use crate::diag::Diagnostic;
 
-impl Look {
-    /// The look as JSON in the canonical form, with a line end at its end.
-    pub fn to_text(&self) -> String {
-        let mut w = Writer::new();
-        look::look(&mut w, self);
-        w.finish()
-    }
+/// What every document can be written by. Methods of the types themselves, and no trait's, so that whoever has a document
+/// can save it without importing anything.
+macro_rules! written {
+    ($document:ty, $write:path) => {
+        impl $document {
+            /// The document as JSON in the canonical form, with a line end at its end.
+            pub fn to_text(&self) -> String {
+                self.write(Writer::new())
+            }
 
-    /// As [`to_text`](Self::to_text), but numbers that are none are written as such, which no reader takes.
-    pub(super) fn to_trial_text(&self) -> String {
-        let mut w = Writer::trial();
-        look::look(&mut w, self);
-        w.finish()
-    }
+            /// As [`to_text`](Self::to_text), but numbers that are none are written as such, which no reader takes.
+            pub(super) fn to_trial_text(&self) -> String {
+                self.write(Writer::trial())
+            }
 
-    /// The text that the look was read from, byte for byte, where that says the same; else the canonical form.
-    pub fn to_text_like(&self, source: &SourceMap) -> String {
-        let own = self.to_text();
-        let read = Self::read(source.text(), source.file()).value;
-        if read.is_some_and(|read| read.to_text() == own) { source.text().to_string() } else { own }
-    }
+            /// The text that the document was read from, byte for byte, where that says the same; else the canonical form.
+            pub fn to_text_like(&self, source: &SourceMap) -> String {
+                let own = self.to_text();
+                let read = Self::read(source.text(), source.file()).value;
+                if read.is_some_and(|read| read.to_text() == own) { source.text().to_string() } else { own }
+            }
 
-    /// Saves the look, whole or not at all; unchanged text stays as it is where `source` is what the look was read from.
-    ///
-    /// # Errors
-    /// A diagnostic that says why the file could not be written; the old one is then as it was.
-    pub fn save(&self, path: &Path, source: Option<&SourceMap>) -> Result<(), Box<Diagnostic>> {
-        let text = source.map_or_else(|| self.to_text(), |source| self.to_text_like(source));
-        store::write_atomic(path, text.as_bytes())
-    }
+            /// Saves the document, whole or not at all; unchanged text stays as it is where `source` is what the document
+            /// was read from.
+            ///
+            /// # Errors
+            /// A diagnostic that says why the file could not be written; the old one is then as it was.
+            pub fn save(&self, path: &Path, source: Option<&SourceMap>) -> Result<(), Box<Diagnostic>> {
+                let text = source.map_or_else(|| self.to_text(), |source| self.to_text_like(source));
+                store::write_atomic(path, text.as_bytes())
+            }
+
+            fn write(&self, mut writer: Writer) -> String {
+                $write(&mut writer, self);
+                writer.finish()
+            }
+        }
+    };
 }
 
-impl Scene {
-    /// The scene as JSON in the canonical form, with a line end at its end.
-    pub fn to_text(&self) -> String {
-        let mut w = Writer::new();
-        scene::scene(&mut w, self);
-        w.finish()
-    }
-
-    /// As [`to_text`](Self::to_text), but numbers that are none are written as such, which no reader takes.
-    pub(super) fn to_trial_text(&self) -> String {
-        let mut w = Writer::trial();
-        scene::scene(&mut w, self);
-        w.finish()
-    }
-
-    /// The text that the scene was read from, byte for byte, where that says the same; else the canonical form.
-    pub fn to_text_like(&self, source: &SourceMap) -> String {
-        let own = self.to_text();
-        let read = Self::read(source.text(), source.file()).value;
-        if read.is_some_and(|read| read.to_text() == own) { source.text().to_string() } else { own }
-    }
-
-    /// Saves the scene, whole or not at all; see [`Look::save`].
-    ///
-    /// # Errors
-    /// A diagnostic that says why the file could not be written; the old one is then as it was.
-    pub fn save(&self, path: &Path, source: Option<&SourceMap>) -> Result<(), Box<Diagnostic>> {
-        let text = source.map_or_else(|| self.to_text(), |source| self.to_text_like(source));
-        store::write_atomic(path, text.as_bytes())
-    }
-}
+written!(Look, look::look);
+written!(Scene, scene::scene);
 
 /// What both documents begin with.
 fn top(w: &mut Writer, chiaro: &str, unknown: &Unknown) {

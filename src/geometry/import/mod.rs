@@ -71,7 +71,9 @@ pub fn import(name: &str, bytes: &[u8], siblings: Siblings) -> Result<Imported, 
 pub fn load(path: &Path) -> Result<Imported, Vec<Diagnostic>> {
     let name = path.display().to_string();
     let bytes = read_bounded(path).map_err(|why| {
-        vec![Diagnostic::error("mesh-read", format!("the mesh cannot be read: {why}")).in_file(name.as_str())]
+        let hint = if path.exists() { "name a file that you may read" } else { "check the spelling and the folder" };
+        let problem = Diagnostic::error("mesh-read", format!("the mesh cannot be read: {why}"));
+        vec![problem.in_file(name.as_str()).hint(hint)]
     })?;
     let folder = path.parent().unwrap_or(Path::new(""));
     import(&name, &bytes, &|sibling| read_bounded(&folder.join(sibling)))
