@@ -47,6 +47,14 @@ pub(super) enum Instruction {
     Load { to: Slot, pointer: Slot, offset: u32, count: u32 },
     /// `memory[pointer + offset] = from`
     Store { pointer: Slot, offset: u32, from: Slot },
+    /// `to[i] = buffers[buffer][pointer + offset + i]` for `i < count`; beyond its end the last scalar.
+    LoadBuffer { to: Slot, buffer: u32, pointer: Slot, offset: u32, count: u32 },
+    /// How a float differs between the lanes of a 2x2 quad.
+    Derivative { op: Derivative, to: Slot, a: Slot },
+    /// Reads or measures a texture; the number is that of a [`super::image::Operation`].
+    Image { operation: u32 },
+    /// From here on the lane only helps its neighbours.
+    Kill,
     /// Goes on at `target`.
     Jump { target: Target },
     /// Goes on at `target` if the condition is `when`.
@@ -59,6 +67,20 @@ pub(super) enum Instruction {
     Return { link: Slot },
 }
 
+impl Instruction {
+    /// What it counts for in [`super::Options::step_limit`].
+    #[inline(always)]
+    pub(super) fn cost(self) -> u64 {
+        match self {
+            Self::CopyRun { count, .. }
+            | Self::Clear { count, .. }
+            | Self::Load { count, .. }
+            | Self::LoadBuffer { count, .. } => u64::from(count),
+            _ => 1,
+        }
+    }
+}
+
 /// Where the values of a selector lead.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Switch {
@@ -66,6 +88,14 @@ pub(super) struct Switch {
     pub(super) cases: Vec<(u32, Target)>,
     /// Where the rest lead.
     pub(super) default: Target,
+}
+
+impl Switch {
+    /// Where a value leads.
+    pub(super) fn target(&self, selector: u32) -> Target {
+        let found = self.cases.binary_search_by_key(&selector, |case| case.0);
+        found.map_or(self.default, |index| self.cases[index].1)
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -198,4 +228,19 @@ pub(super) enum Conversion {
     FromSnorm16,
     FromUnorm16,
     FromHalf,
+    /// What an f16 holds of a float, in f32 mode.
+    HalfInSingle,
+}
+
+/// A difference within a 2x2 quad, whose lanes are (0, 0), (1, 0), (0, 1), (1, 1); y points down.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Derivative {
+    /// Along the lane's own row.
+    FineX,
+    /// Along the lane's own column.
+    FineY,
+    /// Along the first row.
+    CoarseX,
+    /// Along the first column.
+    CoarseY,
 }

@@ -1,8 +1,24 @@
 //! The operations on scalars.
+//!
+//! Each function here takes an operation and what it is to be done to: one pair of operands or whole rows of them. The
+//! choice of the operation thus stands outside the loop over the lanes, and its meaning is written once for any number
+//! of them.
 
 use half::f16;
 
 use super::instruction::{Compare, Conversion, FloatBinary, FloatUnary, IntBinary, IntUnary};
+
+/// Operands of one kind, on each of which a function can be run.
+pub(super) trait Unary<T, U> {
+    /// Stores `f` of every operand.
+    fn with(self, f: impl Fn(T) -> U);
+}
+
+/// Pairs of operands of one kind, on each of which a function can be run.
+pub(super) trait Binary<T, U> {
+    /// Stores `f` of every pair.
+    fn with(self, f: impl Fn(T, T) -> U);
+}
 
 /// How floats are rounded, as a type, so that the machine is compiled once for each.
 pub(super) trait Rounding {
@@ -10,6 +26,8 @@ pub(super) trait Rounding {
     const GREATEST_INTEGERS: (f64, f64);
     /// The nearest float of this precision.
     fn round(x: f64) -> f64;
+    /// What an f16 holds of `x`: in f32 mode the nearest f16, in f64 mode all of it.
+    fn half(x: f64) -> f64;
     /// `a * b + c`, rounded once.
     fn fma(a: f64, b: f64, c: f64) -> f64;
 }
@@ -20,7 +38,12 @@ pub(super) struct Double;
 impl Rounding for Double {
     const GREATEST_INTEGERS: (f64, f64) = (i32::MAX as f64, u32::MAX as f64);
 
+    #[inline(always)]
     fn round(x: f64) -> f64 {
+        x
+    }
+
+    fn half(x: f64) -> f64 {
         x
     }
 
@@ -35,8 +58,13 @@ pub(super) struct Single;
 impl Rounding for Single {
     const GREATEST_INTEGERS: (f64, f64) = (2_147_483_520.0, 4_294_967_040.0);
 
+    #[inline(always)]
     fn round(x: f64) -> f64 {
         f64::from(x as f32)
+    }
+
+    fn half(x: f64) -> f64 {
+        f16::from_f64(x).to_f64()
     }
 
     fn fma(a: f64, b: f64, c: f64) -> f64 {
@@ -45,58 +73,67 @@ impl Rounding for Single {
 }
 
 /// Of one float; not yet rounded.
-pub(super) fn float_unary(op: FloatUnary, x: f64) -> f64 {
+#[inline(always)]
+pub(super) fn float_unary(op: FloatUnary, each: impl Unary<f64, f64>) {
     match op {
-        FloatUnary::Negate => -x,
-        FloatUnary::Abs => x.abs(),
-        FloatUnary::Sign if x > 0.0 => 1.0,
-        FloatUnary::Sign if x < 0.0 => -1.0,
-        FloatUnary::Sign => x,
-        FloatUnary::Cos => x.cos(),
-        FloatUnary::Cosh => x.cosh(),
-        FloatUnary::Sin => x.sin(),
-        FloatUnary::Sinh => x.sinh(),
-        FloatUnary::Tan => x.tan(),
-        FloatUnary::Tanh => x.tanh(),
-        FloatUnary::Acos => x.acos(),
-        FloatUnary::Asin => x.asin(),
-        FloatUnary::Atan => x.atan(),
-        FloatUnary::Asinh => x.asinh(),
-        FloatUnary::Acosh => x.acosh(),
-        FloatUnary::Atanh => x.atanh(),
-        FloatUnary::Radians => x.to_radians(),
-        FloatUnary::Degrees => x.to_degrees(),
-        FloatUnary::Ceil => x.ceil(),
-        FloatUnary::Floor => x.floor(),
-        FloatUnary::Round => x.round_ties_even(),
-        FloatUnary::Fract => x - x.floor(),
-        FloatUnary::Trunc => x.trunc(),
-        FloatUnary::FrexpFraction => frexp(x).0,
-        FloatUnary::Exp => x.exp(),
-        FloatUnary::Exp2 => x.exp2(),
-        FloatUnary::Log => x.ln(),
-        FloatUnary::Log2 => x.log2(),
-        FloatUnary::Sqrt => x.sqrt(),
-        FloatUnary::InverseSqrt => 1.0 / x.sqrt(),
-        FloatUnary::QuantizeToF16 => f16::from_f64(x).to_f64(),
+        FloatUnary::Negate => each.with(|x: f64| -x),
+        FloatUnary::Abs => each.with(f64::abs),
+        FloatUnary::Sign => each.with(sign),
+        FloatUnary::Cos => each.with(f64::cos),
+        FloatUnary::Cosh => each.with(f64::cosh),
+        FloatUnary::Sin => each.with(f64::sin),
+        FloatUnary::Sinh => each.with(f64::sinh),
+        FloatUnary::Tan => each.with(f64::tan),
+        FloatUnary::Tanh => each.with(f64::tanh),
+        FloatUnary::Acos => each.with(f64::acos),
+        FloatUnary::Asin => each.with(f64::asin),
+        FloatUnary::Atan => each.with(f64::atan),
+        FloatUnary::Asinh => each.with(f64::asinh),
+        FloatUnary::Acosh => each.with(f64::acosh),
+        FloatUnary::Atanh => each.with(f64::atanh),
+        FloatUnary::Radians => each.with(f64::to_radians),
+        FloatUnary::Degrees => each.with(f64::to_degrees),
+        FloatUnary::Ceil => each.with(f64::ceil),
+        FloatUnary::Floor => each.with(f64::floor),
+        FloatUnary::Round => each.with(f64::round_ties_even),
+        FloatUnary::Fract => each.with(|x: f64| x - x.floor()),
+        FloatUnary::Trunc => each.with(f64::trunc),
+        FloatUnary::FrexpFraction => each.with(|x: f64| frexp(x).0),
+        FloatUnary::Exp => each.with(f64::exp),
+        FloatUnary::Exp2 => each.with(f64::exp2),
+        FloatUnary::Log => each.with(f64::ln),
+        FloatUnary::Log2 => each.with(f64::log2),
+        FloatUnary::Sqrt => each.with(f64::sqrt),
+        FloatUnary::InverseSqrt => each.with(|x: f64| 1.0 / x.sqrt()),
+        FloatUnary::QuantizeToF16 => each.with(|x: f64| f16::from_f64(x).to_f64()),
+    }
+}
+
+fn sign(x: f64) -> f64 {
+    if x > 0.0 {
+        1.0
+    } else if x < 0.0 {
+        -1.0
+    } else {
+        x
     }
 }
 
 /// Of two floats; not yet rounded.
-pub(super) fn float_binary(op: FloatBinary, a: f64, b: f64) -> f64 {
+#[inline(always)]
+pub(super) fn float_binary(op: FloatBinary, each: impl Binary<f64, f64>) {
     match op {
-        FloatBinary::Add => a + b,
-        FloatBinary::Subtract => a - b,
-        FloatBinary::Multiply => a * b,
-        FloatBinary::Divide => a / b,
-        FloatBinary::Remainder => a % b,
+        FloatBinary::Add => each.with(|a, b| a + b),
+        FloatBinary::Subtract => each.with(|a, b| a - b),
+        FloatBinary::Multiply => each.with(|a, b| a * b),
+        FloatBinary::Divide => each.with(|a, b| a / b),
+        FloatBinary::Remainder => each.with(|a, b| a % b),
         // Of a number and NaN, the number.
-        FloatBinary::Min if b < a || a.is_nan() => b,
-        FloatBinary::Max if a < b || a.is_nan() => b,
-        FloatBinary::Min | FloatBinary::Max => a,
-        FloatBinary::Step => f64::from(u8::from(a <= b)),
-        FloatBinary::Atan2 => a.atan2(b),
-        FloatBinary::Pow => pow(a, b),
+        FloatBinary::Min => each.with(|a, b| if b < a || a.is_nan() { b } else { a }),
+        FloatBinary::Max => each.with(|a, b| if a < b || a.is_nan() { b } else { a }),
+        FloatBinary::Step => each.with(|a, b| f64::from(u8::from(a <= b))),
+        FloatBinary::Atan2 => each.with(f64::atan2),
+        FloatBinary::Pow => each.with(pow),
     }
 }
 
@@ -106,12 +143,13 @@ fn pow(x: f64, y: f64) -> f64 {
 }
 
 /// Of two floats.
-pub(super) fn float_compare(op: Compare, a: f64, b: f64) -> bool {
+#[inline(always)]
+pub(super) fn float_compare(op: Compare, each: impl Binary<f64, bool>) {
     match op {
-        Compare::Equal => a == b,
-        Compare::NotEqual => a != b,
-        Compare::Less => a < b,
-        Compare::LessEqual => a <= b,
+        Compare::Equal => each.with(|a, b| a == b),
+        Compare::NotEqual => each.with(|a, b| a != b),
+        Compare::Less => each.with(|a, b| a < b),
+        Compare::LessEqual => each.with(|a, b| a <= b),
     }
 }
 
@@ -145,56 +183,61 @@ pub(super) fn ldexp(mut x: f64, exponent: i32) -> f64 {
 }
 
 /// Of one integer.
-pub(super) fn int_unary(op: IntUnary, x: u32) -> u32 {
-    let signed = x as i32;
+#[inline(always)]
+pub(super) fn int_unary(op: IntUnary, each: impl Unary<u32, u32>) {
     match op {
-        IntUnary::Identity => x,
-        IntUnary::Negate => x.wrapping_neg(),
-        IntUnary::Abs => signed.wrapping_abs() as u32,
-        IntUnary::Sign => signed.signum() as u32,
-        IntUnary::Complement => !x,
-        IntUnary::LogicalNot => x ^ 1,
-        IntUnary::CountTrailingZeros => x.trailing_zeros(),
-        IntUnary::CountLeadingZeros => x.leading_zeros(),
-        IntUnary::CountOneBits => x.count_ones(),
-        IntUnary::ReverseBits => x.reverse_bits(),
-        IntUnary::FirstTrailingBit if x == 0 => u32::MAX,
-        IntUnary::FirstTrailingBit => x.trailing_zeros(),
+        IntUnary::Identity => each.with(|x| x),
+        IntUnary::Negate => each.with(u32::wrapping_neg),
+        IntUnary::Abs => each.with(|x| x.cast_signed().wrapping_abs() as u32),
+        IntUnary::Sign => each.with(|x| x.cast_signed().signum() as u32),
+        IntUnary::Complement => each.with(|x| !x),
+        IntUnary::LogicalNot => each.with(|x| x ^ 1),
+        IntUnary::CountTrailingZeros => each.with(u32::trailing_zeros),
+        IntUnary::CountLeadingZeros => each.with(u32::leading_zeros),
+        IntUnary::CountOneBits => each.with(u32::count_ones),
+        IntUnary::ReverseBits => each.with(u32::reverse_bits),
+        IntUnary::FirstTrailingBit => each.with(|x| if x == 0 { u32::MAX } else { x.trailing_zeros() }),
         // The topmost bit that differs from the sign; none gives 31 - 32, all ones.
-        IntUnary::FirstLeadingBitSigned => 31_u32.wrapping_sub(((signed >> 31) ^ signed).leading_zeros()),
-        IntUnary::FirstLeadingBitUnsigned => 31_u32.wrapping_sub(x.leading_zeros()),
+        IntUnary::FirstLeadingBitSigned => each.with(|x| {
+            let signed = x.cast_signed();
+            31_u32.wrapping_sub(((signed >> 31) ^ signed).leading_zeros())
+        }),
+        IntUnary::FirstLeadingBitUnsigned => each.with(|x| 31_u32.wrapping_sub(x.leading_zeros())),
     }
 }
 
 /// Of two integers or bools.
-pub(super) fn int_binary(op: IntBinary, a: u32, b: u32) -> u32 {
-    let (x, y) = (a as i32, b as i32);
+#[inline(always)]
+pub(super) fn int_binary(op: IntBinary, each: impl Binary<u32, u32>) {
+    let signed = u32::cast_signed;
     match op {
-        IntBinary::Add => a.wrapping_add(b),
-        IntBinary::Subtract => a.wrapping_sub(b),
-        IntBinary::Multiply => a.wrapping_mul(b),
-        IntBinary::DivideSigned if y == 0 => a,
-        IntBinary::DivideSigned => x.wrapping_div(y) as u32,
-        IntBinary::DivideUnsigned => a.checked_div(b).unwrap_or(a),
-        IntBinary::RemainderSigned if y == 0 => 0,
-        IntBinary::RemainderSigned => x.wrapping_rem(y) as u32,
-        IntBinary::RemainderUnsigned => a.checked_rem(b).unwrap_or(0),
-        IntBinary::And => a & b,
-        IntBinary::Or => a | b,
-        IntBinary::Xor => a ^ b,
-        IntBinary::ShiftLeft => a.wrapping_shl(b),
-        IntBinary::ShiftRightSigned => x.wrapping_shr(b) as u32,
-        IntBinary::ShiftRightUnsigned => a.wrapping_shr(b),
-        IntBinary::MinSigned => x.min(y) as u32,
-        IntBinary::MinUnsigned => a.min(b),
-        IntBinary::MaxSigned => x.max(y) as u32,
-        IntBinary::MaxUnsigned => a.max(b),
-        IntBinary::Equal => u32::from(a == b),
-        IntBinary::NotEqual => u32::from(a != b),
-        IntBinary::LessSigned => u32::from(x < y),
-        IntBinary::LessUnsigned => u32::from(a < b),
-        IntBinary::LessEqualSigned => u32::from(x <= y),
-        IntBinary::LessEqualUnsigned => u32::from(a <= b),
+        IntBinary::Add => each.with(u32::wrapping_add),
+        IntBinary::Subtract => each.with(u32::wrapping_sub),
+        IntBinary::Multiply => each.with(u32::wrapping_mul),
+        IntBinary::DivideSigned => {
+            each.with(|a, b| if b == 0 { a } else { signed(a).wrapping_div(signed(b)) as u32 });
+        }
+        IntBinary::DivideUnsigned => each.with(|a, b| a.checked_div(b).unwrap_or(a)),
+        IntBinary::RemainderSigned => {
+            each.with(|a, b| if b == 0 { 0 } else { signed(a).wrapping_rem(signed(b)) as u32 });
+        }
+        IntBinary::RemainderUnsigned => each.with(|a, b| a.checked_rem(b).unwrap_or(0)),
+        IntBinary::And => each.with(|a, b| a & b),
+        IntBinary::Or => each.with(|a, b| a | b),
+        IntBinary::Xor => each.with(|a, b| a ^ b),
+        IntBinary::ShiftLeft => each.with(u32::wrapping_shl),
+        IntBinary::ShiftRightSigned => each.with(|a, b| signed(a).wrapping_shr(b) as u32),
+        IntBinary::ShiftRightUnsigned => each.with(u32::wrapping_shr),
+        IntBinary::MinSigned => each.with(|a, b| signed(a).min(signed(b)) as u32),
+        IntBinary::MinUnsigned => each.with(u32::min),
+        IntBinary::MaxSigned => each.with(|a, b| signed(a).max(signed(b)) as u32),
+        IntBinary::MaxUnsigned => each.with(u32::max),
+        IntBinary::Equal => each.with(|a, b| u32::from(a == b)),
+        IntBinary::NotEqual => each.with(|a, b| u32::from(a != b)),
+        IntBinary::LessSigned => each.with(|a, b| u32::from(signed(a) < signed(b))),
+        IntBinary::LessUnsigned => each.with(|a, b| u32::from(a < b)),
+        IntBinary::LessEqualSigned => each.with(|a, b| u32::from(signed(a) <= signed(b))),
+        IntBinary::LessEqualUnsigned => each.with(|a, b| u32::from(a <= b)),
     }
 }
 
@@ -223,37 +266,40 @@ pub(super) fn insert_bits(x: u32, new: u32, offset: u32, count: u32) -> u32 {
 }
 
 /// From the bits of a slot to those of another.
-pub(super) fn convert<R: Rounding>(op: Conversion, bits: u64) -> u64 {
-    let float = f64::from_bits(bits);
-    let integer = bits as u32;
-    let signed = f64::from(integer as i32);
+#[inline(always)]
+pub(super) fn convert<R: Rounding>(op: Conversion, each: impl Unary<u64, u64>) {
+    let float = f64::from_bits;
+    let integer = |bits: u64| bits as u32;
+    let signed = |bits: u64| f64::from(bits as u32 as i32);
     let (greatest_i32, greatest_u32) = R::GREATEST_INTEGERS;
     let real = |x: f64| R::round(x).to_bits();
     let whole = |x: i32| u64::from(x as u32);
-    let at_most = |greatest: f64| if float > greatest { greatest } else { float };
+    let at_most = |x: f64, greatest: f64| if x > greatest { greatest } else { x };
     // `as` truncates and saturates, and makes 0 of NaN.
-    let normalized = |least: f64, scale: f64| whole((0.5 + scale * float.clamp(least, 1.0)).floor() as i32);
+    let normalized =
+        |bits: u64, least: f64, scale: f64| whole((0.5 + scale * float(bits).clamp(least, 1.0)).floor() as i32);
     match op {
-        Conversion::FloatToI32 => whole(at_most(greatest_i32) as i32),
-        Conversion::FloatToU32 => u64::from(at_most(greatest_u32) as u32),
-        Conversion::FloatToBool => u64::from(float != 0.0),
-        Conversion::IntToBool => u64::from(integer != 0),
-        Conversion::I32ToFloat => real(signed),
-        Conversion::U32ToFloat => real(f64::from(integer)),
-        Conversion::FloatToBits => u64::from((float as f32).to_bits()),
-        Conversion::BitsToFloat => f64::from(f32::from_bits(integer)).to_bits(),
-        Conversion::FrexpExponent => whole(frexp(float).1),
-        Conversion::IsNan => u64::from(float.is_nan()),
-        Conversion::IsInf => u64::from(float.is_infinite()),
-        Conversion::ToSnorm8 => normalized(-1.0, 127.0),
-        Conversion::ToUnorm8 => normalized(0.0, 255.0),
-        Conversion::ToSnorm16 => normalized(-1.0, 32767.0),
-        Conversion::ToUnorm16 => normalized(0.0, 65535.0),
-        Conversion::ToHalf => u64::from(f16::from_f64(float).to_bits()),
-        Conversion::FromSnorm8 => real((signed / 127.0).max(-1.0)),
-        Conversion::FromUnorm8 => real(signed / 255.0),
-        Conversion::FromSnorm16 => real((signed / 32767.0).max(-1.0)),
-        Conversion::FromUnorm16 => real(signed / 65535.0),
-        Conversion::FromHalf => real(f16::from_bits(integer as u16).to_f64()),
+        Conversion::FloatToI32 => each.with(|x| whole(at_most(float(x), greatest_i32) as i32)),
+        Conversion::FloatToU32 => each.with(|x| u64::from(at_most(float(x), greatest_u32) as u32)),
+        Conversion::FloatToBool => each.with(|x| u64::from(float(x) != 0.0)),
+        Conversion::IntToBool => each.with(|x| u64::from(integer(x) != 0)),
+        Conversion::I32ToFloat => each.with(|x| real(signed(x))),
+        Conversion::U32ToFloat => each.with(|x| real(f64::from(integer(x)))),
+        Conversion::FloatToBits => each.with(|x| u64::from((float(x) as f32).to_bits())),
+        Conversion::BitsToFloat => each.with(|x| f64::from(f32::from_bits(integer(x))).to_bits()),
+        Conversion::FrexpExponent => each.with(|x| whole(frexp(float(x)).1)),
+        Conversion::IsNan => each.with(|x| u64::from(float(x).is_nan())),
+        Conversion::IsInf => each.with(|x| u64::from(float(x).is_infinite())),
+        Conversion::ToSnorm8 => each.with(|x| normalized(x, -1.0, 127.0)),
+        Conversion::ToUnorm8 => each.with(|x| normalized(x, 0.0, 255.0)),
+        Conversion::ToSnorm16 => each.with(|x| normalized(x, -1.0, 32767.0)),
+        Conversion::ToUnorm16 => each.with(|x| normalized(x, 0.0, 65535.0)),
+        Conversion::ToHalf => each.with(|x| u64::from(f16::from_f64(float(x)).to_bits())),
+        Conversion::FromSnorm8 => each.with(|x| real((signed(x) / 127.0).max(-1.0))),
+        Conversion::FromUnorm8 => each.with(|x| real(signed(x) / 255.0)),
+        Conversion::FromSnorm16 => each.with(|x| real((signed(x) / 32767.0).max(-1.0))),
+        Conversion::FromUnorm16 => each.with(|x| real(signed(x) / 65535.0)),
+        Conversion::FromHalf => each.with(|x| real(f16::from_bits(integer(x) as u16).to_f64())),
+        Conversion::HalfInSingle => each.with(|x| R::half(float(x)).to_bits()),
     }
 }

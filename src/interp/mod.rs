@@ -34,16 +34,27 @@
 #![allow(clippy::result_large_err, reason = "diagnostics are large, and made only when all is lost")]
 
 mod compile;
+mod image;
 mod instruction;
+mod lanes;
 mod machine;
 mod math;
+mod memory;
+mod port;
+mod resources;
 mod shape;
 mod value;
 
 #[cfg(test)]
 mod tests;
 
+pub use lanes::{Batch, LANES, Lanes};
 pub use machine::Machine;
+pub use port::Port;
+pub use resources::{
+    Address, Bindings, Bound, Filter, Level, Resource, ResourceKind, Sampler, SamplerCompare, Texel, Texture,
+    TextureDimension,
+};
 pub use shape::{ScalarKind, Shape};
 pub use value::{Scalar, Value};
 
@@ -67,20 +78,34 @@ pub enum Derivatives {
     Refuse,
     /// 0, as on a footprint over which everything is constant.
     Zero,
+    /// The differences within 2x2 quads of [`Lanes`]; 0 where one call stands alone.
+    Quads,
 }
 
 /// Choices made when a function is compiled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Options {
+pub struct Options<'s> {
     /// What derivatives give.
     pub derivatives: Derivatives,
+    /// Whether it may use what only a stage of a pipeline has: resources, private variables, `discard`.
+    pub is_stage: bool,
+    /// The text that the module was read from. From there literals are read at f64, which naga has rounded to f32;
+    /// [`Precision::F32`] has naga's.
+    pub source: Option<&'s str>,
     /// The number of instructions after which a call is given up as endless; one that copies counts for each scalar.
     pub step_limit: u64,
 }
 
-impl Default for Options {
+impl Default for Options<'_> {
     fn default() -> Self {
-        Self { derivatives: Derivatives::default(), step_limit: 10_000_000 }
+        Self { derivatives: Derivatives::default(), is_stage: false, source: None, step_limit: 10_000_000 }
+    }
+}
+
+impl<'s> Options<'s> {
+    /// For an entry point of a pipeline, run in [`Lanes`], with constants at f64.
+    pub fn stage(source: &'s str) -> Self {
+        Self { derivatives: Derivatives::Quads, is_stage: true, source: Some(source), ..Self::default() }
     }
 }
 
@@ -103,10 +128,16 @@ pub struct Program {
     switches: Vec<instruction::Switch>,
     /// What memory holds before a call: the constants, and zeros.
     image: Vec<u64>,
-    /// Slots of float constants that f32 cannot hold, to be rounded for [`Precision::F32`].
-    wide_constants: Vec<u32>,
+    /// Slots of float constants that f32 cannot hold, and what they hold in [`Precision::F32`].
+    wide_constants: Vec<(u32, u64)>,
+    /// Slots that hold scalars of buffers, or how long those are.
+    bound_slots: Vec<(u32, resources::Source)>,
+    resources: Vec<Resource>,
+    operations: Vec<image::Operation>,
     entry: u32,
     parameters: Vec<Parameter>,
+    inputs: Vec<Port>,
+    outputs: Vec<Port>,
     result: Shape,
     result_slot: u32,
     step_limit: u64,
@@ -117,9 +148,10 @@ impl Program {
     ///
     /// # Errors
     /// - `interp-unknown-function`: the module has none of that name.
-    /// - `interp-unsupported`: it, or a function that it calls, does what only a GPU can do (textures, resources,
-    ///   barriers, derivatives unless [`Derivatives::Zero`]), or uses a type that is none of bool, i32, u32, float and
-    ///   their composites, or gives no result. The place has the span in the WGSL source.
+    /// - `interp-unsupported`: it, or a function that it calls, does what only a GPU can do (barriers, atomics, storage
+    ///   textures, ray queries; derivatives unless [`Options::derivatives`] tells what they are; resources unless
+    ///   [`Options::is_stage`]), or uses a type that is none of bool, i32, u32, float and their composites, or gives no
+    ///   result and is no stage. The place has the span in the WGSL source.
     /// - `interp-too-big`: it needs more memory than the interpreter grants (32 MiB), or nests types more than 64 deep.
     pub fn compile(module: &naga::Module, function: &str, options: Options) -> Result<Self, Diagnostic> {
         compile::compile(module, function, options).map_err(|boxed| *boxed)
@@ -130,13 +162,22 @@ impl Program {
     /// # Errors
     /// - `interp-argument`: the number of arguments is wrong, or one has another shape than the [`parameters`](Self::parameters).
     /// - `interp-endless`: it ran for more instructions than [`Options::step_limit`].
+    /// - `interp-unbound`: it reads [`resources`](Self::resources); [`bind`](Self::bind) them.
     pub fn call(&self, arguments: &[Value], precision: Precision) -> Result<Value, Diagnostic> {
         self.machine(precision).call(arguments)
     }
 
     /// Memory to run it in, again and again.
     pub fn machine(&self, precision: Precision) -> Machine<'_> {
-        Machine::new(self, precision)
+        Machine::new(self, precision, &[])
+    }
+
+    /// Hands it what it reads; the result makes machines that run it.
+    ///
+    /// # Errors
+    /// All `interp-binding`: a resource is not bound, or is bound to something else than it takes.
+    pub fn bind(&self, bindings: &Bindings, precision: Precision) -> Result<Bound<'_>, Vec<Diagnostic>> {
+        Bound::new(self, bindings, precision)
     }
 
     /// The name of the function.
@@ -149,7 +190,22 @@ impl Program {
         &self.parameters
     }
 
-    /// What it gives.
+    /// What it reads from outside.
+    pub fn resources(&self) -> &[Resource] {
+        &self.resources
+    }
+
+    /// The scalars and vectors among its arguments and the members of arguments that are structs, in order.
+    pub fn inputs(&self) -> &[Port] {
+        &self.inputs
+    }
+
+    /// The scalars and vectors of its result, or the members of one that is a struct, in order.
+    pub fn outputs(&self) -> &[Port] {
+        &self.outputs
+    }
+
+    /// What it gives; an empty struct if nothing.
     pub fn result(&self) -> &Shape {
         &self.result
     }

@@ -28,7 +28,7 @@ impl ScalarKind {
         }
     }
 
-    fn read(self, bits: u64) -> Scalar {
+    pub(super) fn read(self, bits: u64) -> Scalar {
         match self {
             Self::Bool => Scalar::Bool(bits != 0),
             Self::I32 => Scalar::I32(bits as u32 as i32),
@@ -87,6 +87,17 @@ impl fmt::Display for Shape {
 }
 
 impl Shape {
+    /// How many scalars it has.
+    pub(super) fn slots(&self) -> u64 {
+        match self {
+            Self::Scalar(_) => 1,
+            Self::Vector { size, .. } => *size as u64,
+            Self::Matrix { columns, rows } => (columns * rows) as u64,
+            Self::Array { element, count } => element.slots().saturating_mul(*count as u64),
+            Self::Struct { members, .. } => members.iter().map(|(_, shape)| shape.slots()).sum(),
+        }
+    }
+
     /// Writes the scalars of `value` to `slots`, and gives what is left of them; `None` if the value has another
     /// shape. Recursion is as deep as the type, which the compiler bounds.
     pub(super) fn write<'s>(&self, value: &Value, precision: Precision, slots: &'s mut [u64]) -> Option<&'s mut [u64]> {
@@ -126,6 +137,18 @@ impl Shape {
             },
             Self::Array { element, count } => Value::Array((0..*count).map(|_| element.read(slots)).collect()),
             Self::Struct { members, .. } => Value::Struct(members.iter().map(|(_, shape)| shape.read(slots)).collect()),
+        }
+    }
+}
+
+impl ScalarKind {
+    /// The bits of a number of this kind: integers are truncated, and what is not 0 is true.
+    pub(super) fn bits_of(self, x: f64, precision: Precision) -> u64 {
+        match self {
+            Self::Bool => u64::from(x != 0.0),
+            Self::I32 => u64::from((x as i32).cast_unsigned()),
+            Self::U32 => u64::from(x as u32),
+            Self::Float => float_bits(x, precision),
         }
     }
 }

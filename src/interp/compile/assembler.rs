@@ -7,7 +7,9 @@ use naga::{Expression, Handle};
 
 use super::Outcome;
 use crate::diag::Diagnostic;
+use crate::interp::image::Operation;
 use crate::interp::instruction::{Instruction, Slot, Switch, Target};
+use crate::interp::resources::Source;
 
 /// How many slots a program's memory may have: 32 MiB.
 pub(super) const MAX_SLOTS: u32 = 1 << 22;
@@ -24,8 +26,12 @@ pub(super) struct Assembler {
     switches: Vec<Switch>,
     image: Vec<u64>,
     constants: HashMap<u64, Slot>,
-    wide_constants: HashMap<u64, Slot>,
-    wide_slots: HashSet<Slot>,
+    /// By their bits in f64 and in f32.
+    wide_constants: HashMap<(u64, u64), Slot>,
+    /// What they hold in f32.
+    wide_slots: HashMap<Slot, u64>,
+    bound_slots: HashMap<Source, Slot>,
+    operations: Vec<Operation>,
     constant_slots: HashSet<Slot>,
     constant_runs: HashMap<Vec<Slot>, Slot>,
     /// The values of the module's constant expressions.
@@ -41,7 +47,9 @@ pub(super) struct Linked {
     pub(super) code: Vec<Instruction>,
     pub(super) switches: Vec<Switch>,
     pub(super) image: Vec<u64>,
-    pub(super) wide_constants: Vec<Slot>,
+    pub(super) wide_constants: Vec<(Slot, u64)>,
+    pub(super) bound_slots: Vec<(Slot, Source)>,
+    pub(super) operations: Vec<Operation>,
     pub(super) entry: u32,
 }
 
@@ -54,7 +62,9 @@ impl Assembler {
             image: Vec::new(),
             constants: HashMap::new(),
             wide_constants: HashMap::new(),
-            wide_slots: HashSet::new(),
+            wide_slots: HashMap::new(),
+            bound_slots: HashMap::new(),
+            operations: Vec::new(),
             constant_slots: HashSet::new(),
             constant_runs: HashMap::new(),
             globals: HashMap::new(),
@@ -94,17 +104,38 @@ impl Assembler {
 
     /// A slot that holds this float; if f32 cannot, then one that is rounded when the program runs in f32.
     pub(super) fn float(&mut self, x: f64) -> Outcome<Slot> {
-        let bits = x.to_bits();
-        if x.is_nan() || f64::from(x as f32) == x {
-            return self.constant(bits);
+        self.wide_float(x, f64::from(x as f32))
+    }
+
+    /// A slot that holds `x` in f64 and `single` in f32.
+    pub(super) fn wide_float(&mut self, x: f64, single: f64) -> Outcome<Slot> {
+        let bits = (x.to_bits(), single.to_bits());
+        if x.is_nan() || bits.0 == bits.1 {
+            return self.constant(bits.0);
         }
         if let Some(&slot) = self.wide_constants.get(&bits) {
             return Ok(slot);
         }
-        let slot = self.reserve_constant(bits)?;
+        let slot = self.reserve_constant(bits.0)?;
         self.wide_constants.insert(bits, slot);
-        self.wide_slots.insert(slot);
+        self.wide_slots.insert(slot, bits.1);
         Ok(slot)
+    }
+
+    /// A slot that is filled when resources are bound.
+    pub(super) fn bound(&mut self, source: Source) -> Outcome<Slot> {
+        if let Some(&slot) = self.bound_slots.get(&source) {
+            return Ok(slot);
+        }
+        let slot = self.reserve(1)?;
+        self.bound_slots.insert(source, slot);
+        Ok(slot)
+    }
+
+    /// Registers a use of a texture, whose number an instruction names.
+    pub(super) fn image(&mut self, operation: Operation) -> u32 {
+        self.operations.push(operation);
+        self.operations.len() as u32 - 1
     }
 
     fn reserve_constant(&mut self, bits: u64) -> Outcome<Slot> {
@@ -126,8 +157,8 @@ impl Assembler {
         for (to, &from) in (first..).zip(slots) {
             self.image[to as usize] = self.image[from as usize];
             self.constant_slots.insert(to);
-            if self.wide_slots.contains(&from) {
-                self.wide_slots.insert(to);
+            if let Some(&single) = self.wide_slots.get(&from) {
+                self.wide_slots.insert(to, single);
             }
         }
         self.constant_runs.insert(slots.to_vec(), first);
@@ -159,7 +190,7 @@ impl Assembler {
 
     /// Resolves all labels.
     pub(super) fn link(self, entry: Target) -> Linked {
-        let Self { mut code, mut switches, image, labels, wide_slots, .. } = self;
+        let Self { mut code, mut switches, image, labels, wide_slots, bound_slots, operations, .. } = self;
         for instruction in &mut code {
             if let Instruction::Jump { target }
             | Instruction::JumpIf { target, .. }
@@ -175,9 +206,12 @@ impl Assembler {
             switch.cases.sort_unstable();
             switch.default = labels[switch.default as usize];
         }
-        let mut wide_constants: Vec<Slot> = wide_slots.into_iter().collect();
+        let mut wide_constants: Vec<(Slot, u64)> = wide_slots.into_iter().collect();
         wide_constants.sort_unstable();
-        Linked { code, switches, image, wide_constants, entry: labels[entry as usize] }
+        let mut bound_slots: Vec<(Slot, Source)> =
+            bound_slots.into_iter().map(|(source, slot)| (slot, source)).collect();
+        bound_slots.sort_unstable_by_key(|(slot, _)| *slot);
+        Linked { code, switches, image, wide_constants, bound_slots, operations, entry: labels[entry as usize] }
     }
 }
 

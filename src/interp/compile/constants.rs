@@ -18,9 +18,18 @@ enum Constant {
 }
 
 impl<'a> FunctionCompiler<'a> {
-    /// The slots of a constant expression.
+    /// The slots of a constant expression of the function.
     pub(super) fn constant(&mut self, root: Handle<Expression>) -> Outcome<Rc<[Slot]>> {
-        let mut pending = vec![Constant::Local(root)];
+        self.evaluate(Constant::Local(root))
+    }
+
+    /// The slots of a constant expression of the module.
+    pub(super) fn global_constant(&mut self, root: Handle<Expression>) -> Outcome<Rc<[Slot]>> {
+        self.evaluate(Constant::Global(root))
+    }
+
+    fn evaluate(&mut self, root: Constant) -> Outcome<Rc<[Slot]>> {
+        let mut pending = vec![root];
         let mut result: Option<Rc<[Slot]>> = None;
         while let Some(&constant) = pending.last() {
             result = self.known(constant);
@@ -37,7 +46,7 @@ impl<'a> FunctionCompiler<'a> {
             }
             pending.pop();
         }
-        result.ok_or_else(|| self.unsupported_expression(root))
+        result.ok_or_else(|| self.unsupported("an expression that is not valid naga IR", self.span_of(root)))
     }
 
     fn known(&self, constant: Constant) -> Option<Rc<[Slot]>> {
@@ -66,8 +75,15 @@ impl<'a> FunctionCompiler<'a> {
         }
     }
 
+    fn span_of(&self, constant: Constant) -> Span {
+        match constant {
+            Constant::Local(handle) => self.span(handle),
+            Constant::Global(handle) => self.context.module.global_expressions.get_span(handle),
+        }
+    }
+
     /// What a constant is made of.
-    fn parts(&self, constant: Constant, root: Handle<Expression>) -> Outcome<Vec<Constant>> {
+    fn parts(&self, constant: Constant, root: Constant) -> Outcome<Vec<Constant>> {
         let beside = |handle: Handle<Expression>| match constant {
             Constant::Local(_) => Constant::Local(handle),
             Constant::Global(_) => Constant::Global(handle),
@@ -77,7 +93,7 @@ impl<'a> FunctionCompiler<'a> {
             Expression::Constant(named) => Ok(vec![Constant::Global(self.context.module.constants[*named].init)]),
             Expression::Compose { components, .. } => Ok(components.iter().map(|&part| beside(part)).collect()),
             Expression::Splat { value, .. } => Ok(vec![beside(*value)]),
-            other => Err(self.unsupported(&expression_name(self.context.module, other), self.span(root))),
+            other => Err(self.unsupported(&expression_name(self.context.module, other), self.span_of(root))),
         }
     }
 

@@ -2,13 +2,16 @@
 
 use std::rc::Rc;
 
-use naga::{Expression, Handle, MathFunction, Span, TypeInner};
+use naga::{ArraySize, DerivativeAxis, DerivativeControl, Expression, Handle, MathFunction, Span, TypeInner};
 
+use super::globals::no_stage;
+use super::images::SampleParts;
 use super::layout::{Problem, scalar_kind};
 use super::statements::FunctionCompiler;
 use super::unsupported::expression_name;
 use super::{Outcome, is_constant};
-use crate::interp::instruction::{Instruction, Slot};
+use crate::interp::instruction::{Derivative, FloatUnary, Instruction, IntBinary, Slot};
+use crate::interp::resources::Source;
 use crate::interp::{Derivatives, ScalarKind};
 
 /// What an expression is.
@@ -20,9 +23,11 @@ pub(super) enum Operand {
     Place(Place),
 }
 
-/// A place in memory.
+/// A place in memory, or in a buffer.
 #[derive(Clone, Copy)]
 pub(super) struct Place {
+    /// The number of the buffer; if none, memory.
+    pub(super) buffer: Option<u32>,
     /// The slot that holds the number of a slot; if none, 0.
     pub(super) pointer: Option<Slot>,
     /// What is added to that.
@@ -32,7 +37,12 @@ pub(super) struct Place {
 impl Place {
     /// One that is known while compiling.
     pub(super) fn fixed(slot: Slot) -> Self {
-        Self { pointer: None, offset: slot }
+        Self { buffer: None, pointer: None, offset: slot }
+    }
+
+    /// One that a slot holds the number of.
+    fn at(pointer: Slot) -> Self {
+        Self { buffer: None, pointer: Some(pointer), offset: 0 }
     }
 }
 
@@ -42,7 +52,9 @@ impl<'a> FunctionCompiler<'a> {
         let expression = &self.function.expressions[handle];
         let slots = match *expression {
             ref constant if is_constant(constant) => return Ok(()),
-            Expression::FunctionArgument(_) | Expression::LocalVariable(_) => return Ok(()),
+            Expression::FunctionArgument(_) | Expression::LocalVariable(_) | Expression::GlobalVariable(_) => {
+                return Ok(());
+            }
             Expression::Access { base, index } => return self.access(handle, base, index),
             Expression::AccessIndex { base, index } => return self.access_index(handle, base, index),
             Expression::Swizzle { size, vector, pattern } => {
@@ -60,7 +72,33 @@ impl<'a> FunctionCompiler<'a> {
             Expression::As { expr, kind, convert } => Some(self.cast(expr, kind, convert.is_some())?),
             Expression::Math { fun: MathFunction::Outer, .. } => None,
             Expression::Math { fun, arg, arg1, arg2, arg3 } => Some(self.math(fun, arg, [arg1, arg2, arg3])?),
-            Expression::Derivative { expr, .. } => self.derivative(expr)?,
+            Expression::Derivative { axis, ctrl, expr } => self.derivative(axis, ctrl, expr)?,
+            Expression::ImageSample {
+                image,
+                sampler,
+                gather,
+                coordinate,
+                array_index,
+                offset,
+                level,
+                depth_ref,
+                clamp_to_edge,
+            } => Some(self.image_sample(SampleParts {
+                image,
+                sampler,
+                gather,
+                coordinate,
+                array_index,
+                offset,
+                level,
+                depth_ref,
+                clamp_to_edge,
+            })?),
+            Expression::ImageLoad { image, coordinate, array_index, sample, level } => {
+                Some(self.image_load(image, coordinate, [array_index, sample, level])?)
+            }
+            Expression::ImageQuery { image, query } => Some(self.image_query(image, query)?),
+            Expression::ArrayLength(array) => Some(self.array_length(array)?),
             _ => None,
         };
         match slots {
@@ -85,6 +123,12 @@ impl<'a> FunctionCompiler<'a> {
     pub(super) fn operand(&mut self, handle: Handle<Expression>) -> Outcome<Operand> {
         if let Some(operand) = &self.operands[handle.index()] {
             return Ok(operand.clone());
+        }
+        if let Expression::GlobalVariable(variable) = self.function.expressions[handle] {
+            return match self.context.globals.operand(variable, self.assembler)? {
+                Some(operand) => Ok(operand),
+                None => Err(no_stage(self.unsupported_expression(handle))),
+            };
         }
         self.constant(handle).map(Operand::Value)
     }
@@ -120,7 +164,7 @@ impl<'a> FunctionCompiler<'a> {
             return Err(self.unsupported_expression(handle));
         };
         if is_pointer(inner) {
-            return Ok(Operand::Place(Place { pointer: Some(first), offset: 0 }));
+            return Ok(Operand::Place(Place::at(first)));
         }
         let count = self.slots_of(inner, self.span(handle))?;
         Ok(Operand::Value((first..first + count).collect()))
@@ -128,10 +172,20 @@ impl<'a> FunctionCompiler<'a> {
 
     fn access_index(&mut self, handle: Handle<Expression>, base: Handle<Expression>, index: u32) -> Outcome<()> {
         let composite = self.pointee(base);
-        let (offset, count) =
-            self.checked(self.context.layouts.part(&self.context.module.types, composite, index), base)?;
-        match self.operand(base)? {
-            Operand::Place(place) => self.define_place(handle, Place { offset: place.offset + offset, ..place }),
+        if is_unsized(composite) {
+            let index = self.int_constant(index)?;
+            return self.access_slot(handle, base, index);
+        }
+        let layouts = self.context.layouts;
+        let types = &self.context.module.types;
+        let operand = self.operand(base)?;
+        if let Operand::Place(place) = operand {
+            let offset = self.checked(layouts.offset(types, composite, index), base)?;
+            return self.define_place(handle, Place { offset: place.offset + offset, ..place });
+        }
+        let (offset, count) = self.checked(layouts.part(types, composite, index), base)?;
+        match operand {
+            Operand::Place(_) => Err(self.unsupported_expression(handle)),
             Operand::Value(slots) => match slots.get(offset as usize..(offset + count) as usize) {
                 Some(part) => self.define(handle, part.to_vec()),
                 None => Err(self.unsupported_expression(handle)),
@@ -145,27 +199,51 @@ impl<'a> FunctionCompiler<'a> {
         base: Handle<Expression>,
         index: Handle<Expression>,
     ) -> Outcome<()> {
+        let index = self.scalar(index)?;
+        self.access_slot(handle, base, index)
+    }
+
+    /// A part of `base` whose index is in a slot.
+    fn access_slot(&mut self, handle: Handle<Expression>, base: Handle<Expression>, index: Slot) -> Outcome<()> {
         let composite = self.pointee(base);
         let (count, stride) =
             self.checked(self.context.layouts.elements(&self.context.module.types, composite), base)?;
-        let index = self.scalar(index)?;
-        let operand = self.operand(base)?;
-        let to = self.assembler.reserve(1)?;
-        match operand {
+        match self.operand(base)? {
             Operand::Place(place) => {
+                let index = self.within_buffer(composite, place, index)?;
                 let (pointer, offset) = match place.pointer {
                     Some(pointer) => (pointer, place.offset),
                     None => (self.pointer(place)?, 0),
                 };
-                self.assembler.emit(Instruction::Index { to, pointer, index, count, stride })?;
-                self.define_place(handle, Place { pointer: Some(to), offset })
+                let to = self.compute(|to| Instruction::Index { to, pointer, index, count, stride })?;
+                self.define_place(handle, Place { buffer: place.buffer, pointer: Some(to), offset })
             }
             Operand::Value(slots) => {
                 let first = self.gather(&slots)?;
                 let pointer = self.assembler.constant(u64::from(first))?;
-                self.assembler.emit(Instruction::Index { to, pointer, index, count, stride })?;
-                let part = self.load_from(Place { pointer: Some(to), offset: 0 }, stride)?;
+                let to = self.compute(|to| Instruction::Index { to, pointer, index, count, stride })?;
+                let part = self.load_from(Place::at(to), stride)?;
                 self.define(handle, part)
+            }
+        }
+    }
+
+    /// An index that is within what is bound, if that has no fixed length.
+    fn within_buffer(&mut self, composite: &TypeInner, place: Place, index: Slot) -> Outcome<Slot> {
+        match place.buffer {
+            Some(buffer) if is_unsized(composite) => {
+                let last = self.assembler.bound(Source::Last { buffer })?;
+                self.int2(IntBinary::MinUnsigned, index, last)
+            }
+            _ => Ok(index),
+        }
+    }
+
+    fn array_length(&mut self, array: Handle<Expression>) -> Outcome<Vec<Slot>> {
+        match self.place(array)?.buffer {
+            Some(buffer) => Ok(vec![self.assembler.bound(Source::Length { buffer })?]),
+            None => {
+                Err(self.unsupported("the length of an array that is in no buffer (ArrayLength)", self.span(array)))
             }
         }
     }
@@ -188,9 +266,9 @@ impl<'a> FunctionCompiler<'a> {
     /// A slot that holds the number of the slot at `place`.
     pub(super) fn pointer(&mut self, place: Place) -> Outcome<Slot> {
         match place {
-            Place { pointer: None, offset } => self.assembler.constant(u64::from(offset)),
-            Place { pointer: Some(pointer), offset: 0 } => Ok(pointer),
-            Place { pointer: Some(pointer), offset } => {
+            Place { pointer: None, offset, .. } => self.assembler.constant(u64::from(offset)),
+            Place { pointer: Some(pointer), offset: 0, .. } => Ok(pointer),
+            Place { pointer: Some(pointer), offset, .. } => {
                 let to = self.assembler.reserve(1)?;
                 self.assembler.emit(Instruction::Offset { to, pointer, offset })?;
                 Ok(to)
@@ -205,27 +283,55 @@ impl<'a> FunctionCompiler<'a> {
     }
 
     fn load_from(&mut self, place: Place, count: u32) -> Outcome<Vec<Slot>> {
+        if let Place { buffer: Some(buffer), pointer: None, offset } = place {
+            // Nothing changes a buffer while the program runs.
+            return (offset..offset + count)
+                .map(|offset| self.assembler.bound(Source::Scalar { buffer, offset }))
+                .collect();
+        }
         let to = self.assembler.reserve(count)?;
         match place {
-            Place { pointer: None, offset } => {
+            Place { pointer: None, offset, .. } => {
                 let from: Vec<Slot> = (offset..offset + count).collect();
                 self.copy(to, &from)?;
             }
-            Place { pointer: Some(pointer), offset } => {
+            Place { buffer: None, pointer: Some(pointer), offset } => {
                 self.assembler.emit(Instruction::Load { to, pointer, offset, count })?;
+            }
+            Place { buffer: Some(buffer), pointer: Some(pointer), offset } => {
+                self.assembler.emit(Instruction::LoadBuffer { to, buffer, pointer, offset, count })?;
             }
         }
         Ok((to..to + count).collect())
     }
 
-    fn derivative(&mut self, expr: Handle<Expression>) -> Outcome<Option<Vec<Slot>>> {
+    fn derivative(
+        &mut self,
+        axis: DerivativeAxis,
+        control: DerivativeControl,
+        expr: Handle<Expression>,
+    ) -> Outcome<Option<Vec<Slot>>> {
+        let slots = self.value(expr)?;
         match self.context.options.derivatives {
-            Derivatives::Refuse => Ok(None),
-            Derivatives::Zero => {
-                let zero = self.assembler.constant(0)?;
-                Ok(Some(vec![zero; self.value(expr)?.len()]))
-            }
+            Derivatives::Refuse => return Ok(None),
+            Derivatives::Zero => return Ok(Some(vec![self.assembler.constant(0)?; slots.len()])),
+            Derivatives::Quads => {}
         }
+        let [x, y] = match control {
+            DerivativeControl::Coarse => [Derivative::CoarseX, Derivative::CoarseY],
+            DerivativeControl::Fine | DerivativeControl::None => [Derivative::FineX, Derivative::FineY],
+        };
+        let along = |this: &mut Self, op, a| this.compute(|to| Instruction::Derivative { op, to, a });
+        let derivative = match axis {
+            DerivativeAxis::X => self.map(&slots, |this, a| along(this, x, a)),
+            DerivativeAxis::Y => self.map(&slots, |this, a| along(this, y, a)),
+            DerivativeAxis::Width => self.map(&slots, |this, a| {
+                let (x, y) = (along(this, x, a)?, along(this, y, a)?);
+                let (x, y) = (this.float1(FloatUnary::Abs, x)?, this.float1(FloatUnary::Abs, y)?);
+                this.add(x, y)
+            }),
+        };
+        derivative.map(Some)
     }
 
     /// The type of an expression.
@@ -265,6 +371,11 @@ impl<'a> FunctionCompiler<'a> {
         }
         error
     }
+}
+
+/// Whether it is an array of any length.
+fn is_unsized(inner: &TypeInner) -> bool {
+    matches!(inner, TypeInner::Array { size: ArraySize::Dynamic, .. })
 }
 
 fn is_pointer(inner: &TypeInner) -> bool {

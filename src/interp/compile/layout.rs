@@ -73,6 +73,8 @@ impl Layouts {
             }
             // The number of the slot pointed to.
             TypeInner::Pointer { .. } | TypeInner::ValuePointer { .. } => (1, 0),
+            // The number of the resource.
+            TypeInner::Image { .. } | TypeInner::Sampler { .. } => (1, 0),
             TypeInner::Array { base, size, .. } => {
                 let element = known(*base)?;
                 (u64::from(element.slots) * u64::from(array_count(*size)?), element.depth + 1)
@@ -116,13 +118,18 @@ impl Layouts {
         })
     }
 
+    /// Where part `index` of a composite begins.
+    pub(super) fn offset(&self, types: &UniqueArena<Type>, inner: &TypeInner, index: u32) -> Result<u32, Problem> {
+        let TypeInner::Struct { members, .. } = inner else { return Ok(self.part(types, inner, index)?.0) };
+        members[..(index as usize).min(members.len())]
+            .iter()
+            .try_fold(0, |offset, member| Ok(offset + self.slots(&types[member.ty].inner)?))
+    }
+
     /// Offset and number of slots of part `index` of a composite: a component, column, element or member.
     pub(super) fn part(&self, types: &UniqueArena<Type>, inner: &TypeInner, index: u32) -> Result<(u32, u32), Problem> {
         if let TypeInner::Struct { members, .. } = inner {
-            let mut offset = 0;
-            for member in &members[..(index as usize).min(members.len())] {
-                offset += self.slots(&types[member.ty].inner)?;
-            }
+            let offset = self.offset(types, inner, index)?;
             let member = members.get(index as usize).ok_or(Problem::Unsupported("a struct without that member"))?;
             return Ok((offset, self.slots(&types[member.ty].inner)?));
         }
@@ -135,6 +142,8 @@ impl Layouts {
         Ok(match inner {
             TypeInner::Vector { size, .. } | TypeInner::ValuePointer { size: Some(size), .. } => (*size as u32, 1),
             TypeInner::Matrix { columns, rows, .. } => (*columns as u32, *rows as u32),
+            // Whoever indexes it compares with the length first.
+            TypeInner::Array { base, size: ArraySize::Dynamic, .. } => (u32::MAX, self.slots(&types[*base].inner)?),
             TypeInner::Array { base, size, .. } => (array_count(*size)?, self.slots(&types[*base].inner)?),
             other => return Err(Problem::Unsupported(type_name(other))),
         })

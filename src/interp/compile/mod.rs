@@ -7,9 +7,12 @@ mod assembler;
 mod builtins;
 mod constants;
 mod expressions;
+mod globals;
+mod images;
 mod layout;
 mod linear;
 mod operators;
+mod ports;
 mod statements;
 mod unsupported;
 
@@ -21,6 +24,7 @@ use super::instruction::{Instruction, Slot, Target};
 use super::{Options, Parameter, Program, Shape};
 use crate::diag::Diagnostic;
 use assembler::Assembler;
+use globals::Globals;
 use layout::Layouts;
 use statements::FunctionCompiler;
 
@@ -42,27 +46,35 @@ struct Frame {
 struct Context<'a> {
     module: &'a Module,
     layouts: &'a Layouts,
-    options: Options,
+    options: Options<'a>,
+    globals: &'a Globals,
     /// Of each function of the module that has been compiled.
     frames: &'a [Option<Frame>],
 }
 
 /// Compiles the function of that name; see [`Program::compile`].
-pub(super) fn compile(module: &Module, name: &str, options: Options) -> Outcome<Program> {
+pub(super) fn compile(module: &Module, name: &str, options: Options<'_>) -> Outcome<Program> {
     let function = find(module, name)?;
     let layouts = Layouts::of(module);
-    let (parameters, result) = signature(module, &layouts, name, function)?;
+    let (parameters, result) = signature(module, &layouts, name, function, options)?;
     let mut assembler = Assembler::new();
+    let callees = reachable(module, function);
+    let globals = if options.is_stage {
+        let functions = callees.iter().map(|&callee| &module.functions[callee]);
+        Globals::of(module, &layouts, &mut assembler, functions.chain([function]))?
+    } else {
+        Globals::default()
+    };
     let mut frames: Vec<Option<Frame>> = Vec::new();
     frames.resize_with(module.functions.len(), || None);
-    for callee in reachable(module, function) {
-        let context = Context { module, layouts: &layouts, options, frames: &frames };
-        let frame = compile_function(&context, &mut assembler, &module.functions[callee])?;
+    for callee in callees {
+        let context = Context { module, layouts: &layouts, options, globals: &globals, frames: &frames };
+        let frame = compile_function(&context, &mut assembler, &module.functions[callee], false)?;
         frames[callee.index()] = Some(frame);
     }
-    let context = Context { module, layouts: &layouts, options, frames: &frames };
-    let frame = compile_function(&context, &mut assembler, function)?;
-    let parameters = parameters
+    let context = Context { module, layouts: &layouts, options, globals: &globals, frames: &frames };
+    let frame = compile_function(&context, &mut assembler, function, true)?;
+    let parameters: Vec<Parameter> = parameters
         .into_iter()
         .zip(&frame.arguments)
         .map(|((name, shape), &slot)| Parameter { name, shape, slot })
@@ -74,7 +86,12 @@ pub(super) fn compile(module: &Module, name: &str, options: Options) -> Outcome<
         switches: linked.switches,
         image: linked.image,
         wide_constants: linked.wide_constants,
+        bound_slots: linked.bound_slots,
+        operations: linked.operations,
+        resources: globals.resources,
         entry: linked.entry,
+        inputs: ports::inputs(module, function, &parameters),
+        outputs: ports::outputs(module, function, &result, frame.result),
         parameters,
         result,
         result_slot: frame.result,
@@ -99,6 +116,7 @@ fn signature(
     layouts: &Layouts,
     name: &str,
     function: &Function,
+    options: Options<'_>,
 ) -> Outcome<(Vec<(String, Shape)>, Shape)> {
     let shape = |ty, what: &str| {
         layouts.shape(module, ty).map_err(|problem| Box::new(problem.diagnose(&format!("{what} of `{name}`"))))
@@ -110,6 +128,9 @@ fn signature(
         parameters.push((argument_name, shape));
     }
     let Some(result) = &function.result else {
+        if options.is_stage {
+            return Ok((parameters, Shape::Struct { name: String::new(), members: Vec::new() }));
+        }
         let message = format!("`{name}` returns nothing, so there is nothing to run it for");
         return Err(Box::new(Diagnostic::error("interp-unsupported", message)));
     };
@@ -150,12 +171,21 @@ fn calls(body: &Block) -> Vec<Handle<Function>> {
     callees
 }
 
-/// Appends the code of one function.
-fn compile_function(context: &Context, assembler: &mut Assembler, function: &Function) -> Outcome<Frame> {
+/// Appends the code of one function; that of the entry begins with the values of private variables.
+fn compile_function(
+    context: &Context,
+    assembler: &mut Assembler,
+    function: &Function,
+    is_entry: bool,
+) -> Outcome<Frame> {
     let types = types(context.module, function)?;
     let frame = frame(context, assembler, function)?;
     assembler.place(frame.entry);
-    FunctionCompiler::new(context, assembler, function, &types, &frame)?.body()?;
+    let mut compiler = FunctionCompiler::new(context, assembler, function, &types, &frame)?;
+    if is_entry {
+        compiler.initialize_private()?;
+    }
+    compiler.body()?;
     // A function without result may end without `return`; after any other, nothing gets here.
     assembler.emit(Instruction::Return { link: frame.link })?;
     Ok(frame)

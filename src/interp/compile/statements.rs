@@ -160,6 +160,7 @@ impl<'a> FunctionCompiler<'a> {
                 self.store(place, &from)
             }
             Statement::Call { function, arguments, result } => self.call(*function, arguments, *result),
+            Statement::Kill if self.context.options.is_stage => self.assembler.emit(Instruction::Kill),
             other => Err(self.unsupported(statement_name(other), Span::UNDEFINED)),
         }
     }
@@ -277,7 +278,27 @@ impl<'a> FunctionCompiler<'a> {
         Ok(())
     }
 
+    /// Gives private variables the values that they have at first.
+    pub(super) fn initialize_private(&mut self) -> Outcome<()> {
+        let module = self.context.module;
+        for &(handle, to) in &self.context.globals.private {
+            let variable = &module.global_variables[handle];
+            if let Some(init) = variable.init {
+                let from = self.global_constant(init)?;
+                self.copy(to, &from)?;
+            } else {
+                let count =
+                    self.slots_of(&module.types[variable.ty].inner, module.global_variables.get_span(handle))?;
+                self.assembler.emit(Instruction::Clear { to, count })?;
+            }
+        }
+        Ok(())
+    }
+
     fn store(&mut self, place: Place, from: &[Slot]) -> Outcome<()> {
+        if place.buffer.is_some() {
+            return Err(self.unsupported("a store to a buffer (Store)", Span::UNDEFINED));
+        }
         let Some(pointer) = place.pointer else { return self.copy(place.offset, from) };
         for (offset, &from) in (place.offset..).zip(from) {
             self.assembler.emit(Instruction::Store { pointer, offset, from })?;

@@ -102,7 +102,7 @@ fn what_only_a_gpu_has_is_refused() {
         (
             "@group(0) @binding(0) var t: texture_2d<f32>; @group(0) @binding(1) var s: sampler;
              fn f(uv: vec2<f32>) -> vec4<f32> { return textureSampleLevel(t, s, uv, 0.0); }",
-            "ImageSample",
+            "GlobalVariable",
         ),
     ];
     for (source, construct) in cases {

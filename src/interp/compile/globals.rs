@@ -1,0 +1,183 @@
+//! Global variables: which a program uses, and where they lie.
+
+use std::collections::HashMap;
+
+use naga::{AddressSpace, ArraySize, Expression, Function, GlobalVariable, Handle, ImageClass, Module, StorageAccess};
+use naga::{ImageDimension, ScalarKind as Kind, Type, TypeInner};
+
+use super::Outcome;
+use super::assembler::Assembler;
+use super::expressions::{Operand, Place};
+use super::layout::{Layouts, Problem};
+use crate::diag::Diagnostic;
+use crate::interp::instruction::Slot;
+use crate::interp::resources::{Resource, ResourceKind, Texel};
+use crate::interp::{Shape, TextureDimension};
+
+/// Where a global variable lies.
+#[derive(Clone, Copy)]
+enum Home {
+    /// The first of its slots.
+    Private(Slot),
+    /// The number of the resource.
+    Buffer(u32),
+    /// The number of the resource.
+    Handle(u32),
+}
+
+/// The global variables of a program.
+#[derive(Default)]
+pub(super) struct Globals {
+    homes: HashMap<Handle<GlobalVariable>, Home>,
+    pub(super) resources: Vec<Resource>,
+    /// In order, with the first slot of each.
+    pub(super) private: Vec<(Handle<GlobalVariable>, Slot)>,
+}
+
+impl Globals {
+    /// Finds a home for each variable that the functions use.
+    pub(super) fn of<'f>(
+        module: &Module,
+        layouts: &Layouts,
+        assembler: &mut Assembler,
+        functions: impl Iterator<Item = &'f Function>,
+    ) -> Outcome<Self> {
+        let mut used: Vec<Handle<GlobalVariable>> = Vec::new();
+        for function in functions {
+            used.extend(function.expressions.iter().filter_map(|(_, expression)| match expression {
+                Expression::GlobalVariable(handle) => Some(*handle),
+                _ => None,
+            }));
+        }
+        used.sort_unstable();
+        used.dedup();
+        let mut globals = Self::default();
+        for handle in used {
+            globals.add(module, layouts, assembler, handle).map_err(|problem| {
+                let name = module.global_variables[handle].name.as_deref().unwrap_or("");
+                let mut error = problem.diagnose(&format!("the global variable `{name}`"));
+                error.place.wgsl = module.global_variables.get_span(handle).to_range();
+                Box::new(error)
+            })?;
+        }
+        Ok(globals)
+    }
+
+    fn add(
+        &mut self,
+        module: &Module,
+        layouts: &Layouts,
+        assembler: &mut Assembler,
+        handle: Handle<GlobalVariable>,
+    ) -> Result<(), Problem> {
+        let variable = &module.global_variables[handle];
+        let home = match variable.space {
+            AddressSpace::Private => {
+                let count = layouts.slots(&module.types[variable.ty].inner)?;
+                let slot = assembler.reserve(count).map_err(|_| Problem::TooBig)?;
+                self.private.push((handle, slot));
+                Home::Private(slot)
+            }
+            AddressSpace::Uniform | AddressSpace::Storage { .. } => {
+                if matches!(variable.space, AddressSpace::Storage { access } if access.contains(StorageAccess::STORE)) {
+                    return Err(Problem::Unsupported("a storage buffer that can be written"));
+                }
+                Home::Buffer(self.resource(variable, buffer(module, layouts, variable.ty)?)?)
+            }
+            AddressSpace::Handle => Home::Handle(self.resource(variable, opaque(&module.types[variable.ty].inner)?)?),
+            AddressSpace::WorkGroup => return Err(Problem::Unsupported("workgroup memory")),
+            _ => return Err(Problem::Unsupported("in an address space of its own")),
+        };
+        self.homes.insert(handle, home);
+        Ok(())
+    }
+
+    fn resource(&mut self, variable: &GlobalVariable, kind: ResourceKind) -> Result<u32, Problem> {
+        let binding = variable.binding.ok_or(Problem::Unsupported("a resource without a binding"))?;
+        let name = variable.name.clone().unwrap_or_default();
+        self.resources.push(Resource { group: binding.group, binding: binding.binding, name, kind });
+        Ok(self.resources.len() as u32 - 1)
+    }
+
+    /// What an expression that names the variable is; none if the program has not been asked to use it.
+    pub(super) fn operand(
+        &self,
+        handle: Handle<GlobalVariable>,
+        assembler: &mut Assembler,
+    ) -> Outcome<Option<Operand>> {
+        Ok(Some(match self.homes.get(&handle) {
+            Some(Home::Private(slot)) => Operand::Place(Place::fixed(*slot)),
+            Some(Home::Buffer(number)) => Operand::Place(Place { buffer: Some(*number), ..Place::fixed(0) }),
+            Some(Home::Handle(number)) => {
+                let slot = assembler.constant(u64::from(*number))?;
+                Operand::Value([slot].into())
+            }
+            None => return Ok(None),
+        }))
+    }
+}
+
+/// What a buffer of that type takes.
+fn buffer(module: &Module, layouts: &Layouts, ty: Handle<Type>) -> Result<ResourceKind, Problem> {
+    let members = match &module.types[ty].inner {
+        TypeInner::Array { base, size: ArraySize::Dynamic, .. } => {
+            return Ok(ResourceKind::Unsized { head: None, element: layouts.shape(module, *base)? });
+        }
+        TypeInner::Struct { members, .. } => members.as_slice(),
+        _ => &[],
+    };
+    if let Some((last, before)) = members.split_last()
+        && let TypeInner::Array { base, size: ArraySize::Dynamic, .. } = module.types[last.ty].inner
+    {
+        let head: Result<Vec<(String, Shape)>, Problem> = before
+            .iter()
+            .map(|member| Ok((member.name.clone().unwrap_or_default(), layouts.shape(module, member.ty)?)))
+            .collect();
+        return Ok(ResourceKind::Unsized { head: Some(head?), element: layouts.shape(module, base)? });
+    }
+    Ok(ResourceKind::Buffer(layouts.shape(module, ty)?))
+}
+
+/// What a texture or sampler variable takes.
+fn opaque(inner: &TypeInner) -> Result<ResourceKind, Problem> {
+    match *inner {
+        TypeInner::Image { dim, arrayed, class } => {
+            Ok(ResourceKind::Texture { dimension: dimension(dim), is_arrayed: arrayed, texel: texel(class)? })
+        }
+        TypeInner::Sampler { comparison } => Ok(ResourceKind::Sampler { is_comparison: comparison }),
+        TypeInner::BindingArray { .. } => Err(Problem::Unsupported("an array of bindings")),
+        TypeInner::AccelerationStructure { .. } => Err(Problem::Unsupported("an acceleration structure")),
+        _ => Err(Problem::Unsupported("an opaque type that is neither texture nor sampler")),
+    }
+}
+
+fn dimension(dim: ImageDimension) -> TextureDimension {
+    match dim {
+        ImageDimension::D1 => TextureDimension::D1,
+        ImageDimension::D2 => TextureDimension::D2,
+        ImageDimension::D3 => TextureDimension::D3,
+        ImageDimension::Cube => TextureDimension::Cube,
+    }
+}
+
+/// What the texels of a class of textures are read as.
+pub(super) fn texel(class: ImageClass) -> Result<Texel, Problem> {
+    match class {
+        ImageClass::Sampled { multi: true, .. } | ImageClass::Depth { multi: true } => {
+            Err(Problem::Unsupported("a multisampled texture"))
+        }
+        ImageClass::Sampled { kind: Kind::Sint, .. } => Ok(Texel::I32),
+        ImageClass::Sampled { kind: Kind::Uint, .. } => Ok(Texel::U32),
+        ImageClass::Sampled { .. } => Ok(Texel::Float),
+        ImageClass::Depth { .. } => Ok(Texel::Depth),
+        ImageClass::External => Err(Problem::Unsupported("an external texture")),
+        ImageClass::Storage { .. } => Err(Problem::Unsupported("a storage texture")),
+    }
+}
+
+/// The error that a function uses a global variable and is no stage.
+#[cold]
+pub(super) fn no_stage(mut error: Box<Diagnostic>) -> Box<Diagnostic> {
+    error.hints.push("`Options::stage` lets it use what a stage of a pipeline has".to_owned());
+    error
+}

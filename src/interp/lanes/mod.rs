@@ -1,0 +1,168 @@
+//! Runs programs for many lanes in lockstep.
+//!
+//! Every instruction is executed for all lanes before the next one, so what it costs to choose it is shared, and the
+//! inner loops are plain ones over rows of floats. While all lanes stand at the same instruction nothing is masked. Where
+//! they part, [`groups`] lets the hindmost move until they meet again.
+//!
+//! The meaning of the instructions is that of [`memory::step`](super::memory), which the scalar machine shares: it is the
+//! same code at a width of one. Only what moves the counter is written twice, because one lane never parts.
+
+mod groups;
+
+use super::instruction::Instruction;
+use super::machine::{Endless, write_arguments};
+use super::math::{Double, Rounding, Single};
+use super::memory::{Mask, Memory, step};
+use super::resources::{Bound, World};
+use super::{Port, Precision, Program, Value};
+use crate::diag::Diagnostic;
+use groups::{Group, Groups};
+
+/// How many lanes run at once: 16 quads. In a quad lane 0 is at (0, 0), 1 at (1, 0), 2 at (0, 1), 3 at (1, 1); y points
+/// down.
+pub const LANES: usize = 64;
+
+/// The number of slots that lanes may have: 512 MiB.
+const MAX_SLOTS: usize = 1 << 20;
+
+/// Memory in which a program runs for [`LANES`] lanes at once, one batch after the other.
+#[derive(Clone, Debug)]
+pub struct Lanes<'b> {
+    bound: &'b Bound<'b>,
+    memory: Memory<LANES>,
+}
+
+/// What became of a batch.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Batch {
+    /// A bit for each lane that met `discard`. Its result means nothing.
+    pub discarded: u64,
+    /// How many instructions were executed, each for all lanes.
+    pub steps: u64,
+}
+
+impl<'b> Lanes<'b> {
+    pub(super) fn new(bound: &'b Bound<'b>) -> Result<Self, Diagnostic> {
+        let program = bound.program();
+        if program.image.len() > MAX_SLOTS {
+            let message = format!(
+                "`{}` needs {} scalars for each lane, more than the {MAX_SLOTS} that the interpreter grants",
+                program.name(),
+                program.image.len()
+            );
+            return Err(Diagnostic::error("interp-too-big", message).hint("use smaller arrays or fewer of them"));
+        }
+        Ok(Self { bound, memory: Memory::new(program, bound.precision(), &bound.world()) })
+    }
+
+    /// Sets one component of an input in the lanes `0..values.len()`. Integers are truncated, bools are true unless 0.
+    ///
+    /// # Panics
+    /// There are more values than lanes, or the port has not that component.
+    pub fn write(&mut self, input: &Port, component: usize, values: &[f64]) {
+        let row = self.memory.row(input.slot_of(component));
+        for (cell, &x) in row[..values.len()].iter().zip(values) {
+            cell.set(input.kind.bits_of(x, self.bound.precision()));
+        }
+    }
+
+    /// Gives one component of an output in the lanes `0..values.len()`.
+    ///
+    /// # Panics
+    /// There are more values than lanes, or the port has not that component.
+    pub fn read(&self, output: &Port, component: usize, values: &mut [f64]) {
+        let row = self.memory.row(output.slot_of(component));
+        let width = values.len();
+        for (x, cell) in values.iter_mut().zip(&row[..width]) {
+            *x = output.kind.read(cell.get()).as_f64();
+        }
+    }
+
+    /// Sets all arguments of one lane.
+    ///
+    /// # Errors
+    /// As [`Program::call`].
+    ///
+    /// # Panics
+    /// There is no such lane.
+    pub fn set(&mut self, lane: usize, arguments: &[Value]) -> Result<(), Diagnostic> {
+        let program = self.bound.program();
+        write_arguments(program.name(), program.parameters(), arguments, self.bound.precision(), &self.memory, lane)
+    }
+
+    /// The result of one lane.
+    ///
+    /// # Panics
+    /// There is no such lane.
+    pub fn get(&self, lane: usize) -> Value {
+        let program = self.bound.program();
+        program.result().read(&mut (program.result_slot..).map(|slot| self.memory.bits(slot, lane)))
+    }
+
+    /// Runs the first `count` lanes; whole quads, if derivatives or textures are to mean anything. Lanes that only help
+    /// their neighbours are run like any other. All inputs of these lanes must have been set since the last run.
+    ///
+    /// # Errors
+    /// `interp-endless`: the lanes together took more instructions than [`Options::step_limit`](super::Options).
+    ///
+    /// # Panics
+    /// There are fewer lanes.
+    pub fn run(&mut self, count: usize) -> Result<Batch, Diagnostic> {
+        assert!(count <= LANES, "there are {LANES} lanes, not {count}");
+        if count == 0 {
+            return Ok(Batch::default());
+        }
+        let live = u64::MAX >> (LANES - count);
+        let program = self.bound.program();
+        let world = self.bound.world();
+        let outcome = match self.bound.precision() {
+            Precision::F64 => run::<Double>(program, &self.memory, live, &world),
+            Precision::F32 => run::<Single>(program, &self.memory, live, &world),
+        };
+        outcome.map_err(|endless| endless.diagnose(program))
+    }
+}
+
+fn run<R: Rounding>(program: &Program, memory: &Memory<LANES>, live: u64, world: &World) -> Result<Batch, Endless> {
+    let code = program.code.as_slice();
+    let mut groups = Groups::new(Group { counter: program.entry as usize, lanes: live });
+    let mut steps = program.step_limit;
+    let mut discarded = 0;
+    loop {
+        let Group { counter, lanes } = groups.current;
+        let instruction = code[counter];
+        groups.current.counter = counter + 1;
+        steps = steps.checked_sub(instruction.cost()).ok_or(Endless)?;
+        match instruction {
+            Instruction::Halt => {
+                if !groups.finish() {
+                    break;
+                }
+            }
+            Instruction::Jump { target } => groups.current.counter = target as usize,
+            Instruction::JumpIf { condition, when, target } => {
+                let truths = memory.truths(condition, lanes);
+                groups.branch(if when { truths } else { lanes & !truths }, target as usize);
+            }
+            Instruction::Switch { selector, table } => {
+                let switch = &program.switches[table as usize];
+                groups.scatter(|lane| switch.target(memory.int(selector, lane)) as usize);
+            }
+            Instruction::Call { target, link } => {
+                let mask = Mask { lanes, is_full: false };
+                mask.lanes(LANES).for_each(|lane| memory.set(link, lane, counter as u64 + 1));
+                groups.current.counter = target as usize;
+            }
+            Instruction::Return { link } => groups.scatter(|lane| memory.bits(link, lane) as usize),
+            Instruction::Kill => {
+                discarded |= lanes;
+                if discarded == live {
+                    break;
+                }
+            }
+            _ => step::<R, LANES>(instruction, memory, Mask { lanes, is_full: lanes == live }, world),
+        }
+        groups.settle();
+    }
+    Ok(Batch { discarded, steps: program.step_limit - steps })
+}

@@ -1,0 +1,199 @@
+//! Hands resources to a program, and checks that they fit.
+
+use std::collections::BTreeMap;
+
+use super::{Held, Resource, ResourceKind, Sampler, Texture, TextureDimension, World};
+use crate::diag::Diagnostic;
+use crate::interp::lanes::Lanes;
+use crate::interp::{Machine, Precision, Program, Shape, Value};
+
+/// The number of scalars that a buffer may have: 512 MiB.
+const MAX_SCALARS: u64 = 1 << 26;
+
+#[derive(Clone, Debug)]
+enum Content {
+    Value(Value),
+    Texture(Texture),
+    Sampler(Sampler),
+}
+
+/// What is to be bound, by group and binding. More than a program asks for does no harm.
+#[derive(Clone, Debug, Default)]
+pub struct Bindings {
+    contents: BTreeMap<(u32, u32), Content>,
+}
+
+impl Bindings {
+    /// Nothing.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Binds the whole value of a uniform or storage buffer; an array of any length is the last part of the value.
+    pub fn buffer(&mut self, group: u32, binding: u32, value: Value) -> &mut Self {
+        self.contents.insert((group, binding), Content::Value(value));
+        self
+    }
+
+    /// Binds a texture.
+    pub fn texture(&mut self, group: u32, binding: u32, texture: Texture) -> &mut Self {
+        self.contents.insert((group, binding), Content::Texture(texture));
+        self
+    }
+
+    /// Binds a sampler.
+    pub fn sampler(&mut self, group: u32, binding: u32, sampler: Sampler) -> &mut Self {
+        self.contents.insert((group, binding), Content::Sampler(sampler));
+        self
+    }
+}
+
+/// A program with all that it reads, from which machines are made, on any number of threads.
+#[derive(Clone, Debug)]
+pub struct Bound<'p> {
+    program: &'p Program,
+    precision: Precision,
+    held: Vec<Held>,
+}
+
+impl<'p> Bound<'p> {
+    pub(in crate::interp) fn new(
+        program: &'p Program,
+        bindings: &Bindings,
+        precision: Precision,
+    ) -> Result<Self, Vec<Diagnostic>> {
+        let mut problems = Vec::new();
+        let mut held = Vec::new();
+        for resource in program.resources() {
+            match hold(resource, bindings.contents.get(&(resource.group, resource.binding)), precision) {
+                Ok(resource) => held.push(resource),
+                Err(problem) => problems.push(problem),
+            }
+        }
+        if problems.is_empty() { Ok(Self { program, precision, held }) } else { Err(problems) }
+    }
+
+    /// The program.
+    pub fn program(&self) -> &'p Program {
+        self.program
+    }
+
+    /// How floats are rounded.
+    pub fn precision(&self) -> Precision {
+        self.precision
+    }
+
+    /// Memory to run it in, one call after the other.
+    pub fn machine(&self) -> Machine<'_> {
+        Machine::new(self.program, self.precision, &self.held)
+    }
+
+    /// Memory to run it in for many lanes at once.
+    ///
+    /// # Errors
+    /// `interp-too-big`: its variables take more memory than lanes are granted (512 MiB).
+    pub fn lanes(&self) -> Result<Lanes<'_>, Diagnostic> {
+        Lanes::new(self)
+    }
+
+    pub(in crate::interp) fn world(&self) -> World<'_> {
+        World { held: &self.held, operations: &self.program.operations }
+    }
+}
+
+/// What is held of one resource, if it fits.
+fn hold(resource: &Resource, content: Option<&Content>, precision: Precision) -> Result<Held, Diagnostic> {
+    let Resource { group, binding, name, kind } = resource;
+    let wrong = |message: String| {
+        let message = format!("`{name}` (@group({group}) @binding({binding})) {message}");
+        Diagnostic::error("interp-binding", message)
+    };
+    let Some(content) = content else { return Err(wrong(format!("is {}, and nothing is bound", describe(kind)))) };
+    let held = match (kind, content) {
+        (ResourceKind::Buffer(shape), Content::Value(value)) => fixed(shape, value, precision),
+        (ResourceKind::Unsized { head, element }, Content::Value(value)) => {
+            runtime_sized(head.as_deref(), element, value, precision)
+        }
+        (ResourceKind::Texture { dimension, is_arrayed, .. }, Content::Texture(texture)) => {
+            let fits = texture.dimension() == *dimension && (*is_arrayed || texture.layers() == 1);
+            fits.then(|| Held::Texture(texture.clone()))
+        }
+        (ResourceKind::Sampler { is_comparison }, Content::Sampler(sampler)) => {
+            (sampler.compare.is_some() == *is_comparison).then_some(Held::Sampler(*sampler))
+        }
+        _ => None,
+    };
+    held.ok_or_else(|| wrong(format!("is {}, but {} was bound", describe(kind), describe_content(content))))
+}
+
+fn fixed(shape: &Shape, value: &Value, precision: Precision) -> Option<Held> {
+    let mut scalars = vec![0; shape.slots() as usize];
+    shape.write(value, precision, &mut scalars)?;
+    Some(Held::Buffer { scalars, length: 0 })
+}
+
+fn runtime_sized(
+    head: Option<&[(String, Shape)]>,
+    element: &Shape,
+    value: &Value,
+    precision: Precision,
+) -> Option<Held> {
+    let (before, elements) = match (head, value) {
+        (None, Value::Array(elements)) => (&[][..], elements),
+        (Some(head), Value::Struct(members)) if members.len() == head.len() + 1 => {
+            let (last, before) = members.split_last()?;
+            let Value::Array(elements) = last else { return None };
+            (before, elements)
+        }
+        _ => return None,
+    };
+    let head_slots: u64 = head.unwrap_or(&[]).iter().map(|(_, shape)| shape.slots()).sum();
+    let count = elements.len() as u64;
+    let total = element.slots().checked_mul(count)?.checked_add(head_slots)?;
+    // WebGPU refuses a binding that has no room for one element.
+    if count == 0 || total > MAX_SCALARS {
+        return None;
+    }
+    let mut scalars = vec![0; total as usize];
+    let mut slots = scalars.as_mut_slice();
+    for ((_, shape), value) in head.unwrap_or(&[]).iter().zip(before) {
+        slots = shape.write(value, precision, slots)?;
+    }
+    for value in elements {
+        slots = element.write(value, precision, slots)?;
+    }
+    Some(Held::Buffer { scalars, length: count as u32 })
+}
+
+fn describe(kind: &ResourceKind) -> String {
+    match kind {
+        ResourceKind::Buffer(shape) => format!("a buffer of {shape}"),
+        ResourceKind::Unsized { head: None, element } => format!("a buffer of one or more {element}"),
+        ResourceKind::Unsized { head: Some(head), element } => {
+            let members: Vec<String> = head.iter().map(|(_, shape)| shape.to_string()).collect();
+            format!("a buffer of {} and one or more {element}", members.join(", "))
+        }
+        ResourceKind::Texture { dimension, is_arrayed, .. } => describe_texture(*dimension, *is_arrayed),
+        ResourceKind::Sampler { is_comparison: true } => "a comparison sampler".to_owned(),
+        ResourceKind::Sampler { is_comparison: false } => "a sampler".to_owned(),
+    }
+}
+
+fn describe_content(content: &Content) -> String {
+    match content {
+        Content::Value(value) => value.describe(),
+        Content::Texture(texture) => describe_texture(texture.dimension(), texture.layers() > 1),
+        Content::Sampler(Sampler { compare: Some(_), .. }) => "a comparison sampler".to_owned(),
+        Content::Sampler(_) => "a sampler".to_owned(),
+    }
+}
+
+fn describe_texture(dimension: TextureDimension, is_arrayed: bool) -> String {
+    let what = match dimension {
+        TextureDimension::D1 => "a 1D texture",
+        TextureDimension::D2 => "a 2D texture",
+        TextureDimension::D3 => "a 3D texture",
+        TextureDimension::Cube => "a cube texture",
+    };
+    if is_arrayed { format!("{what} with layers") } else { what.to_owned() }
+}

@@ -1,0 +1,151 @@
+//! Textures: texels by mip level, shared by whoever reads them.
+
+use std::fmt;
+use std::sync::Arc;
+
+use crate::diag::Diagnostic;
+
+/// What the coordinates of a texture mean.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum TextureDimension {
+    /// One coordinate.
+    D1,
+    /// Two; layers are chosen by number.
+    D2,
+    /// Three.
+    D3,
+    /// A direction; every six layers are the faces +x, -x, +y, -y, +z, -z of a cube.
+    Cube,
+}
+
+impl TextureDimension {
+    /// The number of coordinates by which it is sampled.
+    pub(in crate::interp) fn coordinates(self) -> usize {
+        match self {
+            Self::D1 => 1,
+            Self::D2 => 2,
+            Self::D3 | Self::Cube => 3,
+        }
+    }
+}
+
+#[derive(Clone, Debug)]
+enum Texels {
+    Single(Vec<[f32; 4]>),
+    Double(Vec<[f64; 4]>),
+}
+
+/// One mip level: width, height, and depth or number of layers; texels by rows from the top, layer after layer.
+#[derive(Clone, Debug)]
+pub struct Level {
+    size: [u32; 3],
+    texels: Texels,
+}
+
+impl Level {
+    /// A level of RGBA texels; textures of fewer channels have 0, 0 and 1 in the rest, integers their values.
+    pub fn f32(size: [u32; 3], texels: Vec<[f32; 4]>) -> Self {
+        Self { size, texels: Texels::Single(texels) }
+    }
+
+    /// The same in f64.
+    pub fn f64(size: [u32; 3], texels: Vec<[f64; 4]>) -> Self {
+        Self { size, texels: Texels::Double(texels) }
+    }
+
+    /// Width, height, and depth or number of layers.
+    pub fn size(&self) -> [u32; 3] {
+        self.size
+    }
+
+    /// The texel at x, y and z (or layer), which must lie inside.
+    pub fn texel(&self, [x, y, z]: [u32; 3]) -> [f64; 4] {
+        let [width, height, _] = self.size.map(|n| n as usize);
+        let index = (z as usize * height + y as usize) * width + x as usize;
+        match &self.texels {
+            Texels::Single(texels) => texels[index].map(f64::from),
+            Texels::Double(texels) => texels[index],
+        }
+    }
+
+    fn count(&self) -> usize {
+        match &self.texels {
+            Texels::Single(texels) => texels.len(),
+            Texels::Double(texels) => texels.len(),
+        }
+    }
+}
+
+/// A texture. A clone shares the texels.
+#[derive(Clone)]
+pub struct Texture {
+    dimension: TextureDimension,
+    levels: Arc<[Level]>,
+}
+
+impl fmt::Debug for Texture {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let size = self.levels[0].size;
+        write!(f, "Texture({:?}, {size:?}, {} levels)", self.dimension, self.levels.len())
+    }
+}
+
+impl Texture {
+    /// A texture of mip levels, the largest first, each half as large as the one before.
+    ///
+    /// # Errors
+    /// `interp-texture`: there is no level, or one has not the size or not the number of texels that it must have.
+    pub fn new(dimension: TextureDimension, levels: Vec<Level>) -> Result<Self, Diagnostic> {
+        let wrong = |message: String| Err(Diagnostic::error("interp-texture", message));
+        let Some(first) = levels.first() else { return wrong("a texture needs at least one level".to_owned()) };
+        let [width, height, depth] = first.size;
+        let fits = match dimension {
+            TextureDimension::D1 => height == 1 && depth == 1,
+            TextureDimension::D2 | TextureDimension::D3 => true,
+            TextureDimension::Cube => width == height && depth.is_multiple_of(6),
+        };
+        if !fits || first.size.contains(&0) {
+            return wrong(format!("a texture of {dimension:?} cannot be {width} x {height} x {depth}"));
+        }
+        for (index, level) in levels.iter().enumerate() {
+            let half = |n: u32| n.checked_shr(index as u32).unwrap_or(0).max(1);
+            let layers = if dimension == TextureDimension::D3 { half(depth) } else { depth };
+            let expected = [half(width), half(height), layers];
+            if level.size != expected {
+                return wrong(format!("level {index} must be {expected:?} texels large, and is {:?}", level.size));
+            }
+            let count = expected.iter().map(|&n| u128::from(n)).product::<u128>();
+            if level.count() as u128 != count {
+                return wrong(format!("level {index} has {} texels, and needs {count}", level.count()));
+            }
+        }
+        Ok(Self { dimension, levels: levels.into() })
+    }
+
+    /// A flat texture of one level, by rows from the top.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn flat(size: [u32; 2], texels: Vec<[f32; 4]>) -> Result<Self, Diagnostic> {
+        Self::new(TextureDimension::D2, vec![Level::f32([size[0], size[1], 1], texels)])
+    }
+
+    /// What its coordinates mean.
+    pub fn dimension(&self) -> TextureDimension {
+        self.dimension
+    }
+
+    /// Its mip levels, the largest first; at least one.
+    pub fn levels(&self) -> &[Level] {
+        &self.levels
+    }
+
+    /// How many layers, or whole cubes, it has.
+    pub fn layers(&self) -> u32 {
+        match self.dimension {
+            TextureDimension::D1 | TextureDimension::D3 => 1,
+            TextureDimension::D2 => self.levels[0].size[2],
+            TextureDimension::Cube => self.levels[0].size[2] / 6,
+        }
+    }
+}

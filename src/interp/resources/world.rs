@@ -1,0 +1,64 @@
+//! What a running program sees of its resources.
+
+use super::{Sampler, Texture};
+use crate::interp::image::Operation;
+
+/// What is bound to one resource.
+#[derive(Clone, Debug)]
+pub(in crate::interp) enum Held {
+    Buffer {
+        /// At least one.
+        scalars: Vec<u64>,
+        /// The number of elements of the array at its end.
+        length: u32,
+    },
+    Texture(Texture),
+    Sampler(Sampler),
+}
+
+/// What stands in a slot that is filled when resources are bound.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(in crate::interp) enum Source {
+    /// One scalar of a buffer.
+    Scalar { buffer: u32, offset: u32 },
+    /// The number of elements of the array at a buffer's end.
+    Length { buffer: u32 },
+    /// The number of its last element.
+    Last { buffer: u32 },
+}
+
+/// The resources of a program, by their number in [`Program::resources`](crate::interp::Program::resources).
+#[derive(Clone, Copy, Debug)]
+pub(in crate::interp) struct World<'w> {
+    pub(in crate::interp) held: &'w [Held],
+    pub(in crate::interp) operations: &'w [Operation],
+}
+
+impl<'w> World<'w> {
+    /// What a slot is filled with.
+    pub(in crate::interp) fn scalar(&self, source: Source) -> u64 {
+        match source {
+            Source::Scalar { buffer, offset } => self.load(buffer, u64::from(offset)),
+            Source::Length { buffer } => self.length(buffer).into(),
+            Source::Last { buffer } => self.length(buffer).saturating_sub(1).into(),
+        }
+    }
+
+    fn length(&self, buffer: u32) -> u32 {
+        if let Some(Held::Buffer { length, .. }) = self.held.get(buffer as usize) { *length } else { 0 }
+    }
+
+    /// A scalar of a buffer; beyond the end the last.
+    pub(in crate::interp) fn load(&self, buffer: u32, at: u64) -> u64 {
+        let Some(Held::Buffer { scalars, .. }) = self.held.get(buffer as usize) else { return 0 };
+        scalars.get(at as usize).or(scalars.last()).copied().unwrap_or(0)
+    }
+
+    pub(in crate::interp) fn texture(&self, number: u64) -> Option<&'w Texture> {
+        if let Some(Held::Texture(texture)) = self.held.get(number as usize) { Some(texture) } else { None }
+    }
+
+    pub(in crate::interp) fn sampler(&self, number: u64) -> Option<&'w Sampler> {
+        if let Some(Held::Sampler(sampler)) = self.held.get(number as usize) { Some(sampler) } else { None }
+    }
+}
