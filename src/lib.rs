@@ -30,6 +30,7 @@ pub mod geometry;
 
 // Floor 4: who executes plans and carries shaders away.
 pub mod export;
+pub mod reference;
 #[cfg(feature = "gpu")]
 pub mod render;
 

@@ -1,0 +1,146 @@
+//! Runs the passes of a frame plan in order.
+
+use super::fullscreen::shade_all;
+use super::geometry::Triangles;
+use super::options::{Control, Options};
+use super::picture::ReferencePicture;
+use super::raster::{check_size, rasterise};
+use super::setup::Sides;
+use super::shader::Shader;
+use super::texels::Texels;
+use super::tile::Target;
+use crate::diag::Diagnostic;
+use crate::frame::{Draw, FramePlan, PassKind};
+
+/// Makes the shaders of a frame plan.
+pub trait Shaders {
+    /// The shader of a draw in a pass that draws meshes: [`PassKind::Normals`], [`PassKind::DetailNormals`] (with the
+    /// module of [`Draw::normals`]) or [`PassKind::Look`] (with [`Draw::look`], which may read the curvature in `images`).
+    ///
+    /// # Errors
+    /// What cannot be run.
+    fn draw<'a>(
+        &'a self,
+        plan: &'a FramePlan,
+        draw: &'a Draw,
+        kind: &PassKind,
+        images: &'a PassImages,
+    ) -> Result<Box<dyn Shader + 'a>, Diagnostic>;
+
+    /// `shaders/passes/curvature.wgsl`, reading `normals` (four channels) and `depths` (one).
+    ///
+    /// # Errors
+    /// What cannot be run.
+    fn curvature<'a>(
+        &'a self,
+        plan: &'a FramePlan,
+        normals: &'a Texels,
+        depths: &'a Texels,
+    ) -> Result<Box<dyn Shader + 'a>, Diagnostic>;
+}
+
+/// What the passes so far have made of the surface, or of its detail normals.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SurfaceImages {
+    /// Four channels: the normal in camera axes, and the object's number plus 1; 0 where nothing is.
+    pub normals: Option<Texels>,
+    /// One channel: the distance in front of the eye.
+    pub depths: Option<Texels>,
+    /// One channel: curvature in 1/viewport-height.
+    pub curvature: Option<Texels>,
+}
+
+/// What the passes so far have made, for the later ones to read. None of it is rounded to what GPU textures hold.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PassImages {
+    /// Of the surface.
+    pub surface: SurfaceImages,
+    /// Of the looks' detail normals.
+    pub detail: SurfaceImages,
+}
+
+impl PassImages {
+    /// The images of the kind that a normals or curvature pass makes.
+    fn of(&mut self, kind: &PassKind) -> &mut SurfaceImages {
+        match kind {
+            PassKind::DetailNormals | PassKind::DetailCurvature => &mut self.detail,
+            _ => &mut self.surface,
+        }
+    }
+}
+
+/// Makes the picture of `plan`.
+///
+/// # Errors
+/// As [`rasterise`], and `reference-plan` where a pass comes before what it reads, or nothing makes the picture.
+pub fn execute(
+    plan: &FramePlan,
+    shaders: &dyn Shaders,
+    options: &Options,
+    control: &Control<'_>,
+) -> Result<ReferencePicture, Diagnostic> {
+    check_size(plan.size, plan.samples)?;
+    let mut images = PassImages::default();
+    let mut picture = None;
+    for (number, pass) in plan.passes.iter().enumerate() {
+        let progress = |share: f64| (control.progress)((number as f64 + share) / plan.passes.len() as f64);
+        let control = Control { cancel: control.cancel, progress: &progress };
+        match &pass.kind {
+            kind @ (PassKind::Normals | PassKind::DetailNormals) => {
+                let drawn = draw(plan, kind, &images, shaders, options, &control)?.texels;
+                let made = images.of(kind);
+                (made.normals, made.depths) = (Some(drawn.channels(0..4)), Some(drawn.channels(4..5)));
+            }
+            kind @ (PassKind::Curvature | PassKind::DetailCurvature) => {
+                let made = images.of(kind);
+                let (Some(normals), Some(depths)) = (&made.normals, &made.depths) else { return Err(misplaced(kind)) };
+                let shader = shaders.curvature(plan, normals, depths)?;
+                let curvature = shade_all(plan.size, 1, shader.as_ref(), options, &control)?;
+                drop(shader);
+                made.curvature = Some(curvature);
+            }
+            PassKind::Look => {
+                let raster = draw(plan, &PassKind::Look, &images, shaders, options, &control)?;
+                let objects = plan.draws.iter().map(|draw| draw.object.clone()).collect();
+                picture = Some(ReferencePicture::new(raster, plan.samples, objects));
+            }
+        }
+    }
+    picture.ok_or_else(|| Diagnostic::error("reference-plan", "the plan has no pass that makes the picture"))
+}
+
+#[cold]
+fn misplaced(kind: &PassKind) -> Diagnostic {
+    Diagnostic::error("reference-plan", format!("the plan has {kind:?} before the normals that it reads"))
+}
+
+/// One pass that draws meshes.
+fn draw(
+    plan: &FramePlan,
+    kind: &PassKind,
+    images: &PassImages,
+    shaders: &dyn Shaders,
+    options: &Options,
+    control: &Control<'_>,
+) -> Result<super::raster::Raster, Diagnostic> {
+    let is_look = *kind == PassKind::Look;
+    let made = |draw| shaders.draw(plan, draw, kind, images);
+    // A draw without normals leaves an empty place, so that draws keep their numbers.
+    let wanted = |draw: &&Draw| is_look || draw.normals.contains_key(kind);
+    let drawn: Vec<&Draw> = plan.draws.iter().filter(wanted).collect();
+    let made = drawn.iter().map(|draw| made(draw)).collect::<Result<Vec<_>, _>>()?;
+    let triangles = drawn.iter().zip(&made).map(|(draw, shader)| {
+        let indices = draw.mesh.indices.get(draw.indices.start as usize..draw.indices.end as usize);
+        let sides = Sides { both: draw.two_sided, is_mirrored: draw.is_mirrored };
+        Triangles { indices: indices.unwrap_or_default(), shader: shader.as_ref(), sides }
+    });
+    let triangles: Vec<_> = triangles.collect();
+    let (target, samples) = if is_look {
+        let [r, g, b, a] = plan.backdrop.unwrap_or([0.0; 4]);
+        (Target::Picture([r * a, g * a, b * a, a]), plan.samples)
+    } else {
+        // Normal, object number and depth.
+        (Target::Numbers(5), 1)
+    };
+    rasterise(plan.size, samples, &target, &triangles, options, control)
+}

@@ -1,0 +1,82 @@
+//! From the corners of a triangle to a point on it, or, for the helpers of a quad, on its plane.
+
+use super::setup::Triangle;
+
+/// The weights of a triangle's corners, which are linear on the screen.
+///
+/// Everything is computed from the first corner, never from where a tile begins: what a pixel gets depends on
+/// the triangle alone.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Surface {
+    /// The first corner, in pixels.
+    origin: [f64; 2],
+    /// What a pixel to the right and one down add to the weights of the second and third corner.
+    second: [f64; 2],
+    third: [f64; 2],
+    depth: [f64; 3],
+    inverse_w: [f64; 3],
+    /// The shares of the corners of the triangle that this one was cut from.
+    weights: [[f64; 3]; 3],
+}
+
+/// A point on a surface.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Point {
+    /// Of `@builtin(position)`.
+    pub(super) depth: f64,
+    /// Of `@builtin(position)`.
+    pub(super) inverse_w: f64,
+    /// The shares of the second and third corner of the whole triangle, perspective-correct.
+    shares: [f64; 2],
+}
+
+impl Surface {
+    /// That of `triangle`, on a grid of 2 to `bits` steps a pixel.
+    pub(super) fn new(triangle: &Triangle, bits: u32) -> Self {
+        let [a, b, c] = triangle.corners;
+        let pixel = 1.0 / (f64::from(1 << (bits / 2)) * f64::from(1 << bits.div_ceil(2)));
+        // The differences are exact before they are rounded once.
+        let from_first = |at: [i64; 2]| [0, 1].map(|i| (at[i] - a.at[i]) as f64 * pixel);
+        let (b_at, c_at) = (from_first(b.at), from_first(c.at));
+        let area = super::setup::doubled_area(&triangle.corners) as f64 * pixel * pixel;
+        Self {
+            origin: a.at.map(|steps| steps as f64 * pixel),
+            second: [c_at[1] / area, -c_at[0] / area],
+            third: [-b_at[1] / area, b_at[0] / area],
+            depth: [a.depth, b.depth - a.depth, c.depth - a.depth],
+            inverse_w: [a.inverse_w, b.inverse_w, c.inverse_w],
+            weights: [a.weights, b.weights, c.weights],
+        }
+    }
+
+    fn screen_weights(&self, x: f64, y: f64) -> [f64; 2] {
+        let (x, y) = (x - self.origin[0], y - self.origin[1]);
+        [self.second, self.third].map(|[along_x, along_y]| along_x * x + along_y * y)
+    }
+
+    /// The depth at a point of the screen, in pixels from the upper left.
+    pub(super) fn depth(&self, x: f64, y: f64) -> f64 {
+        let [second, third] = self.screen_weights(x, y);
+        let [first, to_second, to_third] = self.depth;
+        // Outside of its edges a triangle may rise through a plane that it was cut at; GPUs clamp as well.
+        (first + second * to_second + third * to_third).clamp(0.0, 1.0)
+    }
+
+    /// What lies at a point of the screen, in pixels from the upper left.
+    pub(super) fn point(&self, x: f64, y: f64) -> Point {
+        let [second, third] = self.screen_weights(x, y);
+        let over_w =
+            [(1.0 - second - third) * self.inverse_w[0], second * self.inverse_w[1], third * self.inverse_w[2]];
+        let inverse_w = over_w[0] + over_w[1] + over_w[2];
+        let share = |corner: usize| (0..3).map(|i| over_w[i] * self.weights[i][corner]).sum::<f64>() / inverse_w;
+        Point { depth: self.depth(x, y), inverse_w, shares: [share(1), share(2)] }
+    }
+}
+
+impl Point {
+    /// What a number is here that is `corners` at the corners.
+    pub(super) fn mix(&self, [first, second, third]: [f64; 3]) -> f64 {
+        // By differences, so that what is the same at all corners stays what it is.
+        first + self.shares[0] * (second - first) + self.shares[1] * (third - first)
+    }
+}

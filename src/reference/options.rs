@@ -1,0 +1,90 @@
+//! How pictures are made: to which grid positions are rounded, on how many threads, in which pieces, and until when.
+
+use std::fmt;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use crate::diag::Diagnostic;
+
+/// The grid that screen positions are rounded to before coverage is decided.
+///
+/// Coverage is decided in whole numbers of grid steps, so that it is exact: triangles that share an edge cover each
+/// sample on it once, whatever the grid.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Snap {
+    /// 2^-32 of a pixel, which is finer than any error that f32 leaves: the truth.
+    #[default]
+    None,
+    /// 2^-n of a pixel, n from 4 (below it the samples of a pixel would lie between the steps) to 32; GPUs and
+    /// software Vulkan use 8. For comparing with them.
+    Subpixel(u32),
+}
+
+impl Snap {
+    /// The steps of the grid in a pixel are 2 to this.
+    pub(super) fn bits(self) -> u32 {
+        match self {
+            Self::None => 32,
+            Self::Subpixel(bits) => bits.clamp(4, 32),
+        }
+    }
+}
+
+/// Choices that the caller has. Only [`snap`](Self::snap) changes the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// The grid of screen positions.
+    pub snap: Snap,
+    /// How many threads work; at least 1.
+    pub threads: usize,
+    /// The side of the squares that threads take, in pixels: even, 2 to 512.
+    pub tile: u32,
+    /// Bytes of triangle lists, and of vertices, after which what is there is drawn before more is gathered.
+    pub budget: usize,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+        Self { snap: Snap::default(), threads, tile: 64, budget: 256 << 20 }
+    }
+}
+
+impl Options {
+    pub(super) fn tile(&self) -> u32 {
+        self.tile.clamp(2, 512).next_multiple_of(2)
+    }
+}
+
+/// How far the work is, and whether it is still wanted.
+pub struct Control<'a> {
+    /// Set by another thread to stop; looked at between batches of fragments.
+    pub cancel: &'a AtomicBool,
+    /// Told a share from 0 to 1 that never falls within one pass; called on any thread.
+    pub progress: &'a (dyn Fn(f64) + Sync),
+}
+
+impl fmt::Debug for Control<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Control").field("cancel", self.cancel).finish_non_exhaustive()
+    }
+}
+
+/// A flag that nobody sets.
+static NEVER: AtomicBool = AtomicBool::new(false);
+
+impl Control<'static> {
+    /// Nobody watches, and nobody stops it.
+    pub fn none() -> Self {
+        Self { cancel: &NEVER, progress: &|_| {} }
+    }
+}
+
+impl Control<'_> {
+    /// Fails once the work is not wanted any more.
+    pub(super) fn check(&self) -> Result<(), Diagnostic> {
+        if self.cancel.load(Ordering::Relaxed) {
+            return Err(Diagnostic::note("cancelled", "the picture was stopped before it was done"));
+        }
+        Ok(())
+    }
+}

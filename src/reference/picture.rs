@@ -1,0 +1,59 @@
+//! The finished picture.
+
+use super::raster::Raster;
+use super::texels::{Coverage, Texels};
+use crate::ids::ObjectId;
+
+/// What a frame plan shows, in f64, with what is on top in each pixel.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ReferencePicture {
+    /// Pixels.
+    pub size: [u32; 2],
+    /// Samples a pixel.
+    pub samples: u32,
+    /// Premultiplied RGBA, display-referred; four channels.
+    pub color: Texels,
+    /// A pixel each, rows from the top.
+    pub coverage: Vec<Coverage>,
+    /// The object of each draw, by [`Coverage::draw`].
+    pub objects: Vec<ObjectId>,
+}
+
+impl ReferencePicture {
+    pub(super) fn new(raster: Raster, samples: u32, objects: Vec<ObjectId>) -> Self {
+        let Raster { texels: color, coverage } = raster;
+        Self { size: color.size, samples, color, coverage, objects }
+    }
+
+    /// A pixel by column and row, straight RGBA; where alpha is 0, so is all of it.
+    ///
+    /// # Panics
+    /// Outside of the picture.
+    pub fn straight(&self, x: u32, y: u32) -> [f64; 4] {
+        straight(self.color.pixel(x, y))
+    }
+
+    /// All pixels, straight RGBA, rows from the top, as picture files and the renderer have them.
+    pub fn to_straight_f32(&self) -> Vec<[f32; 4]> {
+        self.color.values.chunks_exact(4).map(|pixel| straight(pixel).map(|x| x as f32)).collect()
+    }
+
+    /// What is on top in a pixel.
+    ///
+    /// # Panics
+    /// Outside of the picture.
+    pub fn coverage(&self, x: u32, y: u32) -> Coverage {
+        self.coverage[y as usize * self.size[0] as usize + x as usize]
+    }
+
+    /// The object that is on top in most samples of a pixel.
+    pub fn object(&self, x: u32, y: u32) -> Option<&ObjectId> {
+        self.objects.get(self.coverage(x, y).draw? as usize)
+    }
+}
+
+fn straight(pixel: &[f64]) -> [f64; 4] {
+    let alpha = pixel[3];
+    let scale = if alpha > 0.0 { 1.0 / alpha } else { 0.0 };
+    [pixel[0] * scale, pixel[1] * scale, pixel[2] * scale, alpha]
+}

@@ -1,0 +1,71 @@
+//! The one place of the reference that starts threads.
+
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+use super::options::Control;
+use crate::diag::Diagnostic;
+
+/// Runs `job` for each number below `count`, on up to `threads` threads, each with a state of its own; gives the
+/// results by number.
+///
+/// # Errors
+/// The first problem by number, of those met before all threads had stopped; or that the work is not wanted any more.
+#[expect(
+    clippy::disallowed_methods,
+    reason = "the one place that starts threads: pictures of a known size, cancelled by a flag"
+)]
+pub(super) fn run<S, T: Send>(
+    threads: usize,
+    count: usize,
+    control: &Control<'_>,
+    state: impl Fn() -> S + Sync,
+    job: impl Fn(&mut S, usize) -> Result<T, Diagnostic> + Sync,
+) -> Result<Vec<T>, Diagnostic> {
+    let next = AtomicUsize::new(0);
+    let has_failed = AtomicBool::new(false);
+    let finished = Mutex::new(Vec::with_capacity(count));
+    let work = || {
+        let mut state = state();
+        let mut done = Vec::new();
+        while !has_failed.load(Ordering::Relaxed) {
+            let number = next.fetch_add(1, Ordering::Relaxed);
+            if number >= count {
+                break;
+            }
+            let result = control.check().and_then(|()| job(&mut state, number));
+            has_failed.fetch_or(result.is_err(), Ordering::Relaxed);
+            done.push((number, result));
+        }
+        // Nobody panics while holding the lock; were it so, the scope below would pass the panic on.
+        finished.lock().unwrap_or_else(std::sync::PoisonError::into_inner).append(&mut done);
+    };
+    let helpers = threads.min(count).saturating_sub(1);
+    std::thread::scope(|scope| {
+        for _ in 0..helpers {
+            // Where no more threads can be had, those that there are do the work.
+            let _ = std::thread::Builder::new().name("reference".to_owned()).spawn_scoped(scope, work);
+        }
+        work();
+    });
+    let mut results = finished.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    results.sort_by_key(|(number, _)| *number);
+    results.into_iter().map(|(_, result)| result).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn results_come_in_order_and_problems_stop_the_work() {
+        let control = Control::none();
+        for threads in 1..4 {
+            let squares = run(threads, 100, &control, || (), |(), i| Ok(i * i)).expect("nothing fails");
+            assert!(squares.iter().enumerate().all(|(i, square)| i * i == *square) && squares.len() == 100);
+            let failing = |(): &mut (), i| if i < 7 { Ok(()) } else { Err(Diagnostic::error("x", format!("{i}"))) };
+            let problem = run(threads, 1_000_000, &control, || (), failing).expect_err("7 fails");
+            assert!(problem.message == "7" || threads > 1, "{problem}");
+        }
+    }
+}

@@ -1,0 +1,218 @@
+//! Draws triangles: vertices, then lists of triangles by tile, then the tiles, each on one thread from back to front.
+//!
+//! Within a tile everything happens in the order of the plan, and what a fragment gets depends on its triangle alone;
+//! so the picture is the same for any number of threads and any size of tiles.
+//!
+//! # Memory
+//! The picture takes 8 bytes a channel and 12 for the coverage of each pixel; a thread one tile of samples. Shaded
+//! vertices and lists of triangles grow until [`Options::budget`]; then what is there is drawn, and the samples of all
+//! tiles are kept (16 bytes, and 8 a channel) until the rest has come. Beyond the budget are thus at most the vertices of
+//! one draw and one list for each thread.
+
+use std::collections::HashMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::coverage::Edges;
+use super::geometry::{Geometry, Grid, TRIANGLES, Triangles};
+use super::interpolate::Surface;
+use super::options::{Control, Options};
+use super::pool;
+use super::shade::{Batcher, Quad};
+use super::texels::{Coverage, Texels};
+use super::tile::{Target, TileSamples};
+use crate::diag::Diagnostic;
+
+/// Pictures of more samples are refused: 8192x8192 pixels, or 4096x4096 of 4 samples.
+pub const MAX_SAMPLES: u64 = 1 << 26;
+
+/// As many draws have a batch in one thread at a time.
+const BATCHES: usize = 16;
+
+/// An image with what is on top in each of its pixels.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Raster {
+    /// What was drawn.
+    pub texels: Texels,
+    /// A pixel each, rows from the top.
+    pub coverage: Vec<Coverage>,
+}
+
+/// Some triangles of a draw, sorted into tiles.
+struct Piece<'a> {
+    geometry: Arc<Geometry<'a>>,
+    /// Tile and triangle, in order.
+    bins: Vec<[u32; 2]>,
+}
+
+/// A pass under way.
+struct Work<'a> {
+    grid: Grid,
+    samples: u32,
+    target: &'a Target,
+    options: &'a Options,
+    control: &'a Control<'a>,
+    pieces: Vec<Piece<'a>>,
+    /// What tiles hold that were drawn in part.
+    kept: Vec<Mutex<Option<TileSamples>>>,
+    raster: Mutex<Raster>,
+}
+
+/// Draws `draws` in order into an image of `size` pixels with 1 or 4 `samples` each.
+///
+/// # Errors
+/// - `reference-too-large`: there are more than [`MAX_SAMPLES`] samples.
+/// - `cancelled`: it is not wanted any more.
+/// - What the shaders report.
+pub fn rasterise(
+    size: [u32; 2],
+    samples: u32,
+    target: &Target,
+    draws: &[Triangles<'_>],
+    options: &Options,
+    control: &Control<'_>,
+) -> Result<Raster, Diagnostic> {
+    check_size(size, samples)?;
+    let grid = Grid::new(size, options);
+    let count = size[0] as usize * size[1] as usize;
+    let raster = Raster { texels: Texels::new(size, target.channels()), coverage: vec![Coverage::default(); count] };
+    let kept = (0..grid.tiles()).map(|_| Mutex::new(None)).collect();
+    let raster = Mutex::new(raster);
+    let mut work = Work { grid, samples, target, options, control, pieces: Vec::new(), kept, raster };
+    let mut bytes = 0;
+    for (number, triangles) in (0..).zip(draws) {
+        work.gather(number, *triangles, &mut bytes)?;
+    }
+    work.draw(true)?;
+    Ok(work.raster.into_inner().unwrap_or_else(PoisonError::into_inner))
+}
+
+/// Refuses what would take too much memory.
+pub(super) fn check_size(size: [u32; 2], samples: u32) -> Result<(), Diagnostic> {
+    if u64::from(size[0]) * u64::from(size[1]) <= MAX_SAMPLES / u64::from(samples.max(1)) {
+        return Ok(());
+    }
+    let message = format!("{}x{} pixels of {samples} samples are too many for the reference", size[0], size[1]);
+    Err(Diagnostic::error("reference-too-large", message).hint("use a smaller picture, or one sample a pixel"))
+}
+
+impl<'a> Work<'a> {
+    /// Shades a draw's vertices and sorts its triangles; draws whenever the lists have grown to the budget.
+    fn gather(&mut self, draw: u32, triangles: Triangles<'a>, bytes: &mut usize) -> Result<(), Diagnostic> {
+        let geometry = Arc::new(Geometry::new(draw, triangles, self.options, self.control)?);
+        *bytes += geometry.bytes();
+        let pieces = geometry.count().div_ceil(TRIANGLES);
+        // So many at a time that all threads have work, and no more than that is ever beyond the budget.
+        let wave = self.options.threads.max(1);
+        for begin in (0..pieces).step_by(wave) {
+            let bin = |(): &mut (), number: usize| {
+                let first = (begin + number) * TRIANGLES;
+                let end = (first + TRIANGLES).min(geometry.count());
+                Ok(geometry.bin(first as u32..end as u32, &self.grid))
+            };
+            let lists = pool::run(wave, wave.min(pieces - begin), self.control, || (), bin)?;
+            *bytes += lists.iter().map(|bins| bins.len() * 8).sum::<usize>();
+            self.pieces.extend(lists.into_iter().map(|bins| Piece { geometry: geometry.clone(), bins }));
+            if *bytes > self.options.budget {
+                self.draw(false)?;
+                *bytes = if begin + wave < pieces { geometry.bytes() } else { 0 };
+            }
+        }
+        Ok(())
+    }
+
+    /// Draws what was gathered; the last time, the samples become the picture.
+    fn draw(&mut self, is_last: bool) -> Result<(), Diagnostic> {
+        let done = AtomicUsize::new(0);
+        let tiles = self.grid.tiles();
+        let state = || Worker { spare: None, batches: HashMap::new() };
+        pool::run(self.options.threads, tiles, self.control, state, |worker, tile| {
+            self.draw_tile(worker, tile, is_last)?;
+            if is_last {
+                (self.control.progress)((done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / tiles as f64);
+            }
+            Ok(())
+        })?;
+        self.pieces.clear();
+        Ok(())
+    }
+
+    fn draw_tile<'w>(&'w self, worker: &mut Worker<'w>, tile: usize, is_last: bool) -> Result<(), Diagnostic> {
+        let held = || self.kept[tile].lock().unwrap_or_else(PoisonError::into_inner);
+        let mine = |piece: &'w Piece<'a>| {
+            let begin = piece.bins.partition_point(|bin| (bin[0] as usize) < tile);
+            let end = piece.bins.partition_point(|bin| (bin[0] as usize) <= tile);
+            (&piece.geometry, &piece.bins[begin..end])
+        };
+        let mut lists = self.pieces.iter().map(mine).filter(|(_, bins)| !bins.is_empty()).peekable();
+        if !is_last && lists.peek().is_none() {
+            return Ok(());
+        }
+        let kept = held().take();
+        let is_kept = kept.is_some();
+        let fresh = || TileSamples::new(self.grid.side, self.samples, self.target);
+        let mut samples = kept.or_else(|| worker.spare.take()).unwrap_or_else(fresh);
+        if !is_kept {
+            samples.clear(self.grid.pixels(tile), self.target);
+        }
+        while let Some((geometry, bins)) = lists.next() {
+            let batch = worker.batch(geometry, self.target);
+            for [_, number] in bins {
+                self.draw_triangle(geometry, *number, batch, &mut samples)?;
+            }
+            if lists.peek().is_none_or(|(next, _)| next.draw != geometry.draw) {
+                batch.flush(&mut samples, self.target, self.control)?;
+            }
+        }
+        if is_last {
+            let mut raster = self.raster.lock().unwrap_or_else(PoisonError::into_inner);
+            let Raster { texels, coverage } = &mut *raster;
+            samples.resolve(texels, coverage);
+            worker.spare = Some(samples);
+        } else {
+            *held() = Some(samples);
+        }
+        Ok(())
+    }
+
+    fn draw_triangle(
+        &self,
+        geometry: &Geometry<'_>,
+        number: u32,
+        batch: &mut Batcher<'_>,
+        tile: &mut TileSamples,
+    ) -> Result<(), Diagnostic> {
+        let bits = self.grid.screen.bits;
+        let (clip, varyings) = geometry.triangle(number);
+        let fan = self.grid.screen.triangles(clip, geometry.triangles.sides);
+        let Some([least, most]) = fan.pixels(bits) else { return Ok(()) };
+        let Some(pixels) = tile.pixels().and(least, most) else { return Ok(()) };
+        for triangle in fan.triangles() {
+            let surface = Surface::new(&triangle, bits);
+            Edges::new(&triangle, bits, self.samples).quads(pixels, |x, y, covered| {
+                let owner = [geometry.draw, number];
+                let is_front = triangle.is_front;
+                let quad = Quad { at: [x, y], covered, is_front, owner, surface: &surface, varyings };
+                batch.push(&quad, tile, self.samples, self.target, self.control)
+            })?;
+        }
+        Ok(())
+    }
+}
+
+/// What a thread keeps from tile to tile.
+struct Worker<'a> {
+    spare: Option<TileSamples>,
+    batches: HashMap<u32, Batcher<'a>>,
+}
+
+impl<'a> Worker<'a> {
+    fn batch(&mut self, geometry: &'a Geometry<'_>, target: &Target) -> &mut Batcher<'a> {
+        if self.batches.len() >= BATCHES && !self.batches.contains_key(&geometry.draw) {
+            self.batches.clear();
+        }
+        let shader = geometry.triangles.shader;
+        let made = || Batcher::new(shader.fragments(), shader.varyings(), target.channels());
+        self.batches.entry(geometry.draw).or_insert_with(made)
+    }
+}

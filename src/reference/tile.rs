@@ -1,0 +1,165 @@
+//! The samples of one square of the picture: depth, colour, and what is on top.
+
+use super::coverage::{Pixels, bit};
+use super::shader::Shaded;
+use super::texels::{Coverage, NOTHING, Texels};
+
+/// What a pass draws into.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Target {
+    /// A picture that begins as this premultiplied colour; straight colours are laid over it, and samples averaged.
+    Picture([f64; 4]),
+    /// This many numbers a pixel, which begin as 0 and are replaced; one sample.
+    Numbers(usize),
+}
+
+impl Target {
+    /// Numbers that a fragment gives.
+    pub(super) fn channels(&self) -> usize {
+        match self {
+            Self::Picture(_) => 4,
+            Self::Numbers(channels) => *channels,
+        }
+    }
+}
+
+/// A quad whose colours are under way.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pending {
+    /// The upper left pixel.
+    pub(super) at: [u32; 2],
+    pub(super) covered: u16,
+    /// Of each sample of each lane.
+    pub(super) depths: [f64; 16],
+    /// Draw and triangle.
+    pub(super) owner: [u32; 2],
+}
+
+/// The samples of one tile: 8 bytes for the depth, 8 for each channel, 8 for what is on top.
+#[derive(Clone, Debug)]
+pub(super) struct TileSamples {
+    pixels: Pixels,
+    width: usize,
+    samples: usize,
+    channels: usize,
+    depths: Vec<f64>,
+    colors: Vec<f64>,
+    owners: Vec<[u32; 2]>,
+}
+
+impl TileSamples {
+    /// Memory for tiles of up to `side` by `side` pixels.
+    pub(super) fn new(side: u32, samples: u32, target: &Target) -> Self {
+        let (count, channels) = ((side * side * samples) as usize, target.channels());
+        Self {
+            pixels: Pixels { begin: [0; 2], end: [0; 2] },
+            width: side as usize,
+            samples: samples as usize,
+            channels,
+            depths: vec![1.0; count],
+            colors: vec![0.0; count * channels],
+            owners: vec![NOTHING; count],
+        }
+    }
+
+    /// Begins `pixels` anew: far away, and as `target` begins.
+    pub(super) fn clear(&mut self, pixels: Pixels, target: &Target) {
+        self.pixels = pixels;
+        self.depths.fill(1.0);
+        self.owners.fill(NOTHING);
+        match target {
+            Target::Picture(background) => {
+                self.colors.chunks_exact_mut(4).for_each(|color| color.copy_from_slice(background));
+            }
+            Target::Numbers(_) => self.colors.fill(0.0),
+        }
+    }
+
+    /// The pixels that it holds.
+    pub(super) fn pixels(&self) -> Pixels {
+        self.pixels
+    }
+
+    /// The first sample of a pixel.
+    fn index(&self, x: u32, y: u32) -> usize {
+        let (x, y) = ((x - self.pixels.begin[0]) as usize, (y - self.pixels.begin[1]) as usize);
+        (y * self.width + x) * self.samples
+    }
+
+    /// The samples that are in front of what is there; later ones of the same batch may still come before them.
+    pub(super) fn in_front(&self, pending: &Pending) -> u16 {
+        let mut covered = 0;
+        self.each(pending, pending.covered, |_, _, bit, index, depth| {
+            // Depths only ever fall, so that what is hidden now stays so, and nothing that is hidden needs a colour.
+            covered |= if depth < self.depths[index] { bit } else { 0 };
+        });
+        covered
+    }
+
+    fn each(&self, pending: &Pending, covered: u16, mut visit: impl FnMut(usize, usize, u16, usize, f64)) {
+        for lane in 0..4 {
+            if covered >> (4 * lane) & 0xF == 0 {
+                continue;
+            }
+            let first = self.index(pending.at[0] + (lane as u32 & 1), pending.at[1] + (lane as u32 >> 1));
+            for sample in (0..self.samples).filter(|sample| covered & bit(lane, *sample) != 0) {
+                visit(lane, sample, bit(lane, sample), first + sample, pending.depths[4 * lane + sample]);
+            }
+        }
+    }
+
+    /// Draws a quad whose colours are in the lanes from `lane`.
+    pub(super) fn draw(&mut self, pending: &Pending, lane: usize, shaded: &Shaded, target: &Target) {
+        for corner in 0..4 {
+            let covered = pending.covered >> (4 * corner) & 0xF;
+            if covered == 0 || shaded.discarded >> (lane + corner) & 1 == 1 {
+                continue;
+            }
+            let first = self.index(pending.at[0] + (corner as u32 & 1), pending.at[1] + (corner as u32 >> 1));
+            for sample in (0..self.samples).filter(|sample| covered >> sample & 1 == 1) {
+                let (index, depth) = (first + sample, pending.depths[4 * corner + sample]);
+                if depth < self.depths[index] {
+                    self.depths[index] = depth;
+                    self.owners[index] = pending.owner;
+                    let channels = self.channels;
+                    let color = &mut self.colors[index * channels..][..channels];
+                    write(color, |channel| shaded.get(channel, lane + corner), target);
+                }
+            }
+        }
+    }
+
+    /// Averages the samples of each pixel into the picture.
+    pub(super) fn resolve(&self, picture: &mut Texels, coverage: &mut [Coverage]) {
+        let share = 1.0 / self.samples as f64;
+        for y in self.pixels.begin[1]..self.pixels.end[1] {
+            for x in self.pixels.begin[0]..self.pixels.end[0] {
+                let first = self.index(x, y);
+                let pixel = picture.pixel_mut(x, y);
+                for (channel, number) in pixel.iter_mut().enumerate() {
+                    let sample = |sample: usize| self.colors[(first + sample) * self.channels + channel];
+                    *number = (0..self.samples).map(sample).sum::<f64>() * share;
+                }
+                coverage[y as usize * picture.size[0] as usize + x as usize] =
+                    Coverage::of(&self.owners[first..][..self.samples]);
+            }
+        }
+    }
+}
+
+/// One sample of a target gets the colour of a fragment.
+fn write(sample: &mut [f64], fragment: impl Fn(usize) -> f64, target: &Target) {
+    match target {
+        // Straight colour over premultiplied.
+        Target::Picture(_) => {
+            let alpha = fragment(3);
+            for (channel, number) in sample.iter_mut().enumerate() {
+                let factor = if channel == 3 { 1.0 } else { alpha };
+                *number = fragment(channel) * factor + *number * (1.0 - alpha);
+            }
+        }
+        Target::Numbers(_) => {
+            sample.iter_mut().enumerate().for_each(|(channel, number)| *number = fragment(channel));
+        }
+    }
+}
