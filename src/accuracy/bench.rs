@@ -8,7 +8,7 @@ use super::variant::{Variant, can_be_left_out, tiers_of};
 use super::{ErrorFigures, Estimate, Progress, Stopped};
 use crate::compile::Live;
 use crate::document::Tier;
-use crate::frame::{FramePlan, PlanOptions, Planner, Setup};
+use crate::frame::{Assets, FramePlan, PlanOptions, Planner, Setup};
 use crate::ids::NodeId;
 use crate::library::Library;
 use crate::render::Renderer;
@@ -40,8 +40,8 @@ pub fn bench(
     let nodes = nodes(setup, library, options.every_node);
     let tiers = look_tiers(setup, library);
     progress.expect(((options.rounds + 2) * (1 + nodes.len())) as u64);
-    let mut planner = Planner::default();
-    let mut bench = Bench { setup, library, renderer, options, planner: &mut planner };
+    let precise = Renderer::new(renderer.gpu().precise());
+    let mut bench = Bench { setup, library, renderer, precise, options, planner: Planner::default() };
     let truth = if options.truth { Some(bench.truth(progress)?) } else { None };
     let mut rows = bench.looks(&tiers, truth.as_ref(), progress)?;
     for node in &nodes {
@@ -97,8 +97,9 @@ struct Bench<'a> {
     setup: &'a Setup,
     library: &'a Library,
     renderer: &'a mut Renderer,
+    precise: Renderer,
     options: &'a BenchOptions,
-    planner: &'a mut Planner,
+    planner: Planner,
 }
 
 impl Bench<'_> {
@@ -108,11 +109,14 @@ impl Bench<'_> {
     }
 
     fn truth(&mut self, progress: &mut Progress<'_>) -> Result<Truth, Stopped> {
-        Truth::of(&Variant::Looks(Tier::Exact).of(self.setup), self.library, self.planner, &self.options.plan, progress)
+        let exact = Variant::Looks(Tier::Exact).of(self.setup);
+        let mut planner = Planner::for_truth(Assets::default());
+        Truth::of(&exact, self.library, &mut planner, &self.options.plan, progress)
     }
 
     fn error(&mut self, plan: &FramePlan, truth: Option<&Truth>) -> Result<Option<ErrorFigures>, Stopped> {
-        truth.map(|truth| truth.compare(self.renderer, plan)).transpose()
+        let plan = FramePlan { samples: 1, ..plan.clone() };
+        truth.map(|truth| truth.compare(&mut self.precise, &plan)).transpose()
     }
 
     /// The whole, in each tier and as it asks itself; with the passes of each.

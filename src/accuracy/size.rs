@@ -39,7 +39,8 @@ impl Sizes {
                 let vertex: u64 = shader.needs.attributes().into_iter().map(attribute_bytes).sum();
                 sizes.traffic += vertex * draw.mesh.positions.len() as u64 + 4 * draw.indices.len() as u64;
             }
-            let uniforms = draw.object_uniform.len() + draw.look_uniforms.values().map(Vec::len).sum::<usize>();
+            let uniforms = std::iter::once(&draw.object_uniform).chain(draw.look_uniforms.values());
+            let uniforms: usize = uniforms.map(|uniform| uniform.bytes.len()).sum();
             sizes.memory += uniforms as u64;
             if meshes.insert(Arc::as_ptr(&draw.mesh)) {
                 let vertex: u64 = draw.look.needs.attributes().into_iter().map(attribute_bytes).sum();

@@ -1,15 +1,86 @@
 //! The reference's picture of a setup, to hold others against.
+
 use super::{Colors, ErrorFigures, Progress, Stopped, compare};
+use crate::compile::Live;
 use crate::frame::{FramePlan, PlanOptions, Planner, Setup};
+use crate::interp::Precision;
 use crate::library::Library;
-use crate::render::Renderer;
+use crate::reference::{self, Control, Modules, ReferencePicture, Snap};
+use crate::render::{Renderer, block_on};
+
+/// GPUs and software Vulkan round screen positions to this share of a pixel, 2^-8; coverage agrees where the truth does
+/// the same.
+const GRID: Snap = Snap::Subpixel(8);
+
+/// A picture in f64: nothing folded, every value at f64, one sample a pixel.
 #[derive(Debug)]
-pub struct Truth;
+pub struct Truth {
+    picture: ReferencePicture,
+    /// Pixels on edges: next to one where something else is on top.
+    edges: Vec<bool>,
+}
+
 impl Truth {
-    pub fn of(_: &Setup, _: &Library, _: &mut Planner, _: &PlanOptions, _: &mut Progress<'_>) -> Result<Self, Stopped> {
-        todo!()
+    /// Renders `setup` as it is, with what `planner` (one [for the truth](Planner::for_truth)) has read.
+    ///
+    /// # Errors
+    /// What is wrong with the setup, what the interpreter cannot run, or that `progress` stopped it.
+    pub fn of(
+        setup: &Setup,
+        library: &Library,
+        planner: &mut Planner,
+        options: &PlanOptions,
+        progress: &mut Progress<'_>,
+    ) -> Result<Self, Stopped> {
+        let options = PlanOptions { samples: 1, ..options.clone() };
+        let plan = planner.plan(setup, library, &Live::All, &options)?;
+        progress.step()?;
+        let one = |problem| vec![problem];
+        let modules = Modules::new(&plan, Precision::F64).map_err(one)?;
+        let options = reference::Options { snap: GRID, ..reference::Options::default() };
+        let picture = reference::execute(&plan, &modules, &options, &Control::none()).map_err(one)?;
+        let edges = edges(&picture);
+        Ok(Self { picture, edges })
     }
-    pub fn compare(&self, _: &mut Renderer, _: &FramePlan) -> Result<ErrorFigures, Stopped> {
-        todo!()
+
+    /// The picture.
+    pub fn picture(&self) -> &ReferencePicture {
+        &self.picture
     }
+
+    /// How far the GPU's picture of `plan` is from this one. `renderer` should be [precise](crate::render::Gpu::precise),
+    /// and the plan have one sample a pixel.
+    ///
+    /// # Errors
+    /// What the GPU refuses.
+    pub fn compare(&self, renderer: &mut Renderer, plan: &FramePlan) -> Result<ErrorFigures, Stopped> {
+        let picture = block_on(renderer.picture(plan))?;
+        let premultiplied = |[r, g, b, a]: [f32; 4]| {
+            let a = f64::from(a);
+            [f64::from(r) * a, f64::from(g) * a, f64::from(b) * a, a]
+        };
+        let rgba = picture.rgba.iter().map(|&pixel| premultiplied(pixel)).collect();
+        let got = Colors { size: picture.size, rgba };
+        Ok(compare(&got, &self.colors(), |index| self.edges[index]))
+    }
+
+    /// Its colours, premultiplied.
+    pub fn colors(&self) -> Colors<'_> {
+        let pixels = self.picture.color.values.chunks_exact(4);
+        Colors { size: self.picture.size, rgba: pixels.map(|p| [p[0], p[1], p[2], p[3]]).collect() }
+    }
+}
+
+/// Pixels that have a neighbour with another draw on top, or nothing.
+fn edges(picture: &ReferencePicture) -> Vec<bool> {
+    let [width, height] = picture.size.map(|side| side as usize);
+    let draw = |x: usize, y: usize| picture.coverage[y * width + x].draw;
+    let is_edge = |index: usize| {
+        let (x, y) = (index % width, index / width);
+        let around = |x: usize| x.saturating_sub(1)..=x + 1;
+        around(y)
+            .filter(|&y| y < height)
+            .any(|ny| around(x).filter(|&x| x < width).any(|nx| draw(nx, ny) != draw(x, y)))
+    };
+    (0..width * height).map(is_edge).collect()
 }

@@ -12,7 +12,7 @@ use super::variant::{Variant, tiers_of};
 use super::{ErrorFigures, Estimate, Progress, Stopped};
 use crate::compile::Live;
 use crate::document::Tier;
-use crate::frame::{PlanOptions, Planner, Setup};
+use crate::frame::{Assets, PlanOptions, Planner, Setup};
 use crate::ids::NodeId;
 use crate::library::Library;
 use crate::render::Renderer;
@@ -233,9 +233,10 @@ impl<'a> Tuner<'a> {
         let precise = Renderer::new(renderer.gpu().precise());
         let mut tuner =
             Self { setup, library, renderer, precise, options, planner: Planner::default(), truths: Vec::new() };
+        let mut truth_planner = Planner::for_truth(Assets::default());
         for station in stations(setup, options.stations) {
             let plan = tuner.error_plan(&station);
-            let truth = Truth::of(&station.of(setup), library, &mut tuner.planner, &plan, progress)?;
+            let truth = Truth::of(&station.of(setup), library, &mut truth_planner, &plan, progress)?;
             tuner.truths.push((station, truth));
         }
         Ok(tuner)

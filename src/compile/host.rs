@@ -186,25 +186,47 @@ impl HostProgram {
         Ok(self.members.iter().map(|member| values[member.step].clone()).collect())
     }
 
-    /// The bytes of the `Look` uniform.
+    /// The `Look` uniform.
     ///
     /// # Errors
     /// As [`run`](Self::run).
-    pub fn uniform_bytes(&self, inputs: &HostInputs<'_>) -> Result<Vec<u8>, Diagnostic> {
-        let mut bytes = vec![0; self.size as usize];
-        self.write(inputs, 0, &mut bytes)?;
-        Ok(bytes)
+    pub fn uniform(&self, inputs: &HostInputs<'_>) -> Result<Uniform, Diagnostic> {
+        let mut uniform = Uniform { bytes: vec![0; self.size as usize], numbers: Vec::new() };
+        self.write(inputs, 0, &mut uniform)?;
+        Ok(uniform)
     }
 
-    /// Writes the `Look` struct at byte `at`.
+    /// Writes the `Look` struct at byte `at`, and its numbers after those that are there.
     ///
     /// # Errors
     /// As [`run`](Self::run).
-    pub fn write(&self, inputs: &HostInputs<'_>, at: usize, bytes: &mut [u8]) -> Result<(), Diagnostic> {
+    pub fn write(&self, inputs: &HostInputs<'_>, at: usize, uniform: &mut Uniform) -> Result<(), Diagnostic> {
         for (value, (_, offset, layout)) in self.run(inputs)?.iter().zip(&self.layout.members) {
-            layout.write(value, at + *offset as usize, bytes);
+            layout.write(value, at + *offset as usize, &mut uniform.bytes);
+            push_numbers(value, &mut uniform.numbers);
         }
         Ok(())
+    }
+}
+
+/// The content of a uniform, as a GPU takes it and as it is known.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Uniform {
+    /// As WGSL lays it out, in f32.
+    pub bytes: Vec<u8>,
+    /// Every scalar in order, matrices by columns, without padding, in f64: what the reference reads.
+    pub numbers: Vec<f64>,
+}
+
+/// Every scalar of a value, within what an f32 can hold; NaN, which only a project's own node may give, becomes 0, as it
+/// does in the bytes.
+pub fn push_numbers(value: &interp::Value, numbers: &mut Vec<f64>) {
+    match value.parts() {
+        Some(parts) => parts.iter().for_each(|part| push_numbers(part, numbers)),
+        None => {
+            let finite = |x: &f64| if x.is_nan() { 0.0 } else { x.clamp(f64::from(f32::MIN), f64::from(f32::MAX)) };
+            numbers.extend(value.components().unwrap_or_default().iter().map(finite));
+        }
     }
 }
 

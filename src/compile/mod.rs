@@ -26,7 +26,7 @@ use crate::wgsl::{self, Valid};
 pub use check::{TypedGraph, TypedInput, TypedNode, TypedSource, check};
 pub use emit::{Attribute, Binding, BindingKind, ImageBinding, SAMPLES_PER_ROW, SpanMap};
 pub use flatten::{MAX_FLAT_NODES, Param, ParamId};
-pub use host::{HostInputs, HostProgram, LightValues, UniformMember};
+pub use host::{HostInputs, HostProgram, LightValues, Uniform, UniformMember, push_numbers};
 pub use host_source::{HostSource, HostStep};
 pub use layout::{Layout, StructLayout};
 pub use specialize::{ImageUse, Needs, Removal};
@@ -150,7 +150,8 @@ pub fn compile_typed(
     let emitted = emit::emit(typed, &specialized, options);
     let valid = wgsl::parse(&emitted.text).map_err(|error| vec![emitted.refused(&error)])?;
     let host = emitted.host.with_layout(&valid.module);
-    if host.size > MAX_UNIFORM_BYTES && options.live == Live::All {
+    // The reference, which alone runs what is unspecialized, has no bound, and wants every value at f64.
+    if host.size > MAX_UNIFORM_BYTES && options.live == Live::All && !options.unspecialized {
         let fewer = Options { live: Live::Touched(options.touched.clone()), ..options.clone() };
         return compile_typed(typed, &fewer, warnings);
     }

@@ -2,6 +2,7 @@
 
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
+use crate::compile::Uniform;
 use crate::document::{Camera, Projection};
 
 /// A camera resolved for one picture.
@@ -71,13 +72,23 @@ impl View {
         if self.is_perspective { (self.eye - point).try_normalize().unwrap_or(self.backward) } else { self.backward }
     }
 
+    /// Every number of the curvature pass's uniform, in order, for images whose first row is at the top.
+    pub fn curvature_numbers(&self) -> [f64; 4] {
+        [self.pixel_size(), f64::from(u8::from(self.is_perspective)), f64::from(self.viewport[1]), 0.0]
+    }
+
     /// The bytes of the shader's `View` uniform.
     pub fn uniform_bytes(&self) -> Vec<u8> {
+        self.uniform_numbers().into_iter().flat_map(|x| (x as f32).to_le_bytes()).collect()
+    }
+
+    /// Every number of the shader's `View` uniform, in order.
+    pub fn uniform_numbers(&self) -> Vec<f64> {
         let eye = if self.is_perspective { self.eye.extend(1.0) } else { self.backward.extend(0.0) };
         let mut numbers = self.clip_from_world.to_cols_array().to_vec();
         numbers.extend(self.camera_from_world.to_cols_array());
         numbers.extend(eye.to_array());
-        numbers.into_iter().flat_map(|x| (x as f32).to_le_bytes()).collect()
+        numbers
     }
 }
 
@@ -104,18 +115,21 @@ fn orthographic(half_width: f64, half_height: f64, near: f64, far: f64) -> DMat4
     )
 }
 
-/// The bytes of the shader's `Object` uniform.
-pub(super) fn object_bytes(world_from_object: DMat4, id: f64, cutoff: f64) -> Vec<u8> {
+/// The shader's `Object` uniform.
+pub(super) fn object_uniform(world_from_object: DMat4, id: f64, cutoff: f64) -> Uniform {
     let linear = DMat3::from_mat4(world_from_object);
     // A flattened object has no inverse; its normals then turn as directions do.
     let normals = if linear.determinant().abs() > 1e-12 { linear.inverse().transpose() } else { linear };
     let mut numbers = world_from_object.to_cols_array().to_vec();
+    let mut padded = numbers.clone();
     for column in normals.to_cols_array_2d() {
         numbers.extend(column);
-        numbers.push(0.0);
+        padded.extend(column);
+        padded.push(0.0);
     }
-    numbers.extend([id, cutoff, 0.0, 0.0]);
-    numbers.into_iter().flat_map(|x| (x as f32).to_le_bytes()).collect()
+    numbers.extend([id, cutoff]);
+    padded.extend([id, cutoff, 0.0, 0.0]);
+    Uniform { bytes: padded.into_iter().flat_map(|x| (x as f32).to_le_bytes()).collect(), numbers }
 }
 
 #[cfg(test)]

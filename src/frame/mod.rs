@@ -12,6 +12,8 @@ mod samples;
 mod setup;
 mod values;
 
+/// What a plan holds that the compiler made; who executes plans needs no more of the compiler than this.
+pub use crate::compile::{Attribute, BindingKind, CompiledShader, ImageUse, SAMPLES_PER_ROW, Stage, Uniform};
 pub use assets::{Assets, Image, MAX_IMAGE_SIDE, SHAPE_PREFIX};
 pub use camera::View;
 pub use keys::{Moment, ObjectValues, ParamTable, Rig, set_light_field, structural_look};

@@ -8,11 +8,11 @@ use std::sync::Arc;
 use glam::{DQuat, DVec3};
 
 use super::assets::{Assets, Image};
-use super::camera::{View, object_bytes};
+use super::camera::{View, object_uniform};
 use super::keys::{Moment, ParamTable, Rig, structural_look};
 use super::setup::{Setup, SetupLook, SetupObject};
 use super::values::live_for_values;
-use crate::compile::{CompiledShader, HostInputs, Live, Options, Param, Stage, compile};
+use crate::compile::{CompiledShader, HostInputs, Live, Options, Param, Stage, Uniform, compile};
 use crate::diag::Diagnostic;
 use crate::document::{Graph, Look, Value};
 use crate::geometry::Mesh;
@@ -93,9 +93,9 @@ pub struct Draw {
     /// The look's normals, by what they are of.
     pub normals: HashMap<PassKind, Arc<CompiledShader>>,
     /// The `Object` uniform.
-    pub object_uniform: Vec<u8>,
+    pub object_uniform: Uniform,
     /// The `Look` uniform; one for each module, by stage.
-    pub look_uniforms: HashMap<Stage, Vec<u8>>,
+    pub look_uniforms: HashMap<Stage, Uniform>,
     /// The images of the look's module, in the order of its needs.
     pub images: Vec<Arc<Image>>,
     /// Whether back faces are drawn.
@@ -143,12 +143,20 @@ pub struct Planner {
     shaders: HashMap<u64, LookShaders>,
     /// What was odd, but stopped nothing.
     pub warnings: Vec<Diagnostic>,
+    /// Whether looks are compiled as they are written: nothing folded, merged or removed.
+    unspecialized: bool,
 }
 
 impl Planner {
     /// A planner with assets that were read already.
     pub fn new(assets: Assets) -> Self {
         Self { assets, ..Self::default() }
+    }
+
+    /// A planner for the reference: what it compiles is as the looks are written, with nothing folded or removed. Its
+    /// plans are to be asked for with [`Live::All`], so that every value comes in f64.
+    pub fn for_truth(assets: Assets) -> Self {
+        Self { assets, unspecialized: true, ..Self::default() }
     }
 
     /// Gives a look's module that was compiled elsewhere (on another thread, say), for the next plans of this look.
@@ -241,7 +249,8 @@ impl Planner {
         live: &Live,
         cutout: bool,
     ) -> Result<LookShaders, Vec<Diagnostic>> {
-        let options = Options { live: live.clone(), display: true, cutout, ..Options::default() };
+        let unspecialized = self.unspecialized;
+        let options = Options { live: live.clone(), display: true, cutout, unspecialized, ..Options::default() };
         let located = |mut problems: Vec<Diagnostic>| {
             setup.source.locate_all(&mut problems);
             problems
@@ -276,10 +285,11 @@ impl Planner {
             for (_, stage) in stages {
                 if !shaders.normals.contains_key(stage) {
                     let cutout = has_cutout(object, look);
-                    let wanted = Options { live: live.clone(), stage: *stage, cutout, ..Options::default() };
+                    let (live, stage, unspecialized) = (live.clone(), *stage, self.unspecialized);
+                    let wanted = Options { live, stage, cutout, unspecialized, ..Options::default() };
                     let compiled = Arc::new(compile(&shown, library, &wanted)?);
-                    shaders.tables.insert(*stage, ParamTable::new(&compiled.params));
-                    shaders.normals.insert(*stage, compiled);
+                    shaders.tables.insert(stage, ParamTable::new(&compiled.params));
+                    shaders.normals.insert(stage, compiled);
                 }
             }
             let moment = Moment {
@@ -311,7 +321,7 @@ impl Planner {
                     frame: ((options.time - setup.scene.time.start) * setup.scene.time.fps).round(),
                     object_id: number as f64,
                 };
-                look_uniforms.insert(stage, shader.host.uniform_bytes(&inputs).map_err(|problem| vec![problem])?);
+                look_uniforms.insert(stage, shader.host.uniform(&inputs).map_err(|problem| vec![problem])?);
             }
             let images = images(&mut self.assets, &shaders.draw, &setup.looks[look])?;
             draws.push(Draw {
@@ -320,7 +330,7 @@ impl Planner {
                 indices: part.indices.clone(),
                 look: shaders.draw.clone(),
                 normals: stages.iter().map(|(kind, stage)| (kind.clone(), shaders.normals[stage].clone())).collect(),
-                object_uniform: object_bytes(
+                object_uniform: object_uniform(
                     object.world_from_object,
                     number as f64,
                     f64::from(part.alpha_cutoff.unwrap_or(0.0)),
@@ -470,8 +480,8 @@ fn hash_of(draws: &[Draw], view: &View, options: &PlanOptions, normals: Option<(
             Some((kind, stage)) => (&draw.normals[kind], stage),
             None => (&draw.look, Stage::Draw),
         };
-        (Arc::as_ptr(&draw.mesh) as usize, &draw.indices, &shader.wgsl, &draw.object_uniform).hash(&mut hasher);
-        (&draw.look_uniforms[&stage], draw.two_sided, draw.is_mirrored).hash(&mut hasher);
+        (Arc::as_ptr(&draw.mesh) as usize, &draw.indices, &shader.wgsl, &draw.object_uniform.bytes).hash(&mut hasher);
+        (&draw.look_uniforms[&stage].bytes, draw.two_sided, draw.is_mirrored).hash(&mut hasher);
         if normals.is_none() {
             options.samples.hash(&mut hasher);
             draw.images.iter().for_each(|image| image.hash.hash(&mut hasher));

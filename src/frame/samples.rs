@@ -12,7 +12,8 @@ use super::plan::images;
 use super::setup::SetupLook;
 use super::values::{check_exposed_value, live_for_values};
 use crate::compile::{
-    CompiledShader, HostInputs, LightValues, Options, Stage, StructLayout, TypedGraph, check, compile,
+    CompiledShader, HostInputs, LightValues, Options, Stage, StructLayout, TypedGraph, Uniform, check, compile,
+    push_numbers,
 };
 use crate::diag::Diagnostic;
 use crate::document::{Light, LightKind, Look, Value, Values};
@@ -88,8 +89,8 @@ pub struct EvalBatch {
     pub shader: Arc<CompiledShader>,
     /// The samples' places in the list they came from.
     pub indices: Vec<usize>,
-    /// The storage buffer's content.
-    pub bytes: Vec<u8>,
+    /// The storage buffer's content, one sample after the other.
+    pub samples: Uniform,
     /// The images of the module's needs.
     pub images: Vec<Arc<Image>>,
 }
@@ -135,13 +136,13 @@ pub fn eval_batches(
         let (rig, _) = Rig::new(&look);
         let table = ParamTable::new(&shader.params);
         let packer = Packer::new(&shader);
-        let mut bytes = vec![0; packer.stride * indices.len()];
+        let mut packed = Uniform { bytes: vec![0; packer.stride * indices.len()], numbers: Vec::new() };
         for (place, &index) in indices.iter().enumerate() {
             packer
-                .pack(&samples[index], &setup.look.lights, &rig, &table, place * packer.stride, &mut bytes)
+                .pack(&samples[index], &setup.look.lights, &rig, &table, place * packer.stride, &mut packed)
                 .map_err(|p| vec![p])?;
         }
-        batches.push(EvalBatch { shader, indices, bytes, images });
+        batches.push(EvalBatch { shader, indices, samples: packed, images });
     }
     Ok(batches)
 }
@@ -230,18 +231,22 @@ impl<'a> Packer<'a> {
         rig: &Rig,
         table: &ParamTable,
         at: usize,
-        bytes: &mut [u8],
+        packed: &mut Uniform,
     ) -> Result<(), Diagnostic> {
         let surface = SurfaceValues::new(sample);
         if let Some((offset, layout)) = &self.surface {
-            for context in &self.shader.needs.contexts {
-                let Some((member, layout)) = layout.member(context.word()) else { continue };
+            for (name, member, layout) in &layout.members {
+                let contexts = &self.shader.needs.contexts;
+                let Some(context) = contexts.iter().find(|context| context.word() == name) else { continue };
                 let at = at + (*offset + member) as usize;
                 if let Context::Kappa | Context::KappaDetail = context {
                     // As it is: whether a look stands infinite curvature, or none at all, is worth asking.
-                    bytes[at..at + 4].copy_from_slice(&(sample.kappa as f32).to_le_bytes());
+                    packed.bytes[at..at + 4].copy_from_slice(&(sample.kappa as f32).to_le_bytes());
+                    packed.numbers.push(sample.kappa);
                 } else {
-                    layout.write(&surface.value(*context), at, bytes);
+                    let value = surface.value(*context);
+                    layout.write(&value, at, &mut packed.bytes);
+                    push_numbers(&value, &mut packed.numbers);
                 }
             }
         }
@@ -266,7 +271,10 @@ impl<'a> Packer<'a> {
             frame: (sample.time * 24.0).round(),
             object_id: 0.0,
         };
-        self.shader.host.write(&inputs, at + self.look_at as usize, bytes)
+        self.shader.host.write(&inputs, at + self.look_at as usize, packed)?;
+        // The struct's padding.
+        packed.numbers.extend([0.0; 4]);
+        Ok(())
     }
 }
 

@@ -18,10 +18,12 @@
 
 mod clip;
 mod coverage;
+mod eval;
 mod executor;
 mod fullscreen;
 mod geometry;
 mod interpolate;
+mod modules;
 mod options;
 mod picture;
 mod pool;
@@ -31,10 +33,13 @@ mod shade;
 mod shader;
 mod texels;
 mod tile;
+mod uniform;
 
+pub use eval::evaluate;
 pub use executor::{PassImages, Shaders, SurfaceImages, execute};
 pub use fullscreen::shade_all;
 pub use geometry::Triangles;
+pub use modules::Modules;
 pub use options::{Control, Options, Snap};
 pub use picture::ReferencePicture;
 pub use raster::{MAX_SAMPLES, Raster, rasterise};

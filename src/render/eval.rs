@@ -22,13 +22,15 @@ impl Renderer {
     pub async fn evaluate(&mut self, batch: &EvalBatch) -> Result<Vec<[f32; 4]>, RenderError> {
         let count = batch.indices.len();
         let mut values = Vec::with_capacity(count);
-        let stride = batch.bytes.len().checked_div(count).unwrap_or(0);
+        let stride = batch.samples.bytes.len().checked_div(count).unwrap_or(0);
         // A storage binding has a limit too.
         let fitting = self.gpu.device.limits().max_storage_buffer_binding_size as usize / stride.max(1);
         let per_run = SAMPLES_PER_RUN.min(fitting).max(1);
         for first in (0..count).step_by(per_run) {
             let last = (first + per_run).min(count);
-            values.extend(self.evaluate_run(batch, &batch.bytes[first * stride..last * stride], last - first).await?);
+            values.extend(
+                self.evaluate_run(batch, &batch.samples.bytes[first * stride..last * stride], last - first).await?,
+            );
         }
         Ok(values)
     }

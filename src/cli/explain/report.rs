@@ -125,7 +125,7 @@ impl Report {
             passes: plan.passes.clone(),
             dropped: plan.dropped.clone(),
             view_bytes: plan.view.uniform_bytes().len(),
-            object_bytes: plan.draws.first().map_or(0, |draw| draw.object_uniform.len()),
+            object_bytes: plan.draws.first().map_or(0, |draw| draw.object_uniform.bytes.len()),
             looks: looks.into_iter().map(|(_, look)| look).collect(),
         })
     }

@@ -54,8 +54,7 @@ impl Renderer {
     ) {
         let Some(targets) = self.targets.of(kind) else { return };
         let device = &self.gpu.device;
-        let numbers =
-            [plan.view.pixel_size() as f32, f32::from(u8::from(plan.view.is_perspective)), plan.size[1] as f32, 0.0];
+        let numbers = plan.view.curvature_numbers().map(|number| number as f32);
         let uniform = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
             label: Some("curvature"),
             contents: bytemuck::cast_slice(&numbers),

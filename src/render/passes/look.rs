@@ -89,8 +89,9 @@ impl Renderer {
         let sides = Sides { both: draw.two_sided, is_mirrored: draw.is_mirrored };
         let pipeline = self.pipelines.get(&self.gpu, shader, samples, sides);
         self.meshes.prepare(&self.gpu, &draw.mesh, &pipeline.attributes);
-        let object = self.uniform(&draw.object_uniform);
-        let look = draw.look_uniforms.get(&stage).filter(|bytes| !bytes.is_empty()).map(|bytes| self.uniform(bytes));
+        let object = self.uniform(&draw.object_uniform.bytes);
+        let look = draw.look_uniforms.get(&stage).map(|uniform| &uniform.bytes);
+        let look = look.filter(|bytes| !bytes.is_empty()).map(|bytes| self.uniform(bytes));
         let images = self.images.of(&self.gpu, &draw.images, &shader.needs.images)?;
         let curvature = |kind: PassKind| self.targets.of(&kind).map(|targets| &targets.curvature);
         let mut entries = Vec::new();

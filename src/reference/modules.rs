@@ -1,0 +1,352 @@
+//! Generated modules as shaders of the rasteriser: their stages run by the interpreter, with what a plan binds to them.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use super::executor::{PassImages, Shaders, SurfaceImages};
+use super::shader::{FragmentStage, Interpolation, LANES, QuadBatch, Shaded, Shader, Varying, VertexStage};
+use super::texels::Texels;
+use super::uniform;
+use crate::diag::Diagnostic;
+use crate::frame::{Attribute, BindingKind, CompiledShader, Draw, FramePlan, Image, ImageUse, PassKind, Stage};
+use crate::geometry::Mesh;
+use crate::interp::{
+    self, Address, Bindings, Bound, Filter, Lanes, Level, Port, Precision, Program, ResourceKind, Sampler, Texture,
+    TextureDimension,
+};
+use crate::wgsl::{self, PASSES, Valid};
+
+/// Both stages of a module.
+#[derive(Debug)]
+struct Stages {
+    vertex: Program,
+    fragment: Program,
+}
+
+impl Stages {
+    fn compile(valid: &Valid, source: &str) -> Result<Self, Diagnostic> {
+        let options = interp::Options::stage(source);
+        let stage = |name| Program::compile(&valid.module, name, options);
+        Ok(Self { vertex: stage("vs_main")?, fragment: stage("fs_main")? })
+    }
+}
+
+/// Every module of a plan, ready to run.
+#[derive(Debug)]
+pub struct Modules {
+    precision: Precision,
+    looks: HashMap<*const CompiledShader, Stages>,
+    curvature: Option<Stages>,
+    images: HashMap<(u64, bool), Texture>,
+}
+
+impl Modules {
+    /// Compiles what `plan` runs.
+    ///
+    /// # Errors
+    /// What the interpreter cannot run, with its place in the source.
+    pub fn new(plan: &FramePlan, precision: Precision) -> Result<Self, Diagnostic> {
+        let mut modules = Self { precision, looks: HashMap::new(), curvature: None, images: HashMap::new() };
+        for draw in &plan.draws {
+            for shader in std::iter::once(&draw.look).chain(draw.normals.values()) {
+                modules.add(shader)?;
+            }
+            for (image, used) in draw.images.iter().zip(&draw.look.needs.images) {
+                let key = (image.hash, used.is_decoded);
+                if !modules.images.contains_key(&key) {
+                    modules.images.insert(key, texture_of(image, used.is_decoded)?);
+                }
+            }
+        }
+        if plan.passes.iter().any(|pass| matches!(pass.kind, PassKind::Curvature | PassKind::DetailCurvature)) {
+            modules.curvature = Some(curvature()?);
+        }
+        Ok(modules)
+    }
+
+    fn add(&mut self, shader: &Arc<CompiledShader>) -> Result<(), Diagnostic> {
+        let key = Arc::as_ptr(shader);
+        if !self.looks.contains_key(&key) {
+            self.looks.insert(key, Stages::compile(&shader.valid, &shader.wgsl)?);
+        }
+        Ok(())
+    }
+
+    fn stages(&self, shader: &Arc<CompiledShader>) -> Result<&Stages, Diagnostic> {
+        self.looks.get(&Arc::as_ptr(shader)).ok_or_else(|| missing("a module of another plan"))
+    }
+}
+
+#[cold]
+fn missing(what: &str) -> Diagnostic {
+    Diagnostic::error("reference-plan", format!("the plan lacks {what}"))
+}
+
+fn curvature() -> Result<Stages, Diagnostic> {
+    let source = PASSES.iter().find(|(path, _)| path.ends_with("/curvature.wgsl")).map_or("", |(_, text)| text);
+    let refused = |error: wgsl::WgslError| Diagnostic::error("invalid-wgsl", error.message);
+    Stages::compile(&wgsl::parse(source).map_err(refused)?, source)
+}
+
+impl Shaders for Modules {
+    fn draw<'a>(
+        &'a self,
+        plan: &'a FramePlan,
+        draw: &'a Draw,
+        kind: &PassKind,
+        images: &'a PassImages,
+    ) -> Result<Box<dyn Shader + 'a>, Diagnostic> {
+        let (shader, stage) = match kind {
+            PassKind::Normals => (draw.normals.get(kind), Stage::Normals),
+            PassKind::DetailNormals => (draw.normals.get(kind), Stage::DetailNormals),
+            _ => (Some(&draw.look), Stage::Draw),
+        };
+        let shader = shader.ok_or_else(|| missing("the normals of a draw"))?;
+        let stages = self.stages(shader)?;
+        let mut bindings = Bindings::new();
+        for binding in &shader.bindings {
+            let at = binding.binding;
+            match &binding.kind {
+                BindingKind::View => buffer(&mut bindings, stages, at, &plan.view.uniform_numbers()),
+                BindingKind::Object => buffer(&mut bindings, stages, at, &draw.object_uniform.numbers),
+                BindingKind::Look => {
+                    let numbers = draw.look_uniforms.get(&stage).map(|uniform| uniform.numbers.as_slice());
+                    buffer(&mut bindings, stages, at, numbers.unwrap_or_default());
+                }
+                BindingKind::Image(index) => {
+                    let key = draw.images.get(*index).zip(shader.needs.images.get(*index));
+                    let texture = key.and_then(|(image, used)| self.images.get(&(image.hash, used.is_decoded)));
+                    bindings.texture(0, at, texture.ok_or_else(|| missing("an image"))?.clone());
+                }
+                BindingKind::Sampler(index) => {
+                    let used = shader.needs.images.get(*index).ok_or_else(|| missing("an image"))?;
+                    bindings.sampler(0, at, sampler_of(used));
+                }
+                BindingKind::Curvature => drop(bindings.texture(0, at, map(&images.surface, plan.size)?)),
+                BindingKind::CurvatureDetail => drop(bindings.texture(0, at, map(&images.detail, plan.size)?)),
+                BindingKind::Samples => {}
+            }
+        }
+        Ok(Box::new(Bindable::new(stages, &bindings, self.precision, Some(&draw.mesh))?))
+    }
+
+    fn curvature<'a>(
+        &'a self,
+        plan: &'a FramePlan,
+        normals: &'a Texels,
+        depths: &'a Texels,
+    ) -> Result<Box<dyn Shader + 'a>, Diagnostic> {
+        let stages = self.curvature.as_ref().ok_or_else(|| missing("the curvature pass"))?;
+        let mut bindings = Bindings::new();
+        bindings.texture(0, 0, texture(normals)?);
+        bindings.texture(0, 1, texture(depths)?);
+        let numbers = plan.view.curvature_numbers();
+        buffer(&mut bindings, stages, 2, &numbers);
+        Ok(Box::new(Bindable::new(stages, &bindings, self.precision, None)?))
+    }
+}
+
+/// Binds a buffer in the shape that either stage asks for.
+fn buffer(bindings: &mut Bindings, stages: &Stages, binding: u32, numbers: &[f64]) {
+    let resources = stages.vertex.resources().iter().chain(stages.fragment.resources());
+    for resource in resources.filter(|resource| (resource.group, resource.binding) == (0, binding)) {
+        if let ResourceKind::Buffer(shape) = &resource.kind {
+            bindings.buffer(0, binding, uniform::value(shape, &mut numbers.iter().copied()));
+        }
+    }
+}
+
+/// The curvature that a look reads; where no pass made any, everything is flat.
+fn map(images: &SurfaceImages, size: [u32; 2]) -> Result<Texture, Diagnostic> {
+    match &images.curvature {
+        Some(curvature) => texture(curvature),
+        None => texture(&Texels::new(size, 1)),
+    }
+}
+
+fn texture(texels: &Texels) -> Result<Texture, Diagnostic> {
+    let pixels = texels.values.chunks_exact(texels.channels.max(1)).map(|pixel| {
+        let channel = |index: usize| pixel.get(index).copied().unwrap_or(if index == 3 { 1.0 } else { 0.0 });
+        [channel(0), channel(1), channel(2), channel(3)]
+    });
+    Texture::new(TextureDimension::D2, vec![Level::f64([texels.size[0], texels.size[1], 1], pixels.collect())])
+}
+
+/// An image as the GPU samples it: colours decoded before they are filtered, where the look asks for that.
+pub(super) fn texture_of(image: &Image, is_decoded: bool) -> Result<Texture, Diagnostic> {
+    let color = |byte: u8| {
+        let encoded = f64::from(byte) / 255.0;
+        if is_decoded { crate::document::srgb_to_linear(encoded) } else { encoded }
+    };
+    let texels = image
+        .rgba
+        .chunks_exact(4)
+        .map(|texel| [color(texel[0]), color(texel[1]), color(texel[2]), f64::from(texel[3]) / 255.0]);
+    Texture::new(TextureDimension::D2, vec![Level::f64([image.size[0], image.size[1], 1], texels.collect())])
+}
+
+pub(super) fn sampler_of(used: &ImageUse) -> Sampler {
+    let address = match used.wrap.as_str() {
+        "clamp" => Address::ClampToEdge,
+        "mirror" => Address::MirrorRepeat,
+        _ => Address::Repeat,
+    };
+    Sampler::new(address, if used.filter == "nearest" { Filter::Nearest } else { Filter::Linear })
+}
+
+/// A module with everything bound.
+struct Bindable<'a> {
+    vertex: Bound<'a>,
+    fragment: Bound<'a>,
+    varyings: Vec<Varying>,
+    mesh: Option<&'a Mesh>,
+}
+
+impl<'a> Bindable<'a> {
+    fn new(
+        stages: &'a Stages,
+        bindings: &Bindings,
+        precision: Precision,
+        mesh: Option<&'a Arc<Mesh>>,
+    ) -> Result<Self, Diagnostic> {
+        let bind = |program: &'a Program| program.bind(bindings, precision).map_err(first);
+        let locations = by_location(stages.vertex.outputs());
+        let varyings =
+            locations.iter().map(|port| Varying { components: port.size, interpolation: interpolation(port) });
+        Ok(Self {
+            vertex: bind(&stages.vertex)?,
+            fragment: bind(&stages.fragment)?,
+            varyings: varyings.collect(),
+            mesh: mesh.map(Arc::as_ref),
+        })
+    }
+}
+
+#[cold]
+fn first(problems: Vec<Diagnostic>) -> Diagnostic {
+    problems.into_iter().next().unwrap_or_else(|| missing("what a module reads"))
+}
+
+fn by_location(ports: &[Port]) -> Vec<&Port> {
+    let mut ports: Vec<&Port> = ports.iter().filter(|port| port.location().is_some()).collect();
+    ports.sort_by_key(|port| port.location());
+    ports
+}
+
+fn interpolation(port: &Port) -> Interpolation {
+    match &port.binding {
+        Some(naga::Binding::Location { interpolation: Some(naga::Interpolation::Flat), .. }) => Interpolation::Flat,
+        _ => Interpolation::Perspective,
+    }
+}
+
+impl Shader for Bindable<'_> {
+    fn varyings(&self) -> &[Varying] {
+        &self.varyings
+    }
+
+    fn vertices(&self) -> Box<dyn VertexStage + '_> {
+        Box::new(Vertices { shader: self, lanes: None })
+    }
+
+    fn fragments(&self) -> Box<dyn FragmentStage + '_> {
+        Box::new(Fragments { shader: self, lanes: None })
+    }
+}
+
+struct Vertices<'a> {
+    shader: &'a Bindable<'a>,
+    lanes: Option<Lanes<'a>>,
+}
+
+impl VertexStage for Vertices<'_> {
+    fn shade(&mut self, vertices: &[u32], out: &mut [f64]) -> Result<(), Diagnostic> {
+        let program = self.shader.vertex.program();
+        let Some(mesh) = self.shader.mesh else { return Ok(()) };
+        let lanes = match &mut self.lanes {
+            Some(lanes) => lanes,
+            none => none.insert(self.shader.vertex.lanes()?),
+        };
+        let clip = program.outputs().iter().find(|port| matches!(port.builtin(), Some(naga::BuiltIn::Position { .. })));
+        let clip = clip.ok_or_else(|| missing("the position of a vertex"))?;
+        let written: Vec<&Port> = std::iter::once(clip).chain(by_location(program.outputs())).collect();
+        let stride: usize = written.iter().map(|port| port.size).sum();
+        let mut row = [0.0; LANES];
+        for (chunk, out) in vertices.chunks(LANES).zip(out.chunks_mut(LANES * stride)) {
+            for port in program.inputs() {
+                for component in 0..port.size {
+                    for (cell, &vertex) in row.iter_mut().zip(chunk) {
+                        *cell = attribute(mesh, port.location(), vertex as usize, component);
+                    }
+                    lanes.write(port, component, &row[..chunk.len()]);
+                }
+            }
+            lanes.run(chunk.len())?;
+            let components = written.iter().flat_map(|port| (0..port.size).map(move |component| (*port, component)));
+            for (place, (port, component)) in components.enumerate() {
+                lanes.read(port, component, &mut row[..chunk.len()]);
+                for (vertex, number) in row[..chunk.len()].iter().enumerate() {
+                    out[vertex * stride + place] = *number;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A component of a vertex's attribute, as it lies in the mesh.
+fn attribute(mesh: &Mesh, location: Option<u32>, vertex: usize, component: usize) -> f64 {
+    let Some(attribute) = location.and_then(|at| Attribute::ALL.get(at as usize)) else { return 0.0 };
+    let component_of = |numbers: Option<&[f32]>| numbers.and_then(|n| n.get(component)).copied().map_or(0.0, f64::from);
+    component_of(match attribute {
+        Attribute::Position => mesh.positions.get(vertex).map(|v| v.as_slice()),
+        Attribute::Normal => mesh.normals.get(vertex).map(|v| v.as_slice()),
+        Attribute::Tangent => mesh.tangents.get(vertex).map(|v| v.as_slice()),
+        Attribute::Uv => mesh.uvs.get(vertex).map(|v| v.as_slice()),
+        Attribute::Color => mesh.colors.get(vertex).map(|v| v.as_slice()),
+    })
+}
+
+struct Fragments<'a> {
+    shader: &'a Bindable<'a>,
+    lanes: Option<Lanes<'a>>,
+}
+
+impl FragmentStage for Fragments<'_> {
+    fn shade(&mut self, batch: &QuadBatch, out: &mut Shaded) -> Result<(), Diagnostic> {
+        let program = self.shader.fragment.program();
+        let lanes = match &mut self.lanes {
+            Some(lanes) => lanes,
+            none => none.insert(self.shader.fragment.lanes()?),
+        };
+        let count = batch.lanes();
+        let front: [f64; LANES] = std::array::from_fn(|lane| f64::from(u8::from(batch.front() >> lane & 1 == 1)));
+        let starts = first_components(&self.shader.varyings);
+        for port in program.inputs() {
+            let start = port.location().and_then(|location| starts.get(location as usize));
+            for component in 0..port.size {
+                let row = match (port.builtin(), start) {
+                    (Some(naga::BuiltIn::Position { .. }), _) => batch.position(component),
+                    (Some(naga::BuiltIn::FrontFacing), _) => &front[..],
+                    (_, Some(start)) => batch.varying(start + component),
+                    _ => return Err(missing("what a fragment reads")),
+                };
+                lanes.write(port, component, &row[..count]);
+            }
+        }
+        let ran = lanes.run(count)?;
+        out.discarded |= ran.discarded;
+        let components = by_location(program.outputs());
+        let components = components.into_iter().flat_map(|port| (0..port.size).map(move |component| (port, component)));
+        for (channel, (port, component)) in components.enumerate().take(out.channels()) {
+            lanes.read(port, component, &mut out.channel_mut(channel)[..count]);
+        }
+        Ok(())
+    }
+}
+
+/// Where each varying begins among the numbers of all.
+fn first_components(varyings: &[Varying]) -> Vec<usize> {
+    let begin = |at: &mut usize, varying: &Varying| Some(std::mem::replace(at, *at + varying.components));
+    varyings.iter().scan(0, begin).collect()
+}
