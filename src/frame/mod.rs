@@ -7,6 +7,7 @@
 mod assets;
 mod camera;
 mod keys;
+mod picture;
 mod plan;
 mod samples;
 mod setup;
@@ -17,6 +18,7 @@ pub use crate::compile::{Attribute, BindingKind, CompiledShader, ImageUse, SAMPL
 pub use assets::{Assets, Image, MAX_IMAGE_SIDE, SHAPE_PREFIX};
 pub use camera::View;
 pub use keys::{Moment, ObjectValues, ParamTable, Rig, set_light_field, structural_look};
+pub use picture::Picture;
 pub use plan::{Draw, Dropped, FramePlan, LookShaders, Pass, PassKind, PlanOptions, Planner};
 pub use samples::{EvalBatch, EvalSample, LightOverride, eval_batches};
 pub use setup::{

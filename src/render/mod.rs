@@ -19,9 +19,10 @@ use std::collections::HashMap;
 
 use crate::frame::{FramePlan, PassKind};
 
+pub use crate::frame::Picture;
+
 pub use error::RenderError;
 pub use gpu::{Gpu, block_on};
-pub use readback::Picture;
 pub use timer::PassTime;
 
 /// Runs frame plans.
