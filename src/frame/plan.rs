@@ -416,7 +416,8 @@ fn current_params(look: &Look, params: &[Param]) -> Vec<Param> {
         .iter()
         .map(|param| {
             let now = look.find(&param.path).and_then(|inner| inner.node.values.get(&param.port).cloned());
-            Param { value: now.or_else(|| param.default.clone()), ..param.clone() }
+            let value = now.or_else(|| param.default.clone()).map(|value| value.in_space(look.color_space));
+            Param { value, ..param.clone() }
         })
         .collect()
 }
