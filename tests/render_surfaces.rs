@@ -543,6 +543,23 @@ fn a_mirrored_object_gives_the_mirrored_picture() {
     assert!(differs > 500, "{differs}");
 }
 
+/// The tangent frame is mirrored with its object: a normal map leans the same way along u and along v.
+#[test]
+fn normal_maps_are_mirrored_with_their_objects() {
+    for color in [[0.5, 0.85, 0.8, 1.0], [0.8, 0.5, 0.85, 1.0]] {
+        let mut look = lit_look();
+        let nodes = look["nodes"].as_array_mut().unwrap();
+        nodes.push(json!({"id": "map", "kind": "normal_map", "values": {"color": color}}));
+        let wire = json!({"from": "map", "to": "body.normal"});
+        look["wires"].as_array_mut().unwrap().push(wire);
+        let folder = tent_folder(&look);
+        for mirror in &MIRRORS {
+            let (straight, mirrored) = mirrored_pair(&folder, "tent.obj", mirror);
+            assert_mirrored(&straight, &mirrored, mirror.flips);
+        }
+    }
+}
+
 /// A square that is seen from its front alone is there from the front and gone from behind, mirrored or not.
 #[test]
 fn one_sided_fronts_stay_fronts() {

@@ -285,10 +285,12 @@ impl Emitter<'_> {
                     "vertex.position",
                 )),
                 Attribute::Normal => Some(("normal", "vec3f", "object.world_from_normal * vertex.normal")),
+                // An object that is mirrored has its bitangents on the other side of normal and tangent.
                 Attribute::Tangent => Some((
                     "tangent",
                     "vec4f",
-                    "vec4f((object.world_from_object * vec4f(vertex.tangent.xyz, 0.0)).xyz, vertex.tangent.w)",
+                    "vec4f((object.world_from_object * vec4f(vertex.tangent.xyz, 0.0)).xyz, \
+                     select(vertex.tangent.w, -vertex.tangent.w, determinant(object.world_from_normal) < 0.0))",
                 )),
                 Attribute::Uv => Some(("uv", "vec2f", "vertex.uv")),
                 Attribute::Color => Some(("color", "vec4f", "vertex.color")),
