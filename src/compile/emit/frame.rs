@@ -349,7 +349,16 @@ impl Emitter<'_> {
         } else {
             let pixel = shown(&self.special.values[self.special.root].ty, value);
             let pixel = if self.encodes() { format!("display_from_linear({pixel})") } else { pixel };
-            writeln!(self.out, "    return {pixel};\n}}")
+            if self.special.cutoff.is_some() && self.options.cutout {
+                // A material with a mask is opaque wherever it is not cut out (glTF 2.0, 3.9.4).
+                writeln!(
+                    self.out,
+                    "    let pixel = {pixel};\n    \
+                     return vec4f(pixel.xyz, select(pixel.w, 1.0, object.cutoff > 0.0));\n}}"
+                )
+            } else {
+                writeln!(self.out, "    return {pixel};\n}}")
+            }
         };
     }
 
