@@ -51,6 +51,10 @@ impl Folder {
 
     /// Draws a scene of these objects, seen along -z without perspective; `change` has the last word on the scene.
     fn draw_with(&self, objects: &Json, change: impl Fn(&mut Json)) -> Picture {
+        self.draw_live(objects, change, &Live::Keyed, 0.0)
+    }
+
+    fn draw_live(&self, objects: &Json, change: impl Fn(&mut Json), live: &Live, time: f64) -> Picture {
         let mut scene = json!({
             "objects": objects, "backdrop": BACKDROP,
             "camera": {"projection": "orthographic", "height": 2}
@@ -61,10 +65,10 @@ impl Folder {
         let (setup, odd) = open(&self.path().join("scene.json"), None, &mut assets)
             .unwrap_or_else(|problems| panic!("{}", told(&problems)));
         assert!(odd.iter().all(|problem| problem.severity == Severity::Note), "{}", told(&odd));
-        let options = PlanOptions { size: [SIDE; 2], samples: 1, time: 0.0 };
+        let options = PlanOptions { size: [SIDE; 2], samples: 1, time };
         let mut planner = Planner::new(assets);
         let plan = planner
-            .plan(&setup, Library::built_in(), &Live::Keyed, &options)
+            .plan(&setup, Library::built_in(), live, &options)
             .unwrap_or_else(|problems| panic!("{}", told(&problems)));
         assert!(planner.warnings.is_empty(), "{}", told(&planner.warnings));
         block_on(renderer().picture(&plan)).unwrap_or_else(|error| panic!("{error}"))
@@ -243,7 +247,9 @@ fn the_greater_of_both_cutoffs_counts_and_alpha_equal_to_it_is_drawn() {
         for (x, y, found) in pixels(&picture) {
             assert_eq!(found[3] > 0.0, is_drawn, "{own} {material} at {x}, {y}");
             if is_drawn {
-                assert_near([found[0], found[1], found[2], 1.0], [1.0, 0.5, 0.0, 1.0], NEAR, (x, y));
+                // A mask of the material leaves nothing half transparent; a look's own cutoff leaves alpha as it is.
+                let is_masked = material["alphaCutoff"].as_f64().is_some_and(|cutoff| cutoff > 0.0);
+                assert_near(found, [1.0, 0.5, 0.0, if is_masked { 1.0 } else { 0.5 }], NEAR, (x, y));
             }
         }
     }
@@ -410,6 +416,51 @@ fn vertex_colours_and_backdrops_are_display_colours_in_linear_looks_too() {
     }
 }
 
+/// However a `#rrggbb` comes into a look, it is as shown: a surface of nothing else shows it, in every colour space.
+#[test]
+fn hex_colours_are_as_shown_in_every_colour_space() {
+    let folder = Folder::new();
+    write_square(&folder, "card.gltf", &json!({"doubleSided": true}));
+    let key = |hex: &str| json!({"direction": [0, 0, 1], "values": {"paint.color": hex}});
+    let (orange, blue) = ("#ff8040", "#204080");
+    let shown = |hex: &str| {
+        let byte = |at: usize| f32::from(u8::from_str_radix(&hex[at..at + 2], 16).unwrap()) / 255.0;
+        [byte(1), byte(3), byte(5), 1.0]
+    };
+    for space in ["linear", "display"] {
+        for live in [Live::Keyed, Live::Exposed, Live::All] {
+            let picture = |more: &Json, values: &Json, time: f64| {
+                let mut look = flat_look([0.0; 4]);
+                look["color_space"] = json!(space);
+                look["nodes"][0]["values"] = json!({"color": orange});
+                look.as_object_mut().unwrap().extend(more.as_object().unwrap().clone());
+                folder.json("paint.json", &look);
+                let mut card = object("card.gltf", "paint.json");
+                card["values"] = values.clone();
+                folder.draw_live(&json!([card]), |_| (), &live, time).pixel(20, 30)
+            };
+            let near = |found, hex: &str| assert_near(found, shown(hex), NEAR, (20, 30));
+            near(picture(&json!({}), &json!({}), 0.0), orange);
+            let exposed = json!({"exposed": [{"name": "ink", "target": "paint.color"}]});
+            near(picture(&exposed, &json!({}), 0.0), orange);
+            near(picture(&exposed, &json!({"ink": blue}), 0.0), blue);
+            let by_view = json!({"direction_keys": [{"by": "view", "keys": [key(blue)]}]});
+            near(picture(&by_view, &json!({}), 0.0), blue);
+            let timed = json!({"time_keys": [{"target": "paint.color", "keys": [
+                {"time": 0, "value": orange}, {"time": 2, "value": blue}]}]});
+            near(picture(&timed, &json!({}), 0.0), orange);
+            near(picture(&timed, &json!({}), 2.0), blue);
+            // Half-way between the two in the look's own colours.
+            let half = picture(&timed, &json!({}), 1.0);
+            for channel in 0..3 {
+                let [a, b] = [orange, blue].map(|hex| f64::from(shown(hex)[channel]));
+                let expected = if space == "linear" { encoded(0.5 * (decoded(a) + decoded(b))) } else { 0.5 * (a + b) };
+                assert!((f64::from(half[channel]) - expected).abs() < f64::from(NEAR), "{half:?} {expected}");
+            }
+        }
+    }
+}
+
 // --- Mirrored objects
 
 /// A crooked tent without symmetry, open below, with UVs; its edges pass through no middle of a pixel.
@@ -492,6 +543,23 @@ fn a_mirrored_object_gives_the_mirrored_picture() {
     let (straight, mirrored) = mirrored_pair(&folder, "tent.obj", &MIRRORS[0]);
     let differs = pixels(&straight).filter(|&(x, y, pixel)| pixel != mirrored.pixel(x, y)).count();
     assert!(differs > 500, "{differs}");
+}
+
+/// The tangent frame is mirrored with its object: a normal map leans the same way along u and along v.
+#[test]
+fn normal_maps_are_mirrored_with_their_objects() {
+    for color in [[0.5, 0.85, 0.8, 1.0], [0.8, 0.5, 0.85, 1.0]] {
+        let mut look = lit_look();
+        let nodes = look["nodes"].as_array_mut().unwrap();
+        nodes.push(json!({"id": "map", "kind": "normal_map", "values": {"color": color}}));
+        let wire = json!({"from": "map", "to": "body.normal"});
+        look["wires"].as_array_mut().unwrap().push(wire);
+        let folder = tent_folder(&look);
+        for mirror in &MIRRORS {
+            let (straight, mirrored) = mirrored_pair(&folder, "tent.obj", mirror);
+            assert_mirrored(&straight, &mirrored, mirror.flips);
+        }
+    }
 }
 
 /// A square that is seen from its front alone is there from the front and gone from behind, mirrored or not.

@@ -644,6 +644,10 @@ impl<'a> Typer<'a> {
         let input = &flat.def.inputs[index];
         let explicit = self.flat.params[param].value.as_ref();
         let value = match (explicit, &input.fallback) {
+            // A hex colour is as shown, whatever the numbers of the look's other colours mean.
+            (Some(value), _) if matches!(ty, Type::Color | Type::Composite) => {
+                value.clone().in_space(self.look.color_space)
+            }
             (Some(value), _) => value.clone(),
             (None, Fallback::Value(value)) => value.clone(),
             (None, Fallback::Context(context)) => {

@@ -44,6 +44,17 @@ impl Value {
         let [r, g, b, a] = color;
         Some(if is_encoded { [srgb_to_linear(r), srgb_to_linear(g), srgb_to_linear(b), a] } else { color })
     }
+
+    /// The value with its `#rrggbb` as numbers in linear light, where the look is linear; else as it is.
+    #[must_use]
+    pub fn in_space(self, space: ColorSpace) -> Self {
+        match (&self, space) {
+            (Self::Text(_), ColorSpace::Linear) => {
+                self.color_in(space).map_or(self, |color| Self::Vector(color.to_vec()))
+            }
+            _ => self,
+        }
+    }
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ use crate::compile::{LightValues, Param, ParamId};
 use crate::diag::Diagnostic;
 use crate::directions::{KeyWeights, blend_direction, blend_number};
 use crate::document::{
-    DirectionKeys, Interpolation, KeyDirection, Light, Look, Target, TimeKey, TimeKeys, Value, Values,
+    ColorSpace, DirectionKeys, Interpolation, KeyDirection, Light, Look, Target, TimeKey, TimeKeys, Value, Values,
 };
 use crate::ids::{LightId, NodePath, PortName};
 
@@ -52,6 +52,7 @@ pub struct Rig {
     exposed: Vec<(PortName, Target)>,
     time: Vec<TimeKeys>,
     directions: Vec<(DirectionKeys, KeyWeights)>,
+    space: ColorSpace,
 }
 
 impl Rig {
@@ -69,7 +70,12 @@ impl Rig {
             directions.push((keys.clone(), weights));
         }
         let exposed = look.exposed.iter().map(|exposed| (exposed.name.clone(), exposed.target.clone())).collect();
-        (Self { lights: look.lights.clone(), exposed, time: look.time_keys.clone(), directions }, problems)
+        let (lights, mut time, space) = (look.lights.clone(), look.time_keys.clone(), look.color_space);
+        let in_space = |value: &mut Value| *value = std::mem::replace(value, Value::Bool(false)).in_space(space);
+        time.iter_mut().flat_map(|track| &mut track.keys).for_each(|key| in_space(&mut key.value));
+        let keys = directions.iter_mut().flat_map(|(keys, _): &mut (DirectionKeys, _)| &mut keys.keys);
+        keys.flat_map(|key| key.values.values_mut()).for_each(in_space);
+        (Self { lights, exposed, time, directions, space }, problems)
     }
 
     /// The values at a moment. `base` gives what an input has without keys.
@@ -77,7 +83,7 @@ impl Rig {
         let mut values: HashMap<Target, Value> = HashMap::new();
         for (name, target) in &self.exposed {
             if let Some(value) = moment.exposed.get(name) {
-                values.insert(target.clone(), value.clone());
+                values.insert(target.clone(), value.clone().in_space(self.space));
             }
         }
         for track in &self.time {
@@ -94,7 +100,8 @@ impl Rig {
         set_lights(&mut lights, &values);
         for (keys, weights) in &self.directions {
             let direction = self.direction(&keys.by, &lights, moment);
-            blend_keys(keys, &weights.weights(direction), params, table, &lights, &mut values);
+            let base = |target: &Target| base_value(target, params, table, &lights).map(|v| v.in_space(self.space));
+            blend_keys(keys, &weights.weights(direction), &base, &mut values);
         }
         set_lights(&mut lights, &values);
         let resolve = |light: &Light| LightValues::new(light, moment.illumination, moment.camera_from_world);
@@ -216,24 +223,29 @@ fn numbers_of(value: &Value) -> Option<Vec<f64>> {
     }
 }
 
-/// Lays the keyed values under `weights` into `values`.
-fn blend_keys(
-    keys: &DirectionKeys,
-    weights: &[f64],
+/// What a target has without keys.
+fn base_value(
+    target: &Target,
     params: &[Param],
     table: &ParamTable,
     lights: &IndexMap<LightId, Light>,
+) -> Option<Value> {
+    match target {
+        Target::Input { node, port } => table.find(node, port).and_then(|id| params[id].value.clone()),
+        Target::Light { light, field } => light_field(lights.get(light)?, field),
+    }
+}
+
+/// Lays the keyed values under `weights` into `values`; `base` gives what a target has without keys.
+fn blend_keys(
+    keys: &DirectionKeys,
+    weights: &[f64],
+    base: &dyn Fn(&Target) -> Option<Value>,
     values: &mut HashMap<Target, Value>,
 ) {
     if weights.iter().all(|w| *w == 0.0) {
         return;
     }
-    let base = |target: &Target| -> Option<Value> {
-        match target {
-            Target::Input { node, port } => table.find(node, port).and_then(|id| params[id].value.clone()),
-            Target::Light { light, field } => light_field(lights.get(light)?, field),
-        }
-    };
     let own: HashMap<Target, Value> = keys
         .keys
         .iter()

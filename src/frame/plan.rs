@@ -439,7 +439,8 @@ fn current_params(look: &Look, params: &[Param]) -> Vec<Param> {
         .iter()
         .map(|param| {
             let now = look.find(&param.path).and_then(|inner| inner.node.values.get(&param.port).cloned());
-            let value = now.or_else(|| param.default.clone()).or_else(|| param.value.clone());
+            let value = now.or_else(|| param.default.clone()).map(|value| value.in_space(look.color_space));
+            let value = value.or_else(|| param.value.clone());
             Param { value, ..param.clone() }
         })
         .collect()

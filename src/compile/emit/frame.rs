@@ -285,10 +285,12 @@ impl Emitter<'_> {
                     "vertex.position",
                 )),
                 Attribute::Normal => Some(("normal", "vec3f", "object.world_from_normal * vertex.normal")),
+                // An object that is mirrored has its bitangents on the other side of normal and tangent.
                 Attribute::Tangent => Some((
                     "tangent",
                     "vec4f",
-                    "vec4f((object.world_from_object * vec4f(vertex.tangent.xyz, 0.0)).xyz, vertex.tangent.w)",
+                    "vec4f((object.world_from_object * vec4f(vertex.tangent.xyz, 0.0)).xyz, \
+                     select(vertex.tangent.w, -vertex.tangent.w, determinant(object.world_from_normal) < 0.0))",
                 )),
                 Attribute::Uv => Some(("uv", "vec2f", "vertex.uv")),
                 Attribute::Color => Some(("color", "vec4f", "vertex.color")),
@@ -347,7 +349,16 @@ impl Emitter<'_> {
         } else {
             let pixel = shown(&self.special.values[self.special.root].ty, value);
             let pixel = if self.encodes() { format!("display_from_linear({pixel})") } else { pixel };
-            writeln!(self.out, "    return {pixel};\n}}")
+            if self.special.cutoff.is_some() && self.options.cutout {
+                // A material with a mask is opaque wherever it is not cut out (glTF 2.0, 3.9.4).
+                writeln!(
+                    self.out,
+                    "    let pixel = {pixel};\n    \
+                     return vec4f(pixel.xyz, select(pixel.w, 1.0, object.cutoff > 0.0));\n}}"
+                )
+            } else {
+                writeln!(self.out, "    return {pixel};\n}}")
+            }
         };
     }
 
