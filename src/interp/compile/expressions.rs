@@ -10,7 +10,7 @@ use super::layout::{Problem, scalar_kind};
 use super::statements::FunctionCompiler;
 use super::unsupported::expression_name;
 use super::{Outcome, is_constant};
-use crate::interp::instruction::{Derivative, FloatUnary, Instruction, IntBinary, Slot};
+use crate::interp::instruction::{Conversion, Derivative, FloatUnary, Instruction, IntBinary, Slot};
 use crate::interp::resources::Source;
 use crate::interp::{Derivatives, ScalarKind};
 
@@ -64,7 +64,10 @@ impl<'a> FunctionCompiler<'a> {
                     .map(|component| vector.get(component.index() as usize).copied())
                     .collect()
             }
-            Expression::Load { pointer } => Some(self.load(pointer, handle)?),
+            Expression::Load { pointer } => {
+                let slots = self.load(pointer, handle)?;
+                return self.define(handle, slots);
+            }
             Expression::Unary { op, expr } => Some(self.unary(op, expr)?),
             Expression::Binary { op, left, right } => Some(self.binary(op, left, right)?),
             Expression::Select { condition, accept, reject } => Some(self.select_each(condition, accept, reject)?),
@@ -102,9 +105,18 @@ impl<'a> FunctionCompiler<'a> {
             _ => None,
         };
         match slots {
-            Some(slots) => self.define(handle, slots),
+            Some(slots) => {
+                let slots = self.rounded(handle, slots)?;
+                self.define(handle, slots)
+            }
             None => Err(self.unsupported_expression(handle)),
         }
+    }
+
+    /// What an expression has computed, as its type holds it: an f16 has less than the float that stands for it.
+    fn rounded(&mut self, handle: Handle<Expression>, slots: Vec<Slot>) -> Outcome<Vec<Slot>> {
+        let is_half = self.inner(handle).scalar() == Some(naga::Scalar::F16);
+        if is_half { self.map(&slots, |this, a| this.convert(Conversion::HalfInSingle, a)) } else { Ok(slots) }
     }
 
     /// Remembers the value of an expression.
