@@ -77,6 +77,22 @@ impl<const W: usize> Memory<W> {
         truths & mask
     }
 
+    /// Sets the slot in the lanes of the mask.
+    pub(super) fn fill(&self, slot: Slot, bits: u64, mask: Mask) {
+        for (lane, to) in self.row(slot).iter().enumerate() {
+            to.set(if mask.has(lane) { bits } else { to.get() });
+        }
+    }
+
+    /// What the slot holds in all lanes, if that is the same.
+    pub(super) fn same_in_all(&self, slot: Slot) -> Option<u64> {
+        let row = self.row(slot);
+        let first = row[0].get();
+        // No early exit, so that it is one sweep of vector code.
+        let differing = row.iter().fold(0, |differing, bits| differing | (bits.get() ^ first));
+        (differing == 0).then_some(first)
+    }
+
     fn copy(&self, to: Slot, from: Slot, mask: Mask) {
         let (to, from) = (self.row(to), self.row(from));
         if mask.is_full {

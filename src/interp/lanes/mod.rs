@@ -146,14 +146,19 @@ fn run<R: Rounding>(program: &Program, memory: &Memory<LANES>, live: u64, world:
             }
             Instruction::Switch { selector, table } => {
                 let switch = &program.switches[table as usize];
-                groups.scatter(|lane| switch.target(memory.int(selector, lane)) as usize);
+                match memory.same_in_all(selector) {
+                    Some(value) => groups.current.counter = switch.target(value as u32) as usize,
+                    None => groups.scatter(|lane| switch.target(memory.int(selector, lane)) as usize),
+                }
             }
             Instruction::Call { target, link } => {
-                let mask = Mask { lanes, is_full: false };
-                mask.lanes(LANES).for_each(|lane| memory.set(link, lane, counter as u64 + 1));
+                memory.fill(link, counter as u64 + 1, Mask { lanes, is_full: lanes == live });
                 groups.current.counter = target as usize;
             }
-            Instruction::Return { link } => groups.scatter(|lane| memory.bits(link, lane) as usize),
+            Instruction::Return { link } => match memory.same_in_all(link) {
+                Some(target) => groups.current.counter = target as usize,
+                None => groups.scatter(|lane| memory.bits(link, lane) as usize),
+            },
             Instruction::Kill => {
                 discarded |= lanes;
                 if discarded == live {
