@@ -12,7 +12,7 @@
 //! - Memory is one list of 64-bit **slots**. A slot holds one scalar: the bits of an f64, an i32 or u32 in its low 32
 //!   bits, a bool as 0 or 1, or the number of another slot (a pointer) or of a resource. Composites take a slot for each
 //!   scalar, in order, matrices by columns, without padding.
-//! - A slot is a row of as many scalars as there are lanes. What an instruction does is written once, in [`memory`] and
+//! - A slot is a row of as many scalars as there are lanes. What an instruction does is written once, in [`step`] and
 //!   [`math`], as a loop over the row, and compiled for rows of 1 and of 64: a call alone and a batch cannot disagree, and
 //!   the loop over one is no loop, so folding is as fast as with scalars.
 //! - While compiling, an expression is the list of the slots of its scalars, which need not be neighbours: `Compose`,
@@ -54,6 +54,7 @@ mod memory;
 mod port;
 mod resources;
 mod shape;
+mod step;
 mod value;
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 //! Every function that the entry function reaches is compiled once, callees first. None of this recurses: blocks,
 //! constants and the call graph are walked with explicit stacks, so no module is too deep for it.
 
+mod access;
 mod arithmetic;
 mod assembler;
 mod builtins;

@@ -4,7 +4,7 @@
 //! inner loops are plain ones over rows of floats. While all lanes stand at the same instruction nothing is masked. Where
 //! they part, [`groups`] lets the hindmost move until they meet again.
 //!
-//! The meaning of the instructions is that of [`memory::step`](super::memory), which the scalar machine shares: it is the
+//! The meaning of the instructions is that of [`step`](super::step), which the scalar machine shares: it is the
 //! same code at a width of one. Only what moves the counter is written twice, because one lane never parts.
 
 mod groups;
@@ -12,8 +12,9 @@ mod groups;
 use super::instruction::Instruction;
 use super::machine::{Endless, write_arguments};
 use super::math::{Double, Rounding, Single};
-use super::memory::{Mask, Memory, step};
+use super::memory::{Mask, Memory};
 use super::resources::{Bound, World};
+use super::step::step;
 use super::{Port, Precision, Program, Value};
 use crate::diag::Diagnostic;
 use groups::{Group, Groups};
