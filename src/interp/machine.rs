@@ -2,8 +2,9 @@
 
 use super::instruction::Instruction;
 use super::math::{Double, Rounding, Single};
-use super::memory::{ALL, Mask, Memory, step};
+use super::memory::{ALL, Mask, Memory};
 use super::resources::{Held, World};
+use super::step::step;
 use super::{Parameter, Precision, Program, Value};
 use crate::diag::Diagnostic;
 

@@ -4,32 +4,43 @@
 //! instructions over numbered slots; [`Program::call`] runs it. Whatever is decidable is decided while compiling:
 //! types, shapes, swizzles, jumps, where every value lies. At run time there is no map, no tree and no call stack.
 //!
+//! For a stage of a pipeline, [`Program::bind`] hands it uniforms, storage buffers, textures and samplers; what comes of
+//! that makes [`Machine`]s, which run one call, and [`Lanes`], which run 64 in lockstep.
+//!
 //! # Layout
 //!
 //! - Memory is one list of 64-bit **slots**. A slot holds one scalar: the bits of an f64, an i32 or u32 in its low 32
-//!   bits, a bool as 0 or 1, or the number of another slot (a pointer). Composites take a slot for each scalar, in
-//!   order, matrices by columns, without padding.
+//!   bits, a bool as 0 or 1, or the number of another slot (a pointer) or of a resource. Composites take a slot for each
+//!   scalar, in order, matrices by columns, without padding.
+//! - A slot is a row of as many scalars as there are lanes. What an instruction does is written once, in [`step`] and
+//!   [`math`], as a loop over the row, and compiled for rows of 1 and of 64: a call alone and a batch cannot disagree, and
+//!   the loop over one is no loop, so folding is as fast as with scalars.
 //! - While compiling, an expression is the list of the slots of its scalars, which need not be neighbours: `Compose`,
 //!   `Splat`, `Swizzle` and constant indices therefore cost no instruction. Only what is indexed dynamically is
-//!   gathered into neighbours first.
+//!   gathered into neighbours first. What is read of a buffer at a fixed place has a slot that is filled when the buffer
+//!   is bound, and costs no instruction either.
 //! - Slots are never shared: WGSL has no recursion, so each function's arguments, locals and temporaries have one fixed
 //!   place. A call copies arguments there and writes where to go on into the callee's *link* slot.
 //! - Callees precede their callers in the code, and every construct's code stands between its entry and its exit.
-//!   Lanes that run in lockstep can thus reconverge by always advancing those with the smallest program counter.
+//!   Lanes that run in lockstep thus reconverge by always advancing those with the smallest program counter.
+//! - A temporary is read only in the scope that computed it, by lanes that passed there. So all lanes may write it,
+//!   whoever is active: nothing is masked but copies, stores and loads.
 //!
 //! # What a number is
 //!
 //! With [`Precision::F64`] every float is an f64, and nothing is rounded to f32 but bitcasts, which go through f32's bits,
-//! and literals, which naga's WGSL front end has already rounded (and folded, in f32) before this sees them. With
+//! and literals, which naga's WGSL front end has already rounded (and folded, in f32) before this sees them; given the
+//! [`source`](Options::source), they are read again from there. With
 //! [`Precision::F32`] each float operation is computed in f64 and rounded to f32, which for `+ - * / sqrt` is exactly f32
 //! arithmetic, and for the rest the nearest f32 to a nearly exact result. Nothing flushes subnormals; infinities
 //! and NaN propagate as in IEEE 754. Functions composed of others (`dot`, `mix`, `smoothstep`, `refract`, ...) follow the
-//! formulas of the WGSL specification step by step. WGSL's own 64-bit and 16-bit numbers are not supported, but
-//! that a value of type f64 is a float like any other.
+//! formulas of the WGSL specification step by step. An f16 is a float, in f32 mode rounded to f16 by every operation; one of
+//! type f64 is a float like any other. Integers of 64 bits are not supported.
 //!
 //! Where WGSL leaves room, this does what naga's back ends do: an index out of bounds is clamped (a negative one to the
 //! last), shifts use the amount modulo 32, `x / 0` is `x` and `x % 0` is 0 for integers, conversions to integers saturate
-//! and turn NaN into 0. `pow` has the domain that WGSL gives it, `exp2(y * log2(x))`: a negative base gives NaN, as on a GPU.
+//! and turn NaN into 0; a texture load outside gives zeros, derivatives are fine unless they are asked to be coarse, and
+//! filters weigh exactly. `discard` makes a lane a helper of its quad. `pow` has the domain that WGSL gives it, `exp2(y * log2(x))`: a negative base gives NaN, as on a GPU.
 
 #![allow(clippy::result_large_err, reason = "diagnostics are large, and made only when all is lost")]
 
@@ -43,6 +54,7 @@ mod memory;
 mod port;
 mod resources;
 mod shape;
+mod step;
 mod value;
 
 #[cfg(test)]

@@ -100,7 +100,7 @@ impl<'a> FunctionCompiler<'a> {
     /// The slots of a constant whose parts are known.
     fn join(&mut self, constant: Constant, parts: &[Constant]) -> Outcome<Vec<Slot>> {
         match *self.constant_expression(constant) {
-            Expression::Literal(literal) => Ok(vec![self.literal(literal)?]),
+            Expression::Literal(literal) => Ok(vec![self.literal(literal, self.span_of(constant))?]),
             Expression::ZeroValue(ty) => {
                 let count = self.slots_of(&self.context.module.types[ty].inner, Span::UNDEFINED)?;
                 self.assembler.list(count as usize)?;
@@ -118,17 +118,21 @@ impl<'a> FunctionCompiler<'a> {
         }
     }
 
-    fn literal(&mut self, literal: Literal) -> Outcome<Slot> {
+    fn literal(&mut self, literal: Literal, span: Span) -> Outcome<Slot> {
         match literal {
-            Literal::F32(x) => self.assembler.float(f64::from(x)),
+            Literal::F32(x) => {
+                let single = f64::from(x);
+                let wide = self.context.literals.and_then(|literals| literals.wide(span, x));
+                self.assembler.wide_float(wide.unwrap_or(single), single)
+            }
             Literal::F64(x) | Literal::AbstractFloat(x) => self.assembler.float(x),
             Literal::U32(x) => self.assembler.constant(u64::from(x)),
             Literal::I32(x) => self.assembler.constant(u64::from(x as u32)),
             Literal::AbstractInt(x) => self.assembler.constant(u64::from(x as u32)),
             Literal::Bool(x) => self.assembler.constant(u64::from(x)),
-            Literal::F16(_) => Err(self.unsupported("an f16 (Literal::F16)", Span::UNDEFINED)),
+            Literal::F16(x) => self.assembler.float(x.to_f64()),
             Literal::U64(_) | Literal::I64(_) | Literal::U16(_) | Literal::I16(_) => {
-                Err(self.unsupported("an integer not of 32 bits (Literal)", Span::UNDEFINED))
+                Err(self.unsupported("an integer not of 32 bits (Literal)", span))
             }
         }
     }

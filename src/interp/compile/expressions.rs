@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use naga::{ArraySize, DerivativeAxis, DerivativeControl, Expression, Handle, MathFunction, Span, TypeInner};
+use naga::{DerivativeAxis, DerivativeControl, Expression, Handle, MathFunction, Span, TypeInner};
 
 use super::globals::no_stage;
 use super::images::SampleParts;
@@ -10,8 +10,7 @@ use super::layout::{Problem, scalar_kind};
 use super::statements::FunctionCompiler;
 use super::unsupported::expression_name;
 use super::{Outcome, is_constant};
-use crate::interp::instruction::{Derivative, FloatUnary, Instruction, IntBinary, Slot};
-use crate::interp::resources::Source;
+use crate::interp::instruction::{Conversion, Derivative, FloatUnary, Instruction, Slot};
 use crate::interp::{Derivatives, ScalarKind};
 
 /// What an expression is.
@@ -41,7 +40,7 @@ impl Place {
     }
 
     /// One that a slot holds the number of.
-    fn at(pointer: Slot) -> Self {
+    pub(super) fn at(pointer: Slot) -> Self {
         Self { buffer: None, pointer: Some(pointer), offset: 0 }
     }
 }
@@ -64,7 +63,10 @@ impl<'a> FunctionCompiler<'a> {
                     .map(|component| vector.get(component.index() as usize).copied())
                     .collect()
             }
-            Expression::Load { pointer } => Some(self.load(pointer, handle)?),
+            Expression::Load { pointer } => {
+                let slots = self.load(pointer, handle)?;
+                return self.define(handle, slots);
+            }
             Expression::Unary { op, expr } => Some(self.unary(op, expr)?),
             Expression::Binary { op, left, right } => Some(self.binary(op, left, right)?),
             Expression::Select { condition, accept, reject } => Some(self.select_each(condition, accept, reject)?),
@@ -83,7 +85,7 @@ impl<'a> FunctionCompiler<'a> {
                 level,
                 depth_ref,
                 clamp_to_edge,
-            } => Some(self.image_sample(SampleParts {
+            } => Some(self.image_sample(&SampleParts {
                 image,
                 sampler,
                 gather,
@@ -102,9 +104,18 @@ impl<'a> FunctionCompiler<'a> {
             _ => None,
         };
         match slots {
-            Some(slots) => self.define(handle, slots),
+            Some(slots) => {
+                let slots = self.rounded(handle, slots)?;
+                self.define(handle, slots)
+            }
             None => Err(self.unsupported_expression(handle)),
         }
+    }
+
+    /// What an expression has computed, as its type holds it: an f16 has less than the float that stands for it.
+    fn rounded(&mut self, handle: Handle<Expression>, slots: Vec<Slot>) -> Outcome<Vec<Slot>> {
+        let is_half = self.inner(handle).scalar() == Some(naga::Scalar::F16);
+        if is_half { self.map(&slots, |this, a| this.convert(Conversion::HalfInSingle, a)) } else { Ok(slots) }
     }
 
     /// Remembers the value of an expression.
@@ -114,7 +125,7 @@ impl<'a> FunctionCompiler<'a> {
         Ok(())
     }
 
-    fn define_place(&mut self, handle: Handle<Expression>, place: Place) -> Outcome<()> {
+    pub(super) fn define_place(&mut self, handle: Handle<Expression>, place: Place) -> Outcome<()> {
         self.operands[handle.index()] = Some(Operand::Place(place));
         Ok(())
     }
@@ -170,141 +181,6 @@ impl<'a> FunctionCompiler<'a> {
         Ok(Operand::Value((first..first + count).collect()))
     }
 
-    fn access_index(&mut self, handle: Handle<Expression>, base: Handle<Expression>, index: u32) -> Outcome<()> {
-        let composite = self.pointee(base);
-        if is_unsized(composite) {
-            let index = self.int_constant(index)?;
-            return self.access_slot(handle, base, index);
-        }
-        let layouts = self.context.layouts;
-        let types = &self.context.module.types;
-        let operand = self.operand(base)?;
-        if let Operand::Place(place) = operand {
-            let offset = self.checked(layouts.offset(types, composite, index), base)?;
-            return self.define_place(handle, Place { offset: place.offset + offset, ..place });
-        }
-        let (offset, count) = self.checked(layouts.part(types, composite, index), base)?;
-        match operand {
-            Operand::Place(_) => Err(self.unsupported_expression(handle)),
-            Operand::Value(slots) => match slots.get(offset as usize..(offset + count) as usize) {
-                Some(part) => self.define(handle, part.to_vec()),
-                None => Err(self.unsupported_expression(handle)),
-            },
-        }
-    }
-
-    fn access(
-        &mut self,
-        handle: Handle<Expression>,
-        base: Handle<Expression>,
-        index: Handle<Expression>,
-    ) -> Outcome<()> {
-        let index = self.scalar(index)?;
-        self.access_slot(handle, base, index)
-    }
-
-    /// A part of `base` whose index is in a slot.
-    fn access_slot(&mut self, handle: Handle<Expression>, base: Handle<Expression>, index: Slot) -> Outcome<()> {
-        let composite = self.pointee(base);
-        let (count, stride) =
-            self.checked(self.context.layouts.elements(&self.context.module.types, composite), base)?;
-        match self.operand(base)? {
-            Operand::Place(place) => {
-                let index = self.within_buffer(composite, place, index)?;
-                let (pointer, offset) = match place.pointer {
-                    Some(pointer) => (pointer, place.offset),
-                    None => (self.pointer(place)?, 0),
-                };
-                let to = self.compute(|to| Instruction::Index { to, pointer, index, count, stride })?;
-                self.define_place(handle, Place { buffer: place.buffer, pointer: Some(to), offset })
-            }
-            Operand::Value(slots) => {
-                let first = self.gather(&slots)?;
-                let pointer = self.assembler.constant(u64::from(first))?;
-                let to = self.compute(|to| Instruction::Index { to, pointer, index, count, stride })?;
-                let part = self.load_from(Place::at(to), stride)?;
-                self.define(handle, part)
-            }
-        }
-    }
-
-    /// An index that is within what is bound, if that has no fixed length.
-    fn within_buffer(&mut self, composite: &TypeInner, place: Place, index: Slot) -> Outcome<Slot> {
-        match place.buffer {
-            Some(buffer) if is_unsized(composite) => {
-                let last = self.assembler.bound(Source::Last { buffer })?;
-                self.int2(IntBinary::MinUnsigned, index, last)
-            }
-            _ => Ok(index),
-        }
-    }
-
-    fn array_length(&mut self, array: Handle<Expression>) -> Outcome<Vec<Slot>> {
-        match self.place(array)?.buffer {
-            Some(buffer) => Ok(vec![self.assembler.bound(Source::Length { buffer })?]),
-            None => {
-                Err(self.unsupported("the length of an array that is in no buffer (ArrayLength)", self.span(array)))
-            }
-        }
-    }
-
-    /// The first of neighbours that hold what `slots` hold.
-    fn gather(&mut self, slots: &[Slot]) -> Outcome<Slot> {
-        if slots.is_sorted_by(|a, b| *b == *a + 1)
-            && let Some(&first) = slots.first()
-        {
-            return Ok(first);
-        }
-        if let Some(first) = self.assembler.constant_run(slots)? {
-            return Ok(first);
-        }
-        let first = self.assembler.reserve(slots.len() as u32)?;
-        self.copy(first, slots)?;
-        Ok(first)
-    }
-
-    /// A slot that holds the number of the slot at `place`.
-    pub(super) fn pointer(&mut self, place: Place) -> Outcome<Slot> {
-        match place {
-            Place { pointer: None, offset, .. } => self.assembler.constant(u64::from(offset)),
-            Place { pointer: Some(pointer), offset: 0, .. } => Ok(pointer),
-            Place { pointer: Some(pointer), offset, .. } => {
-                let to = self.assembler.reserve(1)?;
-                self.assembler.emit(Instruction::Offset { to, pointer, offset })?;
-                Ok(to)
-            }
-        }
-    }
-
-    fn load(&mut self, pointer: Handle<Expression>, handle: Handle<Expression>) -> Outcome<Vec<Slot>> {
-        let place = self.place(pointer)?;
-        let count = self.slots_of(self.inner(handle), self.span(handle))?;
-        self.load_from(place, count)
-    }
-
-    fn load_from(&mut self, place: Place, count: u32) -> Outcome<Vec<Slot>> {
-        if let Place { buffer: Some(buffer), pointer: None, offset } = place {
-            // Nothing changes a buffer while the program runs.
-            return (offset..offset + count)
-                .map(|offset| self.assembler.bound(Source::Scalar { buffer, offset }))
-                .collect();
-        }
-        let to = self.assembler.reserve(count)?;
-        match place {
-            Place { pointer: None, offset, .. } => {
-                let from: Vec<Slot> = (offset..offset + count).collect();
-                self.copy(to, &from)?;
-            }
-            Place { buffer: None, pointer: Some(pointer), offset } => {
-                self.assembler.emit(Instruction::Load { to, pointer, offset, count })?;
-            }
-            Place { buffer: Some(buffer), pointer: Some(pointer), offset } => {
-                self.assembler.emit(Instruction::LoadBuffer { to, buffer, pointer, offset, count })?;
-            }
-        }
-        Ok((to..to + count).collect())
-    }
-
     fn derivative(
         &mut self,
         axis: DerivativeAxis,
@@ -346,14 +222,14 @@ impl<'a> FunctionCompiler<'a> {
     }
 
     /// The type of an expression, or if it is a pointer, of what it points to.
-    fn pointee(&self, handle: Handle<Expression>) -> &'a TypeInner {
+    pub(super) fn pointee(&self, handle: Handle<Expression>) -> &'a TypeInner {
         match self.inner(handle) {
             TypeInner::Pointer { base, .. } => &self.context.module.types[*base].inner,
             other => other,
         }
     }
 
-    fn checked<T>(&self, result: Result<T, Problem>, handle: Handle<Expression>) -> Outcome<T> {
+    pub(super) fn checked<T>(&self, result: Result<T, Problem>, handle: Handle<Expression>) -> Outcome<T> {
         result.map_err(|problem| self.locate(problem.diagnose(&self.subject()), self.span(handle)))
     }
 
@@ -371,11 +247,6 @@ impl<'a> FunctionCompiler<'a> {
         }
         error
     }
-}
-
-/// Whether it is an array of any length.
-fn is_unsized(inner: &TypeInner) -> bool {
-    matches!(inner, TypeInner::Array { size: ArraySize::Dynamic, .. })
 }
 
 fn is_pointer(inner: &TypeInner) -> bool {

@@ -25,7 +25,7 @@ pub(super) struct SampleParts {
 }
 
 impl FunctionCompiler<'_> {
-    pub(super) fn image_sample(&mut self, parts: SampleParts) -> Outcome<Vec<Slot>> {
+    pub(super) fn image_sample(&mut self, parts: &SampleParts) -> Outcome<Vec<Slot>> {
         let detail = match parts.level {
             SampleLevel::Auto => Detail::Auto { bias: None },
             SampleLevel::Zero => Detail::Zero,

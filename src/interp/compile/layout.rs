@@ -156,8 +156,7 @@ pub(super) fn scalar_kind(scalar: Scalar) -> Result<ScalarKind, Problem> {
         (Kind::Bool, _) => Ok(ScalarKind::Bool),
         (Kind::Sint, 4) | (Kind::AbstractInt, _) => Ok(ScalarKind::I32),
         (Kind::Uint, 4) => Ok(ScalarKind::U32),
-        (Kind::Float, 4 | 8) | (Kind::AbstractFloat, _) => Ok(ScalarKind::Float),
-        (Kind::Float, _) => Err(Problem::Unsupported("an f16")),
+        (Kind::Float, _) | (Kind::AbstractFloat, _) => Ok(ScalarKind::Float),
         (Kind::Sint | Kind::Uint, _) => Err(Problem::Unsupported("an integer not of 32 bits")),
     }
 }

@@ -3,6 +3,8 @@
 //! Every function that the entry function reaches is compiled once, callees first. None of this recurses: blocks,
 //! constants and the call graph are walked with explicit stacks, so no module is too deep for it.
 
+mod access;
+mod arithmetic;
 mod assembler;
 mod builtins;
 mod constants;
@@ -11,6 +13,7 @@ mod globals;
 mod images;
 mod layout;
 mod linear;
+mod literals;
 mod operators;
 mod ports;
 mod statements;
@@ -26,6 +29,7 @@ use crate::diag::Diagnostic;
 use assembler::Assembler;
 use globals::Globals;
 use layout::Layouts;
+use literals::Literals;
 use statements::FunctionCompiler;
 
 /// A result whose error is boxed, because it is moved through many hands.
@@ -48,6 +52,7 @@ struct Context<'a> {
     layouts: &'a Layouts,
     options: Options<'a>,
     globals: &'a Globals,
+    literals: Option<&'a Literals<'a>>,
     /// Of each function of the module that has been compiled.
     frames: &'a [Option<Frame>],
 }
@@ -65,14 +70,16 @@ pub(super) fn compile(module: &Module, name: &str, options: Options<'_>) -> Outc
     } else {
         Globals::default()
     };
+    let literals = options.source.map(Literals::of);
+    let literals = literals.as_ref();
     let mut frames: Vec<Option<Frame>> = Vec::new();
     frames.resize_with(module.functions.len(), || None);
     for callee in callees {
-        let context = Context { module, layouts: &layouts, options, globals: &globals, frames: &frames };
+        let context = Context { module, layouts: &layouts, options, globals: &globals, literals, frames: &frames };
         let frame = compile_function(&context, &mut assembler, &module.functions[callee], false)?;
         frames[callee.index()] = Some(frame);
     }
-    let context = Context { module, layouts: &layouts, options, globals: &globals, frames: &frames };
+    let context = Context { module, layouts: &layouts, options, globals: &globals, literals, frames: &frames };
     let frame = compile_function(&context, &mut assembler, function, true)?;
     let parameters: Vec<Parameter> = parameters
         .into_iter()

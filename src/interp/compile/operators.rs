@@ -89,6 +89,9 @@ impl FunctionCompiler<'_> {
     /// Converts the value if `by_value`, else reinterprets its bits.
     pub(super) fn cast(&mut self, expr: Handle<Expression>, to: Kind, by_value: bool) -> Outcome<Vec<Slot>> {
         let from = self.kind(expr)?;
+        if !by_value && self.inner(expr).scalar().is_some_and(|scalar| scalar.width == 2) {
+            return Err(self.unsupported("the bits of an f16 (As)", self.span(expr)));
+        }
         let to = match scalar_kind(naga::Scalar { kind: to, width: 4 }) {
             Ok(kind) => kind,
             Err(problem) => return Err(self.locate(problem.diagnose(&self.subject()), self.span(expr))),

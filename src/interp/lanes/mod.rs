@@ -4,7 +4,7 @@
 //! inner loops are plain ones over rows of floats. While all lanes stand at the same instruction nothing is masked. Where
 //! they part, [`groups`] lets the hindmost move until they meet again.
 //!
-//! The meaning of the instructions is that of [`memory::step`](super::memory), which the scalar machine shares: it is the
+//! The meaning of the instructions is that of [`step`](super::step), which the scalar machine shares: it is the
 //! same code at a width of one. Only what moves the counter is written twice, because one lane never parts.
 
 mod groups;
@@ -12,8 +12,9 @@ mod groups;
 use super::instruction::Instruction;
 use super::machine::{Endless, write_arguments};
 use super::math::{Double, Rounding, Single};
-use super::memory::{Mask, Memory, step};
+use super::memory::{Mask, Memory};
 use super::resources::{Bound, World};
+use super::step::step;
 use super::{Port, Precision, Program, Value};
 use crate::diag::Diagnostic;
 use groups::{Group, Groups};
@@ -146,14 +147,19 @@ fn run<R: Rounding>(program: &Program, memory: &Memory<LANES>, live: u64, world:
             }
             Instruction::Switch { selector, table } => {
                 let switch = &program.switches[table as usize];
-                groups.scatter(|lane| switch.target(memory.int(selector, lane)) as usize);
+                match memory.same_in_all(selector) {
+                    Some(value) => groups.current.counter = switch.target(value as u32) as usize,
+                    None => groups.scatter(|lane| switch.target(memory.int(selector, lane)) as usize),
+                }
             }
             Instruction::Call { target, link } => {
-                let mask = Mask { lanes, is_full: false };
-                mask.lanes(LANES).for_each(|lane| memory.set(link, lane, counter as u64 + 1));
+                memory.fill(link, counter as u64 + 1, Mask { lanes, is_full: lanes == live });
                 groups.current.counter = target as usize;
             }
-            Instruction::Return { link } => groups.scatter(|lane| memory.bits(link, lane) as usize),
+            Instruction::Return { link } => match memory.same_in_all(link) {
+                Some(target) => groups.current.counter = target as usize,
+                None => groups.scatter(|lane| memory.bits(link, lane) as usize),
+            },
             Instruction::Kill => {
                 discarded |= lanes;
                 if discarded == live {

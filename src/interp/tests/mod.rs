@@ -7,9 +7,12 @@ mod errors;
 mod floats;
 mod folding;
 mod integers;
+mod lanes;
 mod packing;
 mod precision;
 mod random;
+mod resources;
+mod textures;
 mod vectors;
 
 use super::{Options, Precision, Program, Value};

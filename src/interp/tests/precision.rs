@@ -59,3 +59,25 @@ fn sums_lose_what_f32_loses() {
     assert_eq!(run_in(Precision::F32, source, &[n.into()]), f64::from(expected).into());
     assert_eq!(run(source, &[n.into()]), expected_wide.into());
 }
+
+#[test]
+fn halves_are_rounded_in_f32_and_floats_in_f64() {
+    let source = "enable f16; fn f(a: f32, b: f32) -> f32 { let x = f16(a) * f16(b); return f32(x + 0.1h); }";
+    let half = |x: f64| half::f16::from_f64(x).to_f64();
+    let (a, b) = (1.2345, 0.777);
+    let (a32, b32) = (f64::from(a as f32), f64::from(b as f32));
+    let expected = half(half(half(a32) * half(b32)) + half(0.1));
+    assert_eq!(run_in(Precision::F32, source, &[a.into(), b.into()]), expected.into());
+    assert_eq!(run(source, &[a.into(), b.into()]), (a * b + half(0.1)).into());
+}
+
+#[test]
+fn literals_are_read_again_at_f64_and_stay_nagas_in_f32() {
+    let source = "const PLACE: f32 = 4.10000001; fn f(x: f32) -> f32 { return x * 0.1 + PLACE / 3.0; }";
+    let options = Options { source: Some(source), ..Options::default() };
+    let program = Program::compile(&module(source), "f", options).unwrap();
+    assert_eq!(program.call(&[0.7.into()], Precision::F64).unwrap(), (0.7 * 0.1 + 4.10000001 / 3.0).into());
+    let expected = 0.7_f32 * 0.1 + 4.1_f32 / 3.0;
+    assert_eq!(program.call(&[0.7.into()], Precision::F32).unwrap(), f64::from(expected).into());
+    assert_eq!(compile(source).unwrap().call(&[0.0.into()], Precision::F64).unwrap(), f64::from(4.1_f32 / 3.0).into());
+}

@@ -2,6 +2,8 @@
 
 use proptest::prelude::*;
 
+use super::super::{Bindings, LANES};
+use super::lanes::{bind, stage};
 use super::*;
 
 /// An expression over three arguments.
@@ -92,6 +94,62 @@ macro_rules! float_functions {
     };
 }
 
+/// Holds the lanes to what single calls give, bit for bit.
+fn lanes_agree(source: &str, precision: Precision, lanes_arguments: &[Vec<Value>]) -> Result<(), TestCaseError> {
+    let program = stage(source, "f");
+    let bound = bind(&program, &Bindings::new(), precision);
+    let (mut lanes, mut machine) = (bound.lanes().unwrap(), bound.machine());
+    for (lane, arguments) in lanes_arguments.iter().enumerate() {
+        lanes.set(lane, arguments).unwrap();
+    }
+    lanes.run(lanes_arguments.len()).unwrap();
+    for (lane, arguments) in lanes_arguments.iter().enumerate() {
+        let [together, alone] =
+            [lanes.get(lane), machine.call(arguments).unwrap()].map(|value| value.as_f64().unwrap());
+        let agree = together.to_bits() == alone.to_bits() || together.is_nan() && alone.is_nan();
+        prop_assert!(agree, "lane {lane}: {together:?} is not {alone:?} in {source}");
+    }
+    Ok(())
+}
+
+/// Statements over `a`, `b`, `c` and the read-only `n`. Loops end, because each counts its rounds.
+fn statements() -> impl Strategy<Value = String> {
+    let name = || prop::sample::select(vec!["a", "b", "c"]);
+    let expression = move || {
+        let operator = prop::sample::select(vec!["+", "-", "*", "^", "&", "/", "%"]);
+        prop_oneof![
+            (name(), operator, name()).prop_map(|(x, op, y)| format!("({x} {op} {y})")),
+            (name(), -3..9).prop_map(|(x, i)| format!("({x} + {i})")),
+            (name(), name()).prop_map(|(x, y)| format!("g({x}, {y})")),
+            (0..3).prop_map(|i| format!("(n >> {i}u)")),
+        ]
+    };
+    let condition = move || (expression(), 2..5, 0..3).prop_map(|(x, n, r)| format!("({x} % {n} == {r})"));
+    let leaf = prop_oneof![
+        6 => (name(), expression()).prop_map(|(x, y)| format!("{x} = {y};")),
+        1 => condition().prop_map(|c| format!("if {c} {{ return a; }}")),
+        1 => name().prop_map(|x| format!("h(&{x});")),
+    ];
+    leaf.prop_recursive(4, 40, 4, move |inner| {
+        let block = prop::collection::vec(inner, 1..4).prop_map(|statements| statements.join("\n"));
+        let exit = (condition(), prop::sample::select(vec!["break", "continue"]));
+        prop_oneof![
+            (condition(), block.clone(), block.clone())
+                .prop_map(|(c, yes, no)| format!("if {c} {{ {yes} }} else {{ {no} }}")),
+            (name(), block.clone(), exit, block.clone()).prop_map(|(x, first, (c, exit), then)| format!(
+                "for (var i = 0; i < ({x} & 7); i++) {{ {first} if {c} {{ {exit}; }} {then} }}"
+            )),
+            (block.clone(), condition(), block.clone()).prop_map(|(body, c, next)| {
+                let next = next.replace("return a;", "a += 1;");
+                format!("{{ var k = 0; loop {{ {body} continuing {{ {next} k += 1; break if {c} || k > 3; }} }} }}")
+            }),
+            (expression(), block.clone(), block.clone(), block).prop_map(|(x, one, two, rest)| format!(
+                "switch {x} % 3 {{ case 0: {{ {one} }} case 1, -1: {{ {two} break; }} default: {{ {rest} }} }}"
+            )),
+        ]
+    })
+}
+
 fn same(a: f64, b: f64) -> bool {
     a == b || a.is_nan() && b.is_nan()
 }
@@ -112,6 +170,11 @@ proptest! {
         let expected = f64::from(tree.compute(leaves, &unary, &binary));
         let actual = program.call(&arguments, Precision::F32).unwrap().as_f64().unwrap();
         prop_assert!(same(actual, expected), "f32: {actual} is not {expected}");
+        let [x, y, z] = leaves.map(|x| Value::from(f64::from(x)));
+        let turned = [vec![x.clone(), y.clone(), z.clone()], vec![z.clone(), x.clone(), y.clone()], vec![y, z, x]];
+        for precision in [Precision::F64, Precision::F32] {
+            lanes_agree(&source("f32; f32; f32 -> f32", &tree.wgsl()), precision, &turned)?;
+        }
     }
 
     #[test]
@@ -139,5 +202,26 @@ proptest! {
         };
         let actual = run(&source("i32; i32; i32 -> i32", &tree.wgsl()), &leaves.map(Value::from));
         prop_assert_eq!(actual, tree.compute(leaves, &unary, &binary).into());
+    }
+
+    #[test]
+    fn lanes_part_and_meet_as_if_alone(
+        body in prop::collection::vec(statements(), 1..6),
+        seeds in prop::array::uniform4(-100..100),
+    ) {
+        let source = format!(
+            "fn g(x: i32, y: i32) -> i32 {{
+                var r = x;
+                for (var i = 0; i < (y & 3); i++) {{ if r % 3 == 1 {{ return r + y; }} r += i * y; }}
+                return r - y;
+            }}
+            fn h(p: ptr<function, i32>) {{ if *p > 50 {{ *p /= 2; return; }} *p = g(*p, 3) + 1; }}
+            fn f(x: i32, y: i32, n: i32) -> i32 {{ var a = x; var b = y; var c = n;\n{}\nreturn a + 3 * b + 7 * c; }}",
+            body.join("\n")
+        );
+        let arguments: Vec<Vec<Value>> = (0..LANES as i32)
+            .map(|lane| [seeds[0] + lane, seeds[1] * lane, seeds[2] ^ (lane * seeds[3])].map(Value::I32).to_vec())
+            .collect();
+        lanes_agree(&source, Precision::F64, &arguments)?;
     }
 }
