@@ -15,7 +15,6 @@ mod new;
 mod nodes;
 mod open;
 mod output;
-#[cfg(feature = "gpu")]
 mod render;
 #[cfg(feature = "gpu")]
 mod samples;
@@ -68,7 +67,6 @@ enum Command {
     /// List the nodes that looks are made of, or tell all about one
     Nodes(nodes::Arguments),
     /// Render a look or a scene to a PNG
-    #[cfg(feature = "gpu")]
     Render(render::Arguments),
     /// Print a look's value, or any node's, at given surface samples
     #[cfg(feature = "gpu")]
@@ -121,7 +119,6 @@ pub fn run() -> Outcome {
         },
         Command::Explain(arguments) => explain::run(arguments, &output),
         Command::Nodes(arguments) => nodes::run(arguments, &output),
-        #[cfg(feature = "gpu")]
         Command::Render(arguments) => render::run(arguments, &output),
         #[cfg(feature = "gpu")]
         Command::Eval(arguments) => eval::run(arguments, &output),

@@ -13,8 +13,11 @@ use crate::clock::Clock;
 use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::{Projection, Scene, parse_hex, write_atomic};
-use crate::frame::{Assets, PlanOptions, Planner, open};
-use crate::render::{Gpu, Picture, Renderer, block_on};
+use crate::frame::{Assets, FramePlan, PassKind, Picture, PlanOptions, Planner, open};
+use crate::interp::Precision;
+use crate::reference::{self, Control, Modules, execute};
+#[cfg(feature = "gpu")]
+use crate::render::{Gpu, Renderer, block_on};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -22,7 +25,8 @@ Examples:
   chiaro render look.json -o look.png --mesh shape:knot --size 1920x1080 --samples 4
   chiaro render look.json -o turned.png --turn-lights 90 --camera orbit=30,15
   chiaro render look.json -o close.png --camera 'eye=1,0.5,3;target=0,0.2,0;fov=20'
-  chiaro render scene.json -o frame.png --time 1.5 --backdrop none --json";
+  chiaro render scene.json -o frame.png --time 1.5 --backdrop none --json
+  chiaro render look.json -o truth.png --on reference";
 
 /// What `chiaro render` is given.
 #[derive(Debug, clap::Args)]
@@ -61,12 +65,23 @@ pub(super) struct Arguments {
     /// A folder of a project's own nodes; `nodes/` beside the document is found without it
     #[arg(long)]
     nodes: Option<PathBuf>,
+    /// Who draws: the GPU (or software that stands for one), or the reference in f64, which is slow and exact; without
+    /// this the GPU, or where there is none the reference
+    #[arg(long, value_enum)]
+    on: Option<On>,
     /// Draw as while the look is edited: every value is a uniform, and nothing is folded
     #[arg(long)]
     live: bool,
     /// Print what was done as JSON: size, seconds, adapter, passes that ran, warnings
     #[arg(long)]
     json: bool,
+}
+
+/// Who draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum On {
+    Gpu,
+    Reference,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -104,20 +119,17 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         setup.stand_up();
     }
     adjust(&mut setup.scene, arguments).map_err(one)?;
-    let mut planner = Planner::new(assets);
+    let is_truth = arguments.on == Some(On::Reference);
+    let mut planner = if is_truth { Planner::for_truth(assets) } else { Planner::new(assets) };
     let options = PlanOptions { size: arguments.size.0, samples: arguments.samples, time: arguments.time };
-    let live = if arguments.live { Live::All } else { Live::Keyed };
+    let live = if arguments.live || is_truth { Live::All } else { Live::Keyed };
     let plan = planner.plan(&setup, &library, &live, &options)?;
     warnings.extend(planner.warnings);
     output.diagnostics(&warnings);
-    let gpu = block_on(Gpu::headless()).map_err(|error| one(error.into()))?;
-    let mut renderer = Renderer::new(gpu);
-    let passes = block_on(renderer.draw(&plan)).map_err(|error| one(error.into()))?;
-    // Nothing is drawn again: every pass has what it would draw.
-    let picture = block_on(renderer.picture(&plan)).map_err(|error| one(error.into()))?;
+    let Drawn { picture, passes, adapter } = draw(&plan, arguments.on, output).map_err(one)?;
     write_png(&arguments.output, &picture).map_err(one)?;
     let [width, height] = picture.size;
-    let (file, adapter) = (arguments.output.display().to_string(), renderer.gpu().name());
+    let file = arguments.output.display().to_string();
     if arguments.json {
         output.json(&json!({
             "file": file, "width": width, "height": height, "samples": arguments.samples, "time": arguments.time,
@@ -127,6 +139,46 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         output.message(&format!("{file}: {width}x{height}, on {adapter}"));
     }
     Ok(())
+}
+
+/// A picture, and who drew it.
+struct Drawn {
+    picture: Picture,
+    passes: Vec<PassKind>,
+    adapter: String,
+}
+
+fn draw(plan: &FramePlan, on: Option<On>, output: &Output) -> Result<Drawn, Diagnostic> {
+    #[cfg(feature = "gpu")]
+    if on != Some(On::Reference) {
+        match block_on(Gpu::headless()) {
+            Ok(gpu) => {
+                let mut renderer = Renderer::new(gpu);
+                let passes = block_on(renderer.draw(plan))?;
+                // Nothing is drawn again: every pass has what it would draw.
+                let picture = block_on(renderer.picture(plan))?;
+                return Ok(Drawn { picture, passes, adapter: renderer.gpu().name() });
+            }
+            Err(error) if on.is_none() => {
+                output.message(&format!("{error}: drawing on the reference, in software, which takes seconds"));
+            }
+            Err(error) => return Err(error.into()),
+        }
+    }
+    #[cfg(not(feature = "gpu"))]
+    if on == Some(On::Gpu) {
+        let problem = Diagnostic::error("no-gpu", "this chiaro was built without the `gpu` feature");
+        return Err(problem.hint("leave --on out, or build it with the feature"));
+    }
+    let told = |share: f64| output.progress("drawing", (1000.0 * share) as u64, 1000);
+    let control = Control::with_progress(&told);
+    let modules = Modules::new(plan, Precision::F64)?;
+    let drawn = execute(plan, &modules, &reference::Options::default(), &control);
+    output.end_progress();
+    let drawn = drawn?;
+    let picture = Picture { size: drawn.size, rgba: drawn.to_straight_f32() };
+    let passes = plan.passes.iter().map(|pass| pass.kind.clone()).collect();
+    Ok(Drawn { picture, passes, adapter: "the reference, in f64".to_owned() })
 }
 
 pub(super) fn parse_time(text: &str) -> Result<f64, String> {

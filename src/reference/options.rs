@@ -79,6 +79,13 @@ impl Control<'static> {
     }
 }
 
+impl<'a> Control<'a> {
+    /// Somebody watches, and nobody stops it.
+    pub fn with_progress(progress: &'a (dyn Fn(f64) + Sync)) -> Self {
+        Self { cancel: &NEVER, progress }
+    }
+}
+
 impl Control<'_> {
     /// Fails once the work is not wanted any more.
     pub(super) fn check(&self) -> Result<(), Diagnostic> {
