@@ -1,6 +1,7 @@
 //! Generated modules as shaders of the rasteriser: their stages run by the interpreter, with what a plan binds to them.
 
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::sync::Arc;
 
 use super::executor::{PassImages, Shaders, SurfaceImages};
@@ -52,9 +53,8 @@ impl Modules {
                 modules.add(shader)?;
             }
             for (image, used) in draw.images.iter().zip(&draw.look.needs.images) {
-                let key = (image.hash, used.is_decoded);
-                if !modules.images.contains_key(&key) {
-                    modules.images.insert(key, texture_of(image, used.is_decoded)?);
+                if let Entry::Vacant(place) = modules.images.entry((image.hash, used.is_decoded)) {
+                    place.insert(texture_of(image, used.is_decoded)?);
                 }
             }
         }
@@ -65,9 +65,8 @@ impl Modules {
     }
 
     fn add(&mut self, shader: &Arc<CompiledShader>) -> Result<(), Diagnostic> {
-        let key = Arc::as_ptr(shader);
-        if !self.looks.contains_key(&key) {
-            self.looks.insert(key, Stages::compile(&shader.valid, &shader.wgsl)?);
+        if let Entry::Vacant(place) = self.looks.entry(Arc::as_ptr(shader)) {
+            place.insert(Stages::compile(&shader.valid, &shader.wgsl)?);
         }
         Ok(())
     }
