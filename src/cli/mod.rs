@@ -19,6 +19,8 @@ mod output;
 mod render;
 #[cfg(feature = "gpu")]
 mod samples;
+#[cfg(feature = "gpu")]
+mod tier;
 
 use std::path::PathBuf;
 use std::process::ExitCode;

@@ -9,9 +9,10 @@ use serde_json::json;
 use super::clock::Clock;
 use super::open::{check_nodes_folder, library_for};
 use super::output::{Output, once};
+use super::tier;
 use crate::compile::Live;
 use crate::diag::Diagnostic;
-use crate::document::{Projection, Scene, parse_hex, write_atomic};
+use crate::document::{Projection, Scene, Tier, parse_hex, write_atomic};
 use crate::frame::{Assets, PlanOptions, Planner, open};
 use crate::render::{Gpu, Picture, Renderer, block_on};
 
@@ -57,6 +58,9 @@ pub(super) struct Arguments {
     /// The time in seconds
     #[arg(long, default_value_t = 0.0, value_parser = parse_time, allow_negative_numbers = true)]
     time: f64,
+    /// The implementation to run in every node: exact, balanced or fast
+    #[arg(long, value_parser = tier::parse)]
+    tier: Option<Tier>,
     /// A folder of a project's own nodes; `nodes/` beside the document is found without it
     #[arg(long)]
     nodes: Option<PathBuf>,
@@ -94,12 +98,15 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     check_nodes_folder(arguments.nodes.as_deref())?;
     check_target(&arguments.output).map_err(one)?;
     let clock = Clock::start();
-    let library = library_for(&arguments.document, arguments.nodes.as_deref());
+    let mut library = library_for(&arguments.document, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);
     let mut assets = Assets::default();
     let (mut setup, mut warnings) = open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?;
     if arguments.z_up {
         setup.stand_up();
+    }
+    if let Some(tier) = arguments.tier {
+        setup.looks.iter_mut().for_each(|worn| tier::run_everywhere(&mut worn.look, &mut library, tier));
     }
     adjust(&mut setup.scene, arguments).map_err(one)?;
     let mut planner = Planner::new(assets);
