@@ -12,7 +12,7 @@
 use std::path::{Path, PathBuf};
 
 use chiaro::render::{Gpu, block_on};
-use chiaro::wgsl::{DeclarationKind, Source, link, scan};
+use chiaro::wgsl::{Declaration, DeclarationKind, Source, link, scan};
 
 const SIZE: u32 = 256;
 const REPEATS: u32 = 32;
@@ -165,14 +165,21 @@ fn median(numbers: &mut [f64]) -> (f64, f64, f64) {
 fn run(bench: &Bench, file: &Path) {
     let text = std::fs::read_to_string(file).expect("a file that can be read");
     let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let linked = link(&[Source { name: &name, text: &text }]).unwrap_or_else(|problems| panic!("{problems:?}"));
-    let own = scan(&text);
-    let is_candidate = |fields: usize, result: Option<&str>| fields == 3 && result == Some("f32");
+    // naga wants it first, before what is imported.
+    let (enabled, text) = text.strip_prefix("enable f16;").map_or(("", &*text), |rest| ("enable f16;\n", rest));
+    if !enabled.is_empty() && !bench.gpu.device.features().contains(wgpu::Features::SHADER_F16) {
+        println!("\n{name}: this adapter has no f16");
+        return;
+    }
+    let linked = link(&[Source { name: &name, text }]).unwrap_or_else(|problems| panic!("{problems:?}"));
+    let own = scan(text);
+    let library = format!("{enabled}{}", linked.text);
+    let is_candidate = |d: &Declaration| d.fields.iter().map(|field| field.name.as_str()).eq(["n", "l", "s"]);
     let mut candidates: Vec<Candidate> = own
         .declarations
         .iter()
-        .filter(|d| d.kind == DeclarationKind::Function && is_candidate(d.fields.len(), d.result.as_deref()))
-        .map(|d| bench.candidate(&d.name, &linked.text))
+        .filter(|d| d.kind == DeclarationKind::Function && is_candidate(d))
+        .map(|d| bench.candidate(&d.name, &library))
         .collect();
     for round in 0..ROUNDS + 3 {
         for candidate in &mut candidates {
@@ -195,9 +202,22 @@ fn run(bench: &Bench, file: &Path) {
     }
 }
 
+/// As `Gpu::headless`, with 16-bit numbers where the adapter has them.
+fn gpu() -> Gpu {
+    let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+    descriptor.backends = wgpu::Backends::PRIMARY;
+    let adapter = block_on(wgpu::Instance::new(descriptor).request_adapter(&wgpu::RequestAdapterOptions::default()));
+    let adapter = adapter.expect("a GPU, a software one for one");
+    let wanted = wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::SHADER_F16;
+    let required_features = adapter.features() & wanted;
+    let descriptor = wgpu::DeviceDescriptor { required_features, ..wgpu::DeviceDescriptor::default() };
+    let (device, queue) = block_on(adapter.request_device(&descriptor)).expect("a device");
+    Gpu::new(device, queue, adapter.get_info())
+}
+
 fn main() {
     let filter = std::env::args().skip(1).find(|argument| !argument.starts_with('-')).unwrap_or_default();
-    let bench = Bench::new(block_on(Gpu::headless()).expect("a GPU, a software one for one"));
+    let bench = Bench::new(gpu());
     println!("{}", bench.gpu.name());
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches/tiers");
     let mut files: Vec<PathBuf> =
