@@ -7,7 +7,7 @@ mod support;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, PI};
 
 use chiaro::compile::Live;
-use chiaro::document::{Camera, Projection, Scene, Value};
+use chiaro::document::{Camera, Projection, Scene, Tier, Value};
 use chiaro::frame::{EvalSample, SetupLook};
 use chiaro::geometry::{Mesh, Part};
 use chiaro::interp::{Precision, Value as Number};
@@ -91,15 +91,35 @@ fn sample_of(case: &Case) -> EvalSample {
     EvalSample { values, lights: [("key".into(), light)].into_iter().collect(), ..EvalSample::default() }
 }
 
-/// Holds alpha on the GPU and in the interpreter against what is wanted; gives the GPU's angles.
+/// The tiers, and how much farther from what is wanted each may be than the exact one: of the tone, for profiles as
+/// narrow as these cases have.
+const TIERS: [(Tier, f64); 3] = [(Tier::Exact, 0.0), (Tier::Balanced, 2e-5), (Tier::Fast, 1e-4)];
+
+/// Holds alpha on the GPU in every tier and in the interpreter against what is wanted; gives the GPU's exact angles.
 fn check(cases: &[Case]) -> Vec<f64> {
     let samples: Vec<EvalSample> = cases.iter().map(sample_of).collect();
     let look = profile_look();
-    let tones = eval(&look, "tone.tone", &samples);
-    for (case, tone) in cases.iter().zip(&tones) {
+    for (tier, more) in TIERS {
+        let mut of_tier = profile_look();
+        of_tier.look.tier = tier;
+        for (case, tone) in cases.iter().zip(eval(&of_tier, "tone.tone", &samples)) {
+            let told = || format!("n {} l {} T {} {:?}", case.normal, case.light, case.shift, case.profile);
+            // A warp turns the angle, and the steeper the profile, the more of its error is seen.
+            let [tau, f, _] = badf::sanitised(case.profile);
+            let turned = if case.shift == 0.0 || f <= tau { 0.0 } else { 0.05 * more / (f - tau) };
+            if tier != Tier::Exact && !(1e-15..1e18).contains(&case.normal.length()) {
+                // They say that they find no direction there.
+                assert!((0.0..=1.0).contains(&tone[0]), "GPU, {tier:?}: {} at {}", tone[0], told());
+                continue;
+            }
+            let error = (tone[0] - case.wanted).abs();
+            let bound = case.tolerance + more + turned;
+            assert!(error <= bound, "GPU, {tier:?}: {} for {} at {}", tone[0], case.wanted, told());
+        }
+    }
+    for case in cases {
         let told = || format!("n {} l {} T {} {:?}", case.normal, case.light, case.shift, case.profile);
         let close = |got: f64| (got - case.wanted).abs() <= case.tolerance;
-        assert!(close(tone[0]), "GPU: {} for {} at {}", tone[0], case.wanted, told());
         for precision in [Precision::F64, Precision::F32] {
             let (_, got) = interpreted(case.normal, case.light, case.shift, case.profile, precision);
             assert!(close(got), "{precision:?}: {got} for {} at {}", case.wanted, told());
@@ -341,6 +361,13 @@ fn case_15_curvature_without_bounds() {
         values: [("slope".into(), Value::Number(slope))].into_iter().collect(),
         ..EvalSample::default()
     });
+    for tier in [Tier::Balanced, Tier::Fast] {
+        let mut of_tier = look(&serde_json::from_str(&curved.look.to_text()).expect("JSON"));
+        of_tier.look.tier = tier;
+        for ((kappa, slope, wanted), value) in cases.iter().zip(eval(&of_tier, "convexity.convexity", &samples)) {
+            assert_eq!(value[0], *wanted, "GPU, {tier:?}: kappa {kappa}, slope {slope}");
+        }
+    }
     for ((kappa, slope, wanted), value) in cases.iter().zip(eval(&curved, "convexity.convexity", &samples)) {
         assert_eq!(value[0], *wanted, "GPU: kappa {kappa}, slope {slope}");
         for precision in [Precision::F64, Precision::F32] {
@@ -581,6 +608,15 @@ fn exact_coverage(size: [u32; 2], x: u32, y: u32, center: DVec2, light: DVec3, e
 
 #[test]
 fn case_19_cartoon_edges_are_covered() {
+    cartoon_edges(Tier::Exact, 0.06, 0.02);
+    // The width by the sum of both derivatives is too wide on diagonals, by as much as the square root of 2.
+    cartoon_edges(Tier::Balanced, 0.06, 0.02);
+    cartoon_edges(Tier::Fast, 0.15, 0.07);
+}
+
+/// Draws cartoons in a tier, and bounds how far pixels on and beside their edges are from what the edge covers: the
+/// worst, and the mean of those on the edge.
+fn cartoon_edges(tier: Tier, most: f64, most_mean: f64) {
     let size = [160, 160];
     let mut errors = Vec::new();
     let lights = [DVec3::Z, DVec3::new(0.5, 0.4, 1.0), DVec3::new(-0.9, 0.1, 0.7), DVec3::new(0.6, -0.6, 0.2)];
@@ -588,7 +624,7 @@ fn case_19_cartoon_edges_are_covered() {
         // The ball moves by parts of a pixel.
         let center = DVec2::new(0.37, -0.21) * step as f64 * HEIGHT / f64::from(size[1]);
         for edge in [FRAC_PI_4, 0.3] {
-            let cartoon = look(&json!({
+            let mut cartoon = look(&json!({
                 "lights": {"key": {"direction": light.to_array()}},
                 "nodes": [
                     {"id": "light", "kind": "light", "values": {"light": "key"}},
@@ -602,6 +638,7 @@ fn case_19_cartoon_edges_are_covered() {
                     {"from": "tone", "to": "output.color"}
                 ]
             }));
+            cartoon.look.tier = tier;
             let moved = DMat4::from_translation(center.extend(0.0));
             let drawn = picture(vec![(cartoon, ball(), moved)], size, 1);
             for (x, y, pixel) in pixels(&drawn) {
@@ -612,7 +649,7 @@ fn case_19_cartoon_edges_are_covered() {
                     errors.push(error);
                 } else {
                     // Beside the edge a ramp may still show a trace.
-                    assert!(error <= 0.06, "{pixel:?} for {wanted} at {x}, {y}, light {light}");
+                    assert!(error <= most, "{pixel:?} for {wanted} at {x}, {y}, light {light}");
                 }
             }
         }
@@ -620,7 +657,45 @@ fn case_19_cartoon_edges_are_covered() {
     let worst = errors.iter().copied().fold(0.0, f64::max);
     let mean = errors.iter().sum::<f64>() / errors.len() as f64;
     assert!(errors.len() > 1000, "{}", errors.len());
-    assert!(worst <= 0.06 && mean <= 0.02, "worst {worst}, mean {mean} over {}", errors.len());
+    assert!(worst <= most && mean <= most_mean, "{tier:?}: worst {worst}, mean {mean} over {}", errors.len());
+}
+
+#[test]
+fn case_19_thresholds_and_bands_are_covered() {
+    let size = [160, 160];
+    for (kind, input, values) in
+        [("threshold", "value", json!({"edge": 0.7})), ("bands", "value", json!({"count": 2, "softness": 0}))]
+    {
+        let edge = if kind == "threshold" { 0.7_f64 } else { 0.5 };
+        let stated = |tier| Library::built_in().nodes[kind].error_of(tier).map(|error| error.bound);
+        for tier in [Tier::Exact, Tier::Balanced, Tier::Fast] {
+            let bound = stated(tier).unwrap_or(0.06);
+            let mut worst = 0.0_f64;
+            for step in 0..4 {
+                let center = DVec2::new(0.37, -0.21) * f64::from(step) * HEIGHT / f64::from(size[1]);
+                let mut cut = look(&json!({
+                    "nodes": [
+                        {"id": "facing", "kind": "facing"},
+                        {"id": "cut", "kind": kind, "values": values},
+                        {"id": "output", "kind": "output"}
+                    ],
+                    "wires": [
+                        {"from": "facing", "to": format!("cut.{input}")},
+                        {"from": "cut", "to": "output.color"}
+                    ]
+                }));
+                cut.look.tier = tier;
+                let drawn = picture(vec![(cut, ball(), DMat4::from_translation(center.extend(0.0)))], size, 1);
+                for (x, y, pixel) in pixels(&drawn) {
+                    let Some(wanted) = exact_coverage(size, x, y, center, DVec3::Z, edge.acos()) else { continue };
+                    worst = worst.max((f64::from(pixel[0]) - wanted).abs());
+                }
+            }
+            assert!(worst <= bound, "{kind}, {tier:?}: {worst} beyond {bound}");
+            // What is stated is no more than half as large again as what is found.
+            assert!(tier == Tier::Exact || worst >= bound / 1.5, "{kind}, {tier:?}: {worst} far below {bound}");
+        }
+    }
 }
 
 // Stacks

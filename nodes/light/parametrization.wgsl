@@ -15,6 +15,7 @@ import chiaro::angle;
 /// @param view "View" from=view hidden
 /// @param camera_from_world from=camera_from_world hidden
 /// @return angle "Angle" : u, from 0 (facing the light) to pi.
+/// @error balanced 1e-6 : angle in radians, for normals between 1e-15 and 1e18 long; others count as pointing to +z
 /// @source BADF eq. 4
 fn parametrization_diffuse(light: Light, normal: vec3f) -> Angle {
     return angle_between(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction);
@@ -39,4 +40,25 @@ fn parametrization_half_vector(light: Light, normal: vec3f, view: vec3f) -> Angl
         return Angle(0.70710678, 0.70710678);
     }
     return angle_between(n, normalize_or(half, n));
+}
+
+fn parametrization_diffuse_balanced(light: Light, normal: vec3f) -> Angle {
+    return angle_of_units(normalize_quick(normal, vec3f(0.0, 0.0, 1.0)), light.direction);
+}
+
+fn parametrization_specular_balanced(light: Light, normal: vec3f, view: vec3f) -> Angle {
+    let n = normalize_quick(normal, vec3f(0.0, 0.0, 1.0));
+    return angle_of_units(2.0 * dot(n, view) * n - view, light.direction);
+}
+
+fn parametrization_screen_aligned_balanced(light: Light, normal: vec3f, camera_from_world: mat3x3f) -> Angle {
+    return angle_of_units(camera_from_world * normalize_quick(normal, vec3f(0.0, 0.0, 1.0)), light.own_direction);
+}
+
+fn parametrization_half_vector_balanced(light: Light, normal: vec3f, view: vec3f) -> Angle {
+    let half = light.direction + view;
+    let n = normalize_quick(normal, vec3f(0.0, 0.0, 1.0));
+    let angle = angle_of_units(n, normalize_quick(half, n));
+    let is_behind = dot(half, half) < 1e-12;
+    return Angle(select(angle.half_sin, 0.70710678, is_behind), select(angle.half_cos, 0.70710678, is_behind));
 }

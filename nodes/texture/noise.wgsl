@@ -17,6 +17,8 @@ import chiaro::total;
 /// @param seed "Seed" default=0 : Another number, another noise.
 /// @return value "Value" : From 0 to 1, around 1/2.
 /// @unit
+/// @error fast 0.08 : fine octaves that are weak beside the coarse ones are left out; none of up to three octaves, with
+///   the usual roughness
 /// @source Perlin 2002, Worley 1996, Jarzynski and Olano 2020
 fn noise_value(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
     let p = bounded_vec3(position * scale);
@@ -36,4 +38,24 @@ fn noise_simplex(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed
 fn noise_worley(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
     let p = bounded_vec3(position * scale);
     return fractal_noise(NOISE_WORLEY, p, octaves, roughness, seed, footprint_of_vec3(p));
+}
+
+fn noise_value_fast(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
+    let p = bounded_vec3(position * scale);
+    return fractal_noise_short(NOISE_VALUE, p, octaves, roughness, seed, footprint_of_vec3(p));
+}
+
+fn noise_perlin_fast(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
+    let p = bounded_vec3(position * scale);
+    return fractal_noise_short(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
+}
+
+fn noise_simplex_fast(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
+    let p = bounded_vec3(position * scale);
+    return fractal_noise_short(NOISE_SIMPLEX, p, octaves, roughness, seed, footprint_of_vec3(p));
+}
+
+fn noise_worley_fast(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
+    let p = bounded_vec3(position * scale);
+    return fractal_noise_short(NOISE_WORLEY, p, octaves, roughness, seed, footprint_of_vec3(p));
 }

@@ -65,3 +65,18 @@ fn angle_footprint(u: Angle) -> f32 {
     // An infinite or NaN derivative at a silhouette gives the widest footprint.
     return min(finite_or(w, 0.5), 0.5);
 }
+
+/// [`angle_between`] vectors that are unit but for rounding: half of each chord, which is not put to scale again.
+fn angle_of_units(d: vec3f, l: vec3f) -> Angle {
+    return Angle(0.5 * length(d - l), 0.5 * length(d + l));
+}
+
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+fn angle_turned(u: Angle, t: vec2f) -> Angle {
+    let s = u.half_sin * t.y - u.half_cos * t.x;
+    let c = u.half_cos * t.y + u.half_sin * t.x;
+    let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
+    // Beyond either end the smaller one tells which: a turn by pi may leave the other just below 0.
+    let turned = select(upper, vec2f(0.0, 1.0), s <= 0.0 && s < c);
+    return Angle(turned.x, turned.y);
+}

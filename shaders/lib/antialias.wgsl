@@ -82,3 +82,21 @@ fn triangle_wave(x: f32) -> f32 {
     let turn = x - 2.0 * floor(x * 0.5);
     return 1.0 - abs(turn - 1.0);
 }
+
+/// How far a finite x changes over one pixel, by the sum of both derivatives: too wide on diagonals by as much as the
+/// square root of 2. Call it in uniform control flow.
+fn footprint_by_sum(x: f32) -> f32 {
+    return min(abs(dpdx(x)) + abs(dpdy(x)), 1e30);
+}
+
+/// [`step_filtered`] for finite numbers and a finite footprint.
+fn step_quick(x: f32, edge: f32, w: f32) -> f32 {
+    let d = x - edge;
+    return select(clamp(0.5 + d / max(w, 1e-30), 0.0, 1.0), select(0.0, 1.0, d >= 0.0), w < 1e-30);
+}
+
+/// [`stairs_filtered`] for footprints of at most one stair; wider ones count as that.
+fn stairs_quick(x: f32, count: f32, w: f32) -> f32 {
+    let edge = clamp(round(x), 1.0, count - 1.0);
+    return edge - 1.0 + step_quick(x, edge, min(w, 1.0));
+}

@@ -162,3 +162,28 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
     }
     return clamp(sum / total, 0.0, 1.0);
 }
+
+/// How weak an octave must be beside those before it to be left out by [`fractal_noise_short`].
+const LEAST_OCTAVE: f32 = 0.075;
+
+/// [`fractal_noise`] without the octaves from the first one on that has less than 0.075 of the strength of all before
+/// it; they count as their average. With the usual roughness of 1/2 three octaves are left.
+fn fractal_noise_short(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w: f32) -> f32 {
+    let mean = select(0.5, WORLEY_MEAN, kind == NOISE_WORLEY);
+    let gain = clamp(bounded(roughness), 0.0, 1.0);
+    var total = 0.0;
+    var strength = 1.0;
+    var kept = 0;
+    for (var i = 0; i < clamp(octaves, 1, 8); i++) {
+        kept = select(kept, i + 1, kept == i && strength >= LEAST_OCTAVE * total);
+        total += strength;
+        strength *= gain;
+    }
+    var kept_total = 0.0;
+    strength = 1.0;
+    for (var i = 0; i < kept; i++) {
+        kept_total += strength;
+        strength *= gain;
+    }
+    return clamp(mix(mean, fractal_noise(kind, p, kept, roughness, seed, w), kept_total / total), 0.0, 1.0);
+}

@@ -43,7 +43,7 @@ impl Variant {
             Self::Asked | Self::Looks(_) => {}
             Self::Node { look, node, tier } => {
                 if let Some(node) = setup.looks.get_mut(*look).and_then(|look| look.look.graph.nodes.get_mut(node)) {
-                    node.tier = *tier;
+                    node.tier = Some(*tier);
                 }
             }
             Self::Without { look, node } => {
@@ -61,16 +61,18 @@ impl Variant {
     #[must_use]
     pub fn of_also(mut setup: Setup, look: usize, node: &NodeId, tier: Tier) -> Setup {
         if let Some(node) = setup.looks.get_mut(look).and_then(|look| look.look.graph.nodes.get_mut(node)) {
-            node.tier = tier;
+            node.tier = Some(tier);
         }
         setup
     }
 }
 
+/// Every node in this tier, also those that say their own.
 fn set_all(look: &mut Look, tier: Tier) {
+    look.tier = tier;
     let graphs = std::iter::once(&mut look.graph).chain(look.definitions.values_mut().map(|group| &mut group.graph));
     for node in graphs.flat_map(|graph| graph.nodes.values_mut()) {
-        node.tier = tier;
+        node.tier = None;
     }
 }
 

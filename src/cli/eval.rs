@@ -1,13 +1,12 @@
 //! `chiaro eval`: a look's value, or any node's, at given surface samples.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use serde_json::{Value as Json, json};
 
 use super::open::{check_nodes_folder, library_for, open_look};
 use super::output::Output;
-use super::samples;
+use super::{samples, tier};
 use crate::compile::{Options, check};
 use crate::diag::Diagnostic;
 use crate::document::{Look, Node, Tier, Value};
@@ -45,7 +44,7 @@ pub(super) struct Arguments {
     #[arg(long)]
     at: PathBuf,
     /// The implementation to run in every node: exact, balanced or fast
-    #[arg(long, value_parser = parse_tier)]
+    #[arg(long, value_parser = tier::parse)]
     tier: Option<Tier>,
     /// The output to print in place of the look's own: NODE.PORT, with `/` between groups and nodes
     #[arg(long)]
@@ -58,22 +57,13 @@ pub(super) struct Arguments {
     unspecialized: bool,
 }
 
-fn parse_tier(text: &str) -> Result<Tier, String> {
-    match text {
-        "exact" => Ok(Tier::Exact),
-        "balanced" => Ok(Tier::Balanced),
-        "fast" => Ok(Tier::Fast),
-        _ => Err("it is exact, balanced or fast".to_owned()),
-    }
-}
-
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     check_nodes_folder(arguments.nodes.as_deref())?;
     let mut library = library_for(&arguments.look, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);
     let mut setup = open_look(&arguments.look, output)?;
     if let Some(tier) = arguments.tier {
-        set_tier(&mut setup.look, &mut library, tier);
+        tier::run_everywhere(&mut setup.look, &mut library, tier);
     }
     let samples = samples::read(&arguments.at)?;
     let options = Options {
@@ -189,17 +179,6 @@ fn numbers_of(ty: &Type, value: [f32; 4]) -> Vec<Json> {
         Type::Vec2 => value[..2].iter().map(|x| number(*x)).collect(),
         Type::Vec3 | Type::Mat3 => value[..3].iter().map(|x| number(*x)).collect(),
         _ => value.iter().map(|x| number(*x)).collect(),
-    }
-}
-
-/// Asks every node for a tier, also inside groups, the library's as well.
-fn set_tier(look: &mut Look, library: &mut Library, tier: Tier) {
-    for group in library.groups.values_mut() {
-        Arc::make_mut(group).definition.graph.nodes.values_mut().for_each(|node| node.tier = tier);
-    }
-    let definitions = look.definitions.values_mut().map(|definition| &mut definition.graph);
-    for graph in std::iter::once(&mut look.graph).chain(definitions) {
-        graph.nodes.values_mut().for_each(|node| node.tier = tier);
     }
 }
 

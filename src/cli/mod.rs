@@ -19,6 +19,7 @@ mod render;
 #[cfg(feature = "gpu")]
 mod samples;
 mod scene;
+mod tier;
 
 use std::path::PathBuf;
 use std::process::ExitCode;

@@ -9,10 +9,11 @@ use serde_json::json;
 use super::open::{check_nodes_folder, library_for};
 use super::output::{Output, once};
 use super::scene::check_values;
+use super::tier;
 use crate::clock::Clock;
 use crate::compile::Live;
 use crate::diag::Diagnostic;
-use crate::document::{Projection, Scene, parse_hex, write_atomic};
+use crate::document::{Projection, Scene, Tier, parse_hex, write_atomic};
 use crate::frame::{Assets, FramePlan, PassKind, Picture, PlanOptions, Planner, open};
 use crate::interp::Precision;
 use crate::reference::{self, Control, Modules, execute};
@@ -62,6 +63,9 @@ pub(super) struct Arguments {
     /// The time in seconds
     #[arg(long, default_value_t = 0.0, value_parser = parse_time, allow_negative_numbers = true)]
     time: f64,
+    /// The implementation to run in every node: exact, balanced or fast
+    #[arg(long, value_parser = tier::parse)]
+    tier: Option<Tier>,
     /// A folder of a project's own nodes; `nodes/` beside the document is found without it
     #[arg(long)]
     nodes: Option<PathBuf>,
@@ -110,13 +114,16 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     check_nodes_folder(arguments.nodes.as_deref())?;
     check_target(&arguments.output).map_err(one)?;
     let clock = Clock::start();
-    let library = library_for(&arguments.document, arguments.nodes.as_deref());
+    let mut library = library_for(&arguments.document, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);
     let mut assets = Assets::default();
     let (mut setup, mut warnings) = open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?;
     warnings.extend(check_values(&setup, &arguments.document, &library)?);
     if arguments.z_up {
         setup.stand_up();
+    }
+    if let Some(tier) = arguments.tier {
+        setup.looks.iter_mut().for_each(|worn| tier::run_everywhere(&mut worn.look, &mut library, tier));
     }
     adjust(&mut setup.scene, arguments).map_err(one)?;
     let is_truth = arguments.on == Some(On::Reference);

@@ -90,6 +90,8 @@ struct Scope<'a> {
     path: Option<NodePath>,
     name: String,
     region: Option<Arc<str>>,
+    /// What nodes in it are asked for that do not say their own.
+    tier: Tier,
     parent: Option<(usize, &'a NodeId)>,
     slots: HashMap<&'a str, Slot>,
     wires: HashMap<(&'a str, &'a str), &'a Wire>,
@@ -134,7 +136,7 @@ impl<'a> Flattener<'a> {
     }
 
     fn open_scopes(&mut self) {
-        self.push_scope(&self.look.graph, None, None, None, String::new(), None);
+        self.push_scope(&self.look.graph, None, None, None, String::new(), None, self.look.tier);
         let mut next = 0;
         while next < self.scopes.len() {
             self.fill_scope(next);
@@ -149,6 +151,7 @@ impl<'a> Flattener<'a> {
         }
     }
 
+    #[expect(clippy::too_many_arguments, reason = "a scope is all of these")]
     fn push_scope(
         &mut self,
         graph: &'a Graph,
@@ -157,6 +160,7 @@ impl<'a> Flattener<'a> {
         parent: Option<(usize, &'a NodeId)>,
         name: String,
         region: Option<Arc<str>>,
+        tier: Tier,
     ) -> usize {
         let mut wires = HashMap::with_capacity(graph.wires.len());
         for wire in &graph.wires {
@@ -164,7 +168,7 @@ impl<'a> Flattener<'a> {
             wires.entry((wire.to.node.as_str(), wire.to.port.as_str())).or_insert(wire);
         }
         let slots = HashMap::with_capacity(graph.nodes.len());
-        self.scopes.push(Scope { graph, definition, path, name, region, parent, slots, wires });
+        self.scopes.push(Scope { graph, definition, path, name, region, tier, parent, slots, wires });
         self.scopes.len() - 1
     }
 
@@ -221,6 +225,7 @@ impl<'a> Flattener<'a> {
         let own = if node.name.is_empty() { readable(id, label) } else { node.name.clone() };
         let name = join_names(&self.scopes[scope].name, &own);
         let region = self.scopes[scope].region.clone().or(frame).unwrap_or_else(|| own.as_str().into());
+        let tier = node.tier.unwrap_or(self.scopes[scope].tier);
         self.unknown_values(node, &path, &port_names(&definition.inputs));
         Slot::Group(self.push_scope(
             &definition.graph,
@@ -229,6 +234,7 @@ impl<'a> Flattener<'a> {
             Some((scope, id)),
             name,
             Some(region),
+            tier,
         ))
     }
 
@@ -295,7 +301,8 @@ impl<'a> Flattener<'a> {
         self.unknown_values(node, &path, &known);
         let index = self.flat.nodes.len();
         self.flat.by_path.insert(path.clone(), index);
-        self.flat.nodes.push(FlatNode { path, name, def, tier: node.tier, inputs: Vec::new(), region });
+        let tier = node.tier.unwrap_or(self.scopes[scope].tier);
+        self.flat.nodes.push(FlatNode { path, name, def, tier, inputs: Vec::new(), region });
         self.origins.push((scope, id, node));
         index
     }

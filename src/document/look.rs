@@ -20,6 +20,8 @@ pub struct Look {
     pub name: String,
     /// What the colours mean.
     pub color_space: ColorSpace,
+    /// Which implementation is asked for of nodes that do not say their own.
+    pub tier: Tier,
     /// Nodes, wires and frames.
     pub graph: Graph,
     /// The lights that Light nodes name.
@@ -78,8 +80,8 @@ pub struct Node {
     pub position: [f64; 2],
     /// The values of unwired inputs; what is left out has the node's default.
     pub values: Values,
-    /// Which implementation is asked for.
-    pub tier: Tier,
+    /// Which implementation is asked for; unset, as what the node lies in: its group's node, or else the look.
+    pub tier: Option<Tier>,
     /// Whether it is left out: what comes in goes out as it is.
     pub muted: bool,
     /// Fields of later versions or of other programs.

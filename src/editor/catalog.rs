@@ -99,9 +99,6 @@ impl Kind {
 
     fn of_node(def: &NodeDef) -> Self {
         let is_reroute = def.special == Special::Reroute;
-        let mut tiers: Vec<Tier> = def.variants.iter().map(|variant| variant.tier).collect();
-        tiers.sort_unstable();
-        tiers.dedup();
         Self {
             id: def.kind.clone(),
             label: def.label.as_str().into(),
@@ -123,7 +120,7 @@ impl Kind {
                 })
                 .collect(),
             presets: def.presets.clone(),
-            tiers,
+            tiers: def.tiers(),
             is_reroute,
             is_missing: false,
         }

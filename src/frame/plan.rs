@@ -400,7 +400,7 @@ fn look_key(look: &Look, live: &Live, cutout: bool) -> u64 {
     let mut hasher = DefaultHasher::new();
     cutout.hash(&mut hasher);
     if *live == Live::All {
-        look.color_space.hash(&mut hasher);
+        (look.color_space, look.tier).hash(&mut hasher);
         hash_graph(&look.graph, &mut hasher);
         for (id, definition) in &look.definitions {
             (id, format!("{:?}{:?}", definition.inputs, definition.outputs)).hash(&mut hasher);

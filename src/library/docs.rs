@@ -14,13 +14,15 @@
 //! /// @preset "Lambert" offset=0 falloff=pi/2
 //! /// @bypass below when opacity = 0 : nothing is laid over what is below
 //! /// @unit when clamped = 1
+//! /// @error fast 2e-3 : of the tone
 //! /// @source BADF eq. 5
 //! ```
 //!
 //! A `@bypass` says when the node may be left out and what then stands in its place: an input or a number. Its
 //! conditions compare an input with a number, with another input, with words of a choice (`mode = add|alpha`), or
 //! with `black` (first three numbers 0) or `unit` (all numbers known to lie in [0, 1]). `@unit` says when the result
-//! is known to lie in [0, 1]. A test holds that a bypassed node equals one that is not.
+//! is known to lie in [0, 1]. A test holds that a bypassed node equals one that is not. An `@error` says how far a
+//! cheaper tier may be from the exact one; a test holds that too.
 //!
 //! Numbers may be written with `pi` (`pi/2`, `-pi`, `2pi`), vectors with commas and no spaces, text in quotes. A help
 //! text may go on in following lines that are indented by two spaces or more.
@@ -28,7 +30,7 @@
 /// One `@word ...` line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tag {
-    /// `param`, `choice`, `return`, `preset`, `bypass`, `source`.
+    /// `param`, `choice`, `return`, `preset`, `bypass`, `unit`, `error`, `source`.
     pub word: String,
     /// What stands between the word and the colon, split at spaces; quoted texts are one piece without their quotes.
     pub pieces: Vec<Piece>,

@@ -25,7 +25,7 @@ pub use group::{CUSTOM_CODE, CUSTOM_KIND, GroupPorts};
 pub use load::{GroupDef, Library};
 pub use node::{
     Bypass, BypassResult, Condition, Fallback, Input, NodeDef, NodeModule, Output, Parameter, Prepare, Preset, Special,
-    Test, Variant,
+    Test, TierError, Variant,
 };
 pub use read::load_node;
 pub use types::{Conversion, Type};

@@ -36,6 +36,8 @@ pub struct NodeDef {
     pub bypasses: Vec<Bypass>,
     /// When all numbers of the result lie in [0, 1]; `None` for never.
     pub unit_when: Option<Vec<Condition>>,
+    /// How far its cheaper tiers may be from the exact one.
+    pub errors: Vec<TierError>,
     /// Named settings.
     pub presets: Vec<Preset>,
     /// What the compiler must know it by.
@@ -198,6 +200,17 @@ pub enum Test {
     Unit,
 }
 
+/// How far a cheaper tier may be from the exact one, in the numbers of the result: `@error`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TierError {
+    /// The tier.
+    pub tier: Tier,
+    /// The worst absolute difference; a test holds it.
+    pub bound: f64,
+    /// Of what, and where.
+    pub help: String,
+}
+
 /// Named settings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Preset {
@@ -208,6 +221,19 @@ pub struct Preset {
 }
 
 impl NodeDef {
+    /// Its tiers, the exact one first.
+    pub fn tiers(&self) -> Vec<Tier> {
+        let mut tiers: Vec<Tier> = self.variants.iter().map(|variant| variant.tier).collect();
+        tiers.sort_unstable();
+        tiers.dedup();
+        tiers
+    }
+
+    /// How far a tier may be from the exact one, where its file says so.
+    pub fn error_of(&self, tier: Tier) -> Option<&TierError> {
+        self.errors.iter().find(|error| error.tier == tier)
+    }
+
     /// An input's index by name.
     pub fn input(&self, name: &str) -> Option<usize> {
         self.inputs.iter().position(|input| input.name.as_str() == name)

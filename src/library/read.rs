@@ -8,7 +8,7 @@ use super::context::Context;
 use super::docs::{self, Docs, Piece, Tag};
 use super::node::{
     Bypass, BypassResult, Condition, Fallback, Input, NodeDef, NodeModule, Output, Parameter, Prepare, Preset, Special,
-    Test, Variant,
+    Test, TierError, Variant,
 };
 use super::types::Type;
 use crate::diag::{Diagnostic, LineColumn};
@@ -134,6 +134,7 @@ impl Reader<'_> {
             prepare: None,
             bypasses: Vec::new(),
             unit_when: None,
+            errors: Vec::new(),
             presets: Vec::new(),
             special: match (custom, stem) {
                 (None, "output") => Special::Output,
@@ -414,15 +415,33 @@ impl Reader<'_> {
                         self.problem(head, "a `@unit` is not of the form `when input = value`".to_owned());
                     }
                 }
+                "error" => match tier_error(tag).filter(|error| node.tiers().contains(&error.tier)) {
+                    Some(error) => node.errors.push(error),
+                    None => {
+                        self.problem(head, "an `@error` is not of the form `tier number`, with a tier of the node");
+                    }
+                },
                 "param" | "choice" | "return" | "source" => {}
                 other => {
-                    self.problem(head, format!("`@{other}` means nothing here"))
-                        .hints
-                        .push("the tags are @param, @choice, @return, @preset, @bypass, @unit and @source".to_owned());
+                    self.problem(head, format!("`@{other}` means nothing here")).hints.push(
+                        "the tags are @param, @choice, @return, @preset, @bypass, @unit, @error and @source".to_owned(),
+                    );
                 }
             }
         }
     }
+}
+
+/// `fast 1e-3 : of what`.
+fn tier_error(tag: &Tag) -> Option<TierError> {
+    let [Piece::Word(tier), Piece::Word(bound)] = tag.pieces.as_slice() else { return None };
+    let tier = match tier.as_str() {
+        "balanced" => Tier::Balanced,
+        "fast" => Tier::Fast,
+        _ => return None,
+    };
+    let bound = docs::number(bound).filter(|bound| *bound >= 0.0)?;
+    Some(TierError { tier, bound, help: tag.help.clone() })
 }
 
 /// What `name` has after `stem`; empty for the stem itself.

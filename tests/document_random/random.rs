@@ -190,7 +190,7 @@ impl Random {
             name: self.text(),
             position: self.numbers(1e6),
             values: self.values(),
-            tier: self.choose(&[Tier::Exact, Tier::Balanced, Tier::Fast]),
+            tier: self.choose(&[None, Some(Tier::Exact), Some(Tier::Balanced), Some(Tier::Fast)]),
             muted: self.chance(5),
             unknown: self.unknown(),
         };
@@ -331,6 +331,7 @@ impl Random {
     pub(crate) fn look(&mut self) -> Look {
         let mut look = Look { name: self.text(), unknown: self.unknown(), ..Look::default() };
         look.color_space = self.choose(&[ColorSpace::Display, ColorSpace::Linear]);
+        look.tier = self.choose(&[Tier::Exact, Tier::Balanced, Tier::Fast]);
         for _ in 0..self.below(4) {
             look.lights.insert(self.slug().into(), self.light());
         }

@@ -2,7 +2,7 @@
 
 use crate::document::{Tier, Value};
 use crate::library::{
-    CUSTOM_CODE, CUSTOM_KIND, Fallback, GroupDef, Input, Library, NodeDef, Output, Preset, Special, Type,
+    CUSTOM_CODE, CUSTOM_KIND, Fallback, GroupDef, Input, Library, NodeDef, Output, Preset, Special, TierError, Type,
 };
 
 /// One kind of node.
@@ -21,6 +21,7 @@ pub(super) struct Entry {
     /// The wider types that it works in where its wires have them.
     pub(super) widths: Vec<Type>,
     pub(super) tiers: Vec<Tier>,
+    pub(super) errors: Vec<TierError>,
     pub(super) is_group: bool,
 }
 
@@ -40,12 +41,9 @@ pub(super) fn entries(library: &Library) -> Vec<Entry> {
 
 fn of_node(def: &NodeDef) -> Entry {
     let mut widths: Vec<Type> = Vec::new();
-    let mut tiers: Vec<Tier> = Vec::new();
     for variant in &def.variants {
         widths.extend(variant.width.clone().filter(|width| !widths.contains(width)));
-        tiers.extend((!tiers.contains(&variant.tier)).then_some(variant.tier));
     }
-    tiers.sort_unstable();
     let mut outputs = def.outputs.clone();
     if def.special == Special::Output {
         // What the window shows; no wire leaves from it.
@@ -61,7 +59,8 @@ fn of_node(def: &NodeDef) -> Entry {
         presets: def.presets.clone(),
         sources: def.sources.clone(),
         widths,
-        tiers,
+        tiers: def.tiers(),
+        errors: def.errors.clone(),
         is_group: false,
     }
 }
@@ -80,6 +79,7 @@ fn of_group(group: &GroupDef, library: &Library) -> Entry {
         sources: Vec::new(),
         widths: Vec::new(),
         tiers: vec![Tier::Exact],
+        errors: Vec::new(),
         is_group: true,
     }
 }
@@ -112,6 +112,7 @@ fn custom() -> Entry {
         sources: Vec::new(),
         widths: Vec::new(),
         tiers: vec![Tier::Exact],
+        errors: Vec::new(),
         is_group: false,
     }
 }

@@ -18,6 +18,7 @@ pub(super) fn entry(entry: &Entry) -> Json {
             preset.values.iter().map(|(name, value)| (name.to_string(), json!(value))).collect();
         json!({"label": preset.label, "values": values})
     });
+    let errors = entry.errors.iter().map(|error| json!({"tier": error.tier, "bound": error.bound, "help": error.help}));
     json!({
         "kind": entry.kind,
         "label": entry.label,
@@ -29,6 +30,7 @@ pub(super) fn entry(entry: &Entry) -> Json {
         "presets": presets.collect::<Vec<_>>(),
         "also": entry.widths.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "tiers": entry.tiers,
+        "errors": errors.collect::<Vec<_>>(),
         "sources": entry.sources,
     })
 }

@@ -75,13 +75,20 @@ fn section(entry: &Entry) -> String {
         let tiers: Vec<String> = entry.tiers.iter().map(|tier| format!("`{}`", tier_word(*tier))).collect();
         let _ = writeln!(text, "\nTiers: {}.", tiers.join(", "));
     }
+    if !entry.errors.is_empty() {
+        let _ = writeln!(text, "\nAt most this far from exact:\n");
+    }
+    for error in &entry.errors {
+        let help = if error.help.is_empty() { String::new() } else { format!(": {}", error.help) };
+        let _ = writeln!(text, "- `{}`: {:?}{help}.", tier_word(error.tier), error.bound);
+    }
     if !entry.sources.is_empty() {
         let _ = writeln!(text, "\nSource: {}.", entry.sources.join("; "));
     }
     text
 }
 
-fn tier_word(tier: Tier) -> &'static str {
+pub(super) fn tier_word(tier: Tier) -> &'static str {
     match tier {
         Tier::Exact => "exact",
         Tier::Balanced => "balanced",

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::entry::{Entry, default_text, json_text, range_text};
+use super::markdown::tier_word;
 use crate::library::Input;
 
 /// One line a node, by category.
@@ -56,6 +57,15 @@ pub(super) fn whole(entry: &Entry) -> String {
     if !entry.widths.is_empty() {
         let widths: Vec<String> = entry.widths.iter().map(ToString::to_string).collect();
         let _ = writeln!(text, "\nWhere a wire brings it, works number by number in {}.", widths.join(", "));
+    }
+    if !entry.errors.is_empty() {
+        text += "\nTiers, and how far from exact they are at most\n";
+        for error in &entry.errors {
+            let _ = writeln!(text, "  {}  {:?}", tier_word(error.tier), error.bound);
+            if !error.help.is_empty() {
+                let _ = writeln!(text, "{}", wrapped(&error.help, "      "));
+            }
+        }
     }
     if !entry.sources.is_empty() {
         let _ = writeln!(text, "\nSource: {}", entry.sources.join("; "));

@@ -41,6 +41,8 @@ pub enum Edit {
     SetLookName { name: String },
     /// Says what colours mean.
     SetColorSpace { color_space: ColorSpace },
+    /// Asks for another implementation of nodes that do not say their own.
+    SetLookTier { tier: Tier },
 
     /// Adds a node under a new id.
     AddNode { graph: GraphId, id: NodeId, node: Node, index: Option<usize> },
@@ -50,8 +52,8 @@ pub enum Edit {
     SetName { graph: GraphId, id: NodeId, name: String },
     /// Makes a node another kind; values and wires stay. What is exposed or keyed in a group that goes away goes too.
     SetKind { graph: GraphId, id: NodeId, kind: String },
-    /// Asks for another implementation.
-    SetTier { graph: GraphId, id: NodeId, tier: Tier },
+    /// Asks for another implementation of a node, or for that of what it lies in.
+    SetTier { graph: GraphId, id: NodeId, tier: Option<Tier> },
     /// Leaves a node out, or takes it in again.
     SetMuted { graph: GraphId, id: NodeId, muted: bool },
     /// Moves nodes on the canvas, to these places.
@@ -122,6 +124,7 @@ impl Edit {
             Self::Group { edits } => edits.first().map_or_else(|| "nothing".to_owned(), Self::label),
             Self::SetLookName { .. } => "rename the look".to_owned(),
             Self::SetColorSpace { .. } => "change the colour space".to_owned(),
+            Self::SetLookTier { .. } => "change the look's tier".to_owned(),
             Self::AddNode { id, .. } => format!("add {id}"),
             Self::RemoveNode { id, .. } => format!("remove {id}"),
             Self::SetName { id, .. } => format!("rename {id}"),
@@ -214,6 +217,7 @@ fn apply(look: &mut Look, edit: Edit, is_known_good: bool) -> Applied<Edit> {
             let color_space = std::mem::replace(&mut look.color_space, color_space);
             Ok(Edit::SetColorSpace { color_space })
         }
+        Edit::SetLookTier { tier } => Ok(Edit::SetLookTier { tier: std::mem::replace(&mut look.tier, tier) }),
         Edit::AddNode { graph, id, node, index } => graph::add_node(look, graph, id, node, index),
         Edit::RemoveNode { graph, id } => graph::remove_node(look, graph, id),
         Edit::SetName { graph, id, name } => {

@@ -23,6 +23,7 @@ pub(super) fn look(r: &mut Reader<'_>, at: At) -> Option<Look> {
     Some(Look {
         name: r.text(&fields, "name").unwrap_or_default(),
         color_space: r.color_space,
+        tier: r.word(&fields, "tier").unwrap_or_default(),
         lights: r.map(&mut fields, "lights", light),
         graph: graph(r, &mut fields),
         definitions: r.map(&mut fields, "definitions", |r, at, _| definition(r, at)),
@@ -134,7 +135,7 @@ fn node(r: &mut Reader<'_>, at: At) -> Option<(Option<NodeId>, Node)> {
         name: r.text(&fields, "name").unwrap_or_default(),
         position: r.array(&fields, "at").unwrap_or_default(),
         values: r.values(&mut fields),
-        tier: r.word(&fields, "tier").unwrap_or_default(),
+        tier: r.word(&fields, "tier"),
         muted: r.bool(&fields, "muted").unwrap_or_default(),
         unknown: fields.unknown,
     };

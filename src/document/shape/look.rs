@@ -34,6 +34,12 @@ pub(in crate::document) static LOOK: Shape = Shape {
         super::scene::SCHEMA,
         NAME,
         field("color_space", Word(ColorSpace::WORDS), Json("\"display\""), "What the numbers of colours mean."),
+        field(
+            "tier",
+            Word(Tier::WORDS),
+            Json("\"exact\""),
+            "Which implementation is asked for of nodes that do not say their own.",
+        ),
         field("lights", Map(&Object(&LIGHT), 1000), Json("{}"), "The lights that Light nodes name, by id."),
         NODES,
         WIRES,
@@ -128,7 +134,12 @@ pub(in crate::document) static NODE: Shape = Shape {
             "Where it lies on the canvas, in points, x right and y down.",
         ),
         field("values", Map(&Value, 1000), Json("{}"), "The values of unwired inputs, by port."),
-        field("tier", Word(Tier::WORDS), Json("\"exact\""), "Which implementation is asked for."),
+        field(
+            "tier",
+            Word(Tier::WORDS),
+            Words("that of the group's node it lies in, or else the look's"),
+            "Which implementation is asked for; of a group's node, for every node in it.",
+        ),
         field("muted", Bool, Json("false"), "Whether it is left out: what comes in goes out as it is."),
     ],
 };

@@ -20,6 +20,7 @@ pub(super) fn look(w: &mut Writer, look: &Look) {
         top(w, "look", unknown);
         w.text_unless_empty("name", &look.name);
         w.word_unless("color_space", look.color_space, Default::default());
+        w.word_unless("tier", look.tier, Tier::default());
         lights(w, &look.lights, unknown);
         graph(w, &look.graph, unknown);
         if !look.definitions.is_empty() {
@@ -114,7 +115,7 @@ fn node(w: &mut Writer, id: &NodeId, node: &Node) {
         w.text_unless_empty("name", &node.name);
         w.numbers_unless("at", &node.position, &[0.0; 2]);
         values(w, &node.values, &node.unknown);
-        w.word_unless("tier", node.tier, Tier::default());
+        w.word_if("tier", node.tier);
         if node.muted {
             w.member("muted", |w| w.bool(true));
         }

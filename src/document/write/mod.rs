@@ -103,6 +103,13 @@ impl Writer {
         }
     }
 
+    /// A member that is not written where it is unset.
+    fn word_if<T: super::word::Word>(&mut self, name: &str, choice: Option<T>) {
+        if let Some(choice) = choice {
+            self.member(name, |w| w.string(choice.word()));
+        }
+    }
+
     /// An object whose unknown members come last.
     fn shaped(&mut self, layout: Layout, shape: &Shape, unknown: Option<&Unknown>, write: impl FnOnce(&mut Self)) {
         self.object(layout, |w| {

@@ -111,13 +111,9 @@ fn tier_row(ui: &mut Ui, Subject { id, node, kind, .. }: &Subject<'_>, out: &mut
         return;
     }
     row::labelled(ui, "Tier", "Which implementation: exact, or faster with a measured error", |ui, label| {
-        let name = |tier| match tier {
-            Tier::Exact => "Exact",
-            Tier::Balanced => "Balanced",
-            Tier::Fast => "Fast",
-        };
+        let name = |tier: Option<Tier>| tier.map_or("As the look", tier_name);
         let combo = egui::ComboBox::from_id_salt("tier").selected_text(name(node.tier)).show_ui(ui, |ui| {
-            for &tier in &kind.tiers {
+            for tier in std::iter::once(None).chain(kind.tiers.iter().copied().map(Some)) {
                 if ui.selectable_label(node.tier == tier, name(tier)).clicked() {
                     out.push(Command::Edit(Edit::SetTier { graph: GraphId::Look, id: (*id).clone(), tier }));
                 }
@@ -125,6 +121,14 @@ fn tier_row(ui: &mut Ui, Subject { id, node, kind, .. }: &Subject<'_>, out: &mut
         });
         combo.response.labelled_by(label);
     });
+}
+
+fn tier_name(tier: Tier) -> &'static str {
+    match tier {
+        Tier::Exact => "Exact",
+        Tier::Balanced => "Balanced",
+        Tier::Fast => "Fast",
+    }
 }
 
 /// With nothing selected: the look itself and its lights.
@@ -149,6 +153,16 @@ fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
             for color_space in [ColorSpace::Display, ColorSpace::Linear] {
                 if ui.selectable_label(look.color_space == color_space, name(color_space)).clicked() {
                     out.push(Command::Edit(Edit::SetColorSpace { color_space }));
+                }
+            }
+        });
+        combo.response.labelled_by(label);
+    });
+    row::labelled(ui, "Tier", "Which implementation nodes have that do not say their own", |ui, label| {
+        let combo = egui::ComboBox::from_id_salt("tier").selected_text(tier_name(look.tier)).show_ui(ui, |ui| {
+            for tier in [Tier::Exact, Tier::Balanced, Tier::Fast] {
+                if ui.selectable_label(look.tier == tier, tier_name(tier)).clicked() {
+                    out.push(Command::Edit(Edit::SetLookTier { tier }));
                 }
             }
         });

@@ -1,0 +1,27 @@
+import chiaro::antialias;
+
+fn nothing(n: vec3f, l: vec3f, s: f32) -> f32 {
+    return n.x + s;
+}
+
+fn exact(n: vec3f, l: vec3f, s: f32) -> f32 {
+    let w = footprint_of(n.x);
+    let count = 4.0 + f32(repeats.y);
+    let x = count * clamp(bounded(n.x), 0.0, 1.0);
+    return clamp(stairs_filtered(x, count, edge_width(count * w, 0.0)) / (count - 1.0), 0.0, 1.0);
+}
+
+/// One edge at a time, whose width is the sum of both derivatives.
+fn width_by_sum(n: vec3f, l: vec3f, s: f32) -> f32 {
+    let count = 4.0 + f32(repeats.y);
+    let x = count * clamp(bounded(n.x), 0.0, 1.0);
+    let w = min(abs(dpdx(x)) + abs(dpdy(x)), 1.0);
+    let edge = clamp(round(x), 1.0, count - 1.0);
+    let step = select(clamp(0.5 + (x - edge) / max(w, 1e-30), 0.0, 1.0), select(0.0, 1.0, x >= edge), w < 1e-30);
+    return (edge - 1.0 + step) / (count - 1.0);
+}
+
+fn hard(n: vec3f, l: vec3f, s: f32) -> f32 {
+    let count = 4.0 + f32(repeats.y);
+    return min(floor(count * clamp(bounded(n.x), 0.0, 1.0)), count - 1.0) / (count - 1.0);
+}
