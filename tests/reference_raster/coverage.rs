@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use chiaro::reference::{Interpolation, Options, Snap, Target};
 
-use crate::shaders::{BOTH, CLEAR, Plain, at_pixel, draw, draw_all, in_order, somewhere};
+use crate::shaders::{CLEAR, Plain, at_pixel, draw, draw_all, in_order, somewhere};
 use crate::support::random::Random;
 
 const SNAPS: [Snap; 2] = [Snap::None, Snap::Subpixel(8)];
@@ -239,8 +239,7 @@ fn threads_tiles_and_memory_change_nothing() {
 }
 
 #[test]
-fn sides_are_as_asked() {
-    assert!(BOTH.both && !BOTH.is_mirrored);
+fn counter_clockwise_is_the_front() {
     let size = [8, 8];
     let clip: Vec<_> = [[0.0, 0.0], [16.0, 0.0], [0.0, 16.0]].map(|at| at_pixel(size, at, 0.5)).to_vec();
     let front = |batch: &chiaro::reference::QuadBatch, lane: usize| {
@@ -251,5 +250,24 @@ fn sides_are_as_asked() {
     for (indices, wanted) in [([0, 1, 2], 0.0), ([0, 2, 1], 1.0)] {
         let raster = draw(size, 1, &CLEAR, &indices, &shader, &Options::default());
         assert_eq!(raster.texels.pixel(3, 3), [wanted, 0.0, 0.0, 1.0]);
+    }
+}
+
+#[test]
+fn no_position_is_too_strange() {
+    let size = [40, 30];
+    let mut random = Random::new(8);
+    for _ in 0..200 {
+        let number = |random: &mut Random| {
+            let magnitude = 10_f64.powf(random.between(-20.0, 20.0) * f64::from(u8::from(random.chance(0.5))));
+            let strange = [0.0, -0.0, f64::NAN, f64::INFINITY, f64::MIN_POSITIVE, f64::MAX, -1e-12];
+            if random.chance(0.1) { *random.pick(&strange) } else { random.between(-1.0, 1.0) * magnitude }
+        };
+        let clip = (0..30).map(|_| [(); 4].map(|()| number(&mut random))).collect();
+        let shader = white(clip);
+        for snap in SNAPS {
+            let raster = draw(size, 4, &CLEAR, &in_order(30), &shader, &options(snap));
+            assert!(raster.texels.values.iter().all(|x| (0.0..=1.0).contains(x)));
+        }
     }
 }

@@ -311,4 +311,6 @@ fn the_work_can_be_stopped_and_tells_how_far_it_is() {
     assert_eq!(most.into_inner(), 1000);
     let problem = rasterise([1 << 15; 2], 4, &CLEAR, &[], &options, &Control::none()).expect_err("too large");
     assert_eq!(problem.code, "reference-too-large");
+    let problem = rasterise([8; 2], 2, &CLEAR, &[], &options, &Control::none()).expect_err("no such samples");
+    assert_eq!(problem.code, "reference-samples");
 }
