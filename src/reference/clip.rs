@@ -13,11 +13,11 @@ pub(super) struct Corner {
     pub(super) weights: [f64; 3],
 }
 
-/// How many times the width of the picture something may reach beyond it before it is cut: 2^13 half widths of at most
-/// 2^15 pixels stay within 2^28 pixels, which grid coordinates hold.
-const GUARD: f64 = 8192.0;
+/// How many half widths of the picture something may reach from its middle before it is cut: 2^13 of at most 2^14 pixels
+/// stay within 2^28 pixels, also where rounding doubles them, and grid coordinates below 2^60 steps.
+pub(super) const GUARD: f64 = 8192.0;
 /// Positions with a lesser w are at the eye or behind it.
-const LEAST_W: f64 = 1e-12;
+pub(super) const LEAST_W: f64 = 1e-12;
 /// Near, far, the eye, and four sides far beyond the picture.
 const PLANES: u32 = 7;
 /// The most corners: three, and one more for each plane.
@@ -115,7 +115,7 @@ mod tests {
 
     #[test]
     fn a_corner_behind_the_eye_leaves_a_quadrangle() {
-        let clip = [[0.0, 0.0, 1.0, 2.0], [1.0, 0.0, 1.0, 2.0], [0.0, 1.0, -1.0, -2.0]];
+        let clip = [[0.0, 0.0, 1.0, 2.0], [1.0, 0.0, 1.0, 2.0], [0.0, 1.0, -2.0, -2.0]];
         let codes = clip.map(outcode);
         assert_eq!((codes[0], codes[1]), (0, 0));
         assert!(codes[2] & 0b101 == 0b101, "{codes:?}");

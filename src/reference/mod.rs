@@ -42,7 +42,7 @@ pub use geometry::Triangles;
 pub use modules::Modules;
 pub use options::{Control, Options, Snap};
 pub use picture::ReferencePicture;
-pub use raster::{MAX_SAMPLES, Raster, rasterise};
+pub use raster::{MAX_SAMPLES, MAX_SIDE, Raster, rasterise};
 pub use setup::Sides;
 pub use shader::{FragmentStage, Interpolation, LANES, QUADS, QuadBatch, Shaded, Shader, Varying, VertexStage};
 pub use texels::{Coverage, Texels};

@@ -59,7 +59,7 @@ impl Options {
 pub struct Control<'a> {
     /// Set by another thread to stop; looked at between batches of fragments.
     pub cancel: &'a AtomicBool,
-    /// Told a share from 0 to 1 that never falls within one pass; called on any thread.
+    /// Told the share that is done, from 0 to 1; called on any thread, so that shares may come a little out of order.
     pub progress: &'a (dyn Fn(f64) + Sync),
 }
 

@@ -25,6 +25,8 @@ use crate::diag::Diagnostic;
 
 /// Pictures of more samples are refused: 8192x8192 pixels, or 4096x4096 of 4 samples.
 pub const MAX_SAMPLES: u64 = 1 << 26;
+/// Pictures of more pixels along one side are refused: the grid that coverage is decided on ends.
+pub const MAX_SIDE: u32 = 1 << 15;
 
 /// As many draws have a batch in one thread at a time.
 const BATCHES: usize = 16;
@@ -61,7 +63,8 @@ struct Work<'a> {
 /// Draws `draws` in order into an image of `size` pixels with 1 or 4 `samples` each.
 ///
 /// # Errors
-/// - `reference-too-large`: there are more than [`MAX_SAMPLES`] samples.
+/// - `reference-too-large`: there are more than [`MAX_SAMPLES`] samples, or a side is longer than [`MAX_SIDE`].
+/// - `reference-samples`: a pixel has neither 1 nor 4.
 /// - `cancelled`: it is not wanted any more.
 /// - What the shaders report.
 pub fn rasterise(
@@ -87,9 +90,14 @@ pub fn rasterise(
     Ok(work.raster.into_inner().unwrap_or_else(PoisonError::into_inner))
 }
 
-/// Refuses what would take too much memory.
+/// Refuses what would take too much memory, or does not exist.
 pub(super) fn check_size(size: [u32; 2], samples: u32) -> Result<(), Diagnostic> {
-    if u64::from(size[0]) * u64::from(size[1]) <= MAX_SAMPLES / u64::from(samples.max(1)) {
+    if !matches!(samples, 1 | 4) {
+        let message = format!("a pixel has 1 or 4 samples, not {samples}");
+        return Err(Diagnostic::error("reference-samples", message));
+    }
+    let count = u64::from(size[0]) * u64::from(size[1]) * u64::from(samples);
+    if count <= MAX_SAMPLES && size[0].max(size[1]) <= MAX_SIDE {
         return Ok(());
     }
     let message = format!("{}x{} pixels of {samples} samples are too many for the reference", size[0], size[1]);

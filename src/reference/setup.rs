@@ -1,6 +1,6 @@
 //! From corners in clip space to triangles on the screen's grid: which way around they run, which are culled.
 
-use super::clip::{Corner, Polygon, outcode};
+use super::clip::{Corner, GUARD, LEAST_W, Polygon, outcode};
 
 /// Pixels and the steps of the grid in one of them.
 #[derive(Clone, Copy, Debug)]
@@ -41,8 +41,12 @@ pub(super) struct Triangle {
 impl Screen {
     fn place(self, corner: &Corner) -> ScreenCorner {
         let [x, y, z, w] = corner.clip;
+        // Cuts leave nothing beyond either limit but for what rounding does, which is a lot only where w is next to 0.
+        let w = w.max(LEAST_W);
         let steps = f64::from(1 << (self.bits / 2)) * f64::from(1 << self.bits.div_ceil(2));
-        let step = |ndc: f64, side: u32| (0.5 * (ndc + 1.0) * f64::from(side) * steps).round() as i64;
+        let step = |ndc: f64, side: u32| {
+            (0.5 * (ndc.clamp(-2.0 * GUARD, 2.0 * GUARD) + 1.0) * f64::from(side) * steps).round() as i64
+        };
         ScreenCorner {
             at: [step(x / w, self.size[0]), step(-y / w, self.size[1])],
             depth: z / w,

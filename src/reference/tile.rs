@@ -89,23 +89,21 @@ impl TileSamples {
     /// The samples that are in front of what is there; later ones of the same batch may still come before them.
     pub(super) fn in_front(&self, pending: &Pending) -> u16 {
         let mut covered = 0;
-        self.each(pending, pending.covered, |_, _, bit, index, depth| {
-            // Depths only ever fall, so that what is hidden now stays so, and nothing that is hidden needs a colour.
-            covered |= if depth < self.depths[index] { bit } else { 0 };
-        });
+        for corner in (0..4).filter(|corner| pending.covered >> (4 * corner) & 0xF != 0) {
+            let first = self.corner(pending, corner);
+            for sample in (0..self.samples).filter(|sample| pending.covered & bit(corner, *sample) != 0) {
+                // Depths only ever fall, so that what is hidden now stays so, and nothing that is hidden needs a colour.
+                if pending.depths[4 * corner + sample] < self.depths[first + sample] {
+                    covered |= bit(corner, sample);
+                }
+            }
+        }
         covered
     }
 
-    fn each(&self, pending: &Pending, covered: u16, mut visit: impl FnMut(usize, usize, u16, usize, f64)) {
-        for lane in 0..4 {
-            if covered >> (4 * lane) & 0xF == 0 {
-                continue;
-            }
-            let first = self.index(pending.at[0] + (lane as u32 & 1), pending.at[1] + (lane as u32 >> 1));
-            for sample in (0..self.samples).filter(|sample| covered & bit(lane, *sample) != 0) {
-                visit(lane, sample, bit(lane, sample), first + sample, pending.depths[4 * lane + sample]);
-            }
-        }
+    /// The first sample of one of a quad's four pixels.
+    fn corner(&self, pending: &Pending, corner: usize) -> usize {
+        self.index(pending.at[0] + (corner as u32 & 1), pending.at[1] + (corner as u32 >> 1))
     }
 
     /// Draws a quad whose colours are in the lanes from `lane`.
@@ -115,7 +113,7 @@ impl TileSamples {
             if covered == 0 || shaded.discarded >> (lane + corner) & 1 == 1 {
                 continue;
             }
-            let first = self.index(pending.at[0] + (corner as u32 & 1), pending.at[1] + (corner as u32 >> 1));
+            let first = self.corner(pending, corner);
             for sample in (0..self.samples).filter(|sample| covered >> sample & 1 == 1) {
                 let (index, depth) = (first + sample, pending.depths[4 * corner + sample]);
                 if depth < self.depths[index] {

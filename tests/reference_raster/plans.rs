@@ -1,0 +1,111 @@
+//! The executor: passes in the order of the plan, each with what it reads.
+
+use std::path::Path;
+use std::sync::Mutex;
+
+use chiaro::compile::Live;
+use chiaro::diag::Diagnostic;
+use chiaro::frame::{Assets, Draw, FramePlan, PassKind, PlanOptions, Planner, open};
+use chiaro::library::Library;
+use chiaro::reference::{Control, Interpolation, Options, PassImages, Shader, Shaders, Texels, execute};
+use glam::DVec3;
+
+use crate::shaders::Plain;
+
+/// Shaders as closures, that note what they were asked for.
+#[derive(Default)]
+struct Noted(Mutex<Vec<&'static str>>);
+
+impl Noted {
+    fn note(&self, what: &'static str) {
+        self.0.lock().expect("nobody panics").push(what);
+    }
+}
+
+impl Shaders for Noted {
+    fn draw<'a>(
+        &'a self,
+        plan: &'a FramePlan,
+        draw: &'a Draw,
+        kind: &PassKind,
+        images: &'a PassImages,
+    ) -> Result<Box<dyn Shader + 'a>, Diagnostic> {
+        // The object stands where its mesh does, in the test's scene.
+        let positions = draw.mesh.positions.iter().map(|p| DVec3::from_array(p.map(f64::from)));
+        let clip = positions.clone().map(|p| (plan.view.clip_from_world * p.extend(1.0)).to_array()).collect();
+        let seen = positions.map(|p| plan.view.camera_from_world.transform_point3(p).to_array().to_vec()).collect();
+        let shader = if *kind == PassKind::Look {
+            self.note("look");
+            let curvature = images.surface.curvature.as_ref().expect("the curvature pass came before");
+            Plain::new(clip, move |batch, lane| {
+                let [x, y] = [0, 1].map(|c| batch.position(c)[lane] as u32);
+                Some(vec![curvature.pixel(x, y)[0], 0.0, 0.0, 1.0])
+            })
+        } else {
+            self.note("normals");
+            Plain::new(clip, |batch, lane| Some(vec![0.0, 0.0, 1.0, 7.0, -batch.varying(2)[lane]]))
+        };
+        Ok(Box::new(shader.with(Interpolation::Perspective, seen)))
+    }
+
+    fn curvature<'a>(
+        &'a self,
+        _: &'a FramePlan,
+        normals: &'a Texels,
+        depths: &'a Texels,
+    ) -> Result<Box<dyn Shader + 'a>, Diagnostic> {
+        self.note("curvature");
+        let fragment = |batch: &chiaro::reference::QuadBatch, lane: usize| {
+            let [x, y] = [0, 1].map(|c| batch.position(c)[lane] as u32);
+            let is_inside = x < normals.size[0] && y < normals.size[1];
+            Some(vec![if is_inside { normals.pixel(x, y)[3] + depths.pixel(x, y)[0] } else { 0.0 }])
+        };
+        Ok(Box::new(Plain::new(Vec::new(), fragment)))
+    }
+}
+
+fn plan(look: &str, size: [u32; 2]) -> FramePlan {
+    let mut assets = Assets::default();
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks").join(look);
+    let (mut setup, _) = open(&path, Some("shape:sphere"), &mut assets).expect("an example");
+    setup.objects[0].world_from_object = glam::DMat4::IDENTITY;
+    let options = PlanOptions { size, samples: 4, time: 0.0 };
+    Planner::new(assets).plan(&setup, Library::built_in(), &Live::Keyed, &options).expect("an example")
+}
+
+#[test]
+fn passes_run_in_order_and_read_each_other() {
+    let plan = plan("figure6-comics.json", [81, 60]);
+    let kinds: Vec<_> = plan.passes.iter().map(|pass| pass.kind.clone()).collect();
+    assert_eq!(kinds, [PassKind::Normals, PassKind::Curvature, PassKind::Look]);
+    let shaders = Noted::default();
+    let shares = Mutex::new(Vec::new());
+    let progress = |share: f64| shares.lock().expect("nobody panics").push(share);
+    let control = Control { progress: &progress, ..Control::none() };
+    let options = Options { threads: 1, tile: 16, ..Options::default() };
+    let picture = execute(&plan, &shaders, &options, &control).expect("nothing fails");
+    assert_eq!(*shaders.0.lock().expect("nobody panics"), ["normals", "curvature", "look"]);
+    let shares = shares.into_inner().expect("nobody panics");
+    assert!(shares.is_sorted() && shares.last() == Some(&1.0), "{shares:?}");
+    // The middle shows the object's number plus 1 and the distance of the sphere; the corner what is behind it.
+    let middle = picture.straight(40, 30);
+    let distance = (plan.view.eye.length() - 1.0) + 7.0;
+    assert!((middle[0] - distance).abs() < 0.02, "{middle:?}, not {distance}");
+    assert_eq!(picture.object(40, 30), Some(&plan.draws[0].object));
+    assert!(picture.coverage(40, 30).is_inside(4));
+    assert_eq!((picture.coverage(0, 0).draw, picture.object(0, 0)), (None, None));
+    let backdrop = plan.backdrop.expect("the default scene has one");
+    assert!(picture.straight(0, 0).iter().zip(backdrop).all(|(found, wanted)| (found - wanted).abs() < 1e-15));
+    assert_eq!(picture.to_straight_f32().len(), 81 * 60);
+}
+
+#[test]
+fn a_plan_out_of_order_is_refused() {
+    let mut plan = plan("figure6-comics.json", [16, 16]);
+    plan.passes.remove(0);
+    let problem = execute(&plan, &Noted::default(), &Options::default(), &Control::none()).expect_err("no normals");
+    assert_eq!(problem.code, "reference-plan");
+    plan.passes.clear();
+    let problem = execute(&plan, &Noted::default(), &Options::default(), &Control::none()).expect_err("no picture");
+    assert_eq!(problem.code, "reference-plan");
+}
