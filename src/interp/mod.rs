@@ -12,8 +12,8 @@
 //! - Memory is one list of 64-bit **slots**. A slot holds one scalar: the bits of an f64, an i32 or u32 in its low 32
 //!   bits, a bool as 0 or 1, or the number of another slot (a pointer) or of a resource. Composites take a slot for each
 //!   scalar, in order, matrices by columns, without padding.
-//! - A slot is a row of as many scalars as there are lanes. What an instruction does is written once, in [`step`] and
-//!   [`math`], as a loop over the row, and compiled for rows of 1 and of 64: a call alone and a batch cannot disagree, and
+//! - A slot is a row of as many scalars as there are lanes. What an instruction does is written once, in `step` and
+//!   `math`, as a loop over the row, and compiled for rows of 1 and of 64: a call alone and a batch cannot disagree, and
 //!   the loop over one is no loop, so folding is as fast as with scalars.
 //! - While compiling, an expression is the list of the slots of its scalars, which need not be neighbours: `Compose`,
 //!   `Splat`, `Swizzle` and constant indices therefore cost no instruction. Only what is indexed dynamically is
@@ -39,8 +39,9 @@
 //!
 //! Where WGSL leaves room, this does what naga's back ends do: an index out of bounds is clamped (a negative one to the
 //! last), shifts use the amount modulo 32, `x / 0` is `x` and `x % 0` is 0 for integers, conversions to integers saturate
-//! and turn NaN into 0; a texture load outside gives zeros, derivatives are fine unless they are asked to be coarse, and
-//! filters weigh exactly. `discard` makes a lane a helper of its quad. `pow` has the domain that WGSL gives it, `exp2(y * log2(x))`: a negative base gives NaN, as on a GPU.
+//! and turn NaN into 0. `pow` has the domain that WGSL gives it, `exp2(y * log2(x))`: a negative base gives NaN, as on a
+//! GPU. A texture load from outside gives zeros; filters weigh exactly, in f64; a derivative is that of the lane's own row or
+//! column, unless a coarse one is asked for; `discard` leaves the lane as a helper of its quad.
 
 #![allow(clippy::result_large_err, reason = "diagnostics are large, and made only when all is lost")]
 

@@ -27,6 +27,29 @@ pub const LANES: usize = 64;
 const MAX_SLOTS: usize = 1 << 20;
 
 /// Memory in which a program runs for [`LANES`] lanes at once, one batch after the other.
+///
+/// ```
+/// use chiaro::interp::{Bindings, LANES, Options, Precision, Program};
+///
+/// let source = "
+///     @group(0) @binding(0) var<uniform> tint: vec4f;
+///     @fragment fn shade(@location(0) x: f32) -> @location(0) vec4f { return tint * dpdx(x * x); }";
+/// let module = chiaro::wgsl::parse(source).expect("valid WGSL").module;
+/// let program = Program::compile(&module, "shade", Options::stage(source))?;
+/// let mut bindings = Bindings::new();
+/// bindings.buffer(0, 0, [0.5, 0.25, 1.0, 1.0].into());
+/// let bound = program.bind(&bindings, Precision::F64).map_err(|mut problems| problems.remove(0))?;
+/// // For each thread:
+/// let mut lanes = bound.lanes()?;
+/// // For each batch of 16 quads; here all alike.
+/// let x: [f64; LANES] = std::array::from_fn(|lane| if lane % 2 == 0 { 3.0 } else { 4.0 });
+/// lanes.write(&program.inputs()[0], 0, &x);
+/// let batch = lanes.run(LANES)?;
+/// let mut red = [0.0; LANES];
+/// lanes.read(&program.outputs()[0], 0, &mut red);
+/// assert_eq!((red, batch.discarded), ([3.5; LANES], 0));
+/// # Ok::<(), chiaro::diag::Diagnostic>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Lanes<'b> {
     bound: &'b Bound<'b>,
