@@ -2,7 +2,7 @@
 
 use super::{Colors, ErrorFigures, Progress, Stopped, compare};
 use crate::compile::Live;
-use crate::frame::{FramePlan, PlanOptions, Planner, Setup};
+use crate::frame::{FramePlan, PlanOptions, Planner, Setup, View};
 use crate::interp::Precision;
 use crate::library::Library;
 use crate::reference::{self, Control, Modules, ReferencePicture, Snap};
@@ -39,7 +39,7 @@ impl Truth {
         let modules = Modules::new(&plan, Precision::F64).map_err(one)?;
         let options = reference::Options { snap: GRID, ..reference::Options::default() };
         let picture = reference::execute(&plan, &modules, &options, &Control::none()).map_err(one)?;
-        let edges = edges(&picture);
+        let edges = edges(&picture, &plan.view);
         Ok(Self { picture, edges })
     }
 
@@ -71,16 +71,31 @@ impl Truth {
     }
 }
 
-/// Pixels that have a neighbour with another draw on top, or nothing.
-fn edges(picture: &ReferencePicture) -> Vec<bool> {
+/// A depth bends more than this from pixel to pixel where one part of a surface hides another: in pixels.
+const BEND: f64 = 3.0;
+
+/// Pixels that have a neighbour with another draw on top, or nothing, or another part of the same surface: there a GPU
+/// may see the one where the truth sees the other.
+fn edges(picture: &ReferencePicture, view: &View) -> Vec<bool> {
     let [width, height] = picture.size.map(|side| side as usize);
+    let distances: Vec<f64> = picture.depths.iter().map(|&depth| view.distance(depth)).collect();
     let draw = |x: usize, y: usize| picture.coverage[y * width + x].draw;
+    let bends = |center: usize, before: usize, after: usize| {
+        let pixel = view.pixel_size() * if view.is_perspective { distances[center].abs() } else { 1.0 };
+        (distances[before] - 2.0 * distances[center] + distances[after]).abs() > BEND * pixel
+    };
+    let parts: Vec<bool> = (0..width * height)
+        .map(|index| {
+            let (x, y) = (index % width, index / width);
+            let along_x = x > 0 && x + 1 < width && bends(index, index - 1, index + 1);
+            along_x || (y > 0 && y + 1 < height && bends(index, index - width, index + width))
+        })
+        .collect();
     let is_edge = |index: usize| {
         let (x, y) = (index % width, index / width);
-        let around = |x: usize| x.saturating_sub(1)..=x + 1;
-        around(y)
-            .filter(|&y| y < height)
-            .any(|ny| around(x).filter(|&x| x < width).any(|nx| draw(nx, ny) != draw(x, y)))
+        let around = |at: usize, size: usize| at.saturating_sub(1)..(at + 2).min(size);
+        let mut near = around(y, height).flat_map(|ny| around(x, width).map(move |nx| (nx, ny)));
+        parts[index] || near.any(|(nx, ny)| draw(nx, ny) != draw(x, y))
     };
     (0..width * height).map(is_edge).collect()
 }

@@ -62,6 +62,15 @@ impl View {
         self.view_height / f64::from(self.viewport[1].max(1))
     }
 
+    /// The distance in front of the eye, in scene units along the line of sight, that clip space has as `depth`.
+    pub fn distance(&self, depth: f64) -> f64 {
+        // Along the line of sight both z and w of clip space are linear in the distance.
+        let clip = |distance: f64| self.clip_from_world * (self.eye - self.backward * distance).extend(1.0);
+        let (at_0, at_1) = (clip(0.0), clip(1.0));
+        let slope = at_1 - at_0;
+        (at_0.z - depth * at_0.w) / (depth * slope.w - slope.z)
+    }
+
     /// The rotation from world to camera axes.
     pub fn rotation(&self) -> DMat3 {
         DMat3::from_mat4(self.camera_from_world)

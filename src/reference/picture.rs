@@ -15,14 +15,16 @@ pub struct ReferencePicture {
     pub color: Texels,
     /// A pixel each, rows from the top.
     pub coverage: Vec<Coverage>,
+    /// The depth of the nearest sample of each pixel, 0 (near) to 1 (far), linear on the screen over each plane.
+    pub depths: Vec<f64>,
     /// The object of each draw, by [`Coverage::draw`].
     pub objects: Vec<ObjectId>,
 }
 
 impl ReferencePicture {
     pub(super) fn new(raster: Raster, samples: u32, objects: Vec<ObjectId>) -> Self {
-        let Raster { texels: color, coverage } = raster;
-        Self { size: color.size, samples, color, coverage, objects }
+        let Raster { texels: color, coverage, depths } = raster;
+        Self { size: color.size, samples, color, coverage, depths, objects }
     }
 
     /// A pixel by column and row, straight RGBA; where alpha is 0, so is all of it.

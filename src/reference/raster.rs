@@ -4,7 +4,7 @@
 //! so the picture is the same for any number of threads and any size of tiles.
 //!
 //! # Memory
-//! The picture takes 8 bytes a channel and 12 for the coverage of each pixel; a thread one tile of samples. Shaded
+//! The picture takes 8 bytes a channel and 20 for coverage and depth of each pixel; a thread one tile of samples. Shaded
 //! vertices and lists of triangles grow until [`Options::budget`]; then what is there is drawn, and the samples of all
 //! tiles are kept (16 bytes, and 8 a channel) until the rest has come. Beyond the budget are thus at most the vertices of
 //! one draw and one list for each thread.
@@ -38,6 +38,8 @@ pub struct Raster {
     pub texels: Texels,
     /// A pixel each, rows from the top.
     pub coverage: Vec<Coverage>,
+    /// The depth of the nearest sample of each pixel, 0 (near) to 1 (far).
+    pub depths: Vec<f64>,
 }
 
 /// Some triangles of a draw, sorted into tiles.
@@ -78,7 +80,11 @@ pub fn rasterise(
     check_size(size, samples)?;
     let grid = Grid::new(size, options);
     let count = size[0] as usize * size[1] as usize;
-    let raster = Raster { texels: Texels::new(size, target.channels()), coverage: vec![Coverage::default(); count] };
+    let raster = Raster {
+        texels: Texels::new(size, target.channels()),
+        coverage: vec![Coverage::default(); count],
+        depths: vec![1.0; count],
+    };
     let kept = (0..grid.tiles()).map(|_| Mutex::new(None)).collect();
     let raster = Mutex::new(raster);
     let mut work = Work { grid, samples, target, options, control, pieces: Vec::new(), kept, raster };
@@ -174,8 +180,7 @@ impl<'a> Work<'a> {
         }
         if is_last {
             let mut raster = self.raster.lock().unwrap_or_else(PoisonError::into_inner);
-            let Raster { texels, coverage } = &mut *raster;
-            samples.resolve(texels, coverage);
+            samples.resolve(&mut raster);
             worker.spare = Some(samples);
         } else {
             *held() = Some(samples);

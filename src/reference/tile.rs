@@ -1,6 +1,7 @@
 //! The samples of one square of the picture: depth, colour, and what is on top.
 
 use super::coverage::{Pixels, bit};
+use super::raster::Raster;
 use super::shader::Shaded;
 use super::texels::{Coverage, NOTHING, Texels};
 
@@ -128,7 +129,8 @@ impl TileSamples {
     }
 
     /// Averages the samples of each pixel into the picture.
-    pub(super) fn resolve(&self, picture: &mut Texels, coverage: &mut [Coverage]) {
+    pub(super) fn resolve(&self, raster: &mut Raster) {
+        let Raster { texels: picture, coverage, depths } = raster;
         let share = 1.0 / self.samples as f64;
         for y in self.pixels.begin[1]..self.pixels.end[1] {
             for x in self.pixels.begin[0]..self.pixels.end[0] {
@@ -138,8 +140,9 @@ impl TileSamples {
                     let sample = |sample: usize| self.colors[(first + sample) * self.channels + channel];
                     *number = (0..self.samples).map(sample).sum::<f64>() * share;
                 }
-                coverage[y as usize * picture.size[0] as usize + x as usize] =
-                    Coverage::of(&self.owners[first..][..self.samples]);
+                let place = y as usize * picture.size[0] as usize + x as usize;
+                coverage[place] = Coverage::of(&self.owners[first..][..self.samples]);
+                depths[place] = self.depths[first..][..self.samples].iter().copied().fold(1.0, f64::min);
             }
         }
     }
