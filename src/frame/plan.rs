@@ -337,7 +337,8 @@ impl Planner {
                 ),
                 look_uniforms,
                 images,
-                two_sided: part.two_sided,
+                // From within, a solid is seen from behind.
+                two_sided: part.two_sided || view.eye.distance(center) < object.radius(),
                 is_mirrored: object.world_from_object.determinant() < 0.0,
                 distance: view.backward.dot(view.eye - center),
             });

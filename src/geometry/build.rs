@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use glam::{DVec2, DVec3};
 
+use super::closed::is_solid;
 use super::mesh::{Mesh, Part};
 use super::normals::{make_missing, place, weld};
 use super::soup::{NONE, Soup};
@@ -39,6 +40,7 @@ pub(super) fn build(mut soup: Soup, crease_angle: f64) -> (Mesh, Made) {
     let Joiner { vertices, indices, .. } = joiner;
     let mut mesh = gather(&soup, &vertices);
     mesh.has_normals = normals == 0;
+    settle_sides(&mut soup, &welded);
     for &t in &order {
         extend_parts(&mut mesh, &soup, t as usize);
         mesh.indices.extend(indices[t as usize]);
@@ -77,6 +79,18 @@ fn drop_degenerate(soup: &mut Soup, welded: &[u32]) -> usize {
     keep.len() - soup.triangles.len()
 }
 
+/// Of a solid only the outside is drawn: at its outlines a GPU may take a sliver for a back, and would light it from the
+/// wrong side.
+fn settle_sides(soup: &mut Soup, welded: &[u32]) {
+    if soup.materials.iter().all(|material| material.two_sided.is_some()) {
+        return;
+    }
+    let triangles: Vec<[u32; 3]> =
+        soup.triangles.iter().map(|corners| corners.map(|corner| welded[corner.point as usize])).collect();
+    let is_solid = is_solid(&triangles, |point| place(&soup.points, point));
+    soup.materials.iter_mut().for_each(|material| material.two_sided = material.two_sided.or(Some(!is_solid)));
+}
+
 /// The triangles in the order of their materials' first use, otherwise as in the file.
 fn by_material(soup: &Soup) -> Vec<u32> {
     let mut rank = vec![NONE; soup.materials.len()];
@@ -99,7 +113,7 @@ fn extend_parts(mesh: &mut Mesh, soup: &Soup, t: usize) {
     match mesh.parts.last_mut() {
         Some(part)
             if part.material == material.name
-                && part.two_sided == material.two_sided
+                && part.two_sided == material.two_sided.unwrap_or(true)
                 && part.alpha_cutoff == material.alpha_cutoff =>
         {
             part.indices.end = end + 3;
@@ -107,7 +121,7 @@ fn extend_parts(mesh: &mut Mesh, soup: &Soup, t: usize) {
         _ => mesh.parts.push(Part {
             material: material.name.clone(),
             indices: end..end + 3,
-            two_sided: material.two_sided,
+            two_sided: material.two_sided.unwrap_or(true),
             alpha_cutoff: material.alpha_cutoff,
         }),
     }

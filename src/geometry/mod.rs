@@ -6,6 +6,7 @@
 //! The own shapes (`shapes`) go the same way from formulas.
 
 mod build;
+mod closed;
 mod import;
 mod mesh;
 mod normals;

@@ -24,14 +24,15 @@ pub(super) struct Corner {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Material {
     pub name: String,
-    pub two_sided: bool,
+    /// Whether both sides are drawn; `None` where nobody says, and only solids have no inside to be seen.
+    pub two_sided: Option<bool>,
     pub alpha_cutoff: Option<f32>,
 }
 
 impl Material {
-    /// A solid material of which both sides are drawn: only glTF says more.
+    /// A material without holes: only glTF says more.
     pub(super) fn named(name: impl Into<String>) -> Self {
-        Self { name: name.into(), two_sided: true, alpha_cutoff: None }
+        Self { name: name.into(), two_sided: None, alpha_cutoff: None }
     }
 }
 

@@ -3,7 +3,7 @@
 use super::coverage::{Pixels, bit};
 use super::raster::Raster;
 use super::shader::Shaded;
-use super::texels::{Coverage, NOTHING, Texels};
+use super::texels::{Coverage, NOTHING};
 
 /// What a pass draws into.
 #[derive(Clone, Debug, PartialEq)]

@@ -313,9 +313,15 @@ impl Emitter<'_> {
         let front = if uses_front { ", @builtin(front_facing) is_front: bool" } else { "" };
         let _ = write!(self.out, "\n@fragment\nfn fs_main(in: Varyings{front}) -> {result} {{\n");
         if uses_front {
-            self.out.push_str(
-                "    let facing = normalize_or(in.normal, vec3f(0.0, 0.0, 1.0));\n    let normal = select(-facing, facing, is_front);\n",
-            );
+            self.out.push_str("    let facing = normalize_or(in.normal, vec3f(0.0, 0.0, 1.0));\n");
+            self.out.push_str(if is_normals {
+                // Slivers at outlines may be taken for backs; turned around, one of them would bend all that is near.
+                "    let toward = normalize_or(view.eye.xyz - view.eye.w * in.position, facing);\n    \
+                 let is_behind = !is_front && dot(facing, toward) < -0.1;\n    \
+                 let normal = select(facing, -facing, is_behind);\n"
+            } else {
+                "    let normal = select(-facing, facing, is_front);\n"
+            });
         }
         let arguments = if self.has_surface() {
             self.out.push_str("    var surface: Surface;\n");

@@ -75,14 +75,14 @@ metal::float3 normalize_or(
     metal::float3 v_2,
     metal::float3 otherwise_1
 ) {
-    bool local = {};
+    bool local_1 = {};
     float largest = metal::max(metal::max(metal::abs(v_2.x), metal::abs(v_2.y)), metal::abs(v_2.z));
     if (largest > 0.000000000000000000000000000001) {
-        local = largest < 1000000000000000000000000000000.0;
+        local_1 = largest < 1000000000000000000000000000000.0;
     } else {
-        local = false;
+        local_1 = false;
     }
-    bool _e17 = local;
+    bool _e17 = local_1;
     if (!(_e17)) {
         return otherwise_1;
     }
@@ -146,17 +146,27 @@ fragment fs_mainOutput fs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal };
+    bool local = {};
     Surface surface = {};
     metal::float3 _e7 = normalize_or(in.normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 normal = is_front ? _e7 : -(_e7);
+    metal::float4 _e10 = view.eye;
+    float _e15 = view.eye.w;
+    metal::float3 _e19 = normalize_or(_e10.xyz - (_e15 * in.position), _e7);
+    if (!(is_front)) {
+        local = metal::dot(_e7, _e19) < -0.1;
+    } else {
+        local = false;
+    }
+    bool is_behind = local;
+    metal::float3 normal = is_behind ? -(_e7) : _e7;
     surface.normal = normal;
-    Surface _e12 = surface;
-    metal::float3 _e13 = shade(_e12);
-    metal::float4x4 _e16 = view.camera_from_world;
-    metal::float3 seen = (_e16 * metal::float4(_e13, 0.0)).xyz;
-    metal::float4x4 _e23 = view.camera_from_world;
-    float depth = -((_e23 * metal::float4(in.position, 1.0)).z);
-    float _e32 = object.id;
-    const auto _tmp_1 = Fragment {metal::float4(seen, _e32 + 1.0), depth};
+    Surface _e32 = surface;
+    metal::float3 _e33 = shade(_e32);
+    metal::float4x4 _e36 = view.camera_from_world;
+    metal::float3 seen = (_e36 * metal::float4(_e33, 0.0)).xyz;
+    metal::float4x4 _e43 = view.camera_from_world;
+    float depth = -((_e43 * metal::float4(in.position, 1.0)).z);
+    float _e52 = object.id;
+    const auto _tmp_1 = Fragment {metal::float4(seen, _e52 + 1.0), depth};
     return fs_mainOutput { _tmp_1.normal, _tmp_1.depth };
 }

@@ -99,7 +99,9 @@ struct Fragment {
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> Fragment {
     let facing = normalize_or(in.normal, vec3f(0.0, 0.0, 1.0));
-    let normal = select(-facing, facing, is_front);
+    let toward = normalize_or(view.eye.xyz - view.eye.w * in.position, facing);
+    let is_behind = !is_front && dot(facing, toward) < -0.1;
+    let normal = select(facing, -facing, is_behind);
     var surface: Surface;
     surface.normal = normal;
     let shaded = shade(surface);

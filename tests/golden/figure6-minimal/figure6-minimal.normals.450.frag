@@ -40,14 +40,14 @@ bool is_finite(float x) {
 }
 
 vec3 normalize_or(vec3 v, vec3 otherwise) {
-    bool local = false;
+    bool local_1 = false;
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if ((largest > 1e-30)) {
-        local = (largest < 1e30);
+        local_1 = (largest < 1e30);
     } else {
-        local = false;
+        local_1 = false;
     }
-    bool _e17 = local;
+    bool _e17 = local_1;
     if (!(_e17)) {
         return otherwise;
     }
@@ -67,18 +67,28 @@ vec3 shade(Surface surface_1) {
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
+    bool local = false;
     Surface surface = Surface(vec3(0.0));
     vec3 _e7 = normalize_or(in_.normal, vec3(0.0, 0.0, 1.0));
-    vec3 normal = (is_front ? _e7 : -(_e7));
+    vec4 _e10 = u_view.eye;
+    float _e15 = u_view.eye.w;
+    vec3 _e19 = normalize_or((_e10.xyz - (_e15 * in_.position)), _e7);
+    if (!(is_front)) {
+        local = (dot(_e7, _e19) < -0.1);
+    } else {
+        local = false;
+    }
+    bool is_behind = local;
+    vec3 normal = (is_behind ? -(_e7) : _e7);
     surface.normal = normal;
-    Surface _e12 = surface;
-    vec3 _e13 = shade(_e12);
-    mat4x4 _e16 = u_view.camera_from_world;
-    vec3 seen = (_e16 * vec4(_e13, 0.0)).xyz;
-    mat4x4 _e23 = u_view.camera_from_world;
-    float depth = -((_e23 * vec4(in_.position, 1.0)).z);
-    float _e32 = u_object.id;
-    Fragment _tmp_return = Fragment(vec4(seen, (_e32 + 1.0)), depth);
+    Surface _e32 = surface;
+    vec3 _e33 = shade(_e32);
+    mat4x4 _e36 = u_view.camera_from_world;
+    vec3 seen = (_e36 * vec4(_e33, 0.0)).xyz;
+    mat4x4 _e43 = u_view.camera_from_world;
+    float depth = -((_e43 * vec4(in_.position, 1.0)).z);
+    float _e52 = u_object.id;
+    Fragment _tmp_return = Fragment(vec4(seen, (_e52 + 1.0)), depth);
     out_normal = _tmp_return.normal;
     out_depth = _tmp_return.depth;
     return;

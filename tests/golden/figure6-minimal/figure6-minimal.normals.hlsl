@@ -85,15 +85,15 @@ float4 finite_vec4_(float4 v_1)
 
 float3 normalize_or(float3 v_2, float3 otherwise_1)
 {
-    bool local = (bool)0;
+    bool local_1 = (bool)0;
 
     float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
     if ((largest > 1e-30)) {
-        local = (largest < 1e30);
+        local_1 = (largest < 1e30);
     } else {
-        local = false;
+        local_1 = false;
     }
-    bool _e17 = local;
+    bool _e17 = local_1;
     if (!(_e17)) {
         return otherwise_1;
     }
@@ -139,18 +139,28 @@ Fragment fs_main(FragmentInput_fs_main fragmentinput_fs_main)
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
+    bool local = (bool)0;
     Surface surface = (Surface)0;
 
     const float3 _e7 = normalize_or(in_.normal, float3(0.0, 0.0, 1.0));
-    float3 normal_2 = (is_front ? _e7 : -(_e7));
+    float4 _e10 = view.eye;
+    float _e15 = view.eye.w;
+    const float3 _e19 = normalize_or((_e10.xyz - (_e15 * in_.position)), _e7);
+    if (!(is_front)) {
+        local = (dot(_e7, _e19) < -0.1);
+    } else {
+        local = false;
+    }
+    bool is_behind = local;
+    float3 normal_2 = (is_behind ? -(_e7) : _e7);
     surface.normal = normal_2;
-    Surface _e12 = surface;
-    const float3 _e13 = shade(_e12);
-    float4x4 _e16 = view.camera_from_world;
-    float3 seen = mul(float4(_e13, 0.0), _e16).xyz;
-    float4x4 _e23 = view.camera_from_world;
-    float depth = -(mul(float4(in_.position, 1.0), _e23).z);
-    float _e32 = object.id;
-    const Fragment fragment = ConstructFragment(float4(seen, (_e32 + 1.0)), depth);
+    Surface _e32 = surface;
+    const float3 _e33 = shade(_e32);
+    float4x4 _e36 = view.camera_from_world;
+    float3 seen = mul(float4(_e33, 0.0), _e36).xyz;
+    float4x4 _e43 = view.camera_from_world;
+    float depth = -(mul(float4(in_.position, 1.0), _e43).z);
+    float _e52 = object.id;
+    const Fragment fragment = ConstructFragment(float4(seen, (_e52 + 1.0)), depth);
     return fragment;
 }

@@ -94,7 +94,7 @@ fn material_of(primitive: &Primitive, soup: &mut Soup) -> u32 {
     };
     let cutoff = material.alpha_cutoff().unwrap_or(0.5);
     let alpha_cutoff = (material.alpha_mode() == AlphaMode::Mask).then_some(cutoff);
-    let wanted = Material { name, two_sided: material.double_sided(), alpha_cutoff };
+    let wanted = Material { name, two_sided: Some(material.double_sided()), alpha_cutoff };
     let known = soup.materials.iter().position(|m| *m == wanted);
     known.unwrap_or_else(|| {
         soup.materials.push(wanted);
