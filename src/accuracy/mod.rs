@@ -22,6 +22,8 @@ pub use bench::{BenchOptions, bench};
 pub use cost::{Estimate, Series};
 pub use error::{Colors, ErrorFigures, compare};
 pub use report::{Report, Row, Subject};
+pub use truth::Truth;
+pub use variant::Variant;
 
 /// How far long work has come, and whether it goes on.
 pub struct Progress<'a> {

@@ -2,7 +2,7 @@
 
 use super::{Colors, ErrorFigures, Progress, Stopped, compare};
 use crate::compile::Live;
-use crate::frame::{FramePlan, PlanOptions, Planner, Setup, View};
+use crate::frame::{FramePlan, PassKind, PlanOptions, Planner, Setup, View};
 use crate::interp::Precision;
 use crate::library::Library;
 use crate::reference::{self, Control, Modules, ReferencePicture, Snap};
@@ -39,7 +39,7 @@ impl Truth {
         let modules = Modules::new(&plan, Precision::F64).map_err(one)?;
         let options = reference::Options { snap: GRID, ..reference::Options::default() };
         let picture = reference::execute(&plan, &modules, &options, &Control::none()).map_err(one)?;
-        let edges = edges(&picture, &plan.view);
+        let edges = edges(&picture, &plan.view, reach(&plan));
         Ok(Self { picture, edges })
     }
 
@@ -74,9 +74,16 @@ impl Truth {
 /// A depth bends more than this from pixel to pixel where one part of a surface hides another: in pixels.
 const BEND: f64 = 3.0;
 
+/// How far an edge is felt, in pixels: beyond its neighbours as far as the curvature pass looks.
+fn reach(plan: &FramePlan) -> usize {
+    let has_curvature =
+        plan.passes.iter().any(|pass| matches!(pass.kind, PassKind::Curvature | PassKind::DetailCurvature));
+    if has_curvature { 1 + plan.view.curvature_reach() } else { 1 }
+}
+
 /// Pixels that have a neighbour with another draw on top, or nothing, or another part of the same surface: there a GPU
 /// may see the one where the truth sees the other.
-fn edges(picture: &ReferencePicture, view: &View) -> Vec<bool> {
+fn edges(picture: &ReferencePicture, view: &View, reach: usize) -> Vec<bool> {
     let [width, height] = picture.size.map(|side| side as usize);
     let distances: Vec<f64> = picture.depths.iter().map(|&depth| view.distance(depth)).collect();
     let draw = |x: usize, y: usize| picture.coverage[y * width + x].draw;
@@ -91,11 +98,21 @@ fn edges(picture: &ReferencePicture, view: &View) -> Vec<bool> {
             along_x || (y > 0 && y + 1 < height && bends(index, index - width, index + width))
         })
         .collect();
-    let is_edge = |index: usize| {
+    let is_border = |index: usize| {
         let (x, y) = (index % width, index / width);
-        let around = |at: usize, size: usize| at.saturating_sub(1)..(at + 2).min(size);
-        let mut near = around(y, height).flat_map(|ny| around(x, width).map(move |nx| (nx, ny)));
-        parts[index] || near.any(|(nx, ny)| draw(nx, ny) != draw(x, y))
+        let right = x + 1 < width && draw(x + 1, y) != draw(x, y);
+        let below = y + 1 < height && draw(x, y + 1) != draw(x, y);
+        parts[index] || right || below
     };
-    (0..width * height).map(is_edge).collect()
+    let borders: Vec<bool> = (0..width * height).map(is_border).collect();
+    widened(&borders, width, reach)
+}
+
+/// Whether anything within `reach` to either side, above or below, or both, is set.
+fn widened(set: &[bool], width: usize, reach: usize) -> Vec<bool> {
+    let height = set.len() / width.max(1);
+    let near = |at: usize, size: usize| at.saturating_sub(reach)..(at + reach + 1).min(size);
+    let rows: Vec<bool> =
+        (0..set.len()).map(|index| near(index % width, width).any(|x| set[index / width * width + x])).collect();
+    (0..set.len()).map(|index| near(index / width, height).any(|y| rows[y * width + index % width])).collect()
 }

@@ -83,6 +83,42 @@ pub struct Tuned {
 }
 
 impl Tuned {
+    /// The tier of each node that could have another: what was chosen, or exact.
+    pub fn tiers(&self) -> Vec<(&NodeId, Tier)> {
+        let mut tiers: Vec<(&NodeId, Tier)> = Vec::new();
+        for (index, candidate) in self.candidates.iter().enumerate() {
+            let tier = if self.chosen.contains(&index) { candidate.tier } else { Tier::Exact };
+            match tiers.iter_mut().find(|(node, _)| *node == &candidate.node) {
+                Some(known) if known.1 == Tier::Exact => known.1 = tier,
+                Some(_) => {}
+                None => tiers.push((&candidate.node, tier)),
+            }
+        }
+        tiers
+    }
+
+    /// What was reached, in a sentence or two.
+    pub fn summary(&self) -> String {
+        let goal = match self.goal {
+            Goal::MaxError(most) => format!("an error of at most {most:.2e}"),
+            Goal::MaxTime(most) => format!("at most {most} ms a frame"),
+        };
+        let met = if self.is_met { "met" } else { "missed" };
+        format!(
+            "tuned for {goal}, {met}: largest error {:.2e} (rms {:.1e}) over {} views, lights and times; {:.3} ms a frame, \
+             {:.3} ms exact, {:.3} ms saved ({:.3} to {:.3}), on {}",
+            self.error.max,
+            self.error.rms,
+            self.stations,
+            self.time.median,
+            self.time_exact.median,
+            self.saves.median,
+            self.saves.low,
+            self.saves.high,
+            self.adapter,
+        )
+    }
+
     /// Candidates that cannot be told apart from the exact tier in time: they stay exact.
     pub fn ties(&self) -> impl Iterator<Item = &Candidate> {
         self.candidates.iter().filter(|candidate| !is_faster(candidate))
@@ -93,21 +129,23 @@ fn is_faster(candidate: &Candidate) -> bool {
     candidate.saves.low > 0.0
 }
 
-/// Tunes every look of `setup`.
+/// Tunes every look of `setups`, which wear the same looks on different meshes: all of them must be within the error; the
+/// time is that of the first.
 ///
 /// # Errors
-/// What is wrong with the setup, what the GPU refuses, or that `progress` stopped it.
+/// What is wrong with the setups, what the GPU refuses, or that `progress` stopped it.
 pub fn tune(
-    setup: &Setup,
+    setups: &[Setup],
     library: &Library,
     renderer: &mut Renderer,
     options: &TuneOptions,
     progress: &mut Progress<'_>,
 ) -> Result<Tuned, Stopped> {
-    let exact = Variant::Looks(Tier::Exact).of(setup);
-    let nodes = nodes(&exact, library);
+    let exact: Vec<Setup> = setups.iter().map(|setup| Variant::Looks(Tier::Exact).of(setup)).collect();
+    let nodes = exact.first().map(|setup| nodes(setup, library)).unwrap_or_default();
     let tries: usize = nodes.iter().map(|(_, _, tiers)| tiers.len()).sum();
-    progress.expect((options.stations * (2 + tries) + (options.rounds + 2) * (1 + nodes.len())) as u64);
+    let pictures = options.stations * setups.len() * (3 + tries);
+    progress.expect((pictures + (options.rounds + 2) * (2 + nodes.len())) as u64);
     let mut tuner = Tuner::new(&exact, library, renderer, options, progress)?;
     let mut candidates = Vec::new();
     for (look, node, tiers) in &nodes {
@@ -212,19 +250,19 @@ pub fn choose<E>(
 }
 
 struct Tuner<'a> {
-    setup: &'a Setup,
+    setups: &'a [Setup],
     library: &'a Library,
     renderer: &'a mut Renderer,
     precise: Renderer,
     options: &'a TuneOptions,
     planner: Planner,
-    /// Each station's truth.
-    truths: Vec<(Station, Truth)>,
+    /// Each station's truth, with the index of its setup.
+    truths: Vec<(usize, Station, Truth)>,
 }
 
 impl<'a> Tuner<'a> {
     fn new(
-        setup: &'a Setup,
+        setups: &'a [Setup],
         library: &'a Library,
         renderer: &'a mut Renderer,
         options: &'a TuneOptions,
@@ -232,12 +270,14 @@ impl<'a> Tuner<'a> {
     ) -> Result<Self, Stopped> {
         let precise = Renderer::new(renderer.gpu().precise());
         let mut tuner =
-            Self { setup, library, renderer, precise, options, planner: Planner::default(), truths: Vec::new() };
+            Self { setups, library, renderer, precise, options, planner: Planner::default(), truths: Vec::new() };
         let mut truth_planner = Planner::for_truth(Assets::default());
-        for station in stations(setup, options.stations) {
-            let plan = tuner.error_plan(&station);
-            let truth = Truth::of(&station.of(setup), library, &mut truth_planner, &plan, progress)?;
-            tuner.truths.push((station, truth));
+        for (index, setup) in setups.iter().enumerate() {
+            for station in stations(setup, options.stations) {
+                let plan = tuner.error_plan(&station);
+                let truth = Truth::of(&station.of(setup), library, &mut truth_planner, &plan, progress)?;
+                tuner.truths.push((index, station, truth));
+            }
         }
         Ok(tuner)
     }
@@ -247,22 +287,19 @@ impl<'a> Tuner<'a> {
         PlanOptions { size: [side; 2], samples: 1, time: station.time }
     }
 
-    fn with(&self, chosen: &[Candidate]) -> Setup {
-        let mut setup = self.setup.clone();
-        for choice in chosen {
-            setup = Variant::of_also(setup, choice.look, &choice.node, choice.tier);
-        }
-        setup
+    fn with(&self, setup: usize, chosen: &[Candidate]) -> Setup {
+        let setup = self.setups.get(setup).cloned().unwrap_or_default();
+        chosen.iter().fold(setup, |setup, choice| Variant::of_also(setup, choice.look, &choice.node, choice.tier))
     }
 
     /// The worst over all stations.
     fn error(&mut self, chosen: &[Candidate], progress: &mut Progress<'_>) -> Result<ErrorFigures, Stopped> {
-        let setup = self.with(chosen);
         let mut figures = Vec::new();
-        for index in 0..self.truths.len() {
-            let (station, truth) = &self.truths[index];
+        for at in 0..self.truths.len() {
+            let (index, station, truth) = &self.truths[at];
+            let setup = station.of(&self.with(*index, chosen));
             let options = self.error_plan(station);
-            let plan = self.planner.plan(&station.of(&setup), self.library, &Live::Keyed, &options)?;
+            let plan = self.planner.plan(&setup, self.library, &Live::Keyed, &options)?;
             figures.push(truth.compare(&mut self.precise, &plan)?);
             progress.step()?;
         }
@@ -277,7 +314,7 @@ impl<'a> Tuner<'a> {
     ) -> Result<Vec<super::Series>, Stopped> {
         let mut plans = Vec::new();
         for chosen in choices {
-            let setup = self.with(&chosen_of(candidates, chosen));
+            let setup = self.with(0, &chosen_of(candidates, chosen));
             plans.push(self.planner.plan(&setup, self.library, &Live::Keyed, &self.options.plan)?);
         }
         alternate(self.renderer, &plans.iter().collect::<Vec<_>>(), self.options.rounds, progress)

@@ -57,6 +57,14 @@ impl Variant {
 }
 
 impl Variant {
+    /// Gives a node of the look's own graph a tier; the look's own where they are the same, so that little is said.
+    pub fn set_tier(look: &mut Look, node: &NodeId, tier: Tier) {
+        let of_look = look.tier;
+        if let Some(node) = look.graph.nodes.get_mut(node) {
+            node.tier = (tier != of_look).then_some(tier);
+        }
+    }
+
     /// `setup` with one node of one look in this tier, all else as it is.
     #[must_use]
     pub fn of_also(mut setup: Setup, look: usize, node: &NodeId, tier: Tier) -> Setup {

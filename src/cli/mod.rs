@@ -20,6 +20,8 @@ mod render;
 mod samples;
 mod scene;
 mod tier;
+#[cfg(feature = "gpu")]
+mod tune;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -75,6 +77,9 @@ enum Command {
     /// Measure what a look costs and how far it is from the truth, whole and node by node
     #[cfg(feature = "gpu")]
     Bench(bench::Arguments),
+    /// Pick the cheapest tiers under a stated error, or the most accurate within a stated time
+    #[cfg(feature = "gpu")]
+    Tune(tune::Arguments),
     /// Write a look as shaders for other programs
     Export(export::Arguments),
 }
@@ -125,6 +130,8 @@ pub fn run() -> Outcome {
         Command::Eval(arguments) => eval::run(arguments, &output),
         #[cfg(feature = "gpu")]
         Command::Bench(arguments) => bench::run(arguments, &output),
+        #[cfg(feature = "gpu")]
+        Command::Tune(arguments) => tune::run(arguments, &output),
         Command::Export(arguments) => export::run(arguments, &output),
     };
     Outcome::Done(match result {

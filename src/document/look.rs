@@ -22,6 +22,8 @@ pub struct Look {
     pub color_space: ColorSpace,
     /// Which implementation is asked for of nodes that do not say their own.
     pub tier: Tier,
+    /// What `chiaro tune` measured when it chose tiers; empty where it did not.
+    pub tuned: String,
     /// Nodes, wires and frames.
     pub graph: Graph,
     /// The lights that Light nodes name.

@@ -81,6 +81,11 @@ impl View {
         if self.is_perspective { (self.eye - point).try_normalize().unwrap_or(self.backward) } else { self.backward }
     }
 
+    /// How many pixels away the curvature pass looks.
+    pub fn curvature_reach(&self) -> usize {
+        3 * (f64::from(self.viewport[1]) / 800.0).round().max(1.0) as usize
+    }
+
     /// Every number of the curvature pass's uniform, in order, for images whose first row is at the top.
     pub fn curvature_numbers(&self) -> [f64; 4] {
         [self.pixel_size(), f64::from(u8::from(self.is_perspective)), f64::from(self.viewport[1]), 0.0]

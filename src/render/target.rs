@@ -6,7 +6,7 @@ use crate::frame::{FramePlan, PassKind};
 /// The picture's format: half floats, so that nothing is rounded before it is shown or written.
 pub(super) const PICTURE: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 /// Normals in camera axes and the object's number.
-pub(super) const NORMALS: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
+pub(super) const NORMALS: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
 /// Distance in front of the eye, and curvature.
 pub(super) const NUMBER: wgpu::TextureFormat = wgpu::TextureFormat::R32Float;
 /// The depth buffer.

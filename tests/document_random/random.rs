@@ -331,6 +331,7 @@ impl Random {
     pub(crate) fn look(&mut self) -> Look {
         let mut look = Look { name: self.text(), unknown: self.unknown(), ..Look::default() };
         look.color_space = self.choose(&[ColorSpace::Display, ColorSpace::Linear]);
+        look.tuned = self.text();
         look.tier = self.choose(&[Tier::Exact, Tier::Balanced, Tier::Fast]);
         for _ in 0..self.below(4) {
             look.lights.insert(self.slug().into(), self.light());

@@ -24,6 +24,7 @@ pub(super) fn look(r: &mut Reader<'_>, at: At) -> Option<Look> {
         name: r.text(&fields, "name").unwrap_or_default(),
         color_space: r.color_space,
         tier: r.word(&fields, "tier").unwrap_or_default(),
+        tuned: r.text(&fields, "tuned").unwrap_or_default(),
         lights: r.map(&mut fields, "lights", light),
         graph: graph(r, &mut fields),
         definitions: r.map(&mut fields, "definitions", |r, at, _| definition(r, at)),

@@ -40,6 +40,7 @@ pub(in crate::document) static LOOK: Shape = Shape {
             Json("\"exact\""),
             "Which implementation is asked for of nodes that do not say their own.",
         ),
+        field("tuned", Text(LINE), Json("\"\""), "What `chiaro tune` measured when it chose tiers."),
         field("lights", Map(&Object(&LIGHT), 1000), Json("{}"), "The lights that Light nodes name, by id."),
         NODES,
         WIRES,

@@ -21,6 +21,7 @@ pub(super) fn look(w: &mut Writer, look: &Look) {
         w.text_unless_empty("name", &look.name);
         w.word_unless("color_space", look.color_space, Default::default());
         w.word_unless("tier", look.tier, Tier::default());
+        w.text_unless_empty("tuned", &look.tuned);
         lights(w, &look.lights, unknown);
         graph(w, &look.graph, unknown);
         if !look.definitions.is_empty() {

@@ -1,0 +1,181 @@
+//! `chiaro tune`: the cheapest tiers under an error, or the most accurate within a time, written into the look.
+
+use std::path::{Path, PathBuf};
+
+use super::open::{check_nodes_folder, library_for};
+use super::output::Output;
+use super::render::Size;
+use crate::accuracy::report::tier_word;
+use crate::accuracy::tune::{Goal, TuneOptions, Tuned, tune};
+use crate::accuracy::{Progress, Variant};
+use crate::diag::Diagnostic;
+use crate::document::{Document, Look, write_atomic};
+use crate::frame::{Assets, PlanOptions, Setup, open};
+use crate::render::{Gpu, Renderer, block_on};
+
+const EXAMPLES: &str = "\
+Examples:
+  chiaro tune look.json --max-error 1/255
+  chiaro tune look.json --max-error 0.002 --mesh bunny.obj --views 24 -o tuned.json
+  chiaro tune look.json --max-time 4 --size 1920x1080
+  chiaro tune look.json --max-error 1/255 --dry-run --json
+
+Errors are against the reference in f64, over views, turns of the lights and times that are spread evenly; times are GPU
+timestamps of this machine. Tiers that are not faster beyond the noise stay exact, and are listed.";
+
+/// What `chiaro tune` is given.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+#[command(group = clap::ArgGroup::new("goal").required(true).args(["max_error", "max_time"]))]
+pub(super) struct Arguments {
+    /// A look; its tiers are written back into it
+    look: PathBuf,
+    /// The largest error of any channel, from 0 to 1: a number or a fraction such as 1/255
+    #[arg(long, value_parser = parse_error)]
+    max_error: Option<f64>,
+    /// The longest time of a frame, in milliseconds
+    #[arg(long, value_parser = parse_milliseconds)]
+    max_time: Option<f64>,
+    /// The mesh that the look is tuned on; several may be given, and all must be within the error
+    #[arg(short, long)]
+    mesh: Vec<String>,
+    /// Width and height in pixels of the picture whose time counts
+    #[arg(short, long, default_value = "512x512")]
+    size: Size,
+    /// How many views, turns of the lights and times the error is measured at, from 1 to 1000
+    #[arg(long, default_value_t = 12, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    views: u32,
+    /// The side in pixels of the pictures that are compared, from 16 to 4096
+    #[arg(long, default_value_t = 160, value_parser = clap::value_parser!(u32).range(16..=4096))]
+    error_size: u32,
+    /// How often each variant is drawn, from 3 to 10000
+    #[arg(short, long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(3..=10_000))]
+    rounds: u32,
+    /// Where the tuned look goes, in place of the look itself
+    #[arg(short, long)]
+    output: Option<PathBuf>,
+    /// Tell what would be chosen, and write nothing
+    #[arg(long)]
+    dry_run: bool,
+    /// A folder of a project's own nodes; `nodes/` beside the document is found without it
+    #[arg(long)]
+    nodes: Option<PathBuf>,
+    /// Print the report as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+fn parse_error(text: &str) -> Result<f64, String> {
+    let number = |text: &str| text.trim().parse::<f64>().ok();
+    let value = match text.split_once('/') {
+        Some((above, below)) => number(above).zip(number(below)).map(|(above, below)| above / below),
+        None => number(text),
+    };
+    value
+        .filter(|value| *value > 0.0 && *value <= 1.0)
+        .ok_or_else(|| "write it as 0.002 or 1/255, at most 1".to_owned())
+}
+
+fn parse_milliseconds(text: &str) -> Result<f64, String> {
+    let time = text.parse().ok().filter(|time: &f64| *time > 0.0 && time.is_finite());
+    time.ok_or_else(|| "milliseconds, as in 16.7".to_owned())
+}
+
+pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+    check_nodes_folder(arguments.nodes.as_deref())?;
+    let library = library_for(&arguments.look, arguments.nodes.as_deref());
+    output.diagnostics(&library.problems);
+    let setups = setups(arguments, output)?;
+    let gpu = block_on(Gpu::headless()).map_err(|error| vec![error.into()])?;
+    let mut renderer = Renderer::new(gpu);
+    let options = TuneOptions {
+        goal: match (arguments.max_error, arguments.max_time) {
+            (Some(error), _) => Goal::MaxError(error),
+            (None, time) => Goal::MaxTime(time.unwrap_or(f64::INFINITY)),
+        },
+        plan: PlanOptions { size: arguments.size.0, samples: 1, time: 0.0 },
+        error_side: arguments.error_size,
+        rounds: arguments.rounds as usize,
+        stations: arguments.views as usize,
+    };
+    let mut told = |done, total| {
+        output.progress("tuning", done, total);
+        true
+    };
+    let tuned = tune(&setups, &library, &mut renderer, &options, &mut Progress::new(&mut told));
+    output.end_progress();
+    let tuned = tuned?;
+    if !arguments.dry_run {
+        let target = arguments.output.as_deref().unwrap_or(&arguments.look);
+        write(arguments, &tuned, target)?;
+        output.message(&format!("{}: written with its tiers and the report", target.display()));
+    }
+    if arguments.json {
+        output.json(&serde_json::json!(tuned));
+    } else {
+        output.result(&tuned.text());
+    }
+    if tuned.is_met {
+        return Ok(());
+    }
+    let problem = Diagnostic::error("goal-missed", "no choice of tiers reaches what was asked for");
+    Err(vec![problem.hint("the report says what was reached; allow more, or make the look cheaper")])
+}
+
+/// The look on each mesh.
+fn setups(arguments: &Arguments, output: &Output) -> Result<Vec<Setup>, Vec<Diagnostic>> {
+    let mut assets = Assets::default();
+    let meshes: Vec<Option<&str>> = match arguments.mesh.as_slice() {
+        [] => vec![None],
+        some => some.iter().map(|mesh| Some(mesh.as_str())).collect(),
+    };
+    let mut setups = Vec::new();
+    if let Document::Scene(_) = Document::load(&arguments.look) {
+        let problem = Diagnostic::error("bad-argument", "this is a scene; tiers belong to looks");
+        return Err(vec![problem.in_file(arguments.look.display().to_string()).hint("tune each of its looks")]);
+    }
+    for mesh in meshes {
+        let (setup, warnings) = open(&arguments.look, mesh, &mut assets)?;
+        output.diagnostics(&warnings);
+        setups.push(setup);
+    }
+    Ok(setups)
+}
+
+/// Writes the look with the tiers that were chosen and the report of how.
+fn write(arguments: &Arguments, tuned: &Tuned, target: &Path) -> Result<(), Vec<Diagnostic>> {
+    let loaded = Look::load(&arguments.look);
+    let Some(mut look) = loaded.value else { return Err(loaded.diagnostics) };
+    for (node, tier) in tuned.tiers() {
+        Variant::set_tier(&mut look, node, tier);
+    }
+    look.tuned = tuned.summary();
+    write_atomic(target, look.to_text_like(&loaded.source).as_bytes()).map_err(|problem| vec![*problem])
+}
+
+impl Tuned {
+    /// The report as people read it.
+    fn text(&self) -> String {
+        let mut lines = vec![self.summary()];
+        for (index, candidate) in self.candidates.iter().enumerate() {
+            let state = match (self.chosen.contains(&index), candidate.saves.low > 0.0) {
+                (true, _) => "chosen",
+                (false, true) => "too far from the truth, or another tier of this node is better",
+                (false, false) => "cannot be told apart from exact in time: stays exact",
+            };
+            lines.push(format!(
+                "  {} {}: error {:.1e}, saves {:.3} ms ({:.3} to {:.3}): {state}",
+                candidate.node,
+                tier_word(Some(candidate.tier)),
+                candidate.error,
+                candidate.saves.median,
+                candidate.saves.low,
+                candidate.saves.high,
+            ));
+        }
+        if self.candidates.is_empty() {
+            lines.push("  no node of this look has more than one tier".to_owned());
+        }
+        lines.join("\n")
+    }
+}
