@@ -8,6 +8,7 @@ mod emit;
 mod flatten;
 mod host;
 mod host_source;
+mod intervals;
 mod items;
 mod layout;
 mod names;
