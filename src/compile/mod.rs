@@ -12,16 +12,17 @@ mod intervals;
 mod items;
 mod layout;
 mod names;
+mod removal;
 mod specialize;
 mod value;
 
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
 use std::sync::Arc;
 
 use crate::diag::Diagnostic;
 use crate::document::Look;
-use crate::ids::{NodePath, PortName};
-use crate::library::Library;
+use crate::ids::{LightId, NodePath, PortName};
+use crate::library::{Library, LightField};
 use crate::wgsl::{self, Valid};
 
 pub use check::{TypedGraph, TypedInput, TypedNode, TypedSource, check};
@@ -30,7 +31,8 @@ pub use flatten::{MAX_FLAT_NODES, Param, ParamId};
 pub use host::{HostInputs, HostProgram, LightValues, UniformMember};
 pub use host_source::{HostSource, HostStep};
 pub use layout::{Layout, StructLayout};
-pub use specialize::{ImageUse, Needs, Removal};
+pub use removal::{Proof, Removal};
+pub use specialize::{ImageUse, Needs};
 pub use value::{document_value, typed_value};
 
 /// The largest `Look` uniform while every value is live; a longer look keeps fewer values live.
@@ -86,6 +88,9 @@ pub struct Options {
     pub display: bool,
     /// Whether the surface has an alpha cutoff of its own, which a mesh's material may ask for.
     pub cutout: bool,
+    /// Fields of lights that are known to be 0 for whoever wears the look: lights that are out or black, or that reach
+    /// none of the objects.
+    pub dark: BTreeSet<(LightId, LightField)>,
     /// Whether nothing is folded, merged or removed: what pruning is held against.
     pub unspecialized: bool,
 }

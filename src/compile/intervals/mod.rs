@@ -44,6 +44,19 @@ pub(super) fn call(module: &NodeModule, function: &str, arguments: &[Ranges]) ->
     run(&module.valid, function, arguments, &own)
 }
 
+/// Calls on ranges, each made once.
+#[derive(Default)]
+pub(super) struct Calls(HashMap<(usize, String, Vec<u64>), Option<Ranges>>);
+
+impl Calls {
+    /// [`call`], or what it gave for the same ranges before.
+    pub(super) fn call(&mut self, module: &NodeModule, function: &str, arguments: &[Ranges]) -> Option<Ranges> {
+        let bits = arguments.iter().flat_map(|ranges| ranges.iter()).flat_map(|range| range.bits()).collect();
+        let key = (std::ptr::from_ref(module) as usize, function.to_owned(), bits);
+        self.0.entry(key).or_insert_with(|| call(module, function, arguments)).clone()
+    }
+}
+
 /// [`call`] for a module that imports the library and declares nothing that could be taken for a part of it.
 pub(super) fn call_plain(valid: &Valid, function: &str, arguments: &[Ranges]) -> Option<Ranges> {
     run(valid, function, arguments, &|_| true)

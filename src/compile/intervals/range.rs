@@ -259,6 +259,29 @@ impl Range {
         }
     }
 
+    /// What is left of it where its numbers lie in [0, 1] for another reason.
+    pub(in crate::compile) fn within_unit(self) -> Self {
+        match self {
+            Self::Float(x) => {
+                let met = x.meet(Floats { minus_zero: x.minus_zero, ..Floats::between(0.0, 1.0) });
+                Self::Float(if met.is_none() { x } else { met })
+            }
+            other => other,
+        }
+    }
+
+    /// Told apart from any other range, for tables.
+    pub(super) fn bits(self) -> [u64; 3] {
+        match self {
+            Self::Float(x) => [x.low.to_bits(), x.high.to_bits(), u64::from(x.nan) | u64::from(x.minus_zero) << 1],
+            Self::Int(x) => {
+                let [least, most] = x.magnitude.map(|m| m as u64 & 0x7fff_ffff);
+                [x.low as u64, x.high as u64, 4 | least << 3 | most << 34]
+            }
+            Self::Bool(x) => [u64::from(x.may_be_false), u64::from(x.may_be_true), u64::MAX],
+        }
+    }
+
     /// The only thing that it can be, to the bit.
     pub(in crate::compile) fn exactly(self) -> Option<interp::Scalar> {
         match self {
