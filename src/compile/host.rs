@@ -37,6 +37,9 @@ pub struct HostInputs<'a> {
     pub object_id: f64,
 }
 
+/// The greatest intensity: finite in f32, whatever a file says.
+pub const MAX_INTENSITY: f64 = 1e30;
+
 /// A light in world space, ready for the shader.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LightValues {
@@ -52,7 +55,7 @@ pub struct LightValues {
     pub own_from_world: DMat3,
     /// Straight RGB.
     pub color: DVec3,
-    /// 0 or more.
+    /// 0 to [`MAX_INTENSITY`].
     pub intensity: f64,
     /// Cosines of the inner and outer half-angles.
     pub cone: [f64; 2],
@@ -80,7 +83,7 @@ impl LightValues {
             aim: world_from_own * unit(light.aim),
             own_from_world: world_from_own.transpose(),
             color: light.color.into(),
-            intensity: light.intensity.max(0.0),
+            intensity: light.intensity.max(0.0).min(MAX_INTENSITY),
             cone: [light.inner.clamp(0.0, outer).cos(), outer.cos()],
             fading: [light.half_distance, light.range],
             kind: light.kind,
@@ -156,6 +159,14 @@ impl HostProgram {
             self.layout = layout;
         }
         self
+    }
+
+    /// The lights of which it reads anything.
+    pub fn lights(&self) -> impl Iterator<Item = &LightId> {
+        self.steps.iter().filter_map(|step| match step {
+            Step::Context(Context::Light(_), light) => light.as_ref(),
+            _ => None,
+        })
     }
 
     /// Runs every step.

@@ -28,7 +28,7 @@ use crate::wgsl::{self, Valid};
 pub use check::{TypedGraph, TypedInput, TypedNode, TypedSource, check};
 pub use emit::{Attribute, Binding, BindingKind, ImageBinding, SAMPLES_PER_ROW, SpanMap};
 pub use flatten::{MAX_FLAT_NODES, Param, ParamId};
-pub use host::{HostInputs, HostProgram, LightValues, UniformMember};
+pub use host::{HostInputs, HostProgram, LightValues, MAX_INTENSITY, UniformMember};
 pub use host_source::{HostSource, HostStep};
 pub use layout::{Layout, StructLayout};
 pub use removal::{Proof, Removal};
@@ -114,6 +114,8 @@ pub struct CompiledShader {
     pub params: Arc<[Param]>,
     /// Which bytes came from which node.
     pub spans: SpanMap,
+    /// The images that its nodes name, whether or not anything reads them.
+    pub named_images: Vec<ImageUse>,
     /// What was left out, and why.
     pub removed: Vec<Removal>,
     /// What is odd, and what is wrong with nodes that do not reach the output; it stopped nothing.
@@ -169,6 +171,7 @@ pub fn compile_typed(
         host,
         params: typed.params.clone(),
         spans: emitted.spans,
+        named_images: specialized.images,
         removed: specialized.removed,
         warnings,
         live: options.live.clone(),

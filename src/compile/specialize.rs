@@ -574,7 +574,8 @@ impl<'a> Builder<'a> {
         let explained: HashSet<NodePath> = self.removed.iter().map(|removal| removal.path.clone()).collect();
         let mut seen: HashSet<usize> = HashSet::new();
         for (id, value) in self.values.iter().enumerate() {
-            if reached[id] {
+            // Of a node whose value is known nothing runs.
+            if reached[id] && !matches!(value.operation, Operation::Constant(_)) {
                 seen.insert(value.node);
             }
         }

@@ -6,14 +6,17 @@
 
 mod assets;
 mod camera;
+mod effects;
 mod keys;
 mod plan;
 mod samples;
 mod setup;
 mod values;
+mod visibility;
 
 pub use assets::{Assets, Image, MAX_IMAGE_SIDE, SHAPE_PREFIX};
 pub use camera::View;
+pub use effects::{Effect, EffectKind, EffectState, effects};
 pub use keys::{Moment, ObjectValues, ParamTable, Rig, set_light_field, structural_look};
 pub use plan::{Draw, Dropped, FramePlan, LookShaders, Pass, PassKind, PlanOptions, Planner};
 pub use samples::{EvalBatch, EvalSample, LightOverride, eval_batches};
@@ -21,3 +24,4 @@ pub use setup::{
     ANY_MATERIAL, DEFAULT_MESH, Setup, SetupLook, SetupObject, default_setup, object_matrix, open, scene_setup,
 };
 pub use values::check_exposed_value;
+pub use visibility::Cull;

@@ -2,6 +2,7 @@
 
 use super::Ranges;
 use super::range::{Floats, Range};
+use crate::compile::MAX_INTENSITY;
 use crate::library::{Context, LightField, Type};
 
 /// Unit vectors and rotations, with their roundings.
@@ -24,7 +25,9 @@ pub(in crate::compile) fn context_ranges(context: Context) -> Ranges {
             | LightField::OwnFromWorld
             | LightField::Cone,
         ) => Floats { minus_zero: true, ..Floats::between(-UNIT, UNIT) },
-        Context::Light(LightField::Intensity) => Floats { minus_zero: true, ..Floats::between(0.0, f64::INFINITY) },
+        Context::Light(LightField::Intensity) => {
+            Floats { minus_zero: true, ..Floats::between(0.0, MAX_INTENSITY * 1.001) }
+        }
         Context::ObjectId | Context::Viewport => Floats::between(0.0, f64::from(1_u32 << 24)),
         _ => Floats::ALL,
     };

@@ -90,7 +90,7 @@ impl Renderer {
         self.meshes.prepare(&self.gpu, &draw.mesh, &pipeline.attributes);
         let object = self.uniform(&draw.object_uniform);
         let look = draw.look_uniforms.get(&stage).filter(|bytes| !bytes.is_empty()).map(|bytes| self.uniform(bytes));
-        let images = self.images.of(&self.gpu, &draw.images, &shader.needs.images)?;
+        let images = self.images.of(&self.gpu, draw.images_of(stage), &shader.needs.images)?;
         let curvature = |kind: PassKind| self.targets.of(&kind).map(|targets| &targets.curvature);
         let mut entries = Vec::new();
         for binding in &shader.bindings {
