@@ -20,7 +20,7 @@ use crate::diag::Diagnostic;
 use crate::document::{ColorSpace, Target, Value};
 use crate::ids::{LightId, NodePath, PortName};
 use crate::interp;
-use crate::library::{Context, Conversion, NodeModule, Parameter, Rate, Special, Type};
+use crate::library::{Context, Conversion, LightField, NodeModule, Parameter, Rate, Special, Type};
 
 /// An index into [`SpecializedGraph::values`].
 pub(super) type ValueId = usize;
@@ -189,6 +189,7 @@ impl<'a> Builder<'a> {
         if self.is_unit(node, &inputs) {
             self.mark_unit(result);
         }
+        self.mark_dark(node, result);
         self.outputs[index] = if variant.result_is_struct {
             node.def
                 .outputs
@@ -258,6 +259,20 @@ impl<'a> Builder<'a> {
         self.values[id].unit = true;
         if let Some(ranges) = &self.values[id].ranges {
             self.values[id].ranges = Some(ranges.iter().map(|range| range.within_unit()).collect());
+        }
+    }
+
+    /// A light that reaches nothing arrives with no intensity, wherever its surface is.
+    fn mark_dark(&mut self, node: &TypedNode, result: ValueId) {
+        let (Special::Light, Some(light)) = (node.def.special, &node.light) else { return };
+        if self.options.dark.contains(&(light.clone(), LightField::Intensity))
+            && let Some(ranges) = &self.values[result].ranges
+        {
+            let mut ranges = ranges.to_vec();
+            if let Some(intensity) = ranges.last_mut() {
+                *intensity = intervals::Range::ZERO;
+            }
+            self.values[result].ranges = Some(ranges.into());
         }
     }
 

@@ -217,6 +217,9 @@ pub(in crate::compile) enum Range {
 }
 
 impl Range {
+    /// The number 0.
+    pub(in crate::compile) const ZERO: Self = Self::Float(Floats::ZERO);
+
     pub(super) fn join(self, other: Self) -> Option<Self> {
         Some(match (self, other) {
             (Self::Float(a), Self::Float(b)) => Self::Float(a.join(b)),
