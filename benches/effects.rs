@@ -1,6 +1,6 @@
 //! What is saved by what a scene does not call for: pictures with a thing against pictures without it.
 //!
-//! `cargo bench --no-default-features --features gpu --bench effects` prints medians of wall-clock times, taken in turns
+//! `cargo bench --profile dev --no-default-features --features gpu --bench effects` prints medians of wall-clock times, taken in turns
 //! so that a busy machine slows both. docs/performance.md holds the figures. A node that could be left out is kept by
 //! exposing the value that makes it useless: the picture is the same, and nothing is proved of it.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
@@ -45,6 +45,7 @@ fn plan(planner: &mut Planner, setup: &Setup, live: &Live) -> FramePlan {
     planner.plan(setup, Library::built_in(), live, &OPTIONS).unwrap_or_else(|problems| panic!("{problems:?}"))
 }
 
+#[expect(clippy::disallowed_methods, reason = "a benchmark is about time")]
 fn milliseconds(of: impl FnOnce()) -> f64 {
     let start = Instant::now();
     of();
@@ -174,7 +175,7 @@ fn cases() -> Vec<Case> {
         (
             "ranges: an ambient profile",
             "profile.offset",
-            json!([facing, {"id": "profile", "kind": "profile", "values": {"offset": 3.141_592_65}}, {"id": "all", "kind": "multiply"}]),
+            json!([facing, {"id": "profile", "kind": "profile", "values": {"offset": std::f64::consts::PI}}, {"id": "all", "kind": "multiply"}]),
             json!([
                 wire("facing", "profile.angle"),
                 wire("profile", "all.a"),

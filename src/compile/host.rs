@@ -76,6 +76,8 @@ impl LightValues {
         let unit = |v: [f64; 3]| DVec3::from(v).try_normalize().unwrap_or(DVec3::Z);
         let own_direction = unit(light.direction);
         let outer = light.outer.clamp(0.0, std::f64::consts::PI);
+        // What is no number counts as 0.
+        let intensity = if light.intensity.is_nan() { 0.0 } else { light.intensity.clamp(0.0, MAX_INTENSITY) };
         Self {
             direction: world_from_own * own_direction,
             own_direction,
@@ -83,7 +85,7 @@ impl LightValues {
             aim: world_from_own * unit(light.aim),
             own_from_world: world_from_own.transpose(),
             color: light.color.into(),
-            intensity: light.intensity.max(0.0).min(MAX_INTENSITY),
+            intensity,
             cone: [light.inner.clamp(0.0, outer).cos(), outer.cos()],
             fading: [light.half_distance, light.range],
             kind: light.kind,

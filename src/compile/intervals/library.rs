@@ -8,6 +8,9 @@ use super::range::{ALMOST_INFINITE as LARGEST, Bools, Floats, Range};
 /// What the library's polynomials, and the roundings of a unit vector, may be off.
 const SLACK: f64 = 2e-6;
 
+/// A quarter turn, with its rounding.
+const QUARTER: f64 = std::f64::consts::FRAC_PI_2 + SLACK;
+
 /// The functions that [`result`] knows.
 pub(super) const NAMES: &[&str] = &[
     "bounded",
@@ -51,7 +54,7 @@ pub(super) fn result(name: &str, arguments: &[Ranges]) -> Option<Ranges> {
         ("log_stable", [_]) => vec![Floats::ALL],
         ("log1p_negative", [y]) if y.is_within(0.0, 1.0) => vec![Floats::between(-88.0, 0.0)],
         ("log1p_negative", [_]) => vec![Floats::ALL],
-        ("sin_cos_quarter", [x]) if x.is_within(-1.5708, 1.5708) => quarter(*x),
+        ("sin_cos_quarter", [x]) if x.is_within(-QUARTER, QUARTER) => quarter(*x),
         ("sin_cos", [x]) if x.is_within(-1e5, 1e5) => vec![Floats::between(-1.0 - SLACK, 1.0 + SLACK); 2],
         ("sin_cos_quarter" | "sin_cos", _) => vec![Floats::ALL; 2],
         ("angle_between", [..]) => angle_between(&floats),
