@@ -100,7 +100,10 @@ fn tell_nodes(look: &LookReport) -> String {
     if !nodes.removed.is_empty() {
         let _ = writeln!(text, "    {} left out, without changing the picture:", nodes.removed.len());
         for removal in &nodes.removed {
-            let _ = writeln!(text, "      `{}`: {} ({})", removal.path, removal.reason, removal.proof.label());
+            // Reasons by ranges say so themselves.
+            let label = removal.proof.label();
+            let proof = if removal.reason.contains(label) { String::new() } else { format!(" ({label})") };
+            let _ = writeln!(text, "      `{}`: {}{proof}", removal.path, removal.reason);
         }
     }
     text
