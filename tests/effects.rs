@@ -235,7 +235,7 @@ fn removable() -> Vec<(Proof, &'static str, Json, Json)> {
         (
             Proof::Ranges,
             "profile",
-            json!([facing, {"id": "profile", "kind": "profile", "values": {"offset": 3.14159265}}, {"id": "all", "kind": "multiply"}]),
+            json!([facing, {"id": "profile", "kind": "profile", "values": {"offset": std::f64::consts::PI}}, {"id": "all", "kind": "multiply"}]),
             json!([{"from": "facing", "to": "profile.angle"}, {"from": "profile", "to": "all.a"}, {"from": "facing", "to": "all.b"}, {"from": "all", "to": "output.color"}]),
         ),
         // A clamp that cannot clamp: noise lies in [0, 1], and half of it more so.
@@ -424,7 +424,7 @@ fn bumpy(folder: &Path, color: [f64; 3]) -> SetupLook {
 fn write_bumps(folder: &Path, period: u32) {
     let side = 16 * period;
     let picture = image::RgbaImage::from_fn(side, 64, |x, _| {
-        let level = if (x / period) % 2 == 0 { 20 } else { 230 };
+        let level = if (x / period).is_multiple_of(2) { 20 } else { 230 };
         image::Rgba([level, level, level, 255])
     });
     picture.save(folder.join("bumps.png")).expect("the folder can be written to");
