@@ -327,6 +327,20 @@ fn explain_tells_passes_and_reasons_without_a_gpu() {
     let total = counted("fragment") + counted("host") + counted("folded") + counted("removed");
     assert_eq!(look["nodes"]["total"], total);
     assert_eq!(look["uniforms"][0]["rate"], "object");
+    let is_told = |kind: &str, state: &str, proof: &str| {
+        let mut effects = told["effects"].as_array().unwrap().iter();
+        effects.any(|e| e["kind"] == kind && e["state"] == state && (proof.is_empty() || e["proof"] == proof))
+    };
+    for (kind, state, proof) in [
+        ("pass", "runs", ""),
+        ("pass", "dropped", "unreachable"),
+        ("object", "runs", ""),
+        ("attribute", "dropped", "unreachable"),
+        ("node", "runs", ""),
+        ("node", "dropped", "zero-weight"),
+    ] {
+        assert!(is_told(kind, state, proof), "no {kind} is {state} {proof}: {}", told["effects"]);
+    }
     // A look that bends with curvature needs the passes, and says for whom.
     let bent = LOOK.replace(r#""blend": "alpha""#, r#""blend": "alpha", "slope": 0.2, "amount": 0.3"#);
     shop.write("bent.json", &bent);

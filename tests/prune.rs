@@ -8,7 +8,7 @@ use std::path::Path;
 use chiaro::compile::{Live, Options, compile};
 use chiaro::document::{Look, Value};
 use chiaro::frame::{EvalSample, SetupLook};
-use chiaro::library::{BypassResult, Fallback, Library, NodeDef, Test, Type};
+use chiaro::library::{BypassResult, Fallback, Library, Limit, NodeDef, Test, Type};
 use glam::{DMat3, DVec2, DVec3};
 use serde_json::{Map, Value as Json, json};
 use support::eval::{eval_with, look, options};
@@ -170,7 +170,18 @@ fn bypassed(def: &NodeDef, index: usize, ty: &Type, random: &mut Random) -> Setu
             }
             Test::Word(words) => drop(values.insert(name, json!(random.pick(words)))),
             // `ordinary` lies between 0 and 1; so does a clamped stack.
-            Test::Unit => {}
+            Test::Unit | Test::UnitAlpha => {}
+            Test::AtMost(limit) | Test::AtLeast(limit) => {
+                let side = if matches!(condition.test, Test::AtMost(_)) { -1.0 } else { 1.0 };
+                match limit {
+                    Limit::Number(number) => drop(values.insert(name, constant(&type_of(input), number + 0.5 * side))),
+                    // Beyond whatever `ordinary` gives.
+                    Limit::Input(other) => {
+                        let other = &def.inputs[*other];
+                        values.insert(other.name.to_string(), constant(&type_of(other), 2.0 * -side));
+                    }
+                }
+            }
         }
     }
     let mut nodes = vec![

@@ -16,6 +16,8 @@ import chiaro::total;
 /// @return color "Color" : Normal mixes the alpha too; all others keep that of A.
 /// @bypass a when factor = 0 : its factor is 0
 /// @bypass b when factor = 1 and mode = normal : its factor is 1
+/// @bypass a when factor <= 0 : its factor is never above 0
+/// @bypass b when factor >= 1 and mode = normal : its factor is never below 1
 /// @bypass a when a = b and mode = normal|darken|lighten : both colours are the same
 /// @source W3C Compositing and Blending 1
 fn mix_colors_normal(a: Color, b: Color, factor: f32) -> Color {

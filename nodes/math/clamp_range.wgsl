@@ -11,6 +11,7 @@ import chiaro::total;
 /// @param high "High" default=1 : Nothing is above this.
 /// @return value "Value" : From low to high.
 /// @bypass value when value = unit and low = 0 and high = 1 : its value lies between 0 and 1 already
+/// @bypass value when value >= low and value <= high and value = unit_alpha : its value never leaves its range
 /// @unit when low = 0 and high = 1
 fn clamp_range(value: f32, low: f32, high: f32) -> f32 {
     return min(max(bounded(value), bounded(low)), bounded(high));

@@ -9,6 +9,7 @@ import chiaro::total;
 /// @param b "B" default=0 : The other.
 /// @return maximum "Maximum" : The larger one.
 /// @bypass a when a = b : both are the same
+/// @bypass a when a >= b : A is never below B
 fn maximum(a: f32, b: f32) -> f32 {
     return max(bounded(a), bounded(b));
 }

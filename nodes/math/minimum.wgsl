@@ -9,6 +9,7 @@ import chiaro::total;
 /// @param b "B" default=0 : The other.
 /// @return minimum "Minimum" : The smaller one.
 /// @bypass a when a = b : both are the same
+/// @bypass a when a <= b : A is never above B
 fn minimum(a: f32, b: f32) -> f32 {
     return min(bounded(a), bounded(b));
 }

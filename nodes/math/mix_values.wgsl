@@ -13,6 +13,8 @@ import chiaro::total;
 /// @bypass a when factor = 0 : its factor is 0
 /// @bypass b when factor = 1 : its factor is 1
 /// @bypass a when a = b : A and B are the same
+/// @bypass a when factor <= 0 and clamped = 1 : its factor is never above 0
+/// @bypass b when factor >= 1 and clamped = 1 : its factor is never below 1
 fn mix_values(a: f32, b: f32, factor: f32, clamped: bool) -> f32 {
     return mixed(bounded(a), bounded(b), factor_of(factor, clamped));
 }

@@ -74,7 +74,7 @@ impl Row {
     fn name(&self) -> String {
         match &self.subject {
             Subject::Whole => "whole look".to_owned(),
-            Subject::Pass(kind) => format!("  {} pass", kind.words()),
+            Subject::Pass(kind) => format!("  {} pass", kind.label()),
             Subject::Node { name, .. } => name.clone(),
         }
     }

@@ -7,6 +7,7 @@ use glam::{DMat3, DQuat, DVec3};
 use indexmap::IndexMap;
 
 use super::flatten::ParamId;
+use super::intervals::{self, Ranges};
 use super::layout::StructLayout;
 use super::specialize::Function;
 use super::value::typed_value;
@@ -15,7 +16,7 @@ use crate::document::{Light, LightKind, LightSpace, Value};
 use crate::ids::LightId;
 use crate::interp::{self, Precision, Program};
 use crate::library::{Context, Conversion, LightField, Type};
-use crate::wgsl::{self, Source};
+use crate::wgsl::{self, Source, Valid};
 
 /// Everything a host program reads: one object, in one view, at one time.
 #[derive(Clone, Copy, Debug)]
@@ -36,6 +37,9 @@ pub struct HostInputs<'a> {
     pub object_id: f64,
 }
 
+/// The greatest intensity: finite in f32, whatever a file says.
+pub const MAX_INTENSITY: f64 = 1e30;
+
 /// A light in world space, ready for the shader.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LightValues {
@@ -51,7 +55,7 @@ pub struct LightValues {
     pub own_from_world: DMat3,
     /// Straight RGB.
     pub color: DVec3,
-    /// 0 or more.
+    /// 0 to [`MAX_INTENSITY`].
     pub intensity: f64,
     /// Cosines of the inner and outer half-angles.
     pub cone: [f64; 2],
@@ -72,6 +76,8 @@ impl LightValues {
         let unit = |v: [f64; 3]| DVec3::from(v).try_normalize().unwrap_or(DVec3::Z);
         let own_direction = unit(light.direction);
         let outer = light.outer.clamp(0.0, std::f64::consts::PI);
+        // What is no number counts as 0.
+        let intensity = if light.intensity.is_nan() { 0.0 } else { light.intensity.clamp(0.0, MAX_INTENSITY) };
         Self {
             direction: world_from_own * own_direction,
             own_direction,
@@ -79,7 +85,7 @@ impl LightValues {
             aim: world_from_own * unit(light.aim),
             own_from_world: world_from_own.transpose(),
             color: light.color.into(),
-            intensity: light.intensity.max(0.0),
+            intensity,
             cone: [light.inner.clamp(0.0, outer).cos(), outer.cos()],
             fading: [light.half_distance, light.range],
             kind: light.kind,
@@ -155,6 +161,14 @@ impl HostProgram {
             self.layout = layout;
         }
         self
+    }
+
+    /// The lights of which it reads anything.
+    pub fn lights(&self) -> impl Iterator<Item = &LightId> {
+        self.steps.iter().filter_map(|step| match step {
+            Step::Context(Context::Light(_), light) => light.as_ref(),
+            _ => None,
+        })
     }
 
     /// Runs every step.
@@ -249,7 +263,12 @@ impl HostInputs<'_> {
 }
 
 /// All conversions as WGSL functions, so that the CPU runs the same text that the shader inlines.
-static CONVERSIONS: LazyLock<HashMap<(Type, Type), Arc<Program>>> = LazyLock::new(|| {
+struct Conversions {
+    valid: Option<Valid>,
+    functions: HashMap<(Type, Type), (String, Arc<Program>)>,
+}
+
+static CONVERSIONS: LazyLock<Conversions> = LazyLock::new(|| {
     use Type::{Angle, Bool, Color, Composite, Float, Int, Vec2, Vec3, Vec4};
     let types = [Float, Int, Bool, Vec2, Vec3, Vec4, Color, Composite, Angle];
     let mut text = "import chiaro::convert;\n".to_owned();
@@ -265,19 +284,27 @@ static CONVERSIONS: LazyLock<HashMap<(Type, Type), Arc<Program>>> = LazyLock::ne
         }
     }
     let linked = wgsl::link(&[Source { name: "conversions", text: &text }]);
-    let Some(valid) = linked.ok().and_then(|linked| wgsl::parse(&linked.text).ok()) else { return HashMap::new() };
-    pairs
-        .into_iter()
-        .filter_map(|(from, to, name)| {
-            let program = Program::compile(&valid.module, &name, interp::Options::default()).ok()?;
-            Some(((from, to), Arc::new(program)))
-        })
-        .collect()
+    let valid = linked.ok().and_then(|linked| wgsl::parse(&linked.text).ok());
+    let compiled = |(from, to, name): (Type, Type, String)| {
+        let program = Program::compile(&valid.as_ref()?.module, &name, interp::Options::default()).ok()?;
+        Some(((from, to), (name, Arc::new(program))))
+    };
+    let functions = pairs.into_iter().filter_map(compiled).collect();
+    Conversions { valid, functions }
 });
 
 /// What runs a conversion on the CPU.
 pub(super) fn conversion_program(from: &Type, to: &Type) -> Option<Arc<Program>> {
-    CONVERSIONS.get(&(from.clone(), to.clone())).cloned()
+    CONVERSIONS.functions.get(&(from.clone(), to.clone())).map(|(_, program)| program.clone())
+}
+
+/// What a conversion may give.
+pub(super) fn conversion_ranges(from: &Type, to: &Type, ranges: &Ranges) -> Option<Ranges> {
+    let Some((name, _)) = CONVERSIONS.functions.get(&(from.clone(), to.clone())) else {
+        // Between two names of one type.
+        return (from.width().is_some() && from.width() == to.width()).then(|| ranges.clone());
+    };
+    intervals::call_plain(CONVERSIONS.valid.as_ref()?, name, std::slice::from_ref(ranges))
 }
 
 #[cfg(test)]

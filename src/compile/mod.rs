@@ -8,28 +8,31 @@ mod emit;
 mod flatten;
 mod host;
 mod host_source;
+mod intervals;
 mod items;
 mod layout;
 mod names;
+mod removal;
 mod specialize;
 mod value;
 
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
 use std::sync::Arc;
 
 use crate::diag::Diagnostic;
 use crate::document::Look;
-use crate::ids::{NodePath, PortName};
-use crate::library::Library;
+use crate::ids::{LightId, NodePath, PortName};
+use crate::library::{Library, LightField};
 use crate::wgsl::{self, Valid};
 
 pub use check::{TypedGraph, TypedInput, TypedNode, TypedSource, check};
 pub use emit::{Attribute, Binding, BindingKind, ImageBinding, SAMPLES_PER_ROW, SpanMap};
 pub use flatten::{MAX_FLAT_NODES, Param, ParamId};
-pub use host::{HostInputs, HostProgram, LightValues, Uniform, UniformMember, push_numbers};
+pub use host::{HostInputs, HostProgram, LightValues, MAX_INTENSITY, Uniform, UniformMember, push_numbers};
 pub use host_source::{HostSource, HostStep};
 pub use layout::{Layout, StructLayout};
-pub use specialize::{ImageUse, Needs, Removal};
+pub use removal::{Proof, Removal};
+pub use specialize::{ImageUse, Needs};
 pub use value::{document_value, typed_value};
 
 /// The largest `Look` uniform while every value is live; a longer look keeps fewer values live.
@@ -85,6 +88,9 @@ pub struct Options {
     pub display: bool,
     /// Whether the surface has an alpha cutoff of its own, which a mesh's material may ask for.
     pub cutout: bool,
+    /// Fields of lights that are known to be 0 for whoever wears the look: lights that are out or black, or that reach
+    /// none of the objects.
+    pub dark: BTreeSet<(LightId, LightField)>,
     /// Whether nothing is folded, merged or removed: what pruning is held against.
     pub unspecialized: bool,
 }
@@ -108,6 +114,8 @@ pub struct CompiledShader {
     pub params: Arc<[Param]>,
     /// Which bytes came from which node.
     pub spans: SpanMap,
+    /// The images that its nodes name, whether or not anything reads them.
+    pub named_images: Vec<ImageUse>,
     /// What was left out, and why.
     pub removed: Vec<Removal>,
     /// What is odd, and what is wrong with nodes that do not reach the output; it stopped nothing.
@@ -164,6 +172,7 @@ pub fn compile_typed(
         host,
         params: typed.params.clone(),
         spans: emitted.spans,
+        named_images: specialized.images,
         removed: specialized.removed,
         warnings,
         live: options.live.clone(),

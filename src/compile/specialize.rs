@@ -4,19 +4,23 @@
 //! steps of a host program, whose results the fragment reads from uniforms; the rest is emitted as WGSL. A value is
 //! made once: asking for the same operation on the same values again gives the same value.
 
+mod bypass;
+
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use super::check::{TypedGraph, TypedInput, TypedNode, TypedSource};
 use super::flatten::ParamId;
-use super::host::conversion_program;
+use super::host::{conversion_program, conversion_ranges};
+use super::intervals::{self, Ranges};
+use super::removal::{Proof, Removal};
 use super::value::typed_value;
 use super::{Live, Options, Stage};
 use crate::diag::Diagnostic;
 use crate::document::{ColorSpace, Target, Value};
 use crate::ids::{LightId, NodePath, PortName};
 use crate::interp;
-use crate::library::{BypassResult, Condition, Context, Conversion, NodeModule, Parameter, Rate, Special, Test, Type};
+use crate::library::{Context, Conversion, LightField, NodeModule, Parameter, Rate, Special, Type};
 
 /// An index into [`SpecializedGraph::values`].
 pub(super) type ValueId = usize;
@@ -59,6 +63,8 @@ pub(super) struct Computed {
     pub(super) part: Option<String>,
     /// Whether all its numbers are known to lie in [0, 1].
     pub(super) unit: bool,
+    /// What each of its scalars may be; `None` where that is not followed.
+    pub(super) ranges: Option<Ranges>,
 }
 
 /// An image that a node reads, with how it is sampled.
@@ -76,20 +82,6 @@ pub struct ImageUse {
     pub is_decoded: bool,
     /// The first node that reads it.
     pub node: NodePath,
-}
-
-/// Something that was left out.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
-pub struct Removal {
-    /// The node.
-    #[serde(serialize_with = "path_text")]
-    pub path: NodePath,
-    /// Why nothing is lost: the end of a sentence that begins with the node.
-    pub reason: String,
-}
-
-fn path_text<S: serde::Serializer>(path: &NodePath, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_str(path)
 }
 
 /// What a module asks of meshes and passes.
@@ -158,6 +150,9 @@ struct Builder<'a> {
     extra_roots: HashMap<String, ValueId>,
     images: Vec<ImageUse>,
     removed: Vec<Removal>,
+    /// Nodes of which a result is known by ranges alone.
+    proved: HashSet<usize>,
+    intervals: intervals::Calls,
     problems: Vec<Diagnostic>,
 }
 
@@ -173,6 +168,8 @@ impl<'a> Builder<'a> {
             extra_roots: HashMap::new(),
             images: Vec::new(),
             removed: Vec::new(),
+            proved: HashSet::new(),
+            intervals: intervals::Calls::default(),
             problems: Vec::new(),
         }
     }
@@ -182,20 +179,27 @@ impl<'a> Builder<'a> {
         let node = &graph.nodes[index];
         let inputs: Vec<Option<ValueId>> =
             node.inputs.iter().map(|input| input.as_ref().and_then(|input| self.input(index, node, input))).collect();
-        if let Some((value, reason)) = self.bypass(index, node, &inputs) {
+        if let Some((value, reason, proof)) = self.bypass(index, node, &inputs) {
             self.outputs[index] = vec![value];
-            self.removed.push(Removal { path: node.path.clone(), reason });
+            self.removed.push(Removal { path: node.path.clone(), reason, proof });
             return;
         }
         let variant = node.variant();
         let result = self.call(index, node, &variant.function, &variant.parameters, variant.result.clone(), &inputs);
-        self.values[result].unit |= self.is_unit(node, &inputs);
+        if self.is_unit(node, &inputs) {
+            self.mark_unit(result);
+        }
+        self.mark_dark(node, result);
         self.outputs[index] = if variant.result_is_struct {
             node.def
                 .outputs
                 .iter()
                 .enumerate()
-                .map(|(i, output)| self.member(index, result, i, &output.name, &output.ty))
+                .scan(Some(0), |at, (i, output)| {
+                    let start = *at;
+                    *at = start.and_then(|start| Some(start + intervals::scalars_in(&output.ty)?));
+                    Some(self.member(index, result, (i, start), &output.name, &output.ty))
+                })
                 .collect()
         } else {
             vec![result]
@@ -219,9 +223,7 @@ impl<'a> Builder<'a> {
             TypedSource::Wire { node, output } => *self.outputs[*node].get(*output)?,
             TypedSource::Context(context) => {
                 let light = matches!(context, Context::Light(_)).then(|| node.light.clone()).flatten();
-                let ty = Type::from_wgsl(context.wgsl_type());
-                let rate = context.rate();
-                self.value(Key::Context(*context, light.clone()), index, ty, rate, Operation::Context(*context, light))
+                self.context(index, *context, light)
             }
             TypedSource::Param(_, _) if input.ty == Type::Image => return None,
             TypedSource::Param(id, value) => self.param(index, *id, value, &input.ty),
@@ -232,6 +234,68 @@ impl<'a> Builder<'a> {
         })
     }
 
+    fn context(&mut self, index: usize, context: Context, light: Option<LightId>) -> ValueId {
+        let ty = Type::from_wgsl(context.wgsl_type());
+        if let (Context::Light(field), Some(id)) = (context, &light)
+            && self.options.dark.contains(&(id.clone(), field))
+        {
+            let zero = match ty.width() {
+                Some(1) => interp::Value::Float(0.0),
+                width => interp::Value::vec(&vec![0.0; width.unwrap_or(3)]),
+            };
+            return self.constant(index, ty, zero);
+        }
+        let made = self.values.len();
+        let key = Key::Context(context, light.clone());
+        let id = self.value(key, index, ty, context.rate(), Operation::Context(context, light));
+        if id == made {
+            self.values[id].ranges = Some(intervals::context_ranges(context));
+        }
+        id
+    }
+
+    /// Numbers that are known to lie in [0, 1] by what a node promises.
+    fn mark_unit(&mut self, id: ValueId) {
+        self.values[id].unit = true;
+        if let Some(ranges) = &self.values[id].ranges {
+            self.values[id].ranges = Some(ranges.iter().map(|range| range.within_unit()).collect());
+        }
+    }
+
+    /// A light that reaches nothing arrives with no intensity, wherever its surface is.
+    fn mark_dark(&mut self, node: &TypedNode, result: ValueId) {
+        let (Special::Light, Some(light)) = (node.def.special, &node.light) else { return };
+        if self.options.dark.contains(&(light.clone(), LightField::Intensity))
+            && let Some(ranges) = &self.values[result].ranges
+        {
+            let mut ranges = ranges.to_vec();
+            if let Some(intensity) = ranges.last_mut() {
+                *intensity = intervals::Range::ZERO;
+            }
+            self.values[result].ranges = Some(ranges.into());
+        }
+    }
+
+    /// The only value, to the bit, that ranges leave to a value of this type.
+    fn only_value(&self, ranges: Option<&Ranges>, ty: &Type) -> Option<interp::Value> {
+        if self.options.unspecialized { None } else { intervals::exactly(ranges?, ty) }
+    }
+
+    fn call_ranges(&mut self, module: &NodeModule, function: &str, arguments: &[Argument]) -> Option<Ranges> {
+        if self.options.unspecialized {
+            return None;
+        }
+        let mut given = Vec::with_capacity(arguments.len());
+        for argument in arguments {
+            given.push(match argument {
+                Argument::Value(id) => self.values[*id].ranges.clone()?,
+                // Images and samplers have no numbers.
+                Argument::Image(_) | Argument::Sampler(_) => Ranges::from([]),
+            });
+        }
+        self.intervals.call(module, function, &given)
+    }
+
     fn param(&mut self, index: usize, id: ParamId, value: &Value, ty: &Type) -> ValueId {
         // The checker converted it once already, so it cannot fail here; 0 keeps the type if it did.
         let value = typed_value(value, ty).unwrap_or(interp::Value::Float(0.0));
@@ -240,10 +304,13 @@ impl<'a> Builder<'a> {
         }
         let part = self.graph.params[id].port.to_string();
         let made = self.values.len();
+        // Whoever edits it may set it to anything.
+        let ranges = intervals::any_like(&value);
         let id =
             self.value(Key::Param(id, ty.clone()), index, ty.clone(), Rate::Object, Operation::Param { id, value });
         if id == made {
             self.values[id].part = Some(part);
+            self.values[id].ranges = Some(ranges);
         }
         id
     }
@@ -252,15 +319,33 @@ impl<'a> Builder<'a> {
         let mut bits = Vec::new();
         push_bits(&value, &mut bits);
         let unit = value.components().is_some_and(|numbers| numbers.iter().all(|x| (0.0..=1.0).contains(x)));
+        let ranges = intervals::of_value(&value);
         let id = self.value(Key::Constant(ty.clone(), bits), index, ty, Rate::Constant, Operation::Constant(value));
         self.values[id].unit = unit;
+        self.values[id].ranges = Some(ranges);
         id
     }
 
-    fn member(&mut self, index: usize, value: ValueId, member: usize, name: &PortName, ty: &Type) -> ValueId {
+    /// A member by its index, with where its scalars begin among the struct's, if that is known.
+    fn member(
+        &mut self,
+        index: usize,
+        value: ValueId,
+        (member, start): (usize, Option<usize>),
+        name: &PortName,
+        ty: &Type,
+    ) -> ValueId {
         if let Operation::Constant(interp::Value::Struct(parts)) = &self.values[value].operation {
             let part = parts[member].clone();
             return self.constant(index, ty.clone(), part);
+        }
+        let ranges = self.values[value].ranges.as_ref().zip(start).and_then(|(ranges, start)| {
+            let part = ranges.get(start..start + intervals::scalars_in(ty)?)?;
+            Some(Ranges::from(part))
+        });
+        if let Some(known) = self.only_value(ranges.as_ref(), ty) {
+            self.proved.insert(index);
+            return self.constant(index, ty.clone(), known);
         }
         let rate = self.values[value].rate;
         let operation = Operation::Member { value, index: member, name: name.clone() };
@@ -268,6 +353,7 @@ impl<'a> Builder<'a> {
         let id = self.value(Key::Member(value, member), index, ty.clone(), rate, operation);
         if id == made {
             self.values[id].part = Some(name.to_string());
+            self.values[id].ranges = ranges;
         }
         id
     }
@@ -282,12 +368,22 @@ impl<'a> Builder<'a> {
                 return self.constant(index, ty.clone(), converted);
             }
         }
+        let ranges = self.values[value].ranges.as_ref().and_then(|ranges| conversion_ranges(&from, ty, ranges));
+        if let Some(known) = self.only_value(ranges.as_ref(), ty) {
+            return self.constant(index, ty.clone(), known);
+        }
         let (rate, unit) = (self.values[value].rate, self.values[value].unit);
         let rate = if self.options.unspecialized { Rate::Fragment } else { rate };
         let key = Key::Convert(template, ty.clone(), value);
+        let made = self.values.len();
         let id = self.value(key, index, ty.clone(), rate, Operation::Convert { template, value });
+        if id == made {
+            self.values[id].ranges = ranges;
+        }
         // Widening and the two ways of alpha keep numbers within [0, 1].
-        self.values[id].unit |= unit && ty.width().is_some();
+        if unit && ty.width().is_some() {
+            self.mark_unit(id);
+        }
         id
     }
 
@@ -355,15 +451,22 @@ impl<'a> Builder<'a> {
         if self.options.unspecialized {
             rate = Rate::Fragment;
         }
+        let ranges = self.call_ranges(&module, function, &arguments);
+        if let Some(known) = self.only_value(ranges.as_ref(), &ty) {
+            self.proved.insert(index);
+            return self.constant(index, ty, known);
+        }
         let key = Key::Call(Arc::as_ptr(&module) as usize, name.clone(), arguments.clone());
         let operation = Operation::Call { function: Function { module, name }, arguments };
         let made = self.values.len();
         let id = self.value(key, index, ty, rate, operation);
         if id == made {
             self.values[id].part = part;
+            self.values[id].ranges = ranges;
         } else if self.values[id].node != index && part.is_none() {
             let other = &self.graph.nodes[self.values[id].node].path;
-            self.removed.push(Removal { path: node.path.clone(), reason: format!("it is the same as `{other}`") });
+            let reason = format!("it is the same as `{other}`");
+            self.removed.push(Removal { path: node.path.clone(), reason, proof: Proof::Equal });
         }
         id
     }
@@ -434,49 +537,8 @@ impl<'a> Builder<'a> {
                 return id;
             }
         }
-        self.values.push(Computed { operation, ty, rate, node, part: None, unit: false });
+        self.values.push(Computed { operation, ty, rate, node, part: None, unit: false, ranges: None });
         made
-    }
-
-    fn bypass(&mut self, index: usize, node: &TypedNode, inputs: &[Option<ValueId>]) -> Option<(ValueId, String)> {
-        if self.options.unspecialized || node.variant().result_is_struct {
-            return None;
-        }
-        let bypass = node.def.bypasses.iter().find(|bypass| self.all_hold(node, inputs, &bypass.conditions))?;
-        let ty = node.variant().result.clone();
-        let value = match bypass.result {
-            BypassResult::Input(input) => inputs[input].filter(|&id| self.values[id].ty == ty)?,
-            BypassResult::Number(number) => {
-                let value = typed_value(&Value::Number(number), &ty).ok()?;
-                self.constant(index, ty, value)
-            }
-        };
-        let reason = if bypass.reason.is_empty() { "it changes nothing".to_owned() } else { bypass.reason.clone() };
-        Some((value, reason))
-    }
-
-    fn is_unit(&self, node: &TypedNode, inputs: &[Option<ValueId>]) -> bool {
-        node.def.unit_when.as_ref().is_some_and(|conditions| self.all_hold(node, inputs, conditions))
-    }
-
-    fn all_hold(&self, node: &TypedNode, inputs: &[Option<ValueId>], conditions: &[Condition]) -> bool {
-        conditions.iter().all(|condition| {
-            if let Test::Word(words) = &condition.test {
-                return node.choices.get(&condition.input).is_some_and(|word| words.contains(word));
-            }
-            let Some(id) = inputs[condition.input] else { return false };
-            let numbers = match &self.values[id].operation {
-                Operation::Constant(value) => value.components(),
-                _ => None,
-            };
-            match &condition.test {
-                Test::Is(wanted) => numbers.is_some_and(|numbers| numbers.iter().all(|x| x == wanted)),
-                Test::Black => numbers.is_some_and(|numbers| numbers.iter().take(3).all(|x| *x == 0.0)),
-                Test::Same(other) => inputs[*other] == Some(id),
-                Test::Unit => self.values[id].unit,
-                Test::Word(_) => false,
-            }
-        })
     }
 
     fn finish(mut self) -> SpecializedGraph {
@@ -496,6 +558,7 @@ impl<'a> Builder<'a> {
         let cutout = self.options.cutout;
         let cutoff = self.extra_roots.get("cutoff").copied().filter(|&id| cutout || !zero(&self.values[id]));
         let cutoff = cutoff.filter(|_| is_own_root && self.options.stage != Stage::Eval);
+        let cutoff = cutoff.filter(|&id| cutout || !self.never_cuts(color, id));
         self.explain_unused(&[Some(root), cutoff.and(Some(color)), cutoff]);
         SpecializedGraph {
             values: self.values,
@@ -507,13 +570,27 @@ impl<'a> Builder<'a> {
         }
     }
 
+    /// Whether the look's alpha is at least its cutoff wherever it is drawn.
+    fn never_cuts(&mut self, color: ValueId, cutoff: ValueId) -> bool {
+        let bounds = |id: ValueId, scalar: usize| self.values[id].ranges.as_ref()?.get(scalar)?.bounds();
+        let (Some([least, _]), Some([_, most])) = (bounds(color, 3), bounds(cutoff, 0)) else { return false };
+        if self.options.unspecialized || least < most {
+            return false;
+        }
+        let path = self.graph.nodes[self.graph.root.0].path.clone();
+        let reason = format!("its alpha cutoff cuts nothing, proved by ranges: alpha is {least} or more everywhere");
+        self.removed.push(Removal { path, reason, proof: Proof::Ranges });
+        true
+    }
+
     /// Adds a reason for every node of which nothing is left.
     fn explain_unused(&mut self, roots: &[Option<ValueId>]) {
         let reached = reachable(&self.values, roots.iter().flatten().copied());
         let explained: HashSet<NodePath> = self.removed.iter().map(|removal| removal.path.clone()).collect();
         let mut seen: HashSet<usize> = HashSet::new();
         for (id, value) in self.values.iter().enumerate() {
-            if reached[id] {
+            // Of a node whose value is known nothing runs.
+            if reached[id] && !matches!(value.operation, Operation::Constant(_)) {
                 seen.insert(value.node);
             }
         }
@@ -524,12 +601,27 @@ impl<'a> Builder<'a> {
             }
             let outputs = &self.outputs[index];
             let is_constant = |&id: &ValueId| matches!(self.values[id].operation, Operation::Constant(_));
-            let reason = if !outputs.is_empty() && outputs.iter().all(is_constant) {
-                "its value is known before drawing"
+            let (reason, proof) = if !outputs.is_empty() && outputs.iter().all(is_constant) {
+                if self.proved.contains(&index) {
+                    (self.proved_reason(outputs[0]), Proof::Ranges)
+                } else {
+                    ("its value is known before drawing".to_owned(), Proof::Constant)
+                }
             } else {
-                "nothing that reaches the output uses it"
+                ("nothing that reaches the output uses it".to_owned(), Proof::Unreachable)
             };
-            self.removed.push(Removal { path: node.path.clone(), reason: reason.to_owned() });
+            self.removed.push(Removal { path: node.path.clone(), reason, proof });
+        }
+    }
+}
+
+impl Builder<'_> {
+    fn proved_reason(&self, output: ValueId) -> String {
+        match &self.values[output].operation {
+            Operation::Constant(value) if value.parts().is_none() => {
+                format!("it is {value} everywhere, proved by ranges")
+            }
+            _ => "it is the same everywhere, proved by ranges".to_owned(),
         }
     }
 }

@@ -13,7 +13,7 @@ use super::worker::Worker;
 use crate::compile::CompiledShader;
 use crate::diag::Diagnostic;
 use crate::document::SourceMap;
-use crate::frame::{PlanOptions, Planner, SetupLook, default_setup};
+use crate::frame::{Cull, PlanOptions, Planner, SetupLook, default_setup};
 use crate::library::Library;
 use crate::render::{Gpu, Renderer, block_on};
 
@@ -49,7 +49,9 @@ impl Picture {
     /// A picture on the window's device. `wake` is called from another thread when there is a new one.
     pub(crate) fn new(state: RenderState, wake: impl Fn() + Send + 'static) -> Self {
         let gpu = Gpu::new(state.device.clone(), state.queue.clone(), state.adapter.get_info());
-        let mut artist = Artist { renderer: Renderer::new(gpu), planner: Planner::default(), provided: None };
+        // Lights are edited: a look is not compiled anew when one goes out.
+        let planner = Planner::default().culling(Cull::Objects);
+        let mut artist = Artist { renderer: Renderer::new(gpu), planner, provided: None };
         let worker = Worker::new("picture", wake, move |wish| artist.draw(&wish));
         Self { state, worker, texture: None, wished: None, wishes: 0, problems: Vec::new() }
     }

@@ -6,17 +6,20 @@
 
 mod assets;
 mod camera;
+mod effects;
 mod keys;
 mod picture;
 mod plan;
 mod samples;
 mod setup;
 mod values;
+mod visibility;
 
 /// What a plan holds that the compiler made; who executes plans needs no more of the compiler than this.
 pub use crate::compile::{Attribute, BindingKind, CompiledShader, ImageUse, SAMPLES_PER_ROW, Stage, Uniform};
 pub use assets::{Assets, Image, MAX_IMAGE_SIDE, SHAPE_PREFIX};
 pub use camera::View;
+pub use effects::{Effect, EffectKind, EffectState, effects};
 pub use keys::{Moment, ObjectValues, ParamTable, Rig, set_light_field, structural_look};
 pub use picture::Picture;
 pub use plan::{Draw, Dropped, FramePlan, LookShaders, Pass, PassKind, PlanOptions, Planner};
@@ -25,3 +28,4 @@ pub use setup::{
     ANY_MATERIAL, DEFAULT_MESH, Setup, SetupLook, SetupObject, default_setup, object_matrix, open, scene_setup,
 };
 pub use values::check_exposed_value;
+pub use visibility::Cull;

@@ -1,6 +1,6 @@
 //! The frame plan: what a renderer executes.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::ops::Range;
 use std::sync::Arc;
@@ -9,15 +9,17 @@ use glam::{DQuat, DVec3};
 
 use super::assets::{Assets, Image};
 use super::camera::{View, object_uniform};
+use super::effects::EffectKind;
 use super::keys::{Moment, ParamTable, Rig, structural_look};
 use super::setup::{Setup, SetupLook, SetupObject};
 use super::values::live_for_values;
-use crate::compile::{CompiledShader, HostInputs, Live, Options, Param, Stage, Uniform, compile};
+use super::visibility::{Cull, KnownBounds, Placed, dark_lights, fields, hidden};
+use crate::compile::{CompiledShader, HostInputs, Live, Options, Param, Proof, Stage, Uniform, compile};
 use crate::diag::Diagnostic;
 use crate::document::{Graph, Look, Value};
 use crate::geometry::Mesh;
-use crate::ids::ObjectId;
-use crate::library::{Context, Library};
+use crate::ids::{LightId, ObjectId};
+use crate::library::{Context, Library, LightField};
 
 /// What a picture is asked for.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,8 +49,8 @@ pub enum PassKind {
 }
 
 impl PassKind {
-    /// As people say it.
-    pub fn words(&self) -> &'static str {
+    /// What people read.
+    pub fn label(&self) -> &'static str {
         match self {
             Self::Normals => "normals",
             Self::DetailNormals => "detail normals",
@@ -77,6 +79,13 @@ pub struct Dropped {
     pub what: String,
     /// Why it is not needed.
     pub why: String,
+    /// What kind of thing it is.
+    pub kind: EffectKind,
+    /// What proves that nothing is lost.
+    pub proof: Proof,
+    /// The look that it belongs to, by name.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub look: Option<String>,
 }
 
 /// One part of an object, to be drawn.
@@ -88,6 +97,8 @@ pub struct Draw {
     pub mesh: Arc<Mesh>,
     /// Which of its indices.
     pub indices: Range<u32>,
+    /// What the look is called.
+    pub look_name: String,
     /// The look.
     pub look: Arc<CompiledShader>,
     /// The look's normals, by what they are of.
@@ -98,12 +109,24 @@ pub struct Draw {
     pub look_uniforms: HashMap<Stage, Uniform>,
     /// The images of the look's module, in the order of its needs.
     pub images: Vec<Arc<Image>>,
+    /// The same of the modules that draw normals, where those read any.
+    pub normals_images: HashMap<Stage, Vec<Arc<Image>>>,
     /// Whether back faces are drawn.
     pub two_sided: bool,
     /// Whether the object's transform mirrors it, so that triangles run the other way around.
     pub is_mirrored: bool,
     /// From the eye, for drawing what is transparent from back to front.
     pub distance: f64,
+}
+
+impl Draw {
+    /// The images of one of its modules, in the order of the module's needs.
+    pub fn images_of(&self, stage: Stage) -> &[Arc<Image>] {
+        match stage {
+            Stage::Draw | Stage::Eval => &self.images,
+            Stage::Normals | Stage::DetailNormals => self.normals_images.get(&stage).map_or(&[], Vec::as_slice),
+        }
+    }
 }
 
 /// Everything a renderer needs for one picture.
@@ -134,11 +157,27 @@ pub struct LookShaders {
     tables: HashMap<Stage, ParamTable>,
 }
 
+/// Fields of lights that are 0, with the reasons.
+type Dark = Vec<((LightId, LightField), &'static str)>;
+
+/// What an object's look was compiled as, by the object's number and the look's: the key, and which lights are dark.
+type Keys = HashMap<(usize, usize), (u64, BTreeSet<(LightId, LightField)>)>;
+
+/// How a look is wanted by an object.
+struct Wanted<'a> {
+    live: &'a Live,
+    cutout: bool,
+    dark: BTreeSet<(LightId, LightField)>,
+}
+
 /// Makes frame plans, keeping what was compiled and read.
 #[derive(Debug, Default)]
 pub struct Planner {
     /// Meshes and images.
     pub assets: Assets,
+    /// What is left out because it is not seen.
+    pub cull: Cull,
+    bounds: KnownBounds,
     /// Compiled looks by what they were compiled from.
     shaders: HashMap<u64, LookShaders>,
     /// What was odd, but stopped nothing.
@@ -156,7 +195,13 @@ impl Planner {
     /// A planner for the reference: what it compiles is as the looks are written, with nothing folded or removed. Its
     /// plans are to be asked for with [`Live::All`], so that every value comes in f64.
     pub fn for_truth(assets: Assets) -> Self {
-        Self { assets, unspecialized: true, ..Self::default() }
+        Self { assets, unspecialized: true, cull: Cull::Objects, ..Self::default() }
+    }
+
+    /// The same, leaving out `cull`.
+    #[must_use]
+    pub fn culling(self, cull: Cull) -> Self {
+        Self { cull, ..self }
     }
 
     /// Gives a look's module that was compiled elsewhere (on another thread, say), for the next plans of this look.
@@ -166,7 +211,8 @@ impl Planner {
         let tables = HashMap::from([(Stage::Draw, ParamTable::new(&draw.params))]);
         // One look is being edited at a time; what was compiled for its earlier states is not kept.
         self.shaders.clear();
-        self.shaders.insert(look_key(look, live, false), LookShaders { draw, normals: HashMap::new(), rig, tables });
+        let key = look_key(look, live, false, &BTreeSet::new());
+        self.shaders.insert(key, LookShaders { draw, normals: HashMap::new(), rig, tables });
     }
 
     /// Plans one picture of `setup`.
@@ -181,35 +227,43 @@ impl Planner {
         options: &PlanOptions,
     ) -> Result<FramePlan, Vec<Diagnostic>> {
         let live = &live_for_values(live, setup.objects.iter().any(|object| !object.values.is_empty()));
-        let (center, radius) = bounds(&setup.objects);
+        let placed = self.bounds.place(&setup.objects);
+        let (center, radius) = bounds(&placed);
         let view = View::new(&setup.scene.camera, options.size, center, radius);
+        let mut dropped = Vec::new();
+        let seen = self.seen(setup, &placed, &view, &mut dropped);
         let mut problems = Vec::new();
-        let mut keys = HashMap::new();
-        for object in &setup.objects {
+        let mut keys = Keys::new();
+        for &(number, object) in &seen {
             for &look in object.looks.iter().flatten() {
+                if keys.contains_key(&(number, look)) {
+                    continue;
+                }
                 let shown = structural_look(&setup.looks[look].look, options.time, &object.values);
-                let cutout = has_cutout(object, look);
-                let key = look_key(&shown, live, cutout);
+                let dark = self.dark(setup, &shown, live, &placed[number], &view);
+                let wanted = Wanted { live, cutout: has_cutout(object, look), dark: fields(&dark) };
+                let key = look_key(&shown, live, wanted.cutout, &wanted.dark);
                 if !self.shaders.contains_key(&key) {
-                    match self.compile_look(&setup.looks[look], &shown, library, live, cutout) {
+                    match self.compile_look(&setup.looks[look], &shown, library, &wanted) {
                         Ok(shaders) => drop(self.shaders.insert(key, shaders)),
                         Err(found) => problems.extend(found),
                     }
                 }
-                keys.insert((object.id.clone(), look), key);
+                if let Some(shaders) = self.shaders.get(&key) {
+                    push_lights(&mut dropped, &shown, shaders, &dark);
+                }
+                keys.insert((number, look), (key, wanted.dark));
             }
         }
         if !problems.is_empty() {
             return Err(problems);
         }
+        push_equal_looks(&mut dropped, setup, &keys);
         let needs = |context: Context| {
-            setup.objects.iter().find_map(|object| {
-                let found = object
-                    .looks
-                    .iter()
-                    .flatten()
-                    .find(|&&look| self.shaders[&keys[&(object.id.clone(), look)]].draw.needs.context(context))?;
-                let name = &setup.looks[*found].look.name;
+            seen.iter().find_map(|(number, object)| {
+                let mut looks = object.looks.iter().flatten();
+                let reads = |look: usize| self.shaders[&keys[&(*number, look)].0].draw.needs.context(context);
+                let name = &setup.looks[*looks.find(|&&look| reads(look))?].look.name;
                 Some(format!("object `{}` wears {}, which reads curvature", object.id, quoted(name)))
             })
         };
@@ -217,10 +271,11 @@ impl Planner {
             (PassKind::Normals, PassKind::Curvature, Stage::Normals, needs(Context::Kappa)),
             (PassKind::DetailNormals, PassKind::DetailCurvature, Stage::DetailNormals, needs(Context::KappaDetail)),
         ];
+        let stages: Vec<_> = wanted.iter().filter(|w| w.3.is_some()).map(|w| (w.0.clone(), w.2)).collect();
         let mut draws = Vec::new();
-        for (number, object) in setup.objects.iter().enumerate() {
-            let stages: Vec<_> = wanted.iter().filter(|w| w.3.is_some()).map(|w| (w.0.clone(), w.2)).collect();
-            match self.draws(setup, object, number, &keys, library, live, &stages, &view, options) {
+        for &(number, object) in &seen {
+            let center = placed[number].center;
+            match self.draws(setup, object, (number, center), &keys, library, live, &stages, &view, options) {
                 Ok(found) => draws.extend(found),
                 Err(found) => problems.extend(found),
             }
@@ -229,7 +284,7 @@ impl Planner {
             return Err(problems);
         }
         draws.sort_by(|a, b| b.distance.total_cmp(&a.distance));
-        let (passes, dropped) = passes(&wanted, &draws, &view, options);
+        let passes = passes(&wanted, &draws, &view, options, &mut dropped);
         Ok(FramePlan {
             size: options.size,
             samples: options.samples,
@@ -241,16 +296,53 @@ impl Planner {
         })
     }
 
+    /// The objects of which something may be seen, with their numbers; the others are dropped.
+    fn seen<'s>(
+        &self,
+        setup: &'s Setup,
+        placed: &[Placed],
+        view: &View,
+        dropped: &mut Vec<Dropped>,
+    ) -> Vec<(usize, &'s SetupObject)> {
+        let mut seen = Vec::new();
+        for (number, object) in setup.objects.iter().enumerate() {
+            match hidden(object, &placed[number], view).filter(|_| self.cull != Cull::Nothing) {
+                Some((proof, why)) => dropped.push(Dropped {
+                    what: format!("object `{}`", object.id),
+                    why: why.to_owned(),
+                    kind: EffectKind::Object,
+                    proof,
+                    look: None,
+                }),
+                None => seen.push((number, object)),
+            }
+        }
+        seen
+    }
+
+    fn dark(&self, setup: &Setup, shown: &Look, live: &Live, placed: &Placed, view: &View) -> Dark {
+        // What may be edited any moment is never taken for what it is now.
+        if self.cull != Cull::All || !matches!(live, Live::Keyed | Live::Exposed) {
+            return Vec::new();
+        }
+        dark_lights(setup, shown, placed, view)
+    }
+
     fn compile_look(
         &mut self,
         setup: &SetupLook,
         shown: &Look,
         library: &Library,
-        live: &Live,
-        cutout: bool,
+        wanted: &Wanted<'_>,
     ) -> Result<LookShaders, Vec<Diagnostic>> {
-        let unspecialized = self.unspecialized;
-        let options = Options { live: live.clone(), display: true, cutout, unspecialized, ..Options::default() };
+        let options = Options {
+            live: wanted.live.clone(),
+            display: true,
+            cutout: wanted.cutout,
+            unspecialized: self.unspecialized,
+            dark: wanted.dark.clone(),
+            ..Options::default()
+        };
         let located = |mut problems: Vec<Diagnostic>| {
             setup.source.locate_all(&mut problems);
             problems
@@ -268,8 +360,8 @@ impl Planner {
         &mut self,
         setup: &Setup,
         object: &SetupObject,
-        number: usize,
-        keys: &HashMap<(ObjectId, usize), u64>,
+        (number, center): (usize, DVec3),
+        keys: &Keys,
         library: &Library,
         live: &Live,
         stages: &[(PassKind, Stage)],
@@ -277,16 +369,17 @@ impl Planner {
         options: &PlanOptions,
     ) -> Result<Vec<Draw>, Vec<Diagnostic>> {
         let mut draws = Vec::new();
-        let center = object.center();
         for (part, look) in object.mesh.parts.iter().zip(&object.looks) {
             let Some(look) = *look else { continue };
-            let shaders = self.shaders.get_mut(&keys[&(object.id.clone(), look)]).expect("compiled above");
+            let (key, dark) = &keys[&(number, look)];
+            let shaders = self.shaders.get_mut(key).expect("compiled above");
             let shown = structural_look(&setup.looks[look].look, options.time, &object.values);
             for (_, stage) in stages {
                 if !shaders.normals.contains_key(stage) {
                     let cutout = has_cutout(object, look);
-                    let (live, stage, unspecialized) = (live.clone(), *stage, self.unspecialized);
-                    let wanted = Options { live, stage, cutout, unspecialized, ..Options::default() };
+                    let (dark, live, stage) = (dark.clone(), live.clone(), *stage);
+                    let unspecialized = self.unspecialized;
+                    let wanted = Options { live, stage, cutout, dark, unspecialized, ..Options::default() };
                     let compiled = Arc::new(compile(&shown, library, &wanted)?);
                     shaders.tables.insert(stage, ParamTable::new(&compiled.params));
                     shaders.normals.insert(stage, compiled);
@@ -323,11 +416,17 @@ impl Planner {
                 };
                 look_uniforms.insert(stage, shader.host.uniform(&inputs).map_err(|problem| vec![problem])?);
             }
-            let images = images(&mut self.assets, &shaders.draw, &setup.looks[look])?;
+            let drawn = images(&mut self.assets, &shaders.draw, &setup.looks[look])?;
+            let mut normals_images = HashMap::new();
+            for (_, stage) in stages {
+                let found = images(&mut self.assets, &shaders.normals[stage], &setup.looks[look])?;
+                normals_images.insert(*stage, found);
+            }
             draws.push(Draw {
                 object: object.id.clone(),
                 mesh: object.mesh.clone(),
                 indices: part.indices.clone(),
+                look_name: shown.name.clone(),
                 look: shaders.draw.clone(),
                 normals: stages.iter().map(|(kind, stage)| (kind.clone(), shaders.normals[stage].clone())).collect(),
                 object_uniform: object_uniform(
@@ -336,7 +435,8 @@ impl Planner {
                     f64::from(part.alpha_cutoff.unwrap_or(0.0)),
                 ),
                 look_uniforms,
-                images,
+                images: drawn,
+                normals_images,
                 // From within, a solid is seen from behind.
                 two_sided: part.two_sided || view.eye.distance(center) < object.radius(),
                 is_mirrored: object.world_from_object.determinant() < 0.0,
@@ -344,6 +444,50 @@ impl Planner {
             });
         }
         Ok(draws)
+    }
+}
+
+/// Lists the lights of a look that its module does not read, and those that are dark.
+fn push_lights(dropped: &mut Vec<Dropped>, look: &Look, shaders: &LookShaders, dark: &Dark) {
+    let is_read = |id: &LightId| shaders.draw.host.lights().any(|light| light == id);
+    for id in look.lights.keys() {
+        let found = dark.iter().find(|((light, _), _)| light == id);
+        let (why, proof) = match found {
+            Some((_, why)) => (*why, Proof::NoLight),
+            None if is_read(id) => continue,
+            None => ("no live node reads it, so that it has no uniforms", Proof::Unreachable),
+        };
+        let one = Dropped {
+            what: format!("light `{id}`"),
+            why: why.to_owned(),
+            kind: EffectKind::Light,
+            proof,
+            look: Some(look.name.clone()),
+        };
+        if !dropped.contains(&one) {
+            dropped.push(one);
+        }
+    }
+}
+
+/// Lists the looks that are compiled once with another.
+fn push_equal_looks(dropped: &mut Vec<Dropped>, setup: &Setup, keys: &Keys) {
+    let mut known: HashMap<u64, usize> = HashMap::new();
+    let mut sorted: Vec<_> = keys.iter().map(|((_, look), (key, _))| (*look, *key)).collect();
+    sorted.sort_unstable();
+    sorted.dedup();
+    for (look, key) in sorted {
+        let first = *known.entry(key).or_insert(look);
+        if first != look {
+            let name = &setup.looks[look].look.name;
+            dropped.push(Dropped {
+                what: quoted(name),
+                why: "another look says the same: both are compiled once and share their pipelines".to_owned(),
+                kind: EffectKind::Look,
+                proof: Proof::Equal,
+                look: Some(name.clone()),
+            });
+        }
     }
 }
 
@@ -382,12 +526,12 @@ fn quoted(name: &str) -> String {
     if name.is_empty() { "a look".to_owned() } else { format!("the look \"{name}\"") }
 }
 
-fn bounds(objects: &[SetupObject]) -> (DVec3, f64) {
+fn bounds(objects: &[Placed]) -> (DVec3, f64) {
     let mut min = DVec3::INFINITY;
     let mut max = DVec3::NEG_INFINITY;
     for object in objects {
-        min = min.min(object.center() - object.radius());
-        max = max.max(object.center() + object.radius());
+        min = min.min(object.center - object.radius);
+        max = max.max(object.center + object.radius);
     }
     if min.is_finite() && max.is_finite() {
         (0.5 * (min + max), 0.5 * (max - min).length())
@@ -397,9 +541,9 @@ fn bounds(objects: &[SetupObject]) -> (DVec3, f64) {
 }
 
 /// What a look's module depends on: all of it, or while everything is live what is no uniform.
-fn look_key(look: &Look, live: &Live, cutout: bool) -> u64 {
+fn look_key(look: &Look, live: &Live, cutout: bool, dark: &BTreeSet<(LightId, LightField)>) -> u64 {
     let mut hasher = DefaultHasher::new();
-    cutout.hash(&mut hasher);
+    (cutout, dark).hash(&mut hasher);
     if *live == Live::All {
         (look.color_space, look.tier).hash(&mut hasher);
         hash_graph(&look.graph, &mut hasher);
@@ -452,9 +596,9 @@ fn passes(
     draws: &[Draw],
     view: &View,
     options: &PlanOptions,
-) -> (Vec<Pass>, Vec<Dropped>) {
+    dropped: &mut Vec<Dropped>,
+) -> Vec<Pass> {
     let mut passes = Vec::new();
-    let mut dropped = Vec::new();
     for (normals, curvature, stage, reason) in wanted {
         let name =
             if *stage == Stage::Normals { "curvature of the surface" } else { "curvature of the detail normals" };
@@ -465,13 +609,22 @@ fn passes(
                 passes.push(Pass { kind: normals.clone(), reason: why, input_hash });
                 passes.push(Pass { kind: curvature.clone(), reason: reason.clone(), input_hash });
             }
-            None => dropped
-                .push(Dropped { what: name.to_owned(), why: "no live node of a visible object reads it".to_owned() }),
+            None => dropped.push(Dropped {
+                what: name.to_owned(),
+                why: "no live node of a visible object reads it".to_owned(),
+                kind: EffectKind::Pass,
+                proof: Proof::Unreachable,
+                look: None,
+            }),
         }
     }
-    let input_hash = hash_of(draws, view, options, None);
+    // The look reads what the passes before it drew.
+    let mut hasher = DefaultHasher::new();
+    hash_of(draws, view, options, None).hash(&mut hasher);
+    passes.iter().for_each(|pass: &Pass| pass.input_hash.hash(&mut hasher));
+    let input_hash = hasher.finish();
     passes.push(Pass { kind: PassKind::Look, reason: "it is the picture".to_owned(), input_hash });
-    (passes, dropped)
+    passes
 }
 
 fn hash_of(draws: &[Draw], view: &View, options: &PlanOptions, normals: Option<(&PassKind, Stage)>) -> u64 {
@@ -484,9 +637,9 @@ fn hash_of(draws: &[Draw], view: &View, options: &PlanOptions, normals: Option<(
         };
         (Arc::as_ptr(&draw.mesh) as usize, &draw.indices, &shader.wgsl, &draw.object_uniform.bytes).hash(&mut hasher);
         (&draw.look_uniforms[&stage].bytes, draw.two_sided, draw.is_mirrored).hash(&mut hasher);
+        draw.images_of(stage).iter().for_each(|image| image.hash.hash(&mut hasher));
         if normals.is_none() {
             options.samples.hash(&mut hasher);
-            draw.images.iter().for_each(|image| image.hash.hash(&mut hasher));
         }
     }
     hasher.finish()

@@ -20,9 +20,11 @@
 //!
 //! A `@bypass` says when the node may be left out and what then stands in its place: an input or a number. Its
 //! conditions compare an input with a number, with another input, with words of a choice (`mode = add|alpha`), or
-//! with `black` (first three numbers 0) or `unit` (all numbers known to lie in [0, 1]). `@unit` says when the result
-//! is known to lie in [0, 1]. A test holds that a bypassed node equals one that is not. An `@error` says how far a
-//! cheaper tier may be from the exact one; a test holds that too.
+//! with `black` (first three numbers 0), `unit` (all numbers known to lie in [0, 1]) or `unit_alpha` (the fourth
+//! number, if there is one). Beside `=` there are `<=` and `>=`, against a number or another input: they hold where
+//! constants or ranges show that they hold at every fragment. `@unit` says when the result is known to lie in [0, 1].
+//! A test holds that a bypassed node equals one that is not. An `@error` says how far a cheaper tier may be from the exact
+//! one; a test holds that too.
 //!
 //! Numbers may be written with `pi` (`pi/2`, `-pi`, `2pi`), vectors with commas and no spaces, text in quotes. A help
 //! text may go on in following lines that are indented by two spaces or more.

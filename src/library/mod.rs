@@ -24,8 +24,8 @@ pub use context::{Context, LightField, Rate};
 pub use group::{CUSTOM_CODE, CUSTOM_KIND, GroupPorts};
 pub use load::{GroupDef, Library};
 pub use node::{
-    Bypass, BypassResult, Condition, Fallback, Input, NodeDef, NodeModule, Output, Parameter, Prepare, Preset, Special,
-    Test, TierError, Variant,
+    Bypass, BypassResult, Condition, Fallback, Input, Limit, NodeDef, NodeModule, Output, Parameter, Prepare, Preset,
+    Special, Test, TierError, Variant,
 };
 pub use read::load_node;
 pub use types::{Conversion, Type};

@@ -198,6 +198,21 @@ pub enum Test {
     Word(Vec<String>),
     /// All its numbers are known to lie in [0, 1].
     Unit,
+    /// Its fourth number, if it has one, is known to lie in [0, 1].
+    UnitAlpha,
+    /// All its numbers are known to be no more than this.
+    AtMost(Limit),
+    /// All its numbers are known to be no less than this.
+    AtLeast(Limit),
+}
+
+/// What a condition holds an input against.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Limit {
+    /// A number.
+    Number(f64),
+    /// All numbers of another input.
+    Input(usize),
 }
 
 /// How far a cheaper tier may be from the exact one, in the numbers of the result: `@error`.

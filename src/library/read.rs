@@ -7,8 +7,8 @@ use indexmap::IndexMap;
 use super::context::Context;
 use super::docs::{self, Docs, Piece, Tag};
 use super::node::{
-    Bypass, BypassResult, Condition, Fallback, Input, NodeDef, NodeModule, Output, Parameter, Prepare, Preset, Special,
-    Test, TierError, Variant,
+    Bypass, BypassResult, Condition, Fallback, Input, Limit, NodeDef, NodeModule, Output, Parameter, Prepare, Preset,
+    Special, Test, TierError, Variant,
 };
 use super::types::Type;
 use crate::diag::{Diagnostic, LineColumn};
@@ -590,14 +590,27 @@ fn bypass(node: &NodeDef, tag: &Tag) -> Option<Bypass> {
 }
 
 fn condition(node: &NodeDef, words: &[&str]) -> Option<Condition> {
-    let [input, "=", value] = words else { return None };
+    let [input, sign, value] = words else { return None };
     let input = node.input(input)?;
+    if matches!(*sign, "<=" | ">=") {
+        let limit = match docs::number(value) {
+            Some(number) => Limit::Number(number),
+            None => Limit::Input(node.input(value)?),
+        };
+        let test = if *sign == "<=" { Test::AtMost(limit) } else { Test::AtLeast(limit) };
+        return Some(Condition { input, test });
+    }
+    if *sign != "=" {
+        return None;
+    }
     let test = if node.inputs[input].ty == Type::Choice {
         Test::Word(value.split('|').map(str::to_owned).collect())
     } else if *value == "black" {
         Test::Black
     } else if *value == "unit" {
         Test::Unit
+    } else if *value == "unit_alpha" {
+        Test::UnitAlpha
     } else if let Some(number) = docs::number(value) {
         Test::Is(number)
     } else {

@@ -52,9 +52,14 @@ impl Modules {
             for shader in std::iter::once(&draw.look).chain(draw.normals.values()) {
                 modules.add(shader)?;
             }
-            for (image, used) in draw.images.iter().zip(&draw.look.needs.images) {
-                if let Entry::Vacant(place) = modules.images.entry((image.hash, used.is_decoded)) {
-                    place.insert(texture_of(image, used.is_decoded)?);
+            for (stage, shader) in [(Stage::Draw, &draw.look)]
+                .into_iter()
+                .chain(draw.normals.values().map(|normals| (normals.stage, normals)))
+            {
+                for (image, used) in draw.images_of(stage).iter().zip(&shader.needs.images) {
+                    if let Entry::Vacant(place) = modules.images.entry((image.hash, used.is_decoded)) {
+                        place.insert(texture_of(image, used.is_decoded)?);
+                    }
                 }
             }
         }
@@ -113,7 +118,7 @@ impl Shaders for Modules {
                     buffer(&mut bindings, stages, at, numbers.unwrap_or_default());
                 }
                 BindingKind::Image(index) => {
-                    let key = draw.images.get(*index).zip(shader.needs.images.get(*index));
+                    let key = draw.images_of(stage).get(*index).zip(shader.needs.images.get(*index));
                     let texture = key.and_then(|(image, used)| self.images.get(&(image.hash, used.is_decoded)));
                     bindings.texture(0, at, texture.ok_or_else(|| missing("an image"))?.clone());
                 }

@@ -61,6 +61,11 @@ impl Renderer {
         &self.gpu
     }
 
+    /// The input hash of what each pass's targets hold: what would not run again.
+    pub fn done(&self) -> &HashMap<PassKind, u64> {
+        &self.done
+    }
+
     /// Runs `plan`; the picture is then in [`picture_view`](Self::picture_view), premultiplied and display-referred.
     /// Passes whose inputs are what they were last time are not run again. Says which ran.
     ///

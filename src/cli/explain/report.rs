@@ -1,14 +1,14 @@
 //! What there is to tell of a frame plan, as data.
 
-use std::collections::{BTreeMap, BTreeSet, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::compile::{Attribute, CompiledShader, HostStep, Removal, TypedGraph, TypedSource, check};
+use crate::compile::{Attribute, BindingKind, CompiledShader, HostStep, Removal, TypedGraph, TypedSource, check};
 use crate::diag::Diagnostic;
 use crate::document::Values;
-use crate::frame::{Draw, Dropped, FramePlan, Pass, PassKind, Setup, structural_look};
+use crate::frame::{Draw, Dropped, Effect, FramePlan, Pass, PassKind, Setup, effects, structural_look};
 use crate::ids::NodePath;
 use crate::library::{Context, Library, Rate, Special};
 
@@ -23,6 +23,8 @@ const MAX_FROM: usize = 32;
 pub(super) struct Report {
     pub(super) passes: Vec<Pass>,
     pub(super) dropped: Vec<Dropped>,
+    /// Everything that the picture may cost.
+    pub(super) effects: Vec<Effect>,
     /// Bytes of the uniforms that every module reads.
     pub(super) view_bytes: usize,
     pub(super) object_bytes: usize,
@@ -124,6 +126,7 @@ impl Report {
         Ok(Self {
             passes: plan.passes.clone(),
             dropped: plan.dropped.clone(),
+            effects: effects(plan, &HashMap::new()),
             view_bytes: plan.view.uniform_bytes().len(),
             object_bytes: plan.draws.first().map_or(0, |draw| draw.object_uniform.bytes.len()),
             looks: looks.into_iter().map(|(_, look)| look).collect(),
@@ -179,7 +182,9 @@ impl LookReport {
                 .needs
                 .images
                 .iter()
-                .map(|image| ImageReport { path: image.path.clone(), node: image.node.to_string() })
+                .enumerate()
+                .filter(|(index, _)| shader.bindings.iter().any(|b| b.kind == BindingKind::Image(*index)))
+                .map(|(_, image)| ImageReport { path: image.path.clone(), node: image.node.to_string() })
                 .collect(),
             uniforms: uniforms(shader),
             nodes: Nodes::new(shader, &emitted, typed),

@@ -3,18 +3,20 @@
 use std::fmt::Write as _;
 
 use super::report::{LookReport, Report, names};
-use crate::frame::PassKind;
+use crate::frame::EffectKind;
 use crate::library::Rate;
 
 pub(super) fn tell(report: &Report, document: &str) -> String {
     let mut text = format!("{document}\n\nPasses, in order\n");
     for pass in &report.passes {
-        let _ = writeln!(text, "  {:16} {}", pass_word(&pass.kind), pass.reason);
+        let _ = writeln!(text, "  {:16} {}", pass.kind.label(), pass.reason);
     }
     if !report.dropped.is_empty() {
         text += "\nLeft out\n";
         for dropped in &report.dropped {
-            let _ = writeln!(text, "  {}: {}", dropped.what, dropped.why);
+            let of = dropped.look.as_ref().filter(|name| !name.is_empty() && dropped.kind != EffectKind::Look);
+            let of = of.map_or_else(String::new, |name| format!(" of \"{name}\""));
+            let _ = writeln!(text, "  {}{of}: {} ({})", dropped.what, dropped.why, dropped.proof.label());
         }
     }
     for look in &report.looks {
@@ -24,16 +26,6 @@ pub(super) fn tell(report: &Report, document: &str) -> String {
         text += "\nNo visible object wears a look.";
     }
     text.trim_end().to_owned()
-}
-
-fn pass_word(kind: &PassKind) -> &'static str {
-    match kind {
-        PassKind::Normals => "normals",
-        PassKind::DetailNormals => "detail normals",
-        PassKind::Curvature => "curvature",
-        PassKind::DetailCurvature => "detail curvature",
-        PassKind::Look => "look",
-    }
 }
 
 fn tell_look(look: &LookReport, report: &Report) -> String {
@@ -108,7 +100,10 @@ fn tell_nodes(look: &LookReport) -> String {
     if !nodes.removed.is_empty() {
         let _ = writeln!(text, "    {} left out, without changing the picture:", nodes.removed.len());
         for removal in &nodes.removed {
-            let _ = writeln!(text, "      `{}`: {}", removal.path, removal.reason);
+            // Reasons by ranges say so themselves.
+            let label = removal.proof.label();
+            let proof = if removal.reason.contains(label) { String::new() } else { format!(" ({label})") };
+            let _ = writeln!(text, "      `{}`: {}{proof}", removal.path, removal.reason);
         }
     }
     text

@@ -92,7 +92,7 @@ impl Renderer {
         let object = self.uniform(&draw.object_uniform.bytes);
         let look = draw.look_uniforms.get(&stage).map(|uniform| &uniform.bytes);
         let look = look.filter(|bytes| !bytes.is_empty()).map(|bytes| self.uniform(bytes));
-        let images = self.images.of(&self.gpu, &draw.images, &shader.needs.images)?;
+        let images = self.images.of(&self.gpu, draw.images_of(stage), &shader.needs.images)?;
         let curvature = |kind: PassKind| self.targets.of(&kind).map(|targets| &targets.curvature);
         let mut entries = Vec::new();
         for binding in &shader.bindings {

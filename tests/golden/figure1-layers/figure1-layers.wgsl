@@ -404,7 +404,6 @@ fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered(warped, angle_footprint(warped), shape);
 }
 
-const fill_tone_shape = ProfileShape(1.489752e-9, 1.0, 0.0, 1.0, 3.1415927, 0.0, 0.0, 2u);
 const diffuse_tone_shape = ProfileShape(0.9996875, 0.024997396, 1.2521588, 1.266106, 0.05, 1.0661367, 0.43393037, 0u);
 const specular_tone_shape = ProfileShape(0.99875027, 0.04997917, 5.0334897, 3.5734937, 0.1, 0.16954242, 0.07703013, 0u);
 const back_light_tone_shape = ProfileShape(0.9689124, 0.24740396, 2.7302074, 1.803181, 0.5, 0.40960917, 0.16836384, 0u);
@@ -413,12 +412,11 @@ const back_light_tone_shape = ProfileShape(0.9689124, 0.24740396, 2.7302074, 1.8
 fn shade(surface: Surface) -> vec4f {
     let fill_convexity = transition(surface.kappa, 0.25);
     let fill_color = curvature_color(fill_convexity, vec4f(0.0863, 0.0745, 0.1216, 1.0), vec4f(0.0314, 0.0235, 0.051, 1.0));
-    let diffuse_angle = parametrization_diffuse(look.key, surface.normal);
-    let fill_tone = profile(diffuse_angle, 0.0, fill_tone_shape);
-    let fill_lit = light_apply(look.key, fill_color, fill_tone);
+    let fill_lit = light_apply(look.key, fill_color, 1.0);
     let fill_blend = blend_add(vec4f(0.0824, 0.0745, 0.1098, 1.0), fill_lit.color, fill_lit.tone, 1.0, true);
     let back_light_convexity = transition(surface.kappa, 0.2);
     let diffuse_color = curvature_color(back_light_convexity, vec4f(0.7098, 0.4, 0.1804, 1.0), vec4f(0.4314, 0.1647, 0.1176, 1.0));
+    let diffuse_angle = parametrization_diffuse(look.key, surface.normal);
     let diffuse_warp = warp(back_light_convexity, 0.25);
     let diffuse_tone = profile(diffuse_angle, diffuse_warp, diffuse_tone_shape);
     let diffuse_lit = light_apply(look.key, diffuse_color, diffuse_tone);

@@ -64,16 +64,17 @@ vec3 neighbour(Texel center_1, ivec2 at_2, vec2 offset) {
     vec2 gradient = (-(center_1.normal.xy) / vec2(max(center_1.normal.z, 0.02)));
     float expected = (dot(gradient, offset) * pixel);
     float error = abs(((center_1.depth - _e3.depth) - expected));
-    bool is_near = (error <= (((2.0 * pixel) * length(offset)) * (1.0 + length(gradient))));
-    vec2 _e47 = slope(_e3.normal);
-    return (is_near ? vec3(_e47, 1.0) : vec3(0.0));
+    float tolerance = (((2.0 * pixel) * length(offset)) * (1.0 + length(gradient)));
+    float weight = clamp((2.0 - (error / max(tolerance, 1e-30))), 0.0, 1.0);
+    vec2 _e52 = slope(_e3.normal);
+    return vec3(_e52, weight);
 }
 
 float derivative(Sides sides) {
     float forward = (sides.forward / max(sides.forward_weight, 1e-6));
     float backward = (sides.backward / max(sides.backward_weight, 1e-6));
-    float count = (((sides.forward_weight > 0.0) ? 1.0 : 0.0) + ((sides.backward_weight > 0.0) ? 1.0 : 0.0));
-    return ((forward + backward) / max(count, 1.0));
+    vec2 trust = vec2(smoothstep(0.0, 0.5, sides.forward_weight), smoothstep(0.0, 0.5, sides.backward_weight));
+    return (((forward * trust.x) + (backward * trust.y)) / max((trust.x + trust.y), 1e-6));
 }
 
 void main() {
@@ -147,7 +148,7 @@ void main() {
             int reach = (_e77 * stride);
             float distance_ = float(reach);
             int _e81 = k_1;
-            float weight = ((WEIGHTS[(_e81 - 1)] * distance_) * distance_);
+            float weight_1 = ((WEIGHTS[(_e81 - 1)] * distance_) * distance_);
             Texel _e87 = center;
             ivec2 _e88 = at;
             vec3 _e96 = neighbour(_e87, (_e88 + ivec2(-(reach), 0)), vec2(-(distance_), 0.0));
@@ -161,21 +162,21 @@ void main() {
             ivec2 _e115 = at;
             vec3 _e123 = neighbour(_e114, (_e115 - ivec2(0, (up * reach))), vec2(0.0, -(distance_)));
             float _e125 = along_x.forward;
-            along_x.forward = (_e125 + (((weight * _e104.z) * (_e104.x - _e42.x)) / distance_));
+            along_x.forward = (_e125 + (((weight_1 * _e104.z) * (_e104.x - _e42.x)) / distance_));
             float _e135 = along_x.forward_weight;
-            along_x.forward_weight = (_e135 + (weight * _e104.z));
+            along_x.forward_weight = (_e135 + (weight_1 * _e104.z));
             float _e140 = along_x.backward;
-            along_x.backward = (_e140 + (((weight * _e96.z) * (_e42.x - _e96.x)) / distance_));
+            along_x.backward = (_e140 + (((weight_1 * _e96.z) * (_e42.x - _e96.x)) / distance_));
             float _e150 = along_x.backward_weight;
-            along_x.backward_weight = (_e150 + (weight * _e96.z));
+            along_x.backward_weight = (_e150 + (weight_1 * _e96.z));
             float _e155 = along_y.forward;
-            along_y.forward = (_e155 + (((weight * _e113.z) * (_e113.y - _e42.y)) / distance_));
+            along_y.forward = (_e155 + (((weight_1 * _e113.z) * (_e113.y - _e42.y)) / distance_));
             float _e165 = along_y.forward_weight;
-            along_y.forward_weight = (_e165 + (weight * _e113.z));
+            along_y.forward_weight = (_e165 + (weight_1 * _e113.z));
             float _e170 = along_y.backward;
-            along_y.backward = (_e170 + (((weight * _e123.z) * (_e42.y - _e123.y)) / distance_));
+            along_y.backward = (_e170 + (((weight_1 * _e123.z) * (_e42.y - _e123.y)) / distance_));
             float _e180 = along_y.backward_weight;
-            along_y.backward_weight = (_e180 + (weight * _e123.z));
+            along_y.backward_weight = (_e180 + (weight_1 * _e123.z));
         }
     }
     Sides _e187 = along_x;

@@ -82,9 +82,10 @@ metal::float3 neighbour(
     metal::float2 gradient = -(metal::float3(center_1.normal).xy) / metal::float2(metal::max(center_1.normal[2], 0.02));
     float expected = metal::dot(gradient, offset) * pixel;
     float error = metal::abs((center_1.depth - _e3.depth) - expected);
-    bool is_near = error <= (((2.0 * pixel) * metal::length(offset)) * (1.0 + metal::length(gradient)));
-    metal::float2 _e47 = slope(_e3.normal);
-    return is_near ? metal::float3(_e47, 1.0) : metal::float3(0.0);
+    float tolerance = ((2.0 * pixel) * metal::length(offset)) * (1.0 + metal::length(gradient));
+    float weight = metal::clamp(2.0 - (error / metal::max(tolerance, 0.000000000000000000000000000001)), 0.0, 1.0);
+    metal::float2 _e52 = slope(_e3.normal);
+    return metal::float3(_e52, weight);
 }
 
 float derivative(
@@ -92,8 +93,8 @@ float derivative(
 ) {
     float forward = sides.forward / metal::max(sides.forward_weight, 0.000001);
     float backward = sides.backward / metal::max(sides.backward_weight, 0.000001);
-    float count = ((sides.forward_weight > 0.0) ? 1.0 : 0.0) + ((sides.backward_weight > 0.0) ? 1.0 : 0.0);
-    return (forward + backward) / metal::max(count, 1.0);
+    metal::float2 trust = metal::float2(metal::smoothstep(0.0, 0.5, sides.forward_weight), metal::smoothstep(0.0, 0.5, sides.backward_weight));
+    return ((forward * trust.x) + (backward * trust.y)) / metal::max(trust.x + trust.y, 0.000001);
 }
 
 struct vs_mainInput {
@@ -205,7 +206,7 @@ fragment fs_mainOutput fs_main(
             int reach = as_type<int>(as_type<uint>(_e77) * as_type<uint>(stride));
             float distance = static_cast<float>(reach);
             int _e81 = k_1;
-            float weight = (WEIGHTS.inner[as_type<int>(as_type<uint>(_e81) - as_type<uint>(1))] * distance) * distance;
+            float weight_1 = (WEIGHTS.inner[as_type<int>(as_type<uint>(_e81) - as_type<uint>(1))] * distance) * distance;
             Texel _e87 = center;
             metal::int2 _e88 = at;
             metal::float3 _e96 = neighbour(_e87, as_type<metal::int2>(as_type<metal::uint2>(_e88) + as_type<metal::uint2>(metal::int2(naga_neg(reach), 0))), metal::float2(-(distance), 0.0), normals, depths, curvature);
@@ -219,21 +220,21 @@ fragment fs_mainOutput fs_main(
             metal::int2 _e115 = at;
             metal::float3 _e123 = neighbour(_e114, as_type<metal::int2>(as_type<metal::uint2>(_e115) - as_type<metal::uint2>(metal::int2(0, as_type<int>(as_type<uint>(up) * as_type<uint>(reach))))), metal::float2(0.0, -(distance)), normals, depths, curvature);
             float _e125 = along_x.forward;
-            along_x.forward = _e125 + (((weight * _e104.z) * (_e104.x - _e42.x)) / distance);
+            along_x.forward = _e125 + (((weight_1 * _e104.z) * (_e104.x - _e42.x)) / distance);
             float _e135 = along_x.forward_weight;
-            along_x.forward_weight = _e135 + (weight * _e104.z);
+            along_x.forward_weight = _e135 + (weight_1 * _e104.z);
             float _e140 = along_x.backward;
-            along_x.backward = _e140 + (((weight * _e96.z) * (_e42.x - _e96.x)) / distance);
+            along_x.backward = _e140 + (((weight_1 * _e96.z) * (_e42.x - _e96.x)) / distance);
             float _e150 = along_x.backward_weight;
-            along_x.backward_weight = _e150 + (weight * _e96.z);
+            along_x.backward_weight = _e150 + (weight_1 * _e96.z);
             float _e155 = along_y.forward;
-            along_y.forward = _e155 + (((weight * _e113.z) * (_e113.y - _e42.y)) / distance);
+            along_y.forward = _e155 + (((weight_1 * _e113.z) * (_e113.y - _e42.y)) / distance);
             float _e165 = along_y.forward_weight;
-            along_y.forward_weight = _e165 + (weight * _e113.z);
+            along_y.forward_weight = _e165 + (weight_1 * _e113.z);
             float _e170 = along_y.backward;
-            along_y.backward = _e170 + (((weight * _e123.z) * (_e42.y - _e123.y)) / distance);
+            along_y.backward = _e170 + (((weight_1 * _e123.z) * (_e42.y - _e123.y)) / distance);
             float _e180 = along_y.backward_weight;
-            along_y.backward_weight = _e180 + (weight * _e123.z);
+            along_y.backward_weight = _e180 + (weight_1 * _e123.z);
         }
     }
     Sides _e187 = along_x;

@@ -57,7 +57,7 @@ fn slope(normal: vec3f) -> vec2f {
     return normal.xy / max(normal.z, LEAST_NZ);
 }
 
-/// The slope at a neighbour in xy, and whether it counts in z. `offset` is in pixels, y up.
+/// The slope at a neighbour in xy, and how much it counts in z. `offset` is in pixels, y up.
 fn neighbour(center: Texel, at: vec2i, offset: vec2f) -> vec3f {
     let other = texel(at);
     if other.object != center.object {
@@ -67,8 +67,10 @@ fn neighbour(center: Texel, at: vec2i, offset: vec2f) -> vec3f {
     let gradient = -center.normal.xy / max(center.normal.z, 0.02);
     let expected = dot(gradient, offset) * pixel;
     let error = abs((center.depth - other.depth) - expected);
-    let is_near = error <= DEPTH_TOLERANCE * pixel * length(offset) * (1.0 + length(gradient));
-    return select(vec3f(0.0), vec3f(slope(other.normal), 1.0), is_near);
+    let tolerance = DEPTH_TOLERANCE * pixel * length(offset) * (1.0 + length(gradient));
+    // Fading, so that the last bit of a depth does not decide between all and nothing.
+    let weight = clamp(2.0 - error / max(tolerance, 1e-30), 0.0, 1.0);
+    return vec3f(slope(other.normal), weight);
 }
 
 /// A derivative under way: what both sides give, each with its weight.
@@ -87,8 +89,9 @@ const WEIGHTS = array<f32, 3>(1.0, 0.85, 0.5);
 fn derivative(sides: Sides) -> f32 {
     let forward = sides.forward / max(sides.forward_weight, 1e-6);
     let backward = sides.backward / max(sides.backward_weight, 1e-6);
-    let count = select(0.0, 1.0, sides.forward_weight > 0.0) + select(0.0, 1.0, sides.backward_weight > 0.0);
-    return (forward + backward) / max(count, 1.0);
+    // A side that hardly counts any more is left to the other one, gradually.
+    let trust = vec2f(smoothstep(0.0, 0.5, sides.forward_weight), smoothstep(0.0, 0.5, sides.backward_weight));
+    return (forward * trust.x + backward * trust.y) / max(trust.x + trust.y, 1e-6);
 }
 
 @vertex

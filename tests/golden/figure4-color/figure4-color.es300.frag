@@ -49,7 +49,6 @@ const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
 const uint PROFILE_STEP = 1u;
 const uint PROFILE_AMBIENT = 2u;
-const ProfileShape fill_tone_shape = ProfileShape(1.489752e-9, 1.0, 0.0, 1.0, 3.1415927, 0.0, 0.0, 2u);
 const ProfileShape diffuse_tone_shape = ProfileShape(0.9921977, 0.12467473, 1.6002629, 1.3188459, 0.25, 0.79761744, 0.31569642, 0u);
 
 layout(std140) uniform LookBlock { Look u_look; };
@@ -342,18 +341,17 @@ vec4 shade(Surface surface_1) {
     float _e3 = transition(surface_1.kappa, 0.3);
     vec4 _e14 = curvature_color(_e3, vec4(0.2275, 0.1569, 0.1882, 1.0), vec4(0.0863, 0.0431, 0.0667, 1.0));
     Light _e17 = u_look.key;
-    Angle _e19 = parametrization_diffuse(_e17, surface_1.normal);
-    float _e22 = profile(_e19, 0.0, fill_tone_shape);
-    Light _e25 = u_look.key;
-    LitLayer _e26 = light_apply(_e25, _e14, _e22);
-    vec4 _e36 = blend_add(vec4(0.1373, 0.0941, 0.1255, 1.0), _e26.color, _e26.tone, 1.0, true);
-    vec4 _e47 = curvature_color(_e3, vec4(0.7255, 0.5137, 0.3529, 1.0), vec4(0.3608, 0.1216, 0.1725, 1.0));
-    float _e50 = profile(_e19, 0.0, diffuse_tone_shape);
-    Light _e53 = u_look.key;
-    LitLayer _e54 = light_apply(_e53, _e47, _e50);
-    vec4 _e59 = blend_add(_e36, _e54.color, _e54.tone, 1.0, true);
-    vec4 _e60 = output_(_e59);
-    return _e60;
+    LitLayer _e19 = light_apply(_e17, _e14, 1.0);
+    vec4 _e29 = blend_add(vec4(0.1373, 0.0941, 0.1255, 1.0), _e19.color, _e19.tone, 1.0, true);
+    vec4 _e40 = curvature_color(_e3, vec4(0.7255, 0.5137, 0.3529, 1.0), vec4(0.3608, 0.1216, 0.1725, 1.0));
+    Light _e43 = u_look.key;
+    Angle _e45 = parametrization_diffuse(_e43, surface_1.normal);
+    float _e48 = profile(_e45, 0.0, diffuse_tone_shape);
+    Light _e51 = u_look.key;
+    LitLayer _e52 = light_apply(_e51, _e40, _e48);
+    vec4 _e57 = blend_add(_e29, _e52.color, _e52.tone, 1.0, true);
+    vec4 _e58 = output_(_e57);
+    return _e58;
 }
 
 void main() {

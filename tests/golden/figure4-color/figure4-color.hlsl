@@ -91,7 +91,6 @@ static const float LN_2_ = 0.6931472;
 static const float LOG2_E = 1.442695;
 static const uint PROFILE_STEP = 1u;
 static const uint PROFILE_AMBIENT = 2u;
-static const ProfileShape fill_tone_shape = ConstructProfileShape(1.489752e-9, 1.0, 0.0, 1.0, 3.1415927, 0.0, 0.0, 2u);
 static const ProfileShape diffuse_tone_shape = ConstructProfileShape(0.9921977, 0.12467473, 1.6002629, 1.3188459, 0.25, 0.79761744, 0.31569642, 0u);
 
 cbuffer view : register(b0) { View view; }
@@ -456,18 +455,17 @@ float4 shade(Surface surface_1)
     const float _e3 = transition(surface_1.kappa, 0.3);
     const float4 _e14 = curvature_color(_e3, float4(0.2275, 0.1569, 0.1882, 1.0), float4(0.0863, 0.0431, 0.0667, 1.0));
     Light _e17 = look.key;
-    const Angle _e19 = parametrization_diffuse(_e17, surface_1.normal);
-    const float _e22 = profile(_e19, 0.0, fill_tone_shape);
-    Light _e25 = look.key;
-    const LitLayer _e26 = light_apply(_e25, _e14, _e22);
-    const float4 _e36 = blend_add(float4(0.1373, 0.0941, 0.1255, 1.0), _e26.color, _e26.tone, 1.0, true);
-    const float4 _e47 = curvature_color(_e3, float4(0.7255, 0.5137, 0.3529, 1.0), float4(0.3608, 0.1216, 0.1725, 1.0));
-    const float _e50 = profile(_e19, 0.0, diffuse_tone_shape);
-    Light _e53 = look.key;
-    const LitLayer _e54 = light_apply(_e53, _e47, _e50);
-    const float4 _e59 = blend_add(_e36, _e54.color, _e54.tone, 1.0, true);
-    const float4 _e60 = output(_e59);
-    return _e60;
+    const LitLayer _e19 = light_apply(_e17, _e14, 1.0);
+    const float4 _e29 = blend_add(float4(0.1373, 0.0941, 0.1255, 1.0), _e19.color, _e19.tone, 1.0, true);
+    const float4 _e40 = curvature_color(_e3, float4(0.7255, 0.5137, 0.3529, 1.0), float4(0.3608, 0.1216, 0.1725, 1.0));
+    Light _e43 = look.key;
+    const Angle _e45 = parametrization_diffuse(_e43, surface_1.normal);
+    const float _e48 = profile(_e45, 0.0, diffuse_tone_shape);
+    Light _e51 = look.key;
+    const LitLayer _e52 = light_apply(_e51, _e40, _e48);
+    const float4 _e57 = blend_add(_e29, _e52.color, _e52.tone, 1.0, true);
+    const float4 _e58 = output(_e57);
+    return _e58;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)

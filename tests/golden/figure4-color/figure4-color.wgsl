@@ -389,18 +389,16 @@ fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered(warped, angle_footprint(warped), shape);
 }
 
-const fill_tone_shape = ProfileShape(1.489752e-9, 1.0, 0.0, 1.0, 3.1415927, 0.0, 0.0, 2u);
 const diffuse_tone_shape = ProfileShape(0.9921977, 0.12467473, 1.6002629, 1.3188459, 0.25, 0.79761744, 0.31569642, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
     let diffuse_convexity = transition(surface.kappa, 0.3);
     let fill_color = curvature_color(diffuse_convexity, vec4f(0.2275, 0.1569, 0.1882, 1.0), vec4f(0.0863, 0.0431, 0.0667, 1.0));
-    let diffuse_angle = parametrization_diffuse(look.key, surface.normal);
-    let fill_tone = profile(diffuse_angle, 0.0, fill_tone_shape);
-    let fill_lit = light_apply(look.key, fill_color, fill_tone);
+    let fill_lit = light_apply(look.key, fill_color, 1.0);
     let fill_blend = blend_add(vec4f(0.1373, 0.0941, 0.1255, 1.0), fill_lit.color, fill_lit.tone, 1.0, true);
     let diffuse_color = curvature_color(diffuse_convexity, vec4f(0.7255, 0.5137, 0.3529, 1.0), vec4f(0.3608, 0.1216, 0.1725, 1.0));
+    let diffuse_angle = parametrization_diffuse(look.key, surface.normal);
     let diffuse_tone = profile(diffuse_angle, 0.0, diffuse_tone_shape);
     let diffuse_lit = light_apply(look.key, diffuse_color, diffuse_tone);
     let diffuse_blend = blend_add(fill_blend, diffuse_lit.color, diffuse_lit.tone, 1.0, true);

@@ -12,6 +12,7 @@ struct Light {
 };
 struct Look {
     Light key;
+    vec4 fill_blend;
 };
 struct Surface {
     vec3 normal;
@@ -45,7 +46,6 @@ const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
 const uint PROFILE_STEP = 1u;
 const uint PROFILE_AMBIENT = 2u;
-const ProfileShape fill_tone_shape = ProfileShape(1.489752e-9, 1.0, 0.0, 1.0, 3.1415927, 0.0, 0.0, 2u);
 const ProfileShape diffuse_tone_shape = ProfileShape(0.9921977, 0.12467473, 1.6002629, 1.3188459, 0.25, 0.79761744, 0.31569642, 0u);
 
 layout(std140, binding = 2) uniform LookBlock { Look u_look; };
@@ -337,18 +337,15 @@ float profile(Angle angle, float shift_1, ProfileShape shape_2) {
 vec4 shade(Surface surface_1) {
     Light _e3 = u_look.key;
     Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
-    float _e8 = profile(_e5, 0.0, fill_tone_shape);
-    Light _e11 = u_look.key;
-    LitLayer _e17 = light_apply(_e11, vec4(0.1725, 0.1176, 0.149, 1.0), _e8);
-    vec4 _e27 = blend_add(vec4(0.1373, 0.0941, 0.1255, 1.0), _e17.color, _e17.tone, 1.0, true);
-    float _e30 = transition(surface_1.kappa, 0.3);
-    float _e32 = warp(_e30, 0.75);
-    float _e34 = profile(_e5, _e32, diffuse_tone_shape);
-    Light _e37 = u_look.key;
-    LitLayer _e43 = light_apply(_e37, vec4(0.6275, 0.4157, 0.2902, 1.0), _e34);
-    vec4 _e48 = blend_add(_e27, _e43.color, _e43.tone, 1.0, true);
-    vec4 _e49 = output_(_e48);
-    return _e49;
+    float _e8 = transition(surface_1.kappa, 0.3);
+    float _e10 = warp(_e8, 0.75);
+    float _e12 = profile(_e5, _e10, diffuse_tone_shape);
+    Light _e15 = u_look.key;
+    LitLayer _e21 = light_apply(_e15, vec4(0.6275, 0.4157, 0.2902, 1.0), _e12);
+    vec4 _e24 = u_look.fill_blend;
+    vec4 _e29 = blend_add(_e24, _e21.color, _e21.tone, 1.0, true);
+    vec4 _e30 = output_(_e29);
+    return _e30;
 }
 
 void main() {

@@ -31,6 +31,7 @@ struct Light {
 
 struct Look {
     Light key;
+    float4 fill_blend;
 };
 
 struct Surface {
@@ -91,7 +92,6 @@ static const float LN_2_ = 0.6931472;
 static const float LOG2_E = 1.442695;
 static const uint PROFILE_STEP = 1u;
 static const uint PROFILE_AMBIENT = 2u;
-static const ProfileShape fill_tone_shape = ConstructProfileShape(1.489752e-9, 1.0, 0.0, 1.0, 3.1415927, 0.0, 0.0, 2u);
 static const ProfileShape diffuse_tone_shape = ConstructProfileShape(0.9921977, 0.12467473, 1.6002629, 1.3188459, 0.25, 0.79761744, 0.31569642, 0u);
 
 cbuffer view : register(b0) { View view; }
@@ -455,18 +455,15 @@ float4 shade(Surface surface_1)
 {
     Light _e3 = look.key;
     const Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
-    const float _e8 = profile(_e5, 0.0, fill_tone_shape);
-    Light _e11 = look.key;
-    const LitLayer _e17 = light_apply(_e11, float4(0.1725, 0.1176, 0.149, 1.0), _e8);
-    const float4 _e27 = blend_add(float4(0.1373, 0.0941, 0.1255, 1.0), _e17.color, _e17.tone, 1.0, true);
-    const float _e30 = transition(surface_1.kappa, 0.3);
-    const float _e32 = warp(_e30, 0.75);
-    const float _e34 = profile(_e5, _e32, diffuse_tone_shape);
-    Light _e37 = look.key;
-    const LitLayer _e43 = light_apply(_e37, float4(0.6275, 0.4157, 0.2902, 1.0), _e34);
-    const float4 _e48 = blend_add(_e27, _e43.color, _e43.tone, 1.0, true);
-    const float4 _e49 = output(_e48);
-    return _e49;
+    const float _e8 = transition(surface_1.kappa, 0.3);
+    const float _e10 = warp(_e8, 0.75);
+    const float _e12 = profile(_e5, _e10, diffuse_tone_shape);
+    Light _e15 = look.key;
+    const LitLayer _e21 = light_apply(_e15, float4(0.6275, 0.4157, 0.2902, 1.0), _e12);
+    float4 _e24 = look.fill_blend;
+    const float4 _e29 = blend_add(_e24, _e21.color, _e21.tone, 1.0, true);
+    const float4 _e30 = output(_e29);
+    return _e30;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)

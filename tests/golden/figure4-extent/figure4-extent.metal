@@ -30,6 +30,7 @@ struct Light {
 };
 struct Look {
     Light key;
+    metal::float4 fill_blend;
 };
 struct Surface {
     metal::packed_float3 normal;
@@ -70,7 +71,6 @@ constant float LN_2_ = 0.6931472;
 constant float LOG2_E = 1.442695;
 constant uint PROFILE_STEP = 1u;
 constant uint PROFILE_AMBIENT = 2u;
-constant ProfileShape fill_tone_shape = ProfileShape {0.000000001489752, 1.0, 0.0, 1.0, 3.1415927, 0.0, 0.0, 2u};
 constant ProfileShape diffuse_tone_shape = ProfileShape {0.9921977, 0.12467473, 1.6002629, 1.3188459, 0.25, 0.79761744, 0.31569642, 0u};
 
 bool is_finite(
@@ -451,18 +451,15 @@ metal::float4 shade(
 ) {
     Light _e3 = look.key;
     Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
-    float _e8 = profile(_e5, 0.0, fill_tone_shape);
-    Light _e11 = look.key;
-    LitLayer _e17 = light_apply(_e11, metal::float4(0.1725, 0.1176, 0.149, 1.0), _e8);
-    Composite _e27 = blend_add(metal::float4(0.1373, 0.0941, 0.1255, 1.0), _e17.color, _e17.tone, 1.0, true);
-    float _e30 = transition(surface_1.kappa, 0.3);
-    float _e32 = warp(_e30, 0.75);
-    float _e34 = profile(_e5, _e32, diffuse_tone_shape);
-    Light _e37 = look.key;
-    LitLayer _e43 = light_apply(_e37, metal::float4(0.6275, 0.4157, 0.2902, 1.0), _e34);
-    Composite _e48 = blend_add(_e27, _e43.color, _e43.tone, 1.0, true);
-    Color _e49 = output(_e48);
-    return _e49;
+    float _e8 = transition(surface_1.kappa, 0.3);
+    float _e10 = warp(_e8, 0.75);
+    float _e12 = profile(_e5, _e10, diffuse_tone_shape);
+    Light _e15 = look.key;
+    LitLayer _e21 = light_apply(_e15, metal::float4(0.6275, 0.4157, 0.2902, 1.0), _e12);
+    metal::float4 _e24 = look.fill_blend;
+    Composite _e29 = blend_add(_e24, _e21.color, _e21.tone, 1.0, true);
+    Color _e30 = output(_e29);
+    return _e30;
 }
 
 struct vs_mainInput {

@@ -22,6 +22,7 @@ struct Object {
 /// What is known before the fragment.
 struct Look {
     @align(16) key: Light,
+    @align(16) fill_blend: vec4f,
 }
 
 /// The surface under the fragment, in world space.
@@ -389,20 +390,16 @@ fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered(warped, angle_footprint(warped), shape);
 }
 
-const fill_tone_shape = ProfileShape(1.489752e-9, 1.0, 0.0, 1.0, 3.1415927, 0.0, 0.0, 2u);
 const diffuse_tone_shape = ProfileShape(0.9921977, 0.12467473, 1.6002629, 1.3188459, 0.25, 0.79761744, 0.31569642, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
     let diffuse_angle = parametrization_diffuse(look.key, surface.normal);
-    let fill_tone = profile(diffuse_angle, 0.0, fill_tone_shape);
-    let fill_lit = light_apply(look.key, vec4f(0.1725, 0.1176, 0.149, 1.0), fill_tone);
-    let fill_blend = blend_add(vec4f(0.1373, 0.0941, 0.1255, 1.0), fill_lit.color, fill_lit.tone, 1.0, true);
     let diffuse_convexity = transition(surface.kappa, 0.3);
     let diffuse_warp = warp(diffuse_convexity, 0.75);
     let diffuse_tone = profile(diffuse_angle, diffuse_warp, diffuse_tone_shape);
     let diffuse_lit = light_apply(look.key, vec4f(0.6275, 0.4157, 0.2902, 1.0), diffuse_tone);
-    let diffuse_blend = blend_add(fill_blend, diffuse_lit.color, diffuse_lit.tone, 1.0, true);
+    let diffuse_blend = blend_add(look.fill_blend, diffuse_lit.color, diffuse_lit.tone, 1.0, true);
     let output_2 = output(diffuse_blend);
     return output_2;
 }

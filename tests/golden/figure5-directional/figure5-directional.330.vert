@@ -40,7 +40,6 @@ const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
 const uint PROFILE_STEP = 1u;
 const uint PROFILE_AMBIENT = 2u;
-const ProfileShape fill_tone_shape = ProfileShape(1.489752e-9, 1.0, 0.0, 1.0, 3.1415927, 0.0, 0.0, 2u);
 const ProfileShape highlight_tone_shape = ProfileShape(0.9959527, 0.08987855, 11.126125, 3.022525, 0.18, 0.08196669, 0.036355104, 0u);
 
 layout(std140) uniform ViewBlock { View u_view; };

@@ -411,18 +411,16 @@ fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered(warped, angle_footprint(warped), shape);
 }
 
-const fill_tone_shape = ProfileShape(1.489752e-9, 1.0, 0.0, 1.0, 3.1415927, 0.0, 0.0, 2u);
 const highlight_tone_shape = ProfileShape(0.9959527, 0.08987855, 11.126125, 3.022525, 0.18, 0.08196669, 0.036355104, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
     let back_light_convexity = transition(surface.kappa, 0.25);
     let fill_color = curvature_color(back_light_convexity, vec4f(0.1647, 0.1843, 0.2392, 1.0), vec4f(0.0706, 0.0784, 0.1098, 1.0));
-    let diffuse_angle = parametrization_diffuse(look.key, surface.normal);
-    let fill_tone = profile(diffuse_angle, 0.0, fill_tone_shape);
-    let fill_lit = light_apply(look.key, fill_color, fill_tone);
+    let fill_lit = light_apply(look.key, fill_color, 1.0);
     let fill_blend = blend_add(vec4f(0.0784, 0.0863, 0.1137, 1.0), fill_lit.color, fill_lit.tone, 1.0, true);
     let diffuse_color = curvature_color(back_light_convexity, vec4f(0.498, 0.6039, 0.3216, 1.0), vec4f(0.2471, 0.4, 0.251, 1.0));
+    let diffuse_angle = parametrization_diffuse(look.key, surface.normal);
     let diffuse_warp = warp(back_light_convexity, 0.3);
     let diffuse_tone = profile(diffuse_angle, diffuse_warp, look.diffuse_tone_shape);
     let diffuse_lit = light_apply(look.key, diffuse_color, diffuse_tone);

@@ -404,7 +404,6 @@ fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered(warped, angle_footprint(warped), shape);
 }
 
-const shadow_tone_shape = ProfileShape(1.489752e-9, 1.0, 0.0, 1.0, 3.1415927, 0.0, 0.0, 2u);
 const key_tone_shape = ProfileShape(0.8472551, 0.5311862, 0.0, 1.0, 1.12, 0.0, 0.0, 1u);
 const bounce_tone_shape = ProfileShape(0.9358968, 0.35227424, 0.0, 1.0, 0.72, 0.0, 0.0, 1u);
 const light_tone_shape = ProfileShape(0.96638995, 0.25708055, 0.0, 1.0, 0.52, 0.0, 0.0, 1u);
@@ -415,11 +414,10 @@ const highlight_tone_shape = ProfileShape(0.99280864, 0.119712204, 0.0, 1.0, 0.2
 fn shade(surface: Surface) -> vec4f {
     let key_convexity = transition(surface.kappa, 0.35);
     let shadow_color = curvature_color(key_convexity, vec4f(0.7059, 0.3412, 0.2902, 1.0), vec4f(0.2941, 0.1098, 0.2, 1.0));
-    let light_angle = parametrization_diffuse(look.key, surface.normal);
-    let shadow_tone = profile(light_angle, 0.0, shadow_tone_shape);
-    let shadow_lit = light_apply(look.key, shadow_color, shadow_tone);
+    let shadow_lit = light_apply(look.key, shadow_color, 1.0);
     let shadow_blend = blend_alpha(vec4f(0.8863, 0.6275, 0.4353, 1.0), shadow_lit.color, shadow_lit.tone, 1.0, true);
     let key_color = curvature_color(key_convexity, vec4f(0.9529, 0.6902, 0.4392, 1.0), vec4f(0.7686, 0.3451, 0.2902, 1.0));
+    let light_angle = parametrization_diffuse(look.key, surface.normal);
     let key_warp = warp(key_convexity, 0.45);
     let key_tone = profile(light_angle, key_warp, key_tone_shape);
     let key_lit = light_apply(look.key, key_color, key_tone);

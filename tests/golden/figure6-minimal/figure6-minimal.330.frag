@@ -17,6 +17,7 @@ struct Light {
 };
 struct Look {
     Light key;
+    vec4 black_fill_blend;
 };
 struct Surface {
     vec3 normal;
@@ -52,7 +53,6 @@ const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
 const uint PROFILE_STEP = 1u;
 const uint PROFILE_AMBIENT = 2u;
-const ProfileShape black_fill_tone_shape = ProfileShape(1.489752e-9, 1.0, 0.0, 1.0, 3.1415927, 0.0, 0.0, 2u);
 const ProfileShape white_specular_tone_shape = ProfileShape(0.98472655, 0.17410813, 3.6826046, 2.506993, 0.35, 0.26755187, 0.1159523, 0u);
 
 layout(std140) uniform ViewBlock { View u_view; };
@@ -267,17 +267,11 @@ LitLayer light_apply(Light light, vec4 color_2, float tone_1) {
     return LitLayer(vec4(((color_2.xyz * light.color) * _e4.y), color_2.w), (tone_1 * _e4.x));
 }
 
-Angle parametrization_diffuse(Light light_1, vec3 normal) {
-    vec3 _e6 = normalize_or(normal, vec3(0.0, 0.0, 1.0));
-    Angle _e8 = angle_between(_e6, light_1.direction);
-    return _e8;
-}
-
-Angle parametrization_specular(Light light_2, vec3 normal_1, vec3 view) {
-    vec3 _e7 = normalize_or(normal_1, vec3(0.0, 0.0, 1.0));
+Angle parametrization_specular(Light light_1, vec3 normal, vec3 view) {
+    vec3 _e7 = normalize_or(normal, vec3(0.0, 0.0, 1.0));
     vec3 mirrored = (((2.0 * dot(_e7, view)) * _e7) - view);
     vec3 _e13 = normalize_or(mirrored, _e7);
-    Angle _e15 = angle_between(_e13, light_2.direction);
+    Angle _e15 = angle_between(_e13, light_1.direction);
     return _e15;
 }
 
@@ -356,21 +350,16 @@ float profile(Angle angle, float shift_1, ProfileShape shape_2) {
 
 vec4 shade(Surface surface_1) {
     Light _e3 = u_look.key;
-    Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
-    float _e8 = profile(_e5, 0.0, black_fill_tone_shape);
-    Light _e11 = u_look.key;
-    LitLayer _e17 = light_apply(_e11, vec4(0.0, 0.0, 0.0, 1.0), _e8);
-    vec4 _e27 = blend_alpha(vec4(0.0, 0.0, 0.0, 1.0), _e17.color, _e17.tone, 1.0, true);
-    Light _e30 = u_look.key;
-    Angle _e33 = parametrization_specular(_e30, surface_1.normal, surface_1.view);
-    float _e36 = transition(surface_1.kappa, 0.35);
-    float _e38 = warp(_e36, 0.7);
-    float _e40 = profile(_e33, _e38, white_specular_tone_shape);
-    Light _e43 = u_look.key;
-    LitLayer _e46 = light_apply(_e43, vec4(1.0), _e40);
-    vec4 _e51 = blend_alpha(_e27, _e46.color, _e46.tone, 1.0, true);
-    vec4 _e52 = output_(_e51);
-    return _e52;
+    Angle _e6 = parametrization_specular(_e3, surface_1.normal, surface_1.view);
+    float _e9 = transition(surface_1.kappa, 0.35);
+    float _e11 = warp(_e9, 0.7);
+    float _e13 = profile(_e6, _e11, white_specular_tone_shape);
+    Light _e16 = u_look.key;
+    LitLayer _e19 = light_apply(_e16, vec4(1.0), _e13);
+    vec4 _e22 = u_look.black_fill_blend;
+    vec4 _e27 = blend_alpha(_e22, _e19.color, _e19.tone, 1.0, true);
+    vec4 _e28 = output_(_e27);
+    return _e28;
 }
 
 void main() {
@@ -378,8 +367,8 @@ void main() {
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0), 0.0);
     vec3 _e7 = normalize_or(in_.normal, vec3(0.0, 0.0, 1.0));
-    vec3 normal_2 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_2;
+    vec3 normal_1 = (is_front ? _e7 : -(_e7));
+    surface.normal = normal_1;
     vec4 _e15 = u_view.eye;
     float _e20 = u_view.eye.w;
     vec4 _e26 = u_view.eye;

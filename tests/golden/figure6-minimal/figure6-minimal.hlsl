@@ -31,6 +31,7 @@ struct Light {
 
 struct Look {
     Light key;
+    float4 black_fill_blend;
 };
 
 struct Surface {
@@ -94,7 +95,6 @@ static const float LN_2_ = 0.6931472;
 static const float LOG2_E = 1.442695;
 static const uint PROFILE_STEP = 1u;
 static const uint PROFILE_AMBIENT = 2u;
-static const ProfileShape black_fill_tone_shape = ConstructProfileShape(1.489752e-9, 1.0, 0.0, 1.0, 3.1415927, 0.0, 0.0, 2u);
 static const ProfileShape white_specular_tone_shape = ConstructProfileShape(0.98472655, 0.17410813, 3.6826046, 2.506993, 0.35, 0.26755187, 0.1159523, 0u);
 
 cbuffer view_1 : register(b0) { View view_1; }
@@ -104,13 +104,13 @@ Texture2D<float4> curvature_map : register(t0);
 
 struct VertexOutput_vs_main {
     float3 position : LOC0;
-    float3 normal_2 : LOC1;
+    float3 normal_1 : LOC1;
     float4 clip_ : SV_Position;
 };
 
 struct FragmentInput_fs_main {
     float3 position_1 : LOC0;
-    float3 normal_3 : LOC1;
+    float3 normal_2 : LOC1;
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
@@ -370,22 +370,14 @@ LitLayer light_apply(Light light, float4 color_2, float tone_1)
     return litlayer;
 }
 
-Angle parametrization_diffuse(Light light_1, float3 normal)
+Angle parametrization_specular(Light light_1, float3 normal, float3 view)
 {
-    const float3 _e6 = normalize_or(normal, float3(0.0, 0.0, 1.0));
-    const Angle _e8 = angle_between(_e6, light_1.direction);
-    const Angle angle_5 = _e8;
-    return angle_5;
-}
-
-Angle parametrization_specular(Light light_2, float3 normal_1, float3 view)
-{
-    const float3 _e7 = normalize_or(normal_1, float3(0.0, 0.0, 1.0));
+    const float3 _e7 = normalize_or(normal, float3(0.0, 0.0, 1.0));
     float3 mirrored = (((2.0 * dot(_e7, view)) * _e7) - view);
     const float3 _e13 = normalize_or(mirrored, _e7);
-    const Angle _e15 = angle_between(_e13, light_2.direction);
-    const Angle angle_6 = _e15;
-    return angle_6;
+    const Angle _e15 = angle_between(_e13, light_1.direction);
+    const Angle angle_5 = _e15;
+    return angle_5;
 }
 
 float profile_power(float q, float exponent)
@@ -471,21 +463,16 @@ float profile(Angle angle, float shift_1, ProfileShape shape_2)
 float4 shade(Surface surface_1)
 {
     Light _e3 = look.key;
-    const Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
-    const float _e8 = profile(_e5, 0.0, black_fill_tone_shape);
-    Light _e11 = look.key;
-    const LitLayer _e17 = light_apply(_e11, float4(0.0, 0.0, 0.0, 1.0), _e8);
-    const float4 _e27 = blend_alpha(float4(0.0, 0.0, 0.0, 1.0), _e17.color, _e17.tone, 1.0, true);
-    Light _e30 = look.key;
-    const Angle _e33 = parametrization_specular(_e30, surface_1.normal, surface_1.view);
-    const float _e36 = transition(surface_1.kappa, 0.35);
-    const float _e38 = warp(_e36, 0.7);
-    const float _e40 = profile(_e33, _e38, white_specular_tone_shape);
-    Light _e43 = look.key;
-    const LitLayer _e46 = light_apply(_e43, (1.0).xxxx, _e40);
-    const float4 _e51 = blend_alpha(_e27, _e46.color, _e46.tone, 1.0, true);
-    const float4 _e52 = output(_e51);
-    return _e52;
+    const Angle _e6 = parametrization_specular(_e3, surface_1.normal, surface_1.view);
+    const float _e9 = transition(surface_1.kappa, 0.35);
+    const float _e11 = warp(_e9, 0.7);
+    const float _e13 = profile(_e6, _e11, white_specular_tone_shape);
+    Light _e16 = look.key;
+    const LitLayer _e19 = light_apply(_e16, (1.0).xxxx, _e13);
+    float4 _e22 = look.black_fill_blend;
+    const float4 _e27 = blend_alpha(_e22, _e19.color, _e19.tone, 1.0, true);
+    const float4 _e28 = output(_e27);
+    return _e28;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
@@ -511,13 +498,13 @@ int2 naga_f2i32(float2 value) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_3 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
     const float3 _e7 = normalize_or(in_.normal, float3(0.0, 0.0, 1.0));
-    float3 normal_4 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_4;
+    float3 normal_3 = (is_front ? _e7 : -(_e7));
+    surface.normal = normal_3;
     float4 _e15 = view_1.eye;
     float _e20 = view_1.eye.w;
     float4 _e26 = view_1.eye;

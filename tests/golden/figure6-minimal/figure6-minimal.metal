@@ -30,6 +30,7 @@ struct Light {
 };
 struct Look {
     Light key;
+    metal::float4 black_fill_blend;
 };
 struct Surface {
     metal::float3 normal;
@@ -72,7 +73,6 @@ constant float LN_2_ = 0.6931472;
 constant float LOG2_E = 1.442695;
 constant uint PROFILE_STEP = 1u;
 constant uint PROFILE_AMBIENT = 2u;
-constant ProfileShape black_fill_tone_shape = ProfileShape {0.000000001489752, 1.0, 0.0, 1.0, 3.1415927, 0.0, 0.0, 2u};
 constant ProfileShape white_specular_tone_shape = ProfileShape {0.98472655, 0.17410813, 3.6826046, 2.506993, 0.35, 0.26755187, 0.1159523, 0u};
 
 bool is_finite(
@@ -353,24 +353,15 @@ LitLayer light_apply(
     return LitLayer {metal::float4((color_2.xyz * light.color) * _e4.y, color_2.w), tone_1 * _e4.x};
 }
 
-Angle parametrization_diffuse(
-    Light light_1,
-    metal::float3 normal
-) {
-    metal::float3 _e6 = normalize_or(normal, metal::float3(0.0, 0.0, 1.0));
-    Angle _e8 = angle_between(_e6, light_1.direction);
-    return _e8;
-}
-
 Angle parametrization_specular(
-    Light light_2,
-    metal::float3 normal_1,
+    Light light_1,
+    metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 _e7 = normalize_or(normal_1, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e7 = normalize_or(normal, metal::float3(0.0, 0.0, 1.0));
     metal::float3 mirrored = ((2.0 * metal::dot(_e7, view)) * _e7) - view;
     metal::float3 _e13 = normalize_or(mirrored, _e7);
-    Angle _e15 = angle_between(_e13, light_2.direction);
+    Angle _e15 = angle_between(_e13, light_1.direction);
     return _e15;
 }
 
@@ -466,26 +457,21 @@ metal::float4 shade(
     constant Look& look
 ) {
     Light _e3 = look.key;
-    Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
-    float _e8 = profile(_e5, 0.0, black_fill_tone_shape);
-    Light _e11 = look.key;
-    LitLayer _e17 = light_apply(_e11, metal::float4(0.0, 0.0, 0.0, 1.0), _e8);
-    Composite _e27 = blend_alpha(metal::float4(0.0, 0.0, 0.0, 1.0), _e17.color, _e17.tone, 1.0, true);
-    Light _e30 = look.key;
-    Angle _e33 = parametrization_specular(_e30, surface_1.normal, surface_1.view);
-    float _e36 = transition(surface_1.kappa, 0.35);
-    float _e38 = warp(_e36, 0.7);
-    float _e40 = profile(_e33, _e38, white_specular_tone_shape);
-    Light _e43 = look.key;
-    LitLayer _e46 = light_apply(_e43, metal::float4(1.0), _e40);
-    Composite _e51 = blend_alpha(_e27, _e46.color, _e46.tone, 1.0, true);
-    Color _e52 = output(_e51);
-    return _e52;
+    Angle _e6 = parametrization_specular(_e3, surface_1.normal, surface_1.view);
+    float _e9 = transition(surface_1.kappa, 0.35);
+    float _e11 = warp(_e9, 0.7);
+    float _e13 = profile(_e6, _e11, white_specular_tone_shape);
+    Light _e16 = look.key;
+    LitLayer _e19 = light_apply(_e16, metal::float4(1.0), _e13);
+    metal::float4 _e22 = look.black_fill_blend;
+    Composite _e27 = blend_alpha(_e22, _e19.color, _e19.tone, 1.0, true);
+    Color _e28 = output(_e27);
+    return _e28;
 }
 
 struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
-    metal::float3 normal_2 [[attribute(1)]];
+    metal::float3 normal_1 [[attribute(1)]];
 };
 struct vs_mainOutput {
     metal::float4 clip [[position]];
@@ -497,7 +483,7 @@ vertex vs_mainOutput vs_main(
 , constant View& view_1 [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
-    const Vertex vertex_ = { varyings.position, varyings.normal_2 };
+    const Vertex vertex_ = { varyings.position, varyings.normal_1 };
     Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
@@ -518,7 +504,7 @@ metal::int2 naga_f2i32(metal::float2 value) {
 
 struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
-    metal::float3 normal_2 [[user(loc1), center_perspective]];
+    metal::float3 normal_1 [[user(loc1), center_perspective]];
 };
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
@@ -531,11 +517,11 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
-    const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
+    const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
     Surface surface = {};
     metal::float3 _e7 = normalize_or(in.normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 normal_2 = is_front ? _e7 : -(_e7);
-    surface.normal = normal_2;
+    metal::float3 normal_1 = is_front ? _e7 : -(_e7);
+    surface.normal = normal_1;
     metal::float4 _e15 = view_1.eye;
     float _e20 = view_1.eye.w;
     metal::float4 _e26 = view_1.eye;

@@ -22,6 +22,7 @@ struct Object {
 /// What is known before the fragment.
 struct Look {
     @align(16) key: Light,
+    @align(16) black_fill_blend: vec4f,
 }
 
 /// The surface under the fragment, in world space.
@@ -297,15 +298,6 @@ struct LitLayer {
     tone: f32,
 }
 
-/// Parametrization
-///
-/// The angle u between a light and a direction of the surface; it decides how shading moves. Diffuse stays on the
-/// surface, Specular moves with the eye, Half-vector is Blinn's highlight, Screen-aligned ignores the illumination
-/// frame and the camera: the light is read in the picture's own axes.
-fn parametrization_diffuse(light: Light, normal: vec3f) -> Angle {
-    return angle_between(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction);
-}
-
 fn parametrization_specular(light: Light, normal: vec3f, view: vec3f) -> Angle {
     let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
     let mirrored = 2.0 * dot(n, view) * n - view;
@@ -395,21 +387,16 @@ fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered(warped, angle_footprint(warped), shape);
 }
 
-const black_fill_tone_shape = ProfileShape(1.489752e-9, 1.0, 0.0, 1.0, 3.1415927, 0.0, 0.0, 2u);
 const white_specular_tone_shape = ProfileShape(0.98472655, 0.17410813, 3.6826046, 2.506993, 0.35, 0.26755187, 0.1159523, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let black_fill_angle = parametrization_diffuse(look.key, surface.normal);
-    let black_fill_tone = profile(black_fill_angle, 0.0, black_fill_tone_shape);
-    let black_fill_lit = light_apply(look.key, vec4f(0.0, 0.0, 0.0, 1.0), black_fill_tone);
-    let black_fill_blend = blend_alpha(vec4f(0.0, 0.0, 0.0, 1.0), black_fill_lit.color, black_fill_lit.tone, 1.0, true);
     let white_specular_angle = parametrization_specular(look.key, surface.normal, surface.view);
     let white_specular_convexity = transition(surface.kappa, 0.35);
     let white_specular_warp = warp(white_specular_convexity, 0.7);
     let white_specular_tone = profile(white_specular_angle, white_specular_warp, white_specular_tone_shape);
     let white_specular_lit = light_apply(look.key, vec4f(1.0), white_specular_tone);
-    let white_specular_blend = blend_alpha(black_fill_blend, white_specular_lit.color, white_specular_lit.tone, 1.0, true);
+    let white_specular_blend = blend_alpha(look.black_fill_blend, white_specular_lit.color, white_specular_lit.tone, 1.0, true);
     let output_2 = output(white_specular_blend);
     return output_2;
 }

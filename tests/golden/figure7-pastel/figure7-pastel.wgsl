@@ -408,7 +408,6 @@ fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered(warped, angle_footprint(warped), shape);
 }
 
-const hollows_tone_shape = ProfileShape(1.489752e-9, 1.0, 0.0, 1.0, 3.1415927, 0.0, 0.0, 2u);
 const shade_tone_shape = ProfileShape(0.9950042, 0.099833414, 1.2766062, 1.859891, 0.2, 0.9049993, 0.3947585, 0u);
 const light_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.7710322, 1.5816126, 0.1, 0.6722112, 0.27426094, 0u);
 const white_chalk_tone_shape = ProfileShape(0.99875027, 0.04997917, 3.1317647, 2.7420828, 0.1, 0.30433682, 0.13399889, 0u);
@@ -418,9 +417,7 @@ const reddish_rim_tone_shape = ProfileShape(0.9887711, 0.14943813, 2.5679324, 1.
 fn shade(surface: Surface) -> vec4f {
     let light_convexity = transition(surface.kappa, 0.14);
     let hollows_color = curvature_color(light_convexity, vec4f(0.9647, 0.9059, 0.8157, 1.0), vec4f(0.6118, 0.2902, 0.1961, 1.0));
-    let light_angle = parametrization_diffuse(look.key, surface.normal);
-    let hollows_tone = profile(light_angle, 0.0, hollows_tone_shape);
-    let hollows_lit = light_apply(look.key, hollows_color, hollows_tone);
+    let hollows_lit = light_apply(look.key, hollows_color, 1.0);
     let hollows_blend = blend_shade(vec4f(0.9137, 0.8627, 0.7765, 1.0), hollows_lit.color, hollows_lit.tone, 0.9, true);
     let shade_color = curvature_color(light_convexity, vec4f(0.7686, 0.4157, 0.2824, 1.0), vec4f(0.4863, 0.1765, 0.1216, 1.0));
     let shade_angle = parametrization_diffuse(look.cool, surface.normal);
@@ -429,6 +426,7 @@ fn shade(surface: Surface) -> vec4f {
     let shade_lit = light_apply(look.cool, shade_color, shade_tone);
     let shade_blend = blend_shade(hollows_blend, shade_lit.color, shade_lit.tone, 0.85, true);
     let light_color = curvature_color(light_convexity, vec4f(1.0, 0.9725, 0.9176, 1.0), vec4f(0.9098, 0.7059, 0.5686, 1.0));
+    let light_angle = parametrization_diffuse(look.key, surface.normal);
     let light_warp = warp(light_convexity, 0.45);
     let light_tone = profile(light_angle, light_warp, light_tone_shape);
     let light_lit = light_apply(look.key, light_color, light_tone);

@@ -1,0 +1,129 @@
+//! What values may be: a sound range for every scalar of every value of a look.
+//!
+//! A node's function is run as naga IR on ranges instead of numbers, so that a custom node is understood as well as one
+//! of the library, and no table of nodes is kept. Whatever a fragment computes lies within the ranges: in f32, however
+//! WGSL lets a card round, and in the interpreter's f32 and f64. What cannot be followed may be anything.
+//!
+//! - `range`: the domain: intervals with NaN and -0 told apart, integers with the size of a float's bits, truth values.
+//! - `floats`: arithmetic, rounded outward.
+//! - `machine`, `expressions`, `math`, `refine`: naga IR on ranges. Conditions that stay open split the way.
+//! - `library`: the few functions whose operands hang together.
+//! - `surroundings`: what is known of a context before any fragment runs.
+
+mod expressions;
+mod floats;
+mod layout;
+mod library;
+mod machine;
+mod math;
+mod range;
+mod refine;
+mod surroundings;
+
+#[cfg(test)]
+mod tests;
+
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
+use crate::interp;
+use crate::library::{NodeModule, Type};
+use crate::wgsl::{self, Valid};
+use machine::Machine;
+
+pub(super) use machine::Ranges;
+pub(super) use range::Range;
+pub(super) use surroundings::context_ranges;
+
+/// What a node's function may give for arguments within these ranges; `None` where it cannot be followed.
+pub(super) fn call(module: &NodeModule, function: &str, arguments: &[Ranges]) -> Option<Ranges> {
+    let own = |name: &str| {
+        let text = module.declaration(name).and_then(|found| module.linked.text.get(found.body.clone()));
+        text.is_some_and(|text| LIBRARY_TEXTS.get(name).is_some_and(|own| own == text))
+    };
+    run(&module.valid, function, arguments, &own)
+}
+
+/// Calls on ranges, each made once.
+#[derive(Default)]
+pub(super) struct Calls(HashMap<(usize, String, Vec<u64>), Option<Ranges>>);
+
+impl Calls {
+    /// [`call`], or what it gave for the same ranges before.
+    pub(super) fn call(&mut self, module: &NodeModule, function: &str, arguments: &[Ranges]) -> Option<Ranges> {
+        let bits = arguments.iter().flat_map(|ranges| ranges.iter()).flat_map(|range| range.bits()).collect();
+        let key = (std::ptr::from_ref(module) as usize, function.to_owned(), bits);
+        self.0.entry(key).or_insert_with(|| call(module, function, arguments)).clone()
+    }
+}
+
+/// [`call`] for a module that imports the library and declares nothing that could be taken for a part of it.
+pub(super) fn call_plain(valid: &Valid, function: &str, arguments: &[Ranges]) -> Option<Ranges> {
+    run(valid, function, arguments, &|_| true)
+}
+
+fn run(valid: &Valid, function: &str, arguments: &[Ranges], own: &dyn Fn(&str) -> bool) -> Option<Ranges> {
+    let (handle, _) = valid.module.functions.iter().find(|(_, f)| f.name.as_deref() == Some(function))?;
+    Machine::new(valid, own).call(handle, arguments).ok()
+}
+
+/// The texts of the library's functions that [`library`] knows.
+static LIBRARY_TEXTS: LazyLock<HashMap<&'static str, String>> = LazyLock::new(|| {
+    let mut texts = HashMap::new();
+    for (_, source) in wgsl::SHADER_LIBRARY {
+        for declaration in &wgsl::scan(source).declarations {
+            if let Some(name) = library::NAMES.iter().find(|name| **name == declaration.name)
+                && let Some(text) = source.get(declaration.body.clone())
+            {
+                texts.insert(*name, text.to_owned());
+            }
+        }
+    }
+    texts
+});
+
+/// A value that is known.
+pub(super) fn of_value(value: &interp::Value) -> Ranges {
+    let mut ranges = Vec::new();
+    push_scalars(value, &mut |scalar| ranges.push(Range::of_scalar(scalar)));
+    ranges.into()
+}
+
+/// Anything that has the shape of a value.
+pub(super) fn any_like(value: &interp::Value) -> Ranges {
+    let mut ranges = Vec::new();
+    push_scalars(value, &mut |scalar| ranges.push(Range::any_like(scalar)));
+    ranges.into()
+}
+
+fn push_scalars(value: &interp::Value, push: &mut dyn FnMut(interp::Scalar)) {
+    match value {
+        interp::Value::Vector(scalars) => scalars.iter().for_each(|&scalar| push(scalar)),
+        interp::Value::Matrix { components, .. } => components.iter().for_each(|&x| push(interp::Scalar::Float(x))),
+        interp::Value::Array(parts) | interp::Value::Struct(parts) => {
+            parts.iter().for_each(|part| push_scalars(part, push));
+        }
+        other => other.as_scalar().into_iter().for_each(push),
+    }
+}
+
+/// The only value of type `ty` that lies within the ranges, to the bit.
+pub(super) fn exactly(ranges: &[Range], ty: &Type) -> Option<interp::Value> {
+    let width = ty.width()?;
+    let scalars = ranges.iter().map(|range| range.exactly()).collect::<Option<Vec<_>>>()?;
+    match scalars.as_slice() {
+        [one] if width == 1 => Some((*one).into()),
+        many if many.len() == width => Some(interp::Value::Vector(scalars)),
+        _ => None,
+    }
+}
+
+/// How many scalars lie in a value of this type, where its type alone tells.
+pub(super) fn scalars_in(ty: &Type) -> Option<usize> {
+    Some(match ty {
+        Type::Mat3 => 9,
+        Type::Angle => 2,
+        Type::Light => 10,
+        other => other.width()?,
+    })
+}

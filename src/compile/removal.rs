@@ -1,0 +1,81 @@
+//! What was left out, and what proves that nothing is lost.
+
+use crate::ids::NodePath;
+
+/// What proves that something can be left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Proof {
+    /// Nothing that is seen depends on it.
+    Unreachable,
+    /// What it adds is multiplied by 0.
+    ZeroWeight,
+    /// With these values it gives what it is given.
+    NoEffect,
+    /// It is known before drawing.
+    Constant,
+    /// It is the same as another.
+    Equal,
+    /// The bounds of what it can give.
+    Ranges,
+    /// It lies outside of the picture.
+    OffScreen,
+    /// It has no surface: a scale of 0, or a mesh without triangles.
+    NoSurface,
+    /// No part of it wears a look.
+    NoLook,
+    /// It lights nothing: it is out, black or too far from every object.
+    NoLight,
+    /// Its inputs are what they were: what was made last time still stands.
+    Unchanged,
+}
+
+impl Proof {
+    /// All of them.
+    pub const ALL: [Self; 11] = [
+        Self::Unreachable,
+        Self::ZeroWeight,
+        Self::NoEffect,
+        Self::Constant,
+        Self::Equal,
+        Self::Ranges,
+        Self::OffScreen,
+        Self::NoSurface,
+        Self::NoLook,
+        Self::NoLight,
+        Self::Unchanged,
+    ];
+
+    /// In words.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Unreachable => "unreachable",
+            Self::ZeroWeight => "zero weight",
+            Self::NoEffect => "no effect",
+            Self::Constant => "constant",
+            Self::Equal => "equal to another",
+            Self::Ranges => "proved by ranges",
+            Self::OffScreen => "off-screen",
+            Self::NoSurface => "no surface",
+            Self::NoLook => "no look",
+            Self::NoLight => "light reaches no object",
+            Self::Unchanged => "unchanged",
+        }
+    }
+}
+
+/// Something that was left out.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Removal {
+    /// The node.
+    #[serde(serialize_with = "path_text")]
+    pub path: NodePath,
+    /// Why nothing is lost: the end of a sentence that begins with the node.
+    pub reason: String,
+    /// What kind of reason it is.
+    pub proof: Proof,
+}
+
+fn path_text<S: serde::Serializer>(path: &NodePath, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(path)
+}

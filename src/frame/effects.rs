@@ -1,0 +1,190 @@
+//! Everything that a picture may cost, each with its state, the reason and the proof: what `chiaro explain` prints.
+
+use std::collections::{BTreeMap, HashMap, HashSet};
+use std::sync::Arc;
+
+use serde::Serialize;
+
+use super::plan::{Draw, FramePlan, PassKind};
+use crate::compile::{Attribute, BindingKind, CompiledShader, Proof};
+
+/// What kind of thing an effect is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum EffectKind {
+    /// GPU work of its own.
+    Pass,
+    /// An object of the scene.
+    Object,
+    /// A look: its modules and pipelines.
+    Look,
+    /// A light of a look, with its uniforms.
+    Light,
+    /// A vertex attribute of a look's meshes.
+    Attribute,
+    /// An image with its sampler.
+    Texture,
+    /// Values that a look reads from uniforms.
+    Uniforms,
+    /// A node of a look.
+    Node,
+}
+
+/// What becomes of an effect.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum EffectState {
+    /// It is done for this picture.
+    Runs,
+    /// It was done for an earlier picture and still stands.
+    Cached,
+    /// It is not done.
+    Dropped,
+}
+
+/// Something that a picture may cost.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Effect {
+    /// What it is called.
+    pub what: String,
+    /// What kind of thing it is.
+    pub kind: EffectKind,
+    /// What becomes of it.
+    pub state: EffectState,
+    /// Why: the end of a sentence that begins with it.
+    pub reason: String,
+    /// What proves that nothing is lost without it; `None` for what runs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub proof: Option<Proof>,
+    /// The look that it belongs to, by name.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub look: Option<String>,
+    /// The node, as a path.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub node: Option<String>,
+}
+
+impl Effect {
+    fn runs(what: impl Into<String>, kind: EffectKind, reason: impl Into<String>) -> Self {
+        let (what, reason) = (what.into(), reason.into());
+        Self { what, kind, state: EffectState::Runs, reason, proof: None, look: None, node: None }
+    }
+
+    fn dropped(what: impl Into<String>, kind: EffectKind, reason: impl Into<String>, proof: Proof) -> Self {
+        Self { state: EffectState::Dropped, proof: Some(proof), ..Self::runs(what, kind, reason) }
+    }
+
+    fn of(self, look: &str) -> Self {
+        Self { look: Some(look.to_owned()), ..self }
+    }
+}
+
+/// Every effect of a plan. `done` is the input hash of each pass whose result a renderer still holds, so that what would
+/// not run again shows as cached.
+pub fn effects(plan: &FramePlan, done: &HashMap<PassKind, u64>) -> Vec<Effect> {
+    let mut effects: Vec<Effect> = Vec::new();
+    for pass in &plan.passes {
+        let mut effect = Effect::runs(pass.kind.label(), EffectKind::Pass, &pass.reason);
+        if done.get(&pass.kind) == Some(&pass.input_hash) {
+            effect.state = EffectState::Cached;
+            effect.proof = Some(Proof::Unchanged);
+        }
+        effects.push(effect);
+    }
+    for dropped in &plan.dropped {
+        let mut effect = Effect::dropped(&dropped.what, dropped.kind, &dropped.why, dropped.proof);
+        effect.look.clone_from(&dropped.look);
+        effects.push(effect);
+    }
+    let mut seen = HashSet::new();
+    for draw in &plan.draws {
+        if seen.insert(draw.object.clone()) {
+            let reason = "some of it may be seen";
+            effects.push(Effect::runs(format!("object `{}`", draw.object), EffectKind::Object, reason));
+        }
+    }
+    let mut looks: Vec<(&Arc<CompiledShader>, &Draw)> = Vec::new();
+    for draw in &plan.draws {
+        if !looks.iter().any(|(known, _)| Arc::ptr_eq(known, &draw.look)) {
+            looks.push((&draw.look, draw));
+        }
+    }
+    for (shader, draw) in looks {
+        push_look(&mut effects, shader, draw);
+    }
+    effects
+}
+
+fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
+    let name = draw.look_name.as_str();
+    let mut push = |effect: Effect| effects.push(effect.of(name));
+    let modules = 1 + draw.normals.len();
+    push(Effect::runs(
+        if name.is_empty() { "a look" } else { name },
+        EffectKind::Look,
+        format!("object `{}` wears it; it is compiled to {modules} {}", draw.object, plural(modules, "module")),
+    ));
+    let read = read_attributes(shader, draw);
+    for attribute in Attribute::ALL {
+        let what = format!("vertex {}", attribute.name());
+        push(match read.get(&attribute) {
+            Some(stage) => Effect::runs(what, EffectKind::Attribute, format!("the {stage} module reads it")),
+            None => {
+                let reason = "no live node reads it, so that it is neither uploaded nor bound";
+                Effect::dropped(what, EffectKind::Attribute, reason, Proof::Unreachable)
+            }
+        });
+    }
+    let is_bound = |index: usize| {
+        let modules = std::iter::once(shader).chain(draw.normals.values().map(|module| &**module));
+        modules.flat_map(|module| &module.bindings).any(|binding| binding.kind == BindingKind::Image(index))
+    };
+    for (index, image) in shader.named_images.iter().enumerate() {
+        let what = if image.path.is_empty() { "an image that is not chosen" } else { &image.path };
+        let mut effect = if is_bound(index) {
+            Effect::runs(what, EffectKind::Texture, format!("`{}` reads it", image.node))
+        } else {
+            let reason = format!("nothing that is seen reads `{}`, so that it is not even loaded", image.node);
+            Effect::dropped(what, EffectKind::Texture, reason, Proof::Unreachable)
+        };
+        effect.node = Some(image.node.to_string());
+        push(effect);
+    }
+    let bytes = shader.host.size;
+    push(if bytes > 0 {
+        let reason = format!("{bytes} bytes that are known before the fragment");
+        Effect::runs("uniforms of the look", EffectKind::Uniforms, reason)
+    } else {
+        let reason = "everything is known when the look is compiled, or at each fragment";
+        Effect::dropped("uniforms of the look", EffectKind::Uniforms, reason, Proof::Constant)
+    });
+    let emitted: std::collections::BTreeSet<String> = shader.spans.nodes().map(ToString::to_string).collect();
+    for path in emitted {
+        let what = format!("node `{path}`");
+        let effect = Effect::runs(what, EffectKind::Node, "it runs at each fragment");
+        push(Effect { node: Some(path), ..effect });
+    }
+    for removal in &shader.removed {
+        let path = removal.path.to_string();
+        let effect = Effect::dropped(format!("node `{path}`"), EffectKind::Node, &removal.reason, removal.proof);
+        push(Effect { node: Some(path), ..effect });
+    }
+}
+
+fn plural(count: usize, word: &str) -> String {
+    if count == 1 { word.to_owned() } else { format!("{word}s") }
+}
+
+/// The attributes that a draw's modules read, each with the first module that does.
+fn read_attributes(shader: &CompiledShader, draw: &Draw) -> BTreeMap<Attribute, &'static str> {
+    let mut read = BTreeMap::new();
+    for attribute in shader.needs.attributes() {
+        read.insert(attribute, "look's");
+    }
+    for (kind, module) in &draw.normals {
+        for attribute in module.needs.attributes() {
+            read.entry(attribute).or_insert(kind.label());
+        }
+    }
+    read
+}

@@ -1,0 +1,174 @@
+//! What cannot be seen, and lights that nobody sees: left out before any look is compiled.
+//!
+//! Every test is conservative. An object is off-screen where the eight corners of its mesh's box lie beyond one and the
+//! same side of the view; a light is dark for an object where it is out or black, or where the sphere around the object
+//! lies beyond its range or outside of its cone.
+
+use std::collections::{BTreeSet, HashMap, HashSet};
+use std::sync::{Arc, Weak};
+
+use glam::{DMat3, DMat4, DQuat, DVec3, DVec4};
+
+use super::camera::View;
+use super::setup::{Setup, SetupObject};
+use crate::compile::{LightValues, Proof};
+use crate::document::{LightKind, Look, Target};
+use crate::geometry::{Bounds, Mesh};
+use crate::ids::LightId;
+use crate::library::LightField;
+
+/// What a planner may leave out because it is not seen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Cull {
+    /// Nothing: what leaving out is held against.
+    Nothing,
+    /// Objects. For looks that are being edited, whose lights may change any moment.
+    Objects,
+    /// Objects, and lights that are dark.
+    #[default]
+    All,
+}
+
+/// Where an object stands.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Placed {
+    /// Of its mesh, object space.
+    bounds: Bounds,
+    /// The middle of the box, world space.
+    pub(super) center: DVec3,
+    /// Of a sphere around the middle, scene units.
+    pub(super) radius: f64,
+}
+
+/// The bounds of meshes, computed once each.
+#[derive(Clone, Debug, Default)]
+pub(super) struct KnownBounds(HashMap<usize, (Weak<Mesh>, Bounds)>);
+
+impl KnownBounds {
+    /// Where the objects stand.
+    pub(super) fn place(&mut self, objects: &[SetupObject]) -> Vec<Placed> {
+        self.0.retain(|_, (mesh, _)| mesh.strong_count() > 0);
+        objects.iter().map(|object| self.placed(object)).collect()
+    }
+
+    fn placed(&mut self, object: &SetupObject) -> Placed {
+        let key = Arc::as_ptr(&object.mesh) as usize;
+        let fresh = || (Arc::downgrade(&object.mesh), object.mesh.bounds());
+        let bounds = self.0.entry(key).or_insert_with(fresh).1;
+        let (scale, ..) = object.world_from_object.to_scale_rotation_translation();
+        Placed {
+            bounds,
+            center: object.world_from_object.transform_point3(bounds.center()),
+            radius: bounds.radius * scale.abs().max_element(),
+        }
+    }
+}
+
+/// Why nothing of an object is seen; `None` where something may be.
+pub(super) fn hidden(object: &SetupObject, placed: &Placed, view: &View) -> Option<(Proof, &'static str)> {
+    if object.looks.iter().all(Option::is_none) {
+        return Some((Proof::NoLook, "no part of it wears a look"));
+    }
+    let worn = object.mesh.parts.iter().zip(&object.looks).filter(|(_, look)| look.is_some());
+    if worn.clone().all(|(part, _)| part.indices.is_empty()) {
+        return Some((Proof::NoSurface, "what of it wears a look has no triangles"));
+    }
+    if is_line(object.world_from_object) {
+        return Some((Proof::NoSurface, "its scale leaves it no area"));
+    }
+    is_outside(object.world_from_object, &placed.bounds, view)
+        .then_some((Proof::OffScreen, "it lies outside of the picture"))
+}
+
+/// Whether a transform makes a line or a point of everything.
+fn is_line(matrix: DMat4) -> bool {
+    let DMat3 { x_axis: x, y_axis: y, z_axis: z } = DMat3::from_mat4(matrix);
+    [x.cross(y), y.cross(z), z.cross(x)].iter().all(|area| *area == DVec3::ZERO)
+}
+
+fn is_outside(world_from_object: DMat4, bounds: &Bounds, view: &View) -> bool {
+    let clip_from_object = view.clip_from_world * world_from_object;
+    let corners: [DVec4; 8] = std::array::from_fn(|index| {
+        let pick = |axis: usize| if index >> axis & 1 == 0 { bounds.min[axis] } else { bounds.max[axis] };
+        clip_from_object * DVec4::new(pick(0), pick(1), pick(2), 1.0)
+    });
+    if corners.iter().any(|corner| !corner.is_finite()) {
+        return false;
+    }
+    // How far beyond each side; the shader computes in f32, so that "just beyond" is not beyond.
+    let beyond = |side: fn(DVec4) -> f64| {
+        corners.iter().all(|&corner| side(corner) > 1e-4 * (corner.w.abs() + corner.truncate().length()) + 1e-12)
+    };
+    beyond(|c| c.x - c.w)
+        || beyond(|c| -c.x - c.w)
+        || beyond(|c| c.y - c.w)
+        || beyond(|c| -c.y - c.w)
+        || beyond(|c| c.z - c.w)
+        || beyond(|c| -c.z)
+}
+
+/// Fields of a look's lights that are 0 for an object, each with the reason. Lights that keys or exposed parameters move
+/// are never dark.
+pub(super) fn dark_lights(
+    setup: &Setup,
+    look: &Look,
+    placed: &Placed,
+    view: &View,
+) -> Vec<((LightId, LightField), &'static str)> {
+    let moved = moved_lights(look);
+    let illumination = DQuat::from_array(setup.scene.illumination).normalize();
+    let mut dark = Vec::new();
+    for (id, own) in look.lights.iter().filter(|(id, _)| !moved.contains(id)) {
+        let light = setup.scene.lights.get(id).unwrap_or(own);
+        let values = LightValues::new(light, illumination, view.rotation());
+        if values.color == DVec3::ZERO {
+            dark.push(((id.clone(), LightField::Color), "it is black"));
+        }
+        if let Some(reason) = why_dark(&values, placed) {
+            dark.push(((id.clone(), LightField::Intensity), reason));
+        }
+    }
+    dark
+}
+
+fn moved_lights(look: &Look) -> HashSet<&LightId> {
+    let timed = look.time_keys.iter().map(|track| &track.target);
+    let exposed = look.exposed.iter().map(|exposed| &exposed.target);
+    let keyed = look.direction_keys.iter().flat_map(|keys| keys.keys.iter().flat_map(|key| key.values.keys()));
+    let lights = timed.chain(exposed).chain(keyed).filter_map(|target| match target {
+        Target::Light { light, .. } => Some(light),
+        Target::Input { .. } => None,
+    });
+    lights.collect()
+}
+
+fn why_dark(light: &LightValues, placed: &Placed) -> Option<&'static str> {
+    if light.intensity == 0.0 {
+        return Some("its intensity is 0");
+    }
+    if light.kind == LightKind::Directional || !light.intensity.is_finite() {
+        return None;
+    }
+    let offset = placed.center - light.position;
+    let distance = offset.length();
+    let [_, range] = light.fading;
+    // A little farther, because the shader measures in f32.
+    if range > 0.0 && distance - placed.radius > range * 1.0001 + 1e-5 * light.position.length() {
+        return Some("everything that wears the look is beyond its range");
+    }
+    let is_around = distance <= placed.radius * 1.0001;
+    if light.kind == LightKind::Spot && !is_around {
+        let off_axis = light.aim.angle_between(offset);
+        let spread = (placed.radius / distance).clamp(0.0, 1.0).asin();
+        let outer = light.cone[1].clamp(-1.0, 1.0).acos();
+        if off_axis - spread > outer + 1e-3 {
+            return Some("everything that wears the look is outside of its cone");
+        }
+    }
+    None
+}
+
+/// The fields alone.
+pub(super) fn fields(dark: &[((LightId, LightField), &'static str)]) -> BTreeSet<(LightId, LightField)> {
+    dark.iter().map(|(field, _)| field.clone()).collect()
+}
