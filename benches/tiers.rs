@@ -275,6 +275,7 @@ fn run(bench: &Bench, file: &Path) {
 }
 
 /// Milliseconds of a whole frame, passes included, by the clock: looks have no timestamps of their own.
+#[expect(clippy::disallowed_methods, reason = "a benchmark reads the clock")]
 fn frame_time(renderer: &mut Renderer, plan: &FramePlan) -> f64 {
     let start = std::time::Instant::now();
     block_on(renderer.draw(plan)).expect("a look that draws");
