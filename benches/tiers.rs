@@ -1,7 +1,7 @@
 //! What a cheaper form of a node wins: each candidate against the exact form, on the GPU.
 //!
 //! `cargo bench --no-default-features --features gpu --bench tiers [-- FILTER]` prints a table for each file of
-//! `benches/tiers/`; docs/performance.md holds the figures. Such a file is WGSL with functions
+//! `benches/tiers/` (`-- looks` or `-- looks/figure6`: of the example looks, as whole frames); docs/performance.md holds the figures. Such a file is WGSL with functions
 //! `fn name(n: vec3f, l: vec3f, s: f32) -> f32`, of which `exact` is what the others are held against, and `nothing` what
 //! all of them cost before they begin. Each is drawn over the whole target, many times in each pixel, with unit
 //! vectors n and l that change smoothly over the screen and s in [-1, 1]. All of a file take turns, round by round; a
@@ -11,7 +11,11 @@
 
 use std::path::{Path, PathBuf};
 
-use chiaro::render::{Gpu, block_on};
+use chiaro::compile::Live;
+use chiaro::document::Tier;
+use chiaro::frame::{Assets, FramePlan, PlanOptions, Planner, open};
+use chiaro::library::Library;
+use chiaro::render::{Gpu, Renderer, block_on};
 use chiaro::wgsl::{Declaration, DeclarationKind, Source, link, scan};
 
 const SIZE: u32 = 256;
@@ -20,6 +24,9 @@ const ROUNDS: usize = 41;
 
 const FRAME: &str = "
 @group(0) @binding(0) var<uniform> repeats: vec4u;
+@group(0) @binding(1) var image: texture_2d<f32>;
+@group(0) @binding(2) var linear_sampler: sampler;
+@group(0) @binding(3) var nearest_sampler: sampler;
 
 @vertex
 fn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
@@ -49,7 +56,8 @@ struct Candidate {
 struct Bench {
     gpu: Gpu,
     view: wgpu::TextureView,
-    uniform: wgpu::Buffer,
+    layout: wgpu::BindGroupLayout,
+    group: wgpu::BindGroup,
     queries: wgpu::QuerySet,
     resolved: wgpu::Buffer,
     read: wgpu::Buffer,
@@ -82,17 +90,26 @@ impl Bench {
         let resolved = buffer(16, wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC);
         let read = buffer(16, wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST);
         let view = target.create_view(&wgpu::TextureViewDescriptor::default());
-        Self { gpu, view, uniform, queries, resolved, read }
+        let (layout, group) = bindings(&gpu, &uniform);
+        Self { gpu, view, layout, group, queries, resolved, read }
     }
 
     fn candidate(&self, name: &str, library: &str) -> Candidate {
         let source = format!("{library}\n{}", FRAME.replace("CANDIDATE", name));
         let device = &self.gpu.device;
+        // Our own validator has no f16.
+        if !source.starts_with("enable") {
+            chiaro::wgsl::parse(&source).unwrap_or_else(|error| panic!("{name}: {}", error.message));
+        }
         let source = wgpu::ShaderSource::Wgsl(source.into());
         let module = device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(name), source });
         let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some(name),
-            layout: None,
+            layout: Some(&device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+                label: None,
+                bind_group_layouts: &[Some(&self.layout)],
+                immediate_size: 0,
+            })),
             vertex: wgpu::VertexState {
                 module: &module,
                 entry_point: Some("vs_main"),
@@ -117,11 +134,6 @@ impl Bench {
     /// Milliseconds of one pass.
     fn time(&self, candidate: &Candidate) -> f64 {
         let device = &self.gpu.device;
-        let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: None,
-            layout: &candidate.pipeline.get_bind_group_layout(0),
-            entries: &[wgpu::BindGroupEntry { binding: 0, resource: self.uniform.as_entire_binding() }],
-        });
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
             let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -139,7 +151,7 @@ impl Bench {
                 ..wgpu::RenderPassDescriptor::default()
             });
             pass.set_pipeline(&candidate.pipeline);
-            pass.set_bind_group(0, &group, &[]);
+            pass.set_bind_group(0, &self.group, &[]);
             pass.draw(0..3, 0..1);
         }
         encoder.resolve_query_set(&self.queries, 0..2, &self.resolved, 0);
@@ -152,6 +164,66 @@ impl Bench {
         let tick = |at: usize| u64::from_le_bytes(bytes[at..at + 8].try_into().expect("eight bytes"));
         (tick(8) - tick(0)) as f64 * f64::from(self.gpu.queue.get_timestamp_period()) * 1e-6
     }
+}
+
+/// The numbers, and a picture of 512x512 texels with its samplers.
+fn bindings(gpu: &Gpu, uniform: &wgpu::Buffer) -> (wgpu::BindGroupLayout, wgpu::BindGroup) {
+    let device = &gpu.device;
+    let size = wgpu::Extent3d { width: 512, height: 512, depth_or_array_layers: 1 };
+    let image = device.create_texture(&wgpu::TextureDescriptor {
+        label: None,
+        size,
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: wgpu::TextureFormat::Rgba8Unorm,
+        usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+        view_formats: &[],
+    });
+    let texels: Vec<u8> = (0..512 * 512 * 4_u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 24) as u8).collect();
+    let rows = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(512 * 4), rows_per_image: None };
+    gpu.queue.write_texture(image.as_image_copy(), &texels, rows, size);
+    let sampler = |filter| {
+        let repeat = wgpu::AddressMode::Repeat;
+        device.create_sampler(&wgpu::SamplerDescriptor {
+            address_mode_u: repeat,
+            address_mode_v: repeat,
+            mag_filter: filter,
+            min_filter: filter,
+            ..wgpu::SamplerDescriptor::default()
+        })
+    };
+    let samplers = [wgpu::FilterMode::Linear, wgpu::FilterMode::Nearest].map(sampler);
+    let entry =
+        |binding, ty| wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::FRAGMENT, ty, count: None };
+    let numbers = wgpu::BindingType::Buffer {
+        ty: wgpu::BufferBindingType::Uniform,
+        has_dynamic_offset: false,
+        min_binding_size: None,
+    };
+    let texture = wgpu::BindingType::Texture {
+        sample_type: wgpu::TextureSampleType::Float { filterable: true },
+        view_dimension: wgpu::TextureViewDimension::D2,
+        multisampled: false,
+    };
+    let filtering = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
+    let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+        label: None,
+        entries: &[entry(0, numbers), entry(1, texture), entry(2, filtering), entry(3, filtering)],
+    });
+    let view = image.create_view(&wgpu::TextureViewDescriptor::default());
+    let bound = |binding, resource| wgpu::BindGroupEntry { binding, resource };
+    let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: None,
+        layout: &layout,
+        entries: &[
+            bound(0, uniform.as_entire_binding()),
+            bound(1, wgpu::BindingResource::TextureView(&view)),
+            bound(2, wgpu::BindingResource::Sampler(&samplers[0])),
+            bound(3, wgpu::BindingResource::Sampler(&samplers[1])),
+        ],
+    });
+    (layout, group)
 }
 
 fn median(numbers: &mut [f64]) -> (f64, f64, f64) {
@@ -202,6 +274,60 @@ fn run(bench: &Bench, file: &Path) {
     }
 }
 
+/// Milliseconds of a whole frame, passes included, by the clock: looks have no timestamps of their own.
+#[expect(clippy::disallowed_methods, reason = "a benchmark reads the clock")]
+fn frame_time(renderer: &mut Renderer, plan: &FramePlan) -> f64 {
+    let start = std::time::Instant::now();
+    block_on(renderer.draw(plan)).expect("a look that draws");
+    renderer.gpu().device.poll(wgpu::PollType::wait_indefinitely()).expect("a device that answers");
+    start.elapsed().as_secs_f64() * 1e3
+}
+
+/// Whole frames of the example looks in each tier, the tiers taking turns.
+fn looks(filter: &str) {
+    let mut renderer = Renderer::new(gpu());
+    println!("\nwhole frames, 800x600, one sample a pixel\n| look | exact | balanced | of exact | fast | of exact |");
+    println!("| --- | ---: | ---: | --- | ---: | --- |");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");
+    let mut files: Vec<PathBuf> =
+        std::fs::read_dir(folder).expect("the folder").map(|entry| entry.expect("an entry").path()).collect();
+    files.sort();
+    for file in files.iter().filter(|file| file.to_string_lossy().contains(filter)) {
+        let mut assets = Assets::default();
+        let (mut setup, _) = open(file, None, &mut assets).unwrap_or_else(|problems| panic!("{problems:?}"));
+        let mut plans = Vec::new();
+        for tier in [Tier::Exact, Tier::Balanced, Tier::Fast] {
+            // No frame is seen from where the one before it was, or passes would be left out because nothing changed.
+            for _ in 0..2 {
+                setup.looks.iter_mut().for_each(|worn| worn.look.tier = tier);
+                setup.scene.camera.target = [0.002 * plans.len() as f64, 0.0, 0.0];
+                let options = PlanOptions { size: [800, 600], samples: 1, time: 0.0 };
+                let plan = Planner::default().plan(&setup, Library::built_in(), &Live::Keyed, &options);
+                plans.push(plan.unwrap_or_else(|problems| panic!("{problems:?}")));
+            }
+        }
+        let mut times = [const { Vec::new() }; 3];
+        for round in 0..ROUNDS + 3 {
+            for (tier, times) in times.iter_mut().enumerate() {
+                let time = frame_time(&mut renderer, &plans[2 * tier + round % 2]);
+                if round >= 3 {
+                    times.push(time);
+                }
+            }
+        }
+        let ratio = |tier: usize| {
+            let mut ratios: Vec<f64> = times[tier].iter().zip(&times[0]).map(|(own, exact)| own / exact).collect();
+            let (ratio, low, high) = median(&mut ratios);
+            format!("{ratio:.3} ({low:.3} to {high:.3})")
+        };
+        let of = [ratio(1), ratio(2)];
+        let milliseconds = times.map(|mut times| median(&mut times).0);
+        let name = file.file_stem().unwrap_or_default().to_string_lossy();
+        let [exact, balanced, fast] = milliseconds;
+        println!("| {name} | {exact:.2} ms | {balanced:.2} ms | {} | {fast:.2} ms | {} |", of[0], of[1]);
+    }
+}
+
 /// As `Gpu::headless`, with 16-bit numbers where the adapter has them.
 fn gpu() -> Gpu {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
@@ -223,6 +349,9 @@ fn main() {
     let mut files: Vec<PathBuf> =
         std::fs::read_dir(folder).expect("the folder").map(|entry| entry.expect("an entry").path()).collect();
     files.sort();
+    if let Some(filter) = filter.strip_prefix("looks") {
+        return looks(filter.trim_start_matches('/'));
+    }
     for file in files.iter().filter(|file| file.to_string_lossy().contains(&filter)) {
         run(&bench, file);
     }

@@ -25,3 +25,14 @@ fn hard(n: vec3f, l: vec3f, s: f32) -> f32 {
     let count = 4.0 + f32(repeats.y);
     return min(floor(count * clamp(bounded(n.x), 0.0, 1.0)), count - 1.0) / (count - 1.0);
 }
+
+fn kept_balanced(n: vec3f, l: vec3f, s: f32) -> f32 {
+    let count = 4.0 + f32(repeats.y);
+    let tone = clamp(bounded(n.x), 0.0, 1.0);
+    return stairs_quick(count * tone, count, edge_width(count * footprint_by_sum(tone), 0.0)) / (count - 1.0);
+}
+
+fn kept_fast(n: vec3f, l: vec3f, s: f32) -> f32 {
+    let count = 4.0 + f32(repeats.y);
+    return stairs_quick(count * clamp(bounded(n.x), 0.0, 1.0), count, edge_width(0.0, 0.0)) / (count - 1.0);
+}

@@ -73,3 +73,8 @@ fn cheaper_hash(n: vec3f, l: vec3f, s: f32) -> f32 {
     }
     return sum / 1.875;
 }
+
+fn kept_fast(n: vec3f, l: vec3f, s: f32) -> f32 {
+    let p = place(n, s);
+    return fractal_noise_short(NOISE_PERLIN, p, 4 + i32(repeats.y), 0.5, 1, footprint_of_vec3(p));
+}

@@ -19,12 +19,6 @@ fn exact(n: vec3f, l: vec3f, s: f32) -> f32 {
     return profile_filtered(warped, angle_footprint(warped), shape_here());
 }
 
-/// log2(1 - y) by the series near 0, else by the hardware.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5 + y * (0.33333334 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 1e-30)), series, y < 0.0625);
-}
-
 fn power_series(q: f32, exponent: f32) -> f32 {
     return select(clamp(exp2(max(exponent * log2_one_minus(q * q), -126.0)), 0.0, 1.0), 0.0, q >= 1.0);
 }
@@ -182,4 +176,13 @@ fn table_of_64(n: vec3f, l: vec3f, s: f32) -> f32 {
     let i = u32(at);
     let j = min(i + 1u, 63u);
     return mix(table[i / 4u][i % 4u], table[j / 4u][j % 4u], at - f32(i));
+}
+
+fn kept_balanced(n: vec3f, l: vec3f, s: f32) -> f32 {
+    let warped = angle_turned(angle_here(n), sin_cos_quick(0.5 * clamp(s, -PI, PI)));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape_here());
+}
+
+fn kept_fast(n: vec3f, l: vec3f, s: f32) -> f32 {
+    return profile_ramped(angle_turned(angle_here(n), sin_cos_short(0.5 * clamp(s, -PI, PI))), shape_here());
 }

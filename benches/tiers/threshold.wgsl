@@ -23,3 +23,12 @@ fn width_by_sum_total(n: vec3f, l: vec3f, s: f32) -> f32 {
 fn hard(n: vec3f, l: vec3f, s: f32) -> f32 {
     return select(0.0, 1.0, n.x >= 0.3 * s);
 }
+
+fn kept_balanced(n: vec3f, l: vec3f, s: f32) -> f32 {
+    let x = bounded(n.x);
+    return step_quick(x, bounded(0.3 * s), edge_width(footprint_by_sum(x), 0.0));
+}
+
+fn kept_fast(n: vec3f, l: vec3f, s: f32) -> f32 {
+    return step_quick(bounded(n.x), bounded(0.3 * s), edge_width(0.0, 0.0));
+}

@@ -43,3 +43,11 @@ fn without_series(n: vec3f, l: vec3f, s: f32) -> f32 {
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
 }
+
+fn kept_balanced(n: vec3f, l: vec3f, s: f32) -> f32 {
+    return curvature_signed_balanced(n.x * 60.0, 0.05 + s * 0.01);
+}
+
+fn kept_fast(n: vec3f, l: vec3f, s: f32) -> f32 {
+    return curvature_signed_fast(n.x * 60.0, 0.05 + s * 0.01);
+}

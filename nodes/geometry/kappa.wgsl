@@ -9,6 +9,8 @@ import chiaro::curvature;
 ///   Surface sees the mesh alone; Detail sees the normal that the Output is given, with its normal and bump maps.
 /// @param kappa from=kappa hidden
 /// @param kappa_detail from=kappa_detail hidden
+/// @error fast 0.1 : of the curvature itself, for the surface where it is smooth, of triangles of a pixel or so, and not
+///   seen edge-on; large triangles and creases show, and no pass is needed
 /// @return kappa "Curvature" : In 1/viewport-height, convex positive, within 10,000.
 fn kappa_surface(kappa: f32) -> f32 {
     return kappa_safe(kappa);

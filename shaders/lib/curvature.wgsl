@@ -40,3 +40,18 @@ fn curvature_signed_fast(kappa: f32, slope: f32) -> f32 {
     let y = a * a;
     return clamp(a * (945.0 + y * (105.0 + y)) / (945.0 + y * (420.0 + y * 15.0)), -1.0, 1.0);
 }
+
+/// kappa from how the normal changes between the pixels of a quad (math.md 3), in 1/viewport-height: half the
+/// divergence of n.xy / n.z, for a normal and a position in camera axes. `perspective` is 1 or 0; `scale` is half of
+/// the viewport's height over what it spans at depth 1 (at every depth without perspective). Call it in uniform control
+/// flow.
+fn curvature_on_screen(normal: vec3f, position: vec3f, perspective: f32, scale: f32) -> f32 {
+    // As in the curvature pass, rims do not all become convex.
+    let slope = normal.xy / max(normal.z, 0.2);
+    let place = position.xy / mix(1.0, max(-position.z, 1e-20), perspective);
+    // The place's own derivatives tell the pixel's size, and which way the rows run.
+    let x = dpdx(vec2f(slope.x, place.x));
+    let y = dpdy(vec2f(slope.y, place.y));
+    let divergence = x.x / select(x.y, 1e30, x.y == 0.0) + y.x / select(y.y, 1e30, y.y == 0.0);
+    return kappa_safe(divergence / scale);
+}

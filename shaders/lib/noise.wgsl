@@ -171,18 +171,16 @@ const LEAST_OCTAVE: f32 = 0.075;
 fn fractal_noise_short(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w: f32) -> f32 {
     let mean = select(0.5, WORLEY_MEAN, kind == NOISE_WORLEY);
     let gain = clamp(bounded(roughness), 0.0, 1.0);
+    // How many octaves to run is known before the first, because not every GPU skips what a branch leaves out.
+    var kept = 0;
+    var kept_total = 0.0;
     var total = 0.0;
     var strength = 1.0;
-    var kept = 0;
     for (var i = 0; i < clamp(octaves, 1, 8); i++) {
-        kept = select(kept, i + 1, kept == i && strength >= LEAST_OCTAVE * total);
+        let is_kept = strength >= LEAST_OCTAVE * total;
+        kept += select(0, 1, is_kept);
+        kept_total += select(0.0, strength, is_kept);
         total += strength;
-        strength *= gain;
-    }
-    var kept_total = 0.0;
-    strength = 1.0;
-    for (var i = 0; i < kept; i++) {
-        kept_total += strength;
         strength *= gain;
     }
     return clamp(mix(mean, fractal_noise(kind, p, kept, roughness, seed, w), kept_total / total), 0.0, 1.0);

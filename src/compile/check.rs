@@ -651,7 +651,8 @@ impl<'a> Typer<'a> {
             (Some(value), _) => value.clone(),
             (None, Fallback::Value(value)) => value.clone(),
             (None, Fallback::Context(context)) => {
-                return Some((TypedSource::Context(*context), Type::from_wgsl(context.wgsl_type())));
+                let context = context.at_tier(flat.tier);
+                return Some((TypedSource::Context(context), Type::from_wgsl(context.wgsl_type())));
             }
             (None, Fallback::Same(other)) => self.value_of_other(flat, other, ty),
             (None, Fallback::Wire) => {

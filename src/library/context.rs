@@ -1,5 +1,7 @@
 //! What a node may ask of its surroundings: the surface, the camera, the clock and the lights.
 
+use crate::document::Tier;
+
 /// When a value is known.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -42,6 +44,8 @@ pub enum Context {
     Depth,
     /// Signed curvature of the surface in 1/viewport-height, convex positive.
     Kappa,
+    /// The same from the derivatives of the fragment's normal, without any pass before.
+    KappaFast,
     /// The same, of the normal that the Output node is given.
     KappaDetail,
     /// The rotation from world to camera axes.
@@ -139,6 +143,13 @@ const TABLE: &[Row] = &[
         "signed curvature of the surface in 1/viewport-height, convex positive",
     ),
     (
+        Context::KappaFast,
+        "kappa_fast",
+        "f32",
+        Rate::Fragment,
+        "the same from the normals of neighbouring pixels alone, without a pass of its own; triangles show in it",
+    ),
+    (
         Context::KappaDetail,
         "kappa_detail",
         "f32",
@@ -200,6 +211,14 @@ impl Context {
     /// The context that a node file's `from=` names.
     pub fn from_word(word: &str) -> Option<Self> {
         TABLE.iter().find(|row| row.1 == word).map(|row| row.0)
+    }
+
+    /// What stands for it in a node of this tier.
+    pub fn at_tier(self, tier: Tier) -> Self {
+        match (self, tier) {
+            (Self::Kappa, Tier::Fast) => Self::KappaFast,
+            _ => self,
+        }
     }
 
     fn row(self) -> &'static Row {

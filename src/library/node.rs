@@ -236,9 +236,15 @@ pub struct Preset {
 }
 
 impl NodeDef {
-    /// Its tiers, the exact one first.
+    /// Its tiers, the exact one first: those that its functions are for, and those that its surroundings have.
     pub fn tiers(&self) -> Vec<Tier> {
         let mut tiers: Vec<Tier> = self.variants.iter().map(|variant| variant.tier).collect();
+        for input in &self.inputs {
+            if let Fallback::Context(context) = &input.fallback {
+                let is_cheaper = |tier: &Tier| context.at_tier(*tier) != *context;
+                tiers.extend([Tier::Balanced, Tier::Fast].into_iter().filter(is_cheaper));
+            }
+        }
         tiers.sort_unstable();
         tiers.dedup();
         tiers

@@ -85,7 +85,7 @@ impl super::Needs {
         let mut attributes = vec![Attribute::Position];
         for context in &self.contexts {
             match context {
-                Context::Normal => attributes.push(Attribute::Normal),
+                Context::Normal | Context::KappaFast => attributes.push(Attribute::Normal),
                 Context::Tangent | Context::Bitangent => attributes.extend([Attribute::Normal, Attribute::Tangent]),
                 Context::Uv => attributes.push(Attribute::Uv),
                 Context::VertexColor => attributes.push(Attribute::Color),
@@ -131,6 +131,7 @@ impl Emitter<'_> {
             "angle_radians" => is_mesh && self.special.values[self.special.root].ty == Type::Angle,
             "finite_vec4" => is_mesh,
             "display_from_linear" => self.encodes(),
+            "curvature_on_screen" => self.options.stage == Stage::Draw && self.needs.context(Context::KappaFast),
             "linear_from_display" => is_mesh && self.graph.color_space == ColorSpace::Linear,
             _ => false,
         }
@@ -273,7 +274,7 @@ impl Emitter<'_> {
     /// Name, type and value of each varying.
     fn varyings(&self, attributes: &[Attribute]) -> Vec<(&'static str, &'static str, &'static str)> {
         let mut varyings = Vec::new();
-        let position = [Context::Position, Context::PositionCamera, Context::View, Context::Depth];
+        let position = [Context::Position, Context::PositionCamera, Context::View, Context::Depth, Context::KappaFast];
         if self.options.stage.is_normals() || position.iter().any(|&context| self.needs.context(context)) {
             varyings.push(("position", "vec3f", "world.xyz"));
         }
@@ -308,8 +309,10 @@ impl Emitter<'_> {
             );
         }
         let result = if is_normals { "Fragment" } else { "@location(0) vec4f" };
-        let uses_front =
-            self.needs.contexts.iter().any(|c| matches!(c, Context::Normal | Context::Tangent | Context::Bitangent));
+        let uses_front = self.needs.contexts.iter().any(|c| {
+            matches!(c, Context::Normal | Context::Tangent | Context::Bitangent)
+                || (*c == Context::KappaFast && !is_normals)
+        });
         let front = if uses_front { ", @builtin(front_facing) is_front: bool" } else { "" };
         let _ = write!(self.out, "\n@fragment\nfn fs_main(in: Varyings{front}) -> {result} {{\n");
         if uses_front {
@@ -393,7 +396,7 @@ impl Emitter<'_> {
 fn surface_value(context: Context, stage: Stage) -> &'static str {
     match context {
         // An alpha cutoff may depend on a colour that curvature tints; before the curvature pass everything is flat.
-        Context::Kappa | Context::KappaDetail if stage.is_normals() => "0.0",
+        Context::Kappa | Context::KappaFast | Context::KappaDetail if stage.is_normals() => "0.0",
         Context::Normal => "normal",
         Context::View => {
             "normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, vec3f(0.0, 0.0, 1.0)))"
@@ -409,6 +412,11 @@ fn surface_value(context: Context, stage: Stage) -> &'static str {
         }
         Context::Depth => "-(view.camera_from_world * vec4f(in.position, 1.0)).z",
         Context::Kappa => "textureLoad(curvature_map, vec2i(in.clip.xy), 0).x",
+        Context::KappaFast => {
+            "curvature_on_screen((view.camera_from_world * vec4f(normal, 0.0)).xyz, \
+             (view.camera_from_world * vec4f(in.position, 1.0)).xyz, view.eye.w, \
+             length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)))"
+        }
         Context::KappaDetail => "textureLoad(curvature_detail_map, vec2i(in.clip.xy), 0).x",
         // Known before the fragment.
         Context::CameraFromWorld

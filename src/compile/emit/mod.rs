@@ -176,13 +176,13 @@ impl<'a> Emitter<'a> {
         let roots = self.roots();
         self.order_calls(&roots);
         let reached = reachable(&self.special.values, roots.iter().copied());
+        self.plan_contexts(&reached);
         self.want_items(&reached);
         for name in frame::RESERVED {
             self.names.reserve(name);
         }
         let items = std::mem::take(&mut self.items);
         self.collected = items.collect(&mut self.names);
-        self.plan_contexts(&reached);
         self.plan_host(&roots);
         self.name_constants();
         for id in self.calls.clone() {
@@ -221,9 +221,15 @@ impl<'a> Emitter<'a> {
             }
         }
         let Some(built_in) = built_in else { return };
-        for name in
-            ["normalize_or", "straight", "angle_radians", "finite_vec4", "display_from_linear", "linear_from_display"]
-        {
+        for name in [
+            "normalize_or",
+            "straight",
+            "angle_radians",
+            "finite_vec4",
+            "display_from_linear",
+            "linear_from_display",
+            "curvature_on_screen",
+        ] {
             if self.frame_uses(name) {
                 self.items.want(&built_in, name);
             }
