@@ -124,9 +124,9 @@ mod tests {
         for corner in polygon.corners() {
             assert!(corner.clip[2] >= -1e-12 && corner.clip[3] > 0.0, "{corner:?}");
             assert!((corner.weights.iter().sum::<f64>() - 1.0).abs() < 1e-12);
-            for i in 0..4 {
+            for (i, exact) in corner.clip.iter().enumerate() {
                 let mixed: f64 = (0..3).map(|k| corner.weights[k] * clip[k][i]).sum();
-                assert!((mixed - corner.clip[i]).abs() < 1e-12);
+                assert!((mixed - exact).abs() < 1e-12);
             }
         }
     }
