@@ -38,7 +38,7 @@ fn object(number: usize, mesh: &Arc<Mesh>, look: usize, matrix: DMat4) -> SetupO
 }
 
 fn one(look: SetupLook, mesh: &Arc<Mesh>) -> Setup {
-    Setup { scene: Scene::default(), looks: vec![look], objects: vec![object(0, mesh, 0, DMat4::IDENTITY)] }
+    Setup { looks: vec![look], objects: vec![object(0, mesh, 0, DMat4::IDENTITY)], ..Setup::default() }
 }
 
 fn plan(planner: &mut Planner, setup: &Setup, live: &Live) -> FramePlan {

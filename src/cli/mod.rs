@@ -15,6 +15,7 @@ mod new;
 mod nodes;
 mod open;
 mod output;
+mod probe;
 mod render;
 #[cfg(feature = "gpu")]
 mod samples;
@@ -80,6 +81,8 @@ enum Command {
     /// Pick the cheapest tiers under a stated error, or the most accurate within a stated time
     #[cfg(feature = "gpu")]
     Tune(tune::Arguments),
+    /// Tell the value on every wire at one pixel, f32 beside f64
+    Probe(probe::Arguments),
     /// Write a look as shaders for other programs
     Export(export::Arguments),
 }
@@ -132,6 +135,7 @@ pub fn run() -> Outcome {
         Command::Bench(arguments) => bench::run(arguments, &output),
         #[cfg(feature = "gpu")]
         Command::Tune(arguments) => tune::run(arguments, &output),
+        Command::Probe(arguments) => probe::run(arguments, &output),
         Command::Export(arguments) => export::run(arguments, &output),
     };
     Outcome::Done(match result {

@@ -17,7 +17,7 @@ pub(super) const LANGUAGE: Language = Language {
     write,
 };
 
-/// A module as SPIR-V words, as [`LANGUAGE`] writes them but for the bindings' numbers.
+/// A module as SPIR-V words, as the export writes them but for the bindings' numbers.
 ///
 /// # Errors
 /// What SPIR-V cannot express.

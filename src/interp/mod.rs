@@ -52,6 +52,7 @@ mod lanes;
 mod machine;
 mod math;
 mod memory;
+mod observed;
 mod port;
 mod resources;
 mod shape;
@@ -63,6 +64,7 @@ mod tests;
 
 pub use lanes::{Batch, LANES, Lanes};
 pub use machine::Machine;
+pub use observed::Observed;
 pub use port::Port;
 pub use resources::{
     Address, Bindings, Bound, Filter, Level, Resource, ResourceKind, Sampler, SamplerCompare, Texel, Texture,
@@ -105,13 +107,21 @@ pub struct Options<'s> {
     /// The text that the module was read from. From there literals are read at f64, which naga has rounded to f32;
     /// [`Precision::F32`] has naga's.
     pub source: Option<&'s str>,
+    /// Whether values that the source names can be read after a run.
+    pub observe: bool,
     /// The number of instructions after which a call is given up as endless; one that copies counts for each scalar.
     pub step_limit: u64,
 }
 
 impl Default for Options<'_> {
     fn default() -> Self {
-        Self { derivatives: Derivatives::default(), is_stage: false, source: None, step_limit: 10_000_000 }
+        Self {
+            derivatives: Derivatives::default(),
+            is_stage: false,
+            source: None,
+            observe: false,
+            step_limit: 10_000_000,
+        }
     }
 }
 
@@ -147,6 +157,7 @@ pub struct Program {
     bound_slots: Vec<(u32, resources::Source)>,
     resources: Vec<Resource>,
     operations: Vec<image::Operation>,
+    observed: Vec<Observed>,
     entry: u32,
     parameters: Vec<Parameter>,
     inputs: Vec<Port>,

@@ -87,7 +87,8 @@ pub fn execute(
         let control = Control { cancel: control.cancel, progress: &progress };
         match &pass.kind {
             kind @ (PassKind::Normals | PassKind::DetailNormals) => {
-                let drawn = draw(plan, kind, &images, shaders, options, &control)?.texels;
+                let around = options.widened(plan.view.curvature_reach() as u32 + 2);
+                let drawn = draw(plan, kind, &images, shaders, &around, &control)?.texels;
                 let made = images.of(kind);
                 (made.normals, made.depths) = (Some(drawn.channels(0..4)), Some(drawn.channels(4..5)));
             }
@@ -95,7 +96,7 @@ pub fn execute(
                 let made = images.of(kind);
                 let (Some(normals), Some(depths)) = (&made.normals, &made.depths) else { return Err(misplaced(kind)) };
                 let shader = shaders.curvature(plan, normals, depths)?;
-                let curvature = shade_all(plan.size, 1, shader.as_ref(), options, &control)?;
+                let curvature = shade_all(plan.size, 1, shader.as_ref(), &options.widened(1), &control)?;
                 drop(shader);
                 made.curvature = Some(curvature);
             }

@@ -35,7 +35,7 @@ pub fn shade_all(
         pixels: Vec::new(),
     };
     pool::run(options.threads, grid.tiles(), control, state, |band, tile| {
-        let pixels = grid.pixels(tile);
+        let Some(pixels) = options.wanted(grid.pixels(tile)) else { return Ok(()) };
         for y in (pixels.begin[1]..pixels.end[1]).step_by(2) {
             for x in (pixels.begin[0]..pixels.end[0]).step_by(2) {
                 band.push([x, y], size, control)?;

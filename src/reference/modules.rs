@@ -5,6 +5,7 @@ use std::collections::hash_map::Entry;
 use std::sync::Arc;
 
 use super::executor::{PassImages, Shaders, SurfaceImages};
+use super::probe::Watch;
 use super::shader::{FragmentStage, Interpolation, LANES, QuadBatch, Shaded, Shader, Varying, VertexStage};
 use super::texels::Texels;
 use super::uniform;
@@ -25,8 +26,8 @@ struct Stages {
 }
 
 impl Stages {
-    fn compile(valid: &Valid, source: &str) -> Result<Self, Diagnostic> {
-        let options = interp::Options::stage(source);
+    fn compile(valid: &Valid, source: &str, observe: bool) -> Result<Self, Diagnostic> {
+        let options = interp::Options { observe, ..interp::Options::stage(source) };
         let stage = |name| Program::compile(&valid.module, name, options);
         Ok(Self { vertex: stage("vs_main")?, fragment: stage("fs_main")? })
     }
@@ -39,6 +40,8 @@ pub struct Modules {
     looks: HashMap<*const CompiledShader, Stages>,
     curvature: Option<Stages>,
     images: HashMap<(u64, bool), Texture>,
+    /// What the fragments of looks are watched for.
+    watch: Option<Watch>,
 }
 
 impl Modules {
@@ -47,7 +50,19 @@ impl Modules {
     /// # Errors
     /// What the interpreter cannot run, with its place in the source.
     pub fn new(plan: &FramePlan, precision: Precision) -> Result<Self, Diagnostic> {
-        let mut modules = Self { precision, looks: HashMap::new(), curvature: None, images: HashMap::new() };
+        Self::with(plan, precision, None)
+    }
+
+    /// The same, watching one pixel: see [`probe`](super::probe).
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub(super) fn watching(plan: &FramePlan, precision: Precision, watch: Watch) -> Result<Self, Diagnostic> {
+        Self::with(plan, precision, Some(watch))
+    }
+
+    fn with(plan: &FramePlan, precision: Precision, watch: Option<Watch>) -> Result<Self, Diagnostic> {
+        let mut modules = Self { precision, looks: HashMap::new(), curvature: None, images: HashMap::new(), watch };
         for draw in &plan.draws {
             for shader in std::iter::once(&draw.look).chain(draw.normals.values()) {
                 modules.add(shader)?;
@@ -69,9 +84,14 @@ impl Modules {
         Ok(modules)
     }
 
+    /// What was watched for.
+    pub(super) fn into_found(self) -> Option<super::probe::Probed> {
+        self.watch.and_then(Watch::into_found)
+    }
+
     fn add(&mut self, shader: &Arc<CompiledShader>) -> Result<(), Diagnostic> {
         if let Entry::Vacant(place) = self.looks.entry(Arc::as_ptr(shader)) {
-            place.insert(Stages::compile(&shader.valid, &shader.wgsl)?);
+            place.insert(Stages::compile(&shader.valid, &shader.wgsl, self.watch.is_some())?);
         }
         Ok(())
     }
@@ -89,7 +109,7 @@ fn missing(what: &str) -> Diagnostic {
 fn curvature() -> Result<Stages, Diagnostic> {
     let source = PASSES.iter().find(|(path, _)| path.ends_with("/curvature.wgsl")).map_or("", |(_, text)| text);
     let refused = |error: wgsl::WgslError| Diagnostic::error("invalid-wgsl", error.message);
-    Stages::compile(&wgsl::parse(source).map_err(refused)?, source)
+    Stages::compile(&wgsl::parse(source).map_err(refused)?, source, false)
 }
 
 impl Shaders for Modules {
@@ -131,7 +151,10 @@ impl Shaders for Modules {
                 BindingKind::Samples => {}
             }
         }
-        Ok(Box::new(Bindable::new(stages, &bindings, self.precision, Some(&draw.mesh))?))
+        let mut bindable = Bindable::new(stages, &bindings, self.precision, Some(&draw.mesh))?;
+        let place = plan.draws.iter().position(|other| std::ptr::eq(other, draw));
+        bindable.watch = self.watch.as_ref().zip(place).filter(|_| stage == Stage::Draw);
+        Ok(Box::new(bindable))
     }
 
     fn curvature<'a>(
@@ -204,6 +227,8 @@ struct Bindable<'a> {
     fragment: Bound<'a>,
     varyings: Vec<Varying>,
     mesh: Option<&'a Mesh>,
+    /// With the number of the draw.
+    watch: Option<(&'a Watch, usize)>,
 }
 
 impl<'a> Bindable<'a> {
@@ -222,6 +247,7 @@ impl<'a> Bindable<'a> {
             fragment: bind(&stages.fragment)?,
             varyings: varyings.collect(),
             mesh: mesh.map(Arc::as_ref),
+            watch: None,
         })
     }
 }
@@ -340,6 +366,9 @@ impl FragmentStage for Fragments<'_> {
         }
         let ran = lanes.run(count)?;
         out.discarded |= ran.discarded;
+        if let Some((watch, draw)) = self.shader.watch {
+            watch.look(batch, out.discarded, draw, lanes, program);
+        }
         let components = by_location(program.outputs());
         let components = components.into_iter().flat_map(|port| (0..port.size).map(move |component| (port, component)));
         for (channel, (port, component)) in components.enumerate().take(out.channels()) {

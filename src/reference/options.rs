@@ -3,6 +3,7 @@
 use std::fmt;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use super::coverage::Pixels;
 use crate::diag::Diagnostic;
 
 /// The grid that screen positions are rounded to before coverage is decided.
@@ -38,6 +39,9 @@ pub struct Options {
     pub threads: usize,
     /// The side of the squares that threads take, in pixels: even, 2 to 512.
     pub tile: u32,
+    /// The pixels that are wanted, left, top, right and bottom, the last two outside; all of them without it. What the
+    /// passes before the look must know around them is made too; the rest stays empty.
+    pub region: Option<[u32; 4]>,
     /// Bytes of triangle lists, and of vertices, after which what is there is drawn before more is gathered.
     pub budget: usize,
 }
@@ -45,11 +49,33 @@ pub struct Options {
 impl Default for Options {
     fn default() -> Self {
         let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-        Self { snap: Snap::default(), threads, tile: 64, budget: 256 << 20 }
+        Self { snap: Snap::default(), threads, tile: 64, region: None, budget: 256 << 20 }
     }
 }
 
 impl Options {
+    /// The same with a region that is wider by so many pixels on all sides.
+    pub(super) fn widened(&self, pixels: u32) -> Self {
+        let wider = |[left, top, right, bottom]: [u32; 4]| {
+            [
+                left.saturating_sub(pixels),
+                top.saturating_sub(pixels),
+                right.saturating_add(pixels),
+                bottom.saturating_add(pixels),
+            ]
+        };
+        Self { region: self.region.map(wider), ..*self }
+    }
+
+    /// Of some pixels those that are wanted.
+    pub(super) fn wanted(&self, pixels: Pixels) -> Option<Pixels> {
+        let Some([left, top, right, bottom]) = self.region else { return Some(pixels) };
+        // Quads are whole.
+        let least = [left, top].map(|side| i64::from(side & !1));
+        let most = [right, bottom].map(|side| i64::from(side.next_multiple_of(2)) - 1);
+        pixels.and(least, most)
+    }
+
     pub(super) fn tile(&self) -> u32 {
         self.tile.clamp(2, 512).next_multiple_of(2)
     }

@@ -199,7 +199,8 @@ impl<'a> Work<'a> {
         let (clip, varyings) = geometry.triangle(number);
         let fan = self.grid.screen.triangles(clip, geometry.triangles.sides);
         let Some([least, most]) = fan.pixels(bits) else { return Ok(()) };
-        let Some(pixels) = tile.pixels().and(least, most) else { return Ok(()) };
+        let pixels = tile.pixels().and(least, most).and_then(|pixels| self.options.wanted(pixels));
+        let Some(pixels) = pixels else { return Ok(()) };
         for triangle in fan.triangles() {
             let surface = Surface::new(&triangle, bits);
             Edges::new(&triangle, bits, self.samples).quads(pixels, |x, y, covered| {

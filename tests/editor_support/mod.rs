@@ -50,11 +50,15 @@ impl Hand {
 
     /// Runs until everything is compiled and shown.
     pub(crate) fn settle(&mut self) {
+        // What a thread has just finished is taken in the frame after; so twice must be quiet.
+        let mut quiet = 0;
         for _ in 0..20 {
             self.harness.run_ok();
             let was_busy = self.app().is_busy();
             self.app().wait();
-            if !was_busy && self.repaint_delay() > std::time::Duration::from_secs(60) {
+            let is_quiet = !was_busy && self.repaint_delay() > std::time::Duration::from_secs(60);
+            quiet = if is_quiet { quiet + 1 } else { 0 };
+            if quiet == 2 {
                 return;
             }
         }

@@ -7,6 +7,7 @@ use naga::{Expression, Handle};
 
 use super::Outcome;
 use crate::diag::Diagnostic;
+use crate::interp::Observed;
 use crate::interp::image::Operation;
 use crate::interp::instruction::{Instruction, Slot, Switch, Target};
 use crate::interp::resources::Source;
@@ -38,6 +39,8 @@ pub(super) struct Assembler {
     pub(super) globals: HashMap<Handle<Expression>, Rc<[Slot]>>,
     /// How many slots all lists of slots name together.
     listed: usize,
+    /// Values that the source names, where they are to be read.
+    pub(super) observed: Vec<Observed>,
     /// The instruction that each label stands before.
     labels: Vec<u32>,
 }
@@ -50,6 +53,7 @@ pub(super) struct Linked {
     pub(super) wide_constants: Vec<(Slot, u64)>,
     pub(super) bound_slots: Vec<(Slot, Source)>,
     pub(super) operations: Vec<Operation>,
+    pub(super) observed: Vec<Observed>,
     pub(super) entry: u32,
 }
 
@@ -69,6 +73,7 @@ impl Assembler {
             constant_runs: HashMap::new(),
             globals: HashMap::new(),
             listed: 0,
+            observed: Vec::new(),
             labels: Vec::new(),
         }
     }
@@ -190,7 +195,7 @@ impl Assembler {
 
     /// Resolves all labels.
     pub(super) fn link(self, entry: Target) -> Linked {
-        let Self { mut code, mut switches, image, labels, wide_slots, bound_slots, operations, .. } = self;
+        let Self { mut code, mut switches, image, labels, wide_slots, bound_slots, operations, observed, .. } = self;
         for instruction in &mut code {
             if let Instruction::Jump { target }
             | Instruction::JumpIf { target, .. }
@@ -211,7 +216,16 @@ impl Assembler {
         let mut bound_slots: Vec<(Slot, Source)> =
             bound_slots.into_iter().map(|(source, slot)| (slot, source)).collect();
         bound_slots.sort_unstable_by_key(|(slot, _)| *slot);
-        Linked { code, switches, image, wide_constants, bound_slots, operations, entry: labels[entry as usize] }
+        Linked {
+            code,
+            switches,
+            image,
+            wide_constants,
+            bound_slots,
+            operations,
+            observed,
+            entry: labels[entry as usize],
+        }
     }
 }
 

@@ -96,6 +96,7 @@ pub(super) fn compile(module: &Module, name: &str, options: Options<'_>) -> Outc
         bound_slots: linked.bound_slots,
         operations: linked.operations,
         resources: globals.resources,
+        observed: linked.observed,
         entry: linked.entry,
         inputs: ports::inputs(module, function, &parameters),
         outputs: ports::outputs(module, function, &result, frame.result),

@@ -1,14 +1,18 @@
 //! Statements: control flow, stores and calls.
 
 use naga::front::Typifier;
+use naga::proc::TypeResolution;
 use naga::{Block, Expression, Function, Handle, Span, Statement, SwitchCase, SwitchValue, TypeInner};
 
 use super::assembler::Assembler;
 use super::expressions::{Operand, Place};
+use super::layout::scalar_kind;
 use super::unsupported::statement_name;
 use super::{Context, Frame, Outcome};
 use crate::diag::Diagnostic;
+use crate::interp::Observed;
 use crate::interp::instruction::{Instruction, Slot, Switch, Target};
+use crate::interp::observed::kinds;
 
 /// Compiles one function.
 pub(super) struct FunctionCompiler<'a> {
@@ -121,7 +125,35 @@ impl<'a> FunctionCompiler<'a> {
                 }
             }
         }
+        if self.context.options.observe {
+            self.observe();
+        }
         Ok(())
+    }
+
+    /// Notes where the values lie that the source names.
+    fn observe(&mut self) {
+        for (&handle, name) in &self.function.named_expressions {
+            let Some(Operand::Value(slots)) = &self.operands[handle.index()] else { continue };
+            let mut found = Vec::new();
+            match &self.types[handle] {
+                TypeResolution::Handle(ty) => {
+                    if let Ok(shape) = self.context.layouts.shape(self.context.module, *ty) {
+                        kinds(&shape, &mut found);
+                    }
+                }
+                TypeResolution::Value(inner) => {
+                    let kind = inner.scalar().and_then(|scalar| scalar_kind(scalar).ok());
+                    found.extend(kind.into_iter().flat_map(|kind| std::iter::repeat_n(kind, slots.len())));
+                }
+            }
+            self.assembler.observed.push(Observed {
+                name: name.clone(),
+                function: self.function.name.clone().unwrap_or_default(),
+                span: self.function.expressions.get_span(handle).to_range().unwrap_or_default(),
+                slots: slots.iter().copied().zip(found).collect(),
+            });
+        }
     }
 
     /// Queues work; the first is done first.

@@ -53,7 +53,7 @@ const MAX_SLOTS: usize = 1 << 20;
 #[derive(Clone, Debug)]
 pub struct Lanes<'b> {
     bound: &'b Bound<'b>,
-    memory: Memory<LANES>,
+    pub(super) memory: Memory<LANES>,
 }
 
 /// What became of a batch.

@@ -1,0 +1,96 @@
+//! `chiaro probe`: the value on every wire at one pixel, f32 beside f64.
+
+use std::path::PathBuf;
+
+use serde_json::json;
+
+use super::open::{check_nodes_folder, library_for};
+use super::output::Output;
+use super::render::{Size, parse_time};
+use crate::compile::Live;
+use crate::diag::Diagnostic;
+use crate::frame::{Assets, PlanOptions, Planner, open};
+use crate::reference::{Control, Options, WireValue, probe_wires};
+
+const EXAMPLES: &str = "\
+Examples:
+  chiaro probe look.json --at 260,180
+  chiaro probe look.json --at 260,180 --size 512x512 --mesh shape:sphere
+  chiaro probe scene.json --at 40,60 --time 1.5 --json
+
+The look is run as it is written, nothing folded, by the reference: once with every operation rounded to f32, as a GPU
+computes, and once in f64. Rows are in the order of computing, so the first one marked `!` is where a broken pixel begins.";
+
+/// What `chiaro probe` is given.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// A look or a scene
+    document: PathBuf,
+    /// Column and row of the pixel, counted from 0 at the upper left
+    #[arg(long, value_parser = parse_pixel)]
+    at: [u32; 2],
+    /// A mesh or an own shape (shape:creature) in place of the document's
+    #[arg(short, long)]
+    mesh: Option<String>,
+    /// Width and height in pixels
+    #[arg(short, long, default_value = "800x800")]
+    size: Size,
+    /// The time in seconds
+    #[arg(long, default_value_t = 0.0, value_parser = parse_time, allow_negative_numbers = true)]
+    time: f64,
+    /// A folder of a project's own nodes; `nodes/` beside the document is found without it
+    #[arg(long)]
+    nodes: Option<PathBuf>,
+    /// Print the values as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+fn parse_pixel(text: &str) -> Result<[u32; 2], String> {
+    let sides = text.split_once(',').and_then(|(x, y)| Some([x.trim().parse().ok()?, y.trim().parse().ok()?]));
+    sides.ok_or_else(|| "write it as 260,180".to_owned())
+}
+
+pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+    check_nodes_folder(arguments.nodes.as_deref())?;
+    let library = library_for(&arguments.document, arguments.nodes.as_deref());
+    output.diagnostics(&library.problems);
+    let mut assets = Assets::default();
+    let (setup, warnings) = open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?;
+    output.diagnostics(&warnings);
+    let options = PlanOptions { size: arguments.size.0, samples: 1, time: arguments.time };
+    let plan = Planner::for_truth(assets).plan(&setup, &library, &Live::All, &options)?;
+    let wires = probe_wires(&plan, arguments.at, &Options::default(), &Control::none()).map_err(|one| vec![one])?;
+    let Some(wires) = wires else {
+        let message = format!("nothing is drawn at {},{}", arguments.at[0], arguments.at[1]);
+        return Err(vec![Diagnostic::error("nothing-there", message).hint("choose a pixel on an object")]);
+    };
+    if arguments.json {
+        let rows = wires.iter().map(|wire| {
+            json!({"node": wire.node.to_string(), "name": wire.name, "f32": wire.single, "f64": wire.double,
+                   "difference": wire.difference(), "finite": wire.is_finite()})
+        });
+        output.json(&rows.collect());
+    } else {
+        output.result(&table(&wires));
+    }
+    Ok(())
+}
+
+fn table(wires: &[WireValue]) -> String {
+    let numbers = |numbers: &[f64]| numbers.iter().map(|x| format!("{x:.7}")).collect::<Vec<_>>().join(" ");
+    let width = wires.iter().map(|wire| wire.node.to_string().len()).max().unwrap_or(0);
+    let lines = wires.iter().map(|wire| {
+        let mark = if wire.is_finite() { ' ' } else { '!' };
+        let node = wire.node.to_string();
+        let pad = " ".repeat(width + 3);
+        format!(
+            "{mark}{node:<width$}  {}\n{pad}{}  off by {:.1e}",
+            numbers(&wire.single),
+            numbers(&wire.double),
+            wire.difference()
+        )
+    });
+    lines.collect::<Vec<_>>().join("\n")
+}

@@ -1,0 +1,63 @@
+//! Values that a program names (`let`), readable after a run: every one keeps its slots, because none are shared.
+
+use std::ops::Range;
+
+use super::instruction::Slot;
+use super::{Lanes, Program, ScalarKind, Shape};
+
+/// A named value of some function of a program.
+///
+/// A function that is called several times keeps the values of its last call.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Observed {
+    /// What the source calls it.
+    pub name: String,
+    /// The function that it stands in.
+    pub function: String,
+    /// The expression that it names, in bytes of the source.
+    pub span: Range<usize>,
+    /// Its scalars, in order.
+    pub(super) slots: Vec<(Slot, ScalarKind)>,
+}
+
+impl Observed {
+    /// How many scalars it has.
+    pub fn len(&self) -> usize {
+        self.slots.len()
+    }
+
+    /// Whether it has none.
+    pub fn is_empty(&self) -> bool {
+        self.slots.is_empty()
+    }
+}
+
+impl Program {
+    /// Every named value; none unless it was compiled with [`Options::observe`](super::Options::observe).
+    pub fn observed(&self) -> &[Observed] {
+        &self.observed
+    }
+}
+
+impl Lanes<'_> {
+    /// What a named value was in one lane of the last run; bools are 0 or 1.
+    ///
+    /// # Panics
+    /// There is no such lane.
+    pub fn observe(&self, value: &Observed, lane: usize) -> Vec<f64> {
+        value.slots.iter().map(|&(slot, kind)| kind.read(self.memory.bits(slot, lane)).as_f64()).collect()
+    }
+}
+
+/// The kinds of all scalars of a shape, in order.
+pub(super) fn kinds(shape: &Shape, kinds_so_far: &mut Vec<ScalarKind>) {
+    match shape {
+        Shape::Scalar(kind) => kinds_so_far.push(*kind),
+        Shape::Vector { kind, size } => kinds_so_far.extend(std::iter::repeat_n(*kind, *size)),
+        Shape::Matrix { columns, rows } => {
+            kinds_so_far.extend(std::iter::repeat_n(ScalarKind::Float, columns * rows));
+        }
+        Shape::Array { element, count } => (0..*count).for_each(|_| kinds(element, kinds_so_far)),
+        Shape::Struct { members, .. } => members.iter().for_each(|(_, member)| kinds(member, kinds_so_far)),
+    }
+}

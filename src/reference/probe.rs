@@ -1,0 +1,156 @@
+//! One pixel in full: what every named value of a look was there.
+
+use std::ops::Range;
+use std::sync::{Mutex, PoisonError};
+
+use super::executor::execute;
+use super::modules::Modules;
+use super::options::{Control, Options};
+use super::shader::QuadBatch;
+use crate::diag::Diagnostic;
+use crate::frame::FramePlan;
+use crate::ids::NodePath;
+use crate::interp::{Lanes, Precision, Program};
+
+/// A value at the pixel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ProbedValue {
+    /// What the generated source calls it.
+    pub name: String,
+    /// Where the source computes it, in bytes.
+    pub span: Range<usize>,
+    /// Its scalars, in order; bools are 0 or 1.
+    pub numbers: Vec<f64>,
+}
+
+/// What the visible fragment of a pixel computed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Probed {
+    /// The draw, by its index in the plan.
+    pub draw: usize,
+    /// Depth from 0 (near) to 1 (far).
+    pub depth: f64,
+    /// In the order of computing.
+    pub values: Vec<ProbedValue>,
+}
+
+/// Waits for the fragments of a pixel, and keeps the nearest.
+#[derive(Debug)]
+pub(super) struct Watch {
+    pixel: [u32; 2],
+    found: Mutex<Option<Probed>>,
+}
+
+impl Watch {
+    /// Looks whether a batch that was just run has a fragment at the pixel that is nearer than any before.
+    pub(super) fn look(&self, batch: &QuadBatch, discarded: u64, draw: usize, lanes: &Lanes<'_>, program: &Program) {
+        let [x, y] = self.pixel.map(|side| f64::from(side) + 0.5);
+        let lives = batch.live() & !discarded;
+        let here = (0..batch.lanes())
+            .filter(|&lane| lives >> lane & 1 == 1)
+            .filter(|&lane| batch.position(0)[lane] == x && batch.position(1)[lane] == y);
+        for lane in here {
+            let depth = batch.position(2)[lane];
+            let mut found = self.found.lock().unwrap_or_else(PoisonError::into_inner);
+            if found.as_ref().is_some_and(|found| found.depth <= depth) {
+                continue;
+            }
+            let mut values: Vec<ProbedValue> = program
+                .observed()
+                .iter()
+                .map(|value| ProbedValue {
+                    name: value.name.clone(),
+                    span: value.span.clone(),
+                    numbers: lanes.observe(value, lane),
+                })
+                .collect();
+            // The source computes from top to bottom: functions stand before those that call them.
+            values.sort_by_key(|value| value.span.start);
+            *found = Some(Probed { draw, depth, values });
+        }
+    }
+}
+
+/// Runs what `plan` needs for one pixel, and tells what the visible fragment computed there; `None` where nothing is
+/// drawn. Functions that are called several times (those of the library) tell of their last call only.
+///
+/// # Errors
+/// As [`execute`], and `reference-plan` for a pixel outside of the picture.
+pub fn probe(
+    plan: &FramePlan,
+    pixel: [u32; 2],
+    precision: Precision,
+    options: &Options,
+    control: &Control<'_>,
+) -> Result<Option<Probed>, Diagnostic> {
+    if pixel[0] >= plan.size[0] || pixel[1] >= plan.size[1] {
+        let message = format!("there is no pixel {},{} in {}x{}", pixel[0], pixel[1], plan.size[0], plan.size[1]);
+        return Err(Diagnostic::error("reference-plan", message).hint("columns and rows are counted from 0"));
+    }
+    let modules = Modules::watching(plan, precision, Watch { pixel, found: Mutex::new(None) })?;
+    let [x, y] = pixel;
+    let options = Options { region: Some([x, y, x + 1, y + 1]), ..*options };
+    execute(plan, &modules, &options, control)?;
+    Ok(modules.into_found())
+}
+
+/// A node's value at a pixel, in both precisions.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WireValue {
+    /// The node that gives it.
+    pub node: NodePath,
+    /// What the generated source calls it.
+    pub name: String,
+    /// With every operation rounded to f32, as a GPU computes.
+    pub single: Vec<f64>,
+    /// The truth.
+    pub double: Vec<f64>,
+}
+
+impl WireValue {
+    /// The largest difference between the two; infinite where only one is finite.
+    pub fn difference(&self) -> f64 {
+        let pairs = self.single.iter().zip(&self.double);
+        pairs.map(|(a, b)| if a.to_bits() == b.to_bits() || a == b { 0.0 } else { (a - b).abs() }).fold(
+            0.0,
+            |most, x| {
+                if x.is_nan() { f64::INFINITY } else { most.max(x) }
+            },
+        )
+    }
+
+    /// Whether all of it is a number in f32.
+    pub fn is_finite(&self) -> bool {
+        self.single.iter().all(|x| x.is_finite())
+    }
+}
+
+/// Every node's value at a pixel, in the order of computing, f32 beside f64; `None` where nothing is drawn. The first
+/// that is [not finite](WireValue::is_finite) is where a broken pixel begins.
+///
+/// # Errors
+/// As [`probe`].
+pub fn probe_wires(
+    plan: &FramePlan,
+    pixel: [u32; 2],
+    options: &Options,
+    control: &Control<'_>,
+) -> Result<Option<Vec<WireValue>>, Diagnostic> {
+    let both = [Precision::F32, Precision::F64].map(|precision| probe(plan, pixel, precision, options, control));
+    let [single, double] = both;
+    let (Some(single), Some(double)) = (single?, double?) else { return Ok(None) };
+    let Some(draw) = plan.draws.get(double.draw) else { return Ok(None) };
+    let wires = double.values.into_iter().filter_map(|value| {
+        let node = draw.look.spans.node_at(value.span.start)?.clone();
+        let same = single.values.iter().find(|other| other.span == value.span && single.draw == double.draw)?;
+        Some(WireValue { node, name: value.name, single: same.numbers.clone(), double: value.numbers })
+    });
+    Ok(Some(wires.collect()))
+}
+
+impl Watch {
+    /// What was seen.
+    pub(super) fn into_found(self) -> Option<Probed> {
+        self.found.into_inner().unwrap_or_else(PoisonError::into_inner)
+    }
+}
