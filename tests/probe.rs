@@ -58,7 +58,10 @@ fn the_output_wire_is_the_pixel() {
         assert!(wires.iter().all(|wire| wire.difference() < 1e-4), "{wires:?}");
         assert!(wires.iter().any(|wire| wire.difference() > 0.0));
         let first = |node: &str| wires.iter().position(|wire| wire.node.to_string() == node);
-        assert!(first("base") < first("rim/blend") && first("rim/tone") < first("rim/blend"), "in the order of computing");
+        assert!(
+            first("base") < first("rim/blend") && first("rim/tone") < first("rim/blend"),
+            "in the order of computing"
+        );
     }
 }
 
