@@ -225,7 +225,7 @@ fn threads_tiles_and_memory_change_nothing() {
     let draws = [(&indices[0][..], &shaders[0]), (&indices[1][..], &shaders[1])];
     for samples in [1, 4] {
         let make = |threads, tile, budget| {
-            let options = Options { threads, tile, budget, snap: Snap::Subpixel(8) };
+            let options = Options { threads, tile, budget, snap: Snap::Subpixel(8), ..Options::default() };
             draw_all(size, samples, &Target::Picture([0.1, 0.2, 0.3, 1.0]), &draws, &options)
         };
         let first = make(1, 64, usize::MAX);
