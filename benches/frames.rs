@@ -1,0 +1,189 @@
+//! What a frame costs: every example look in the paper's own setting, how cost grows, and how far looks are from what
+//! the machine can do.
+//!
+//! `cargo bench --profile dev --no-default-features --features gpu --bench frames` prints GPU times (timestamps where there are any)
+//! as medians with their 95% confidence interval, measured in turns. docs/performance.md holds the figures. With
+//! arguments after `--` only the parts so named run: `looks`, `layers`, `lights`, `pixels`, `objects`.
+#![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
+
+use std::path::Path;
+
+use chiaro::accuracy::cost::{Series, alternate};
+use chiaro::accuracy::size::Sizes;
+use chiaro::accuracy::{Progress, Variant};
+use chiaro::compile::Live;
+use chiaro::document::{Look, Tier};
+use chiaro::frame::{Assets, FramePlan, PlanOptions, Planner, Setup, SetupLook, default_setup, open};
+use chiaro::library::Library;
+use chiaro::reference::{self, Control, Modules, execute};
+use chiaro::render::{Gpu, Renderer, block_on};
+use glam::{DMat4, DVec3};
+use serde_json::{Value as Json, json};
+
+/// The setting of the BADF paper.
+const PAPER: [u32; 2] = [1600, 1200];
+const TIERS: [Tier; 3] = [Tier::Exact, Tier::Balanced, Tier::Fast];
+
+fn plan(setup: &Setup, size: [u32; 2]) -> FramePlan {
+    let options = PlanOptions { size, samples: 1, time: 0.0 };
+    let planned = Planner::default().plan(setup, Library::built_in(), &Live::Keyed, &options);
+    planned.unwrap_or_else(|problems| panic!("{problems:?}"))
+}
+
+fn measure(renderer: &mut Renderer, plans: &[FramePlan], rounds: usize) -> Vec<Series> {
+    let mut on = |_, _| true;
+    alternate(renderer, &plans.iter().collect::<Vec<_>>(), rounds, &mut Progress::new(&mut on)).expect("it draws")
+}
+
+fn worn(json: &Json, mesh: &str) -> Setup {
+    let loaded = Look::read(&json.to_string(), "bench.json");
+    assert!(loaded.diagnostics.is_empty(), "{:?}", loaded.diagnostics);
+    let look = SetupLook { look: loaded.value.expect("a look"), source: loaded.source.into(), folder: "".into() };
+    default_setup(look, mesh, &mut Assets::default()).expect("a mesh").0
+}
+
+/// Layers over a base, each with a light of its own from one of `lights`.
+fn layers(count: usize, lights: usize, kind: &str) -> Json {
+    let mut nodes = vec![json!({"id": "base", "kind": "base", "values": {"color": [0.1, 0.1, 0.15]}})];
+    let mut wires = Vec::new();
+    let mut below = "base".to_owned();
+    let mut all = serde_json::Map::new();
+    for light in 0..lights {
+        let turn = light as f64 * 2.4;
+        let place = json!([2.0 * turn.sin(), 1.0, 2.0 * turn.cos()]);
+        all.insert(format!("l{light}"), json!({"type": kind, "direction": place, "position": place}));
+    }
+    for index in 0..count {
+        let id = format!("layer{index}");
+        let share = index as f64 / count as f64;
+        nodes.push(json!({"id": id, "kind": "light_layer", "values": {"light": format!("l{}", index % lights),
+            "offset": 0.1 + 0.2 * share, "falloff": 0.5 + 0.3 * share, "cutoff": 1.2 + 0.5 * share,
+            "convex": [0.2, 0.3 * share, 0.1], "blend": "add"}}));
+        wires.push(json!({"from": below, "to": format!("{id}.below")}));
+        below = id;
+    }
+    nodes.push(json!({"id": "output", "kind": "output"}));
+    wires.push(json!({"from": below, "to": "output.color"}));
+    json!({"lights": all, "nodes": nodes, "wires": wires})
+}
+
+fn told(series: &Series) -> String {
+    let time = series.estimate();
+    format!("{:9.2} ({:.2} to {:.2})", time.median, time.low, time.high)
+}
+
+/// Nanoseconds that one SPIR-V instruction takes in one fragment where nothing but arithmetic is done: a long chain of
+/// products and sums over all pixels of a quad.
+fn instruction_price(renderer: &mut Renderer) -> f64 {
+    let chain = |count: usize| {
+        let mut nodes = vec![json!({"id": "start", "kind": "facing"})];
+        let mut wires = Vec::new();
+        let mut from = "start".to_owned();
+        for index in 0..count {
+            let id = format!("n{index}");
+            let (kind, b) = if index % 2 == 0 { ("multiply", 0.75) } else { ("add", 0.125) };
+            nodes.push(json!({"id": id, "kind": kind, "values": {"b": b}}));
+            wires.push(json!({"from": from, "to": format!("{id}.a")}));
+            from = id;
+        }
+        nodes.push(json!({"id": "output", "kind": "output"}));
+        wires.push(json!({"from": from, "to": "output.color"}));
+        plan(&worn(&json!({"nodes": nodes, "wires": wires}), "shape:sphere"), [800, 800])
+    };
+    let plans = [chain(20), chain(420)];
+    let series = measure(renderer, &plans, 9);
+    let more = Sizes::of(&plans[1]).instructions - Sizes::of(&plans[0]).instructions;
+    series[1].over(&series[0]).median * 1e6 / (more as f64 * covered(&plans[0]))
+}
+
+/// How many pixels of a plan show an object.
+fn covered(plan: &FramePlan) -> f64 {
+    let modules = Modules::new(plan, chiaro::interp::Precision::F32).expect("it runs");
+    let picture = execute(plan, &modules, &reference::Options::default(), &Control::none()).expect("it draws");
+    picture.coverage.iter().filter(|pixel| pixel.draw.is_some()).count() as f64
+}
+
+fn looks(renderer: &mut Renderer) {
+    let price = instruction_price(renderer);
+    println!("\nExample looks on the creature at 1600x1200, one sample a pixel, ms a frame");
+    println!(
+        "(arithmetic alone: {price:.4} ns an instruction and fragment; `limit`: that times instructions and fragments)"
+    );
+    println!("{:<22} {:>28} {:>28} {:>28} {:>8} {:>8}", "look", "exact", "balanced", "fast", "limit", "MiB");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");
+    let mut files: Vec<_> = std::fs::read_dir(folder).expect("examples").flatten().map(|entry| entry.path()).collect();
+    files.retain(|path| path.extension().is_some_and(|extension| extension == "json"));
+    files.sort();
+    for file in files {
+        let (setup, _) = open(&file, None, &mut Assets::default()).unwrap_or_else(|problems| panic!("{problems:?}"));
+        let plans = TIERS.map(|tier| plan(&Variant::Looks(tier).of(&setup), PAPER));
+        let series = measure(renderer, &plans, 7);
+        let sizes = Sizes::of(&plans[0]);
+        // What is drawn in a quarter of the size covers a sixteenth of the pixels.
+        let fragments = 16.0 * covered(&plan(&setup, PAPER.map(|side| side / 4)));
+        let limit = price * 1e-6 * sizes.instructions as f64 * fragments;
+        let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let [exact, balanced, fast] = [0, 1, 2].map(|tier| told(&series[tier]));
+        let traffic = sizes.traffic as f64 / f64::from(1 << 20);
+        println!("{name:<22} {exact:>28} {balanced:>28} {fast:>28} {limit:>8.2} {traffic:>8.1}");
+    }
+}
+
+fn growth(renderer: &mut Renderer, what: &str, plans: &[(String, FramePlan)]) {
+    println!("\n{what}, ms a frame");
+    let (names, plans): (Vec<_>, Vec<_>) = plans.iter().cloned().unzip();
+    for (name, series) in names.iter().zip(measure(renderer, &plans, 7)) {
+        println!("{name:>12} {}", told(&series));
+    }
+}
+
+fn main() {
+    let mut renderer = Renderer::new(block_on(Gpu::headless()).expect("an adapter"));
+    let software = if renderer.gpu().is_software() { ", in software" } else { "" };
+    println!("{}{software}", renderer.gpu().name());
+    let asked: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
+    let wants = |part: &str| asked.is_empty() || asked.iter().any(|asked| asked == part);
+    if wants("looks") {
+        looks(&mut renderer);
+    }
+    let size = [640, 480];
+    let sphere = "shape:sphere";
+    if wants("layers") {
+        let of = |n: usize| (format!("{n} layers"), plan(&worn(&layers(n, 1, "directional"), sphere), size));
+        growth(&mut renderer, "Layers of one directional light, 640x480", &[1, 4, 16, 64, 256].map(of));
+    }
+    if wants("lights") {
+        let of = |n: usize| (format!("{n} lights"), plan(&worn(&layers(16, n, "point"), sphere), size));
+        growth(&mut renderer, "16 layers of so many point lights, 640x480", &[1, 2, 4, 8, 16].map(of));
+    }
+    if wants("pixels") {
+        let setup = worn(&layers(4, 1, "directional"), sphere);
+        let of = |side: u32| (format!("{side}x{side}"), plan(&setup, [side; 2]));
+        growth(&mut renderer, "4 layers at so many pixels", &[100, 200, 400, 800, 1600].map(of));
+    }
+    if wants("objects") {
+        let one = worn(&layers(4, 1, "directional"), sphere);
+        let of = |count: usize| {
+            let mut setup = one.clone();
+            let side = (count as f64).sqrt().ceil();
+            setup.objects = (0..count)
+                .map(|index| {
+                    let place =
+                        DVec3::new((index as f64 % side) + 0.5, (index as f64 / side).floor() + 0.5, 0.0) / side;
+                    let matrix = DMat4::from_translation(2.0 * place - DVec3::new(1.0, 1.0, 0.0))
+                        * DMat4::from_scale(DVec3::splat(1.0 / side));
+                    let mut object = one.objects[0].clone();
+                    object.id = format!("object{index}").as_str().into();
+                    object.world_from_object = matrix * object.world_from_object;
+                    object
+                })
+                .collect();
+            (format!("{count} objects"), plan(&setup, size))
+        };
+        growth(
+            &mut renderer,
+            "So many spheres of 4 layers that fill the same part of the picture, 640x480",
+            &[1, 4, 16, 64].map(of),
+        );
+    }
+}
