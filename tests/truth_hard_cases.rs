@@ -16,7 +16,7 @@ use chiaro::render::Picture;
 use glam::{DMat4, DVec2, DVec3, DVec4};
 use serde_json::{Value as Json, json};
 use support::badf::{self, alpha, angle, f32_of, held};
-use support::eval::{draw, eval, look, scene_of};
+use support::eval::{draw, eval, look, scene_of, truth};
 use support::random::Random;
 
 /// One function of the library, on the CPU.
@@ -116,6 +116,11 @@ fn check(cases: &[Case]) -> Vec<f64> {
             let bound = case.tolerance + more + turned;
             assert!(error <= bound, "GPU, {tier:?}: {} for {} at {}", tone[0], case.wanted, told());
         }
+    }
+    for (case, tone) in cases.iter().zip(truth(&look, "tone.tone", &samples)) {
+        let error = (tone[0] - case.wanted).abs();
+        let told = || format!("n {} l {} T {} {:?}", case.normal, case.light, case.shift, case.profile);
+        assert!(error <= case.tolerance, "whole look in f64: {} for {} at {}", tone[0], case.wanted, told());
     }
     for case in cases {
         let told = || format!("n {} l {} T {} {:?}", case.normal, case.light, case.shift, case.profile);

@@ -72,6 +72,26 @@ pub(crate) fn eval_with(
     answers
 }
 
+/// [`eval`] on the reference in f64, of the exact tier as it is written: nothing folded, every value in f64.
+pub(crate) fn truth(look: &SetupLook, output: &str, samples: &[EvalSample]) -> Vec<[f64; 4]> {
+    let options = Options { unspecialized: true, ..options(output) };
+    let batches = eval_batches(look, Library::built_in(), samples, &options, &mut Assets::default())
+        .unwrap_or_else(|problems| panic!("{}\n{}", told(&problems), look.look.to_text()));
+    let mut answers = vec![[f64::NAN; 4]; samples.len()];
+    for batch in &batches {
+        let values = chiaro::reference::evaluate(batch, chiaro::interp::Precision::F64)
+            .unwrap_or_else(|problem| panic!("{problem}\n{}", batch.shader.wgsl));
+        for (&index, value) in batch.indices.iter().zip(values) {
+            let [a, b, ..] = value;
+            answers[index] = match batch.shader.root_type {
+                Type::Angle => [2.0 * a.atan2(b), 0.0, 0.0, 0.0],
+                _ => value,
+            };
+        }
+    }
+    answers
+}
+
 /// A scene of one mesh as it is (not fitted) that wears `look`.
 pub(crate) fn scene(look: SetupLook, mesh: Mesh, scene: Scene) -> Setup {
     scene_of(vec![(look, mesh, glam::DMat4::IDENTITY)], scene)
