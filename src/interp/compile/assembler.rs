@@ -8,7 +8,7 @@ use naga::{Expression, Handle};
 use super::Outcome;
 use crate::diag::Diagnostic;
 use crate::interp::image::Operation;
-use crate::interp::instruction::{Instruction, Slot, Switch, Target};
+use crate::interp::instruction::{Instruction, PureCall, Slot, Switch, Target};
 use crate::interp::resources::Source;
 
 /// How many slots a program's memory may have: 32 MiB.
@@ -24,6 +24,7 @@ const MAX_CODE: usize = 1 << 24;
 pub(super) struct Assembler {
     code: Vec<Instruction>,
     switches: Vec<Switch>,
+    pure_calls: Vec<PureCall>,
     image: Vec<u64>,
     constants: HashMap<u64, Slot>,
     /// By their bits in f64 and in f32.
@@ -46,6 +47,7 @@ pub(super) struct Assembler {
 pub(super) struct Linked {
     pub(super) code: Vec<Instruction>,
     pub(super) switches: Vec<Switch>,
+    pub(super) pure_calls: Vec<PureCall>,
     pub(super) image: Vec<u64>,
     pub(super) wide_constants: Vec<(Slot, u64)>,
     pub(super) bound_slots: Vec<(Slot, Source)>,
@@ -59,6 +61,7 @@ impl Assembler {
             // The entry function's link slot stays 0, so its return ends the program here.
             code: vec![Instruction::Halt],
             switches: Vec::new(),
+            pure_calls: Vec::new(),
             image: Vec::new(),
             constants: HashMap::new(),
             wide_constants: HashMap::new(),
@@ -188,13 +191,25 @@ impl Assembler {
         self.switches.len() as u32 - 1
     }
 
+    /// Registers a call that may be shared, whose number an instruction names.
+    pub(super) fn pure_call(&mut self, call: PureCall) -> u32 {
+        self.pure_calls.push(call);
+        self.pure_calls.len() as u32 - 1
+    }
+
+    /// How many instructions there are.
+    pub(super) fn length(&self) -> usize {
+        self.code.len()
+    }
+
     /// Resolves all labels.
     pub(super) fn link(self, entry: Target) -> Linked {
-        let Self { mut code, mut switches, image, labels, wide_slots, bound_slots, operations, .. } = self;
+        let Self { mut code, mut switches, pure_calls, image, labels, wide_slots, bound_slots, operations, .. } = self;
         for instruction in &mut code {
             if let Instruction::Jump { target }
             | Instruction::JumpIf { target, .. }
-            | Instruction::Call { target, .. } = instruction
+            | Instruction::Call { target, .. }
+            | Instruction::CallPure { target, .. } = instruction
             {
                 *target = labels[*target as usize];
             }
@@ -211,7 +226,16 @@ impl Assembler {
         let mut bound_slots: Vec<(Slot, Source)> =
             bound_slots.into_iter().map(|(source, slot)| (slot, source)).collect();
         bound_slots.sort_unstable_by_key(|(slot, _)| *slot);
-        Linked { code, switches, image, wide_constants, bound_slots, operations, entry: labels[entry as usize] }
+        Linked {
+            code,
+            switches,
+            pure_calls,
+            image,
+            wide_constants,
+            bound_slots,
+            operations,
+            entry: labels[entry as usize],
+        }
     }
 }
 
