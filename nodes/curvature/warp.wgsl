@@ -9,5 +9,5 @@
 /// @bypass 0 when convexity = 0.5 : the surface counts as flat everywhere
 /// @source BADF eq. 8
 fn warp(convexity: f32, amount: f32) -> f32 {
-    return (2.0 * convexity - 1.0) * clamp(amount, -3.14159265, 3.14159265);
+    return (2.0 * convexity - 1.0) * clamp(amount, -3.14159265358979324, 3.14159265358979324);
 }

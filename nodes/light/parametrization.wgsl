@@ -37,7 +37,7 @@ fn parametrization_half_vector(light: Light, normal: vec3f, view: vec3f) -> Angl
     // Where the light is exactly behind, the half-vector has no direction; the edge of the highlight is then meant.
     let half = light.direction + view;
     if dot(half, half) < 1e-12 {
-        return Angle(0.70710678, 0.70710678);
+        return Angle(0.707106781186547524, 0.707106781186547524);
     }
     return angle_between(n, normalize_or(half, n));
 }
@@ -60,5 +60,5 @@ fn parametrization_half_vector_balanced(light: Light, normal: vec3f, view: vec3f
     let n = normalize_quick(normal, vec3f(0.0, 0.0, 1.0));
     let angle = angle_of_units(n, normalize_quick(half, n));
     let is_behind = dot(half, half) < 1e-12;
-    return Angle(select(angle.half_sin, 0.70710678, is_behind), select(angle.half_cos, 0.70710678, is_behind));
+    return Angle(select(angle.half_sin, 0.707106781186547524, is_behind), select(angle.half_cos, 0.707106781186547524, is_behind));
 }

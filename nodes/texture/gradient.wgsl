@@ -27,6 +27,6 @@ fn gradient_around(place: vec2f, start: vec2f, end: vec2f) -> f32 {
     let line = clamp(bounded_vec2(end - start), vec2f(-1e15), vec2f(1e15));
     let reach = clamp(bounded_vec2(place - start), vec2f(-1e15), vec2f(1e15));
     let across = line.x * reach.y - line.y * reach.x;
-    let turn = angle_of_point(across, dot(line, reach)) * 0.159154943;
+    let turn = angle_of_point(across, dot(line, reach)) * 0.159154943091895336;
     return clamp(select(turn, turn + 1.0, turn < 0.0), 0.0, 1.0);
 }

@@ -18,7 +18,7 @@ fn srgb_of_linear(light: f32) -> f32 {
 
 /// The colour whose largest component is 1 and smallest 0, for a hue in turns; red at 0, green at 1/3, blue at 2/3.
 fn rgb_of_hue(hue: f32) -> vec3f {
-    let places = vec3f(hue) + vec3f(0.0, 0.66666667, 0.33333333);
+    let places = vec3f(hue) + vec3f(0.0, 0.666666666666666667, 0.333333333333333333);
     return clamp(abs(6.0 * (places - floor(places)) - 3.0) - 1.0, vec3f(0.0), vec3f(1.0));
 }
 

@@ -16,7 +16,7 @@ fn curvature_signed(kappa: f32, slope: f32) -> f32 {
     if magnitude < 0.0625 {
         // 1 - z cancels for small a; the series does not.
         let a2 = a * a;
-        return a * (1.0 - a2 * (0.33333334 - a2 * (0.13333334 - a2 * 0.053968254)));
+        return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2 * 0.0539682539682539683)));
     }
     let z = exp2_stable(-2.0 * LOG2_E * magnitude);
     let t = (1.0 - z) / (1.0 + z);

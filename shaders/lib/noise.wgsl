@@ -28,7 +28,7 @@ fn hash_pcg3d(seed: vec3u) -> vec3u {
 
 /// A random number in [0, 1) from the upper 24 bits of a hash, exactly.
 fn unit_of_hash(hash: vec3u) -> vec3f {
-    return vec3f(hash >> vec3u(8u)) * 5.9604645e-8;
+    return vec3f(hash >> vec3u(8u)) * 5.9604644775390625e-8;
 }
 
 /// The hash of a lattice point.

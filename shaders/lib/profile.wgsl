@@ -120,7 +120,7 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
         return point;
     }
-    let is_narrow = w >= 3.46410162 * shape.edge_deviation;
+    let is_narrow = w >= 3.46410161513775459 * shape.edge_deviation;
     if is_narrow {
         let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
         return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
@@ -128,7 +128,7 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     if w < 0.1 * shape.edge_deviation {
         return point;
     }
-    let reach = 0.387298335 * w;
+    let reach = 0.387298334620741689 * w;
     let before = profile_point(angle_shifted(u, reach), shape);
     let after = profile_point(angle_shifted(u, -reach), shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
@@ -160,7 +160,7 @@ fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
 fn profile_ramp_quick(s: f32, w: f32, shape: ProfileShape) -> f32 {
     let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
     // 2 asin(s) by its series: the ramp is narrow.
-    let from_offset = s * (2.0 + s * s * 0.33333334);
+    let from_offset = s * (2.0 + s * s * 0.333333333333333333);
     let ramp = clamp(0.5 + (shape.edge_mean - from_offset) / max(width, 1e-6), 0.0, 1.0);
     return select(ramp, select(0.0, 1.0, s <= 4e-7), w <= 0.0);
 }
@@ -172,7 +172,7 @@ fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
         return 1.0;
     }
     let place = profile_place(u, shape);
-    if shape.kind == PROFILE_STEP || (w > 0.0 && w >= 3.46410162 * shape.edge_deviation) {
+    if shape.kind == PROFILE_STEP || (w > 0.0 && w >= 3.46410161513775459 * shape.edge_deviation) {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -180,8 +180,8 @@ fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
         return point;
     }
     // Half of the quadrature's reach is below 0.1.
-    let r = 0.193649167 * w;
-    let turn = vec2f(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    let r = 0.193649167310370844 * w;
+    let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
     let before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
     let after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
@@ -192,7 +192,7 @@ fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
 fn profile_ramped(u: Angle, shape: ProfileShape) -> f32 {
     let s = profile_place(u, shape).x;
     let w = min(finite_or(2.0 * (abs(dpdx(s)) + abs(dpdy(s))), 0.5), 0.5);
-    if shape.kind == PROFILE_SOFT && (w <= 0.0 || w < 3.46410162 * shape.edge_deviation) {
+    if shape.kind == PROFILE_SOFT && (w <= 0.0 || w < 3.46410161513775459 * shape.edge_deviation) {
         return profile_soft_quick(s, shape);
     }
     return select(profile_ramp_quick(s, w, shape), 1.0, shape.kind == PROFILE_AMBIENT);

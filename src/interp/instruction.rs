@@ -63,6 +63,8 @@ pub(super) enum Instruction {
     Switch { selector: Slot, table: u32 },
     /// Goes on at `target`, and leaves in `link` the number of the next instruction.
     Call { target: Target, link: Slot },
+    /// The same, of a function that gives the same for the same arguments; the number is that of a [`PureCall`].
+    CallPure { target: Target, link: Slot, call: u32 },
     /// Goes on at the instruction whose number is in `link`.
     Return { link: Slot },
 }
@@ -79,6 +81,17 @@ impl Instruction {
             _ => 1,
         }
     }
+}
+
+/// A call of a function whose result depends on its arguments, constants and buffers alone, and that does much: lanes
+/// that all give it the same arguments can share one run, and later runs its result.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct PureCall {
+    /// All slots of its arguments.
+    pub(super) arguments: Vec<Slot>,
+    /// The first slot of its result, and how many there are.
+    pub(super) result: Slot,
+    pub(super) result_slots: u32,
 }
 
 /// Where the values of a selector lead.

@@ -1,6 +1,6 @@
 //! Runs programs, one call at a time.
 
-use super::instruction::Instruction;
+use super::instruction::{Instruction, Target};
 use super::math::{Double, Rounding, Single};
 use super::memory::{ALL, Mask, Memory};
 use super::resources::{Held, World};
@@ -49,9 +49,10 @@ impl<'p> Machine<'p> {
         }
         write_arguments(name, parameters, arguments, self.precision, &self.memory, 0)?;
         let world = World { held: self.held, operations: &self.program.operations };
+        let (entry, steps) = (self.program.entry, &mut self.program.step_limit.clone());
         let outcome = match self.precision {
-            Precision::F64 => run::<Double>(self.program, &self.memory, &world),
-            Precision::F32 => run::<Single>(self.program, &self.memory, &world),
+            Precision::F64 => run::<Double>(self.program, &self.memory, &world, entry, steps),
+            Precision::F32 => run::<Single>(self.program, &self.memory, &world, entry, steps),
         };
         outcome.map_err(|endless| endless.diagnose(self.program))?;
         Ok(result.read(&mut (*result_slot..).map(|slot| self.memory.bits(slot, 0))))
@@ -90,14 +91,20 @@ fn wrong_shape(function: &str, parameter: &Parameter, value: &Value) -> Diagnost
     Diagnostic::error("interp-argument", message)
 }
 
-fn run<R: Rounding>(program: &Program, memory: &Memory<1>, world: &World) -> Result<(), Endless> {
+/// Runs the function at `entry` until it returns, its link being 0, and takes what it did from `steps`.
+pub(super) fn run<R: Rounding>(
+    program: &Program,
+    memory: &Memory<1>,
+    world: &World,
+    entry: Target,
+    steps: &mut u64,
+) -> Result<(), Endless> {
     let code = program.code.as_slice();
-    let mut counter = program.entry as usize;
-    let mut steps = program.step_limit;
+    let mut counter = entry as usize;
     loop {
         let instruction = code[counter];
         counter += 1;
-        steps = steps.checked_sub(instruction.cost()).ok_or(Endless)?;
+        *steps = steps.checked_sub(instruction.cost()).ok_or(Endless)?;
         match instruction {
             Instruction::Halt => return Ok(()),
             Instruction::Jump { target } => counter = target as usize,
@@ -109,7 +116,7 @@ fn run<R: Rounding>(program: &Program, memory: &Memory<1>, world: &World) -> Res
             Instruction::Switch { selector, table } => {
                 counter = program.switches[table as usize].target(memory.int(selector, 0)) as usize;
             }
-            Instruction::Call { target, link } => {
+            Instruction::Call { target, link } | Instruction::CallPure { target, link, .. } => {
                 memory.set(link, 0, counter as u64);
                 counter = target as usize;
             }

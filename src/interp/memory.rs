@@ -36,6 +36,11 @@ impl<const W: usize> Memory<W> {
         Self { rows }
     }
 
+    /// None at all.
+    pub(super) fn empty() -> Self {
+        Self { rows: Vec::new() }
+    }
+
     #[inline(always)]
     pub(super) fn row(&self, slot: Slot) -> &Row<W> {
         &self.rows[slot as usize]
@@ -87,6 +92,17 @@ impl<const W: usize> Memory<W> {
         // No early exit, so that it is one sweep of vector code.
         let differing = row.iter().fold(0, |differing, bits| differing | (bits.get() ^ first));
         (differing == 0).then_some(first)
+    }
+
+    /// Whether the slot holds the same in these lanes.
+    pub(super) fn is_same_in(&self, slot: Slot, lanes: u64) -> bool {
+        let row = self.row(slot);
+        let first = row[lanes.trailing_zeros() as usize].get();
+        let differing = row.iter().enumerate().fold(0, |differing, (lane, bits)| {
+            let is_in = 0_u64.wrapping_sub(lanes >> lane & 1);
+            differing | ((bits.get() ^ first) & is_in)
+        });
+        differing == 0
     }
 
     /// Copies a slot in the lanes of the mask.

@@ -25,6 +25,8 @@
 //!   Lanes that run in lockstep thus reconverge by always advancing those with the smallest program counter.
 //! - A temporary is read only in the scope that computed it, by lanes that passed there. So all lanes may write it,
 //!   whoever is active: nothing is masked but copies, stores and loads.
+//! - A call whose result depends on its arguments alone, and that all lanes make with the same ones (a look's `prepare`,
+//!   of uniforms), is run for one lane, and not again until its arguments change.
 //!
 //! # What a number is
 //!
@@ -149,6 +151,7 @@ pub struct Program {
     name: String,
     code: Vec<instruction::Instruction>,
     switches: Vec<instruction::Switch>,
+    pure_calls: Vec<instruction::PureCall>,
     /// What memory holds before a call: the constants, and zeros.
     image: Vec<u64>,
     /// Slots of float constants that f32 cannot hold, and what they hold in [`Precision::F32`].

@@ -50,7 +50,7 @@ pub struct SurfaceImages {
     pub curvature: Option<Texels>,
 }
 
-/// What the passes so far have made, for the later ones to read. None of it is rounded to what GPU textures hold.
+/// What the passes so far have made, for the later ones to read, rounded as [`Options::images`] says.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PassImages {
     /// Of the surface.
@@ -90,7 +90,8 @@ pub fn execute(
                 let around = options.widened(plan.view.curvature_reach() as u32 + 2);
                 let drawn = draw(plan, kind, &images, shaders, &around, &control)?.texels;
                 let made = images.of(kind);
-                (made.normals, made.depths) = (Some(drawn.channels(0..4)), Some(drawn.channels(4..5)));
+                made.normals = Some(drawn.channels(0..4).rounded(|x| options.images.half(x)));
+                made.depths = Some(drawn.channels(4..5).rounded(|x| options.images.single(x)));
             }
             kind @ (PassKind::Curvature | PassKind::DetailCurvature) => {
                 let made = images.of(kind);
@@ -98,7 +99,7 @@ pub fn execute(
                 let shader = shaders.curvature(plan, normals, depths)?;
                 let curvature = shade_all(plan.size, 1, shader.as_ref(), &options.widened(1), &control)?;
                 drop(shader);
-                made.curvature = Some(curvature);
+                made.curvature = Some(curvature.rounded(|x| options.images.single(x)));
             }
             PassKind::Look => {
                 let raster = draw(plan, &PassKind::Look, &images, shaders, options, &control)?;

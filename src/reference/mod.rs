@@ -12,7 +12,7 @@
 //! Clip space, viewport, culling, the top-left rule, sample positions, the depth test (less) and blending are WebGPU's.
 //! Fragments are shaded once, at the pixel's middle, for all samples that they cover; helpers of a quad lie on the
 //! triangle's plane. Positions, depths, varyings and images are f64 and are never rounded, but for the grid
-//! ([`Snap`]) that coverage is decided on, which varyings follow. A fragment that its shader discards leaves no depth;
+//! ([`Snap`]) that coverage is decided on, which varyings follow, and for images where [`ImageRounding`] asks for it. A fragment that its shader discards leaves no depth;
 //! those that are hidden already are not shaded, which nothing can tell, as depths only ever fall.
 #![allow(clippy::result_large_err, reason = "diagnostics are large, and made only when all is lost")]
 
@@ -41,7 +41,7 @@ pub use executor::{PassImages, Shaders, SurfaceImages, execute};
 pub use fullscreen::shade_all;
 pub use geometry::Triangles;
 pub use modules::Modules;
-pub use options::{Control, Options, Snap};
+pub use options::{Control, ImageRounding, Options, Snap};
 pub use picture::ReferencePicture;
 pub use probe::{Probed, ProbedValue, WireValue, probe, probe_wires};
 pub use raster::{MAX_SAMPLES, MAX_SIDE, Raster, rasterise};

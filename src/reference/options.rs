@@ -3,6 +3,8 @@
 use std::fmt;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use half::f16;
+
 use super::coverage::Pixels;
 use crate::diag::Diagnostic;
 
@@ -30,11 +32,42 @@ impl Snap {
     }
 }
 
-/// Choices that the caller has. Only [`snap`](Self::snap) changes the picture.
+/// What the images of passes hold, for later passes to read: normals and object numbers, depth, curvature.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum ImageRounding {
+    /// All of every number: the truth.
+    #[default]
+    None,
+    /// What the renderer's textures hold, `rgba16float` and `r32float`, rounded to the nearest as most GPUs do.
+    Nearest,
+    /// The same, but halves rounded toward zero, as software Vulkan does.
+    TowardZero,
+}
+
+impl ImageRounding {
+    /// What an f16 holds of `x`.
+    pub(super) fn half(self, x: f64) -> f64 {
+        let nearest = f16::from_f64(x);
+        match self {
+            Self::None => x,
+            Self::TowardZero if nearest.to_f64().abs() > x.abs() => f16::from_bits(nearest.to_bits() - 1).to_f64(),
+            _ => nearest.to_f64(),
+        }
+    }
+
+    /// What an f32 holds of `x`.
+    pub(super) fn single(self, x: f64) -> f64 {
+        if self == Self::None { x } else { f64::from(x as f32) }
+    }
+}
+
+/// Choices that the caller has. Only [`snap`](Self::snap) and [`images`](Self::images) change the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Options {
     /// The grid of screen positions.
     pub snap: Snap,
+    /// The precision of what passes hand on.
+    pub images: ImageRounding,
     /// How many threads work; at least 1.
     pub threads: usize,
     /// The side of the squares that threads take, in pixels: even, 2 to 512.
@@ -49,7 +82,14 @@ pub struct Options {
 impl Default for Options {
     fn default() -> Self {
         let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-        Self { snap: Snap::default(), threads, tile: 64, region: None, budget: 256 << 20 }
+        Self {
+            snap: Snap::default(),
+            images: ImageRounding::default(),
+            threads,
+            tile: 64,
+            region: None,
+            budget: 256 << 20,
+        }
     }
 }
 
@@ -119,5 +159,26 @@ impl Control<'_> {
             return Err(Diagnostic::note("cancelled", "the picture was stopped before it was done"));
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn halves_are_rounded_either_way() {
+        // Between 1 and 2 an f16 has steps of 2^-10.
+        let step = 1.0 / 1024.0;
+        let x = 1.0 + 0.75 * step;
+        for (rounding, wanted) in
+            [(ImageRounding::None, x), (ImageRounding::Nearest, 1.0 + step), (ImageRounding::TowardZero, 1.0)]
+        {
+            assert_eq!([rounding.half(x), rounding.half(-x)], [wanted, -wanted], "{rounding:?}");
+            assert_eq!(rounding.half(0.0), 0.0);
+        }
+        assert_eq!(ImageRounding::TowardZero.half(1e6), 65504.0);
+        assert_eq!(ImageRounding::TowardZero.half(1e-12), 0.0);
+        assert_eq!(ImageRounding::Nearest.single(0.1), f64::from(0.1_f32));
     }
 }

@@ -34,6 +34,12 @@ impl Texels {
         &mut self.values[index..][..self.channels]
     }
 
+    /// Each number as `round` gives it.
+    pub(super) fn rounded(mut self, round: impl Fn(f64) -> f64) -> Self {
+        self.values.iter_mut().for_each(|number| *number = round(*number));
+        self
+    }
+
     /// Some of the channels, as an image of their own.
     pub(super) fn channels(&self, range: std::ops::Range<usize>) -> Self {
         let channels = range.len();

@@ -7,4 +7,5 @@ pub(crate) mod eval;
 pub(crate) mod files;
 pub(crate) mod random;
 pub(crate) mod report;
+pub(crate) mod stacks;
 pub(crate) mod validators;

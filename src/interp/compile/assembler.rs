@@ -9,7 +9,7 @@ use super::Outcome;
 use crate::diag::Diagnostic;
 use crate::interp::Observed;
 use crate::interp::image::Operation;
-use crate::interp::instruction::{Instruction, Slot, Switch, Target};
+use crate::interp::instruction::{Instruction, PureCall, Slot, Switch, Target};
 use crate::interp::resources::Source;
 
 /// How many slots a program's memory may have: 32 MiB.
@@ -25,6 +25,7 @@ const MAX_CODE: usize = 1 << 24;
 pub(super) struct Assembler {
     code: Vec<Instruction>,
     switches: Vec<Switch>,
+    pure_calls: Vec<PureCall>,
     image: Vec<u64>,
     constants: HashMap<u64, Slot>,
     /// By their bits in f64 and in f32.
@@ -49,6 +50,7 @@ pub(super) struct Assembler {
 pub(super) struct Linked {
     pub(super) code: Vec<Instruction>,
     pub(super) switches: Vec<Switch>,
+    pub(super) pure_calls: Vec<PureCall>,
     pub(super) image: Vec<u64>,
     pub(super) wide_constants: Vec<(Slot, u64)>,
     pub(super) bound_slots: Vec<(Slot, Source)>,
@@ -63,6 +65,7 @@ impl Assembler {
             // The entry function's link slot stays 0, so its return ends the program here.
             code: vec![Instruction::Halt],
             switches: Vec::new(),
+            pure_calls: Vec::new(),
             image: Vec::new(),
             constants: HashMap::new(),
             wide_constants: HashMap::new(),
@@ -193,13 +196,36 @@ impl Assembler {
         self.switches.len() as u32 - 1
     }
 
+    /// Registers a call that may be shared, whose number an instruction names.
+    pub(super) fn pure_call(&mut self, call: PureCall) -> u32 {
+        self.pure_calls.push(call);
+        self.pure_calls.len() as u32 - 1
+    }
+
+    /// How many instructions there are.
+    pub(super) fn length(&self) -> usize {
+        self.code.len()
+    }
+
     /// Resolves all labels.
     pub(super) fn link(self, entry: Target) -> Linked {
-        let Self { mut code, mut switches, image, labels, wide_slots, bound_slots, operations, observed, .. } = self;
+        let Self {
+            mut code,
+            mut switches,
+            pure_calls,
+            image,
+            labels,
+            wide_slots,
+            bound_slots,
+            operations,
+            observed,
+            ..
+        } = self;
         for instruction in &mut code {
             if let Instruction::Jump { target }
             | Instruction::JumpIf { target, .. }
-            | Instruction::Call { target, .. } = instruction
+            | Instruction::Call { target, .. }
+            | Instruction::CallPure { target, .. } = instruction
             {
                 *target = labels[*target as usize];
             }
@@ -219,6 +245,7 @@ impl Assembler {
         Linked {
             code,
             switches,
+            pure_calls,
             image,
             wide_constants,
             bound_slots,

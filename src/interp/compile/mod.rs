@@ -16,6 +16,7 @@ mod linear;
 mod literals;
 mod operators;
 mod ports;
+mod purity;
 mod statements;
 mod unsupported;
 
@@ -30,6 +31,7 @@ use assembler::Assembler;
 use globals::Globals;
 use layout::Layouts;
 use literals::Literals;
+use purity::Purity;
 use statements::FunctionCompiler;
 
 /// A result whose error is boxed, because it is moved through many hands.
@@ -44,6 +46,8 @@ struct Frame {
     result: Slot,
     /// How many slots the result takes.
     result_slots: u32,
+    /// All slots of the arguments, if lanes can share a run.
+    shared: Option<Vec<Slot>>,
 }
 
 /// What all functions of a program are compiled with.
@@ -72,11 +76,18 @@ pub(super) fn compile(module: &Module, name: &str, options: Options<'_>) -> Outc
     };
     let literals = options.source.map(Literals::of);
     let literals = literals.as_ref();
+    let mut purity = Purity::new(module);
     let mut frames: Vec<Option<Frame>> = Vec::new();
     frames.resize_with(module.functions.len(), || None);
     for callee in callees {
         let context = Context { module, layouts: &layouts, options, globals: &globals, literals, frames: &frames };
-        let frame = compile_function(&context, &mut assembler, &module.functions[callee], false)?;
+        let begin = assembler.length();
+        let function = &module.functions[callee];
+        let mut frame = compile_function(&context, &mut assembler, function, false)?;
+        purity.add(&context, callee, function, assembler.length() - begin);
+        if !purity.is_worth_sharing(callee) {
+            frame.shared = None;
+        }
         frames[callee.index()] = Some(frame);
     }
     let context = Context { module, layouts: &layouts, options, globals: &globals, literals, frames: &frames };
@@ -91,6 +102,7 @@ pub(super) fn compile(module: &Module, name: &str, options: Options<'_>) -> Outc
         name: name.to_owned(),
         code: linked.code,
         switches: linked.switches,
+        pure_calls: linked.pure_calls,
         image: linked.image,
         wide_constants: linked.wide_constants,
         bound_slots: linked.bound_slots,
@@ -221,14 +233,16 @@ fn frame(context: &Context, assembler: &mut Assembler, function: &Function) -> O
     };
     let entry = assembler.label();
     let link = assembler.reserve(1)?;
-    let mut arguments = Vec::new();
+    let (mut arguments, mut shared) = (Vec::new(), Vec::new());
     for argument in &function.arguments {
         let count = slots(argument.ty, &format!("argument `{}`", argument.name.as_deref().unwrap_or("")))?;
-        arguments.push(assembler.reserve(count)?);
+        let first = assembler.reserve(count)?;
+        arguments.push(first);
+        shared.extend(first..first + count);
     }
     let result_slots = function.result.as_ref().map_or(Ok(0), |result| slots(result.ty, "the result"))?;
     let result = assembler.reserve(result_slots)?;
-    Ok(Frame { entry, link, arguments, result, result_slots })
+    Ok(Frame { entry, link, arguments, result, result_slots, shared: Some(shared) })
 }
 
 /// Whether an expression is a value on its own, wherever it stands.

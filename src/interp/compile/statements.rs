@@ -11,7 +11,7 @@ use super::unsupported::statement_name;
 use super::{Context, Frame, Outcome};
 use crate::diag::Diagnostic;
 use crate::interp::Observed;
-use crate::interp::instruction::{Instruction, Slot, Switch, Target};
+use crate::interp::instruction::{Instruction, PureCall, Slot, Switch, Target};
 use crate::interp::observed::kinds;
 
 /// Compiles one function.
@@ -282,7 +282,16 @@ impl<'a> FunctionCompiler<'a> {
                 }
             }
         }
-        self.assembler.emit(Instruction::Call { target: frame.entry, link: frame.link })?;
+        let (target, link) = (frame.entry, frame.link);
+        let instruction = match &frame.shared {
+            Some(arguments) => {
+                let Frame { result, result_slots, .. } = *frame;
+                let call = PureCall { arguments: arguments.clone(), result, result_slots };
+                Instruction::CallPure { target, link, call: self.assembler.pure_call(call) }
+            }
+            None => Instruction::Call { target, link },
+        };
+        self.assembler.emit(instruction)?;
         let Some(result) = result else { return Ok(()) };
         // The next call of the same function overwrites its result.
         let to = self.assembler.reserve(frame.result_slots)?;

@@ -8,6 +8,7 @@
 //! same code at a width of one. Only what moves the counter is written twice, because one lane never parts.
 
 mod groups;
+mod shared;
 
 use super::instruction::Instruction;
 use super::machine::{Endless, write_arguments};
@@ -18,6 +19,7 @@ use super::step::step;
 use super::{Port, Precision, Program, Value};
 use crate::diag::Diagnostic;
 use groups::{Group, Groups};
+use shared::Shared;
 
 /// How many lanes run at once: 16 quads. In a quad lane 0 is at (0, 0), 1 at (1, 0), 2 at (0, 1), 3 at (1, 1); y points
 /// down.
@@ -54,6 +56,7 @@ const MAX_SLOTS: usize = 1 << 20;
 pub struct Lanes<'b> {
     bound: &'b Bound<'b>,
     pub(super) memory: Memory<LANES>,
+    shared: Shared,
 }
 
 /// What became of a batch.
@@ -61,7 +64,7 @@ pub struct Lanes<'b> {
 pub struct Batch {
     /// A bit for each lane that met `discard`. Its result means nothing.
     pub discarded: u64,
-    /// How many instructions were executed, each for all lanes.
+    /// How many instructions were executed, each for all lanes; or for one, where all would have done the same.
     pub steps: u64,
 }
 
@@ -76,7 +79,9 @@ impl<'b> Lanes<'b> {
             );
             return Err(Diagnostic::error("interp-too-big", message).hint("use smaller arrays or fewer of them"));
         }
-        Ok(Self { bound, memory: Memory::new(program, bound.precision(), &bound.world()) })
+        let (precision, world) = (bound.precision(), bound.world());
+        let shared = Shared::new(program, precision, &world);
+        Ok(Self { bound, memory: Memory::new(program, precision, &world), shared })
     }
 
     /// Sets one component of an input in the lanes `0..values.len()`. Integers are truncated, bools are true unless 0.
@@ -140,14 +145,20 @@ impl<'b> Lanes<'b> {
         let program = self.bound.program();
         let world = self.bound.world();
         let outcome = match self.bound.precision() {
-            Precision::F64 => run::<Double>(program, &self.memory, live, &world),
-            Precision::F32 => run::<Single>(program, &self.memory, live, &world),
+            Precision::F64 => run::<Double>(program, &self.memory, &mut self.shared, live, &world),
+            Precision::F32 => run::<Single>(program, &self.memory, &mut self.shared, live, &world),
         };
         outcome.map_err(|endless| endless.diagnose(program))
     }
 }
 
-fn run<R: Rounding>(program: &Program, memory: &Memory<LANES>, live: u64, world: &World) -> Result<Batch, Endless> {
+fn run<R: Rounding>(
+    program: &Program,
+    memory: &Memory<LANES>,
+    shared: &mut Shared,
+    live: u64,
+    world: &World,
+) -> Result<Batch, Endless> {
     let code = program.code.as_slice();
     let mut groups = Groups::new(Group { counter: program.entry as usize, lanes: live });
     let mut steps = program.step_limit;
@@ -178,6 +189,13 @@ fn run<R: Rounding>(program: &Program, memory: &Memory<LANES>, live: u64, world:
             Instruction::Call { target, link } => {
                 memory.fill(link, counter as u64 + 1, Mask { lanes, is_full: lanes == live });
                 groups.current.counter = target as usize;
+            }
+            Instruction::CallPure { target, link, call } => {
+                let mask = Mask { lanes, is_full: lanes == live };
+                if !shared.call::<R>((call, target, link), (program, world), memory, mask, &mut steps)? {
+                    memory.fill(link, counter as u64 + 1, mask);
+                    groups.current.counter = target as usize;
+                }
             }
             Instruction::Return { link } => match memory.same_in_all(link) {
                 Some(target) => groups.current.counter = target as usize,

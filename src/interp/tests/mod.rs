@@ -12,6 +12,7 @@ mod packing;
 mod precision;
 mod random;
 mod resources;
+mod shared;
 mod textures;
 mod vectors;
 

@@ -1,0 +1,86 @@
+//! Which functions give the same for the same arguments, and do so much that it is worth asking.
+
+use naga::{AddressSpace, Block, Expression, Function, Handle, Module, Statement, TypeInner};
+
+use super::{Context, calls};
+
+/// A function of fewer instructions, callees included, is run again rather than compared.
+const LEAST: usize = 48;
+
+/// Of each function of a module that has been compiled.
+#[derive(Clone, Copy, Default)]
+struct Known {
+    is_pure: bool,
+    has_loop: bool,
+    /// Instructions, callees included.
+    length: usize,
+}
+
+/// What is known of functions; callees are told before callers.
+pub(super) struct Purity(Vec<Known>);
+
+impl Purity {
+    pub(super) fn new(module: &Module) -> Self {
+        Self(vec![Known::default(); module.functions.len()])
+    }
+
+    /// Adds a function of `length` instructions.
+    pub(super) fn add(&mut self, context: &Context, handle: Handle<Function>, function: &Function, length: usize) {
+        let mut known = Known { is_pure: is_pure(context.module, function), has_loop: has_loop(function), length };
+        for callee in calls(&function.body) {
+            let callee = self.0[callee.index()];
+            known.is_pure &= callee.is_pure;
+            known.has_loop |= callee.has_loop;
+            known.length = known.length.saturating_add(callee.length);
+        }
+        self.0[handle.index()] = known;
+    }
+
+    /// Whether it is pure and takes long.
+    pub(super) fn is_worth_sharing(&self, handle: Handle<Function>) -> bool {
+        let Known { is_pure, has_loop, length } = self.0[handle.index()];
+        is_pure && (has_loop || length >= LEAST)
+    }
+}
+
+/// Whether what a function does itself depends on its arguments, constants and buffers alone, and is seen by nobody but
+/// in its result.
+fn is_pure(module: &Module, function: &Function) -> bool {
+    let is_pointer = |ty| matches!(module.types[ty].inner, TypeInner::Pointer { .. } | TypeInner::ValuePointer { .. });
+    let is_pure = |expression: &Expression| match expression {
+        Expression::GlobalVariable(variable) => {
+            let space = module.global_variables[*variable].space;
+            matches!(space, AddressSpace::Uniform | AddressSpace::Storage { .. })
+        }
+        // A derivative depends on the neighbours, and so may a sample of a texture.
+        Expression::Derivative { .. } | Expression::ImageSample { .. } | Expression::ImageLoad { .. } => false,
+        _ => true,
+    };
+    !function.arguments.iter().any(|argument| is_pointer(argument.ty))
+        && function.expressions.iter().all(|(_, expression)| is_pure(expression))
+        && !any(&function.body, |statement| matches!(statement, Statement::Kill))
+}
+
+fn has_loop(function: &Function) -> bool {
+    any(&function.body, |statement| matches!(statement, Statement::Loop { .. }))
+}
+
+/// Whether a block has such a statement at any depth.
+fn any(body: &Block, is_one: impl Fn(&Statement) -> bool) -> bool {
+    let mut blocks = vec![body];
+    while let Some(block) = blocks.pop() {
+        for statement in block {
+            if is_one(statement) {
+                return true;
+            }
+            match statement {
+                Statement::Block(inner) => blocks.push(inner),
+                Statement::If { accept, reject, .. } => blocks.extend([accept, reject]),
+                Statement::Loop { body, continuing, .. } => blocks.extend([body, continuing]),
+                Statement::Switch { cases, .. } => blocks.extend(cases.iter().map(|case| &case.body)),
+                _ => {}
+            }
+        }
+    }
+    false
+}

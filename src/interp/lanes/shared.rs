@@ -1,0 +1,74 @@
+//! Calls that all lanes make alike: run once, on one lane, and remembered.
+
+use super::super::instruction::{PureCall, Slot, Target};
+use super::super::machine::{Endless, run};
+use super::super::math::Rounding;
+use super::super::memory::{Mask, Memory};
+use super::super::resources::World;
+use super::super::{Precision, Program};
+use super::LANES;
+
+/// What is remembered of each pure call of a program, and memory to run it in.
+#[derive(Clone, Debug)]
+pub(super) struct Shared {
+    memory: Memory<1>,
+    last: Vec<Option<Last>>,
+}
+
+/// The arguments of the last shared run of a call, and its result.
+#[derive(Clone, Debug)]
+struct Last {
+    arguments: Vec<u64>,
+    result: Vec<u64>,
+}
+
+impl Shared {
+    pub(super) fn new(program: &Program, precision: Precision, world: &World) -> Self {
+        // Most of a program's memory is not needed where nothing is shared.
+        let memory =
+            if program.pure_calls.is_empty() { Memory::empty() } else { Memory::new(program, precision, world) };
+        Self { memory, last: vec![None; program.pure_calls.len()] }
+    }
+
+    /// Gives the lanes of the mask the result of a call (its number, where the function is, its link), if they give it the same arguments;
+    /// says whether they did.
+    pub(super) fn call<R: Rounding>(
+        &mut self,
+        (number, target, link): (u32, Target, Slot),
+        (program, world): (&Program, &World),
+        memory: &Memory<LANES>,
+        mask: Mask,
+        steps: &mut u64,
+    ) -> Result<bool, Endless> {
+        let call = &program.pure_calls[number as usize];
+        let last = &mut self.last[number as usize];
+        if !is_alike(call, memory, mask.lanes) {
+            return Ok(false);
+        }
+        let lane = mask.lanes.trailing_zeros() as usize;
+        let arguments = || call.arguments.iter().map(|&slot| memory.bits(slot, lane));
+        let known = match last {
+            Some(last) if last.arguments.iter().copied().eq(arguments()) => last,
+            _ => {
+                let arguments: Vec<u64> = arguments().collect();
+                call.arguments.iter().zip(&arguments).for_each(|(&slot, &bits)| self.memory.set(slot, 0, bits));
+                // The program ends when the function returns.
+                self.memory.set(link, 0, 0);
+                run::<R>(program, &self.memory, world, target, steps)?;
+                let result = (call.result..).take(call.result_slots as usize);
+                let result = result.map(|slot| self.memory.bits(slot, 0)).collect();
+                last.insert(Last { arguments, result })
+            }
+        };
+        (call.result..).zip(&known.result).for_each(|(slot, &bits)| memory.fill(slot, bits, mask));
+        Ok(true)
+    }
+}
+
+/// Whether the lanes have the same arguments.
+fn is_alike(call: &PureCall, memory: &Memory<LANES>, lanes: u64) -> bool {
+    // The first and the last lane mostly tell already.
+    let (first, last) = (lanes.trailing_zeros() as usize, 63 - lanes.leading_zeros() as usize);
+    call.arguments.iter().all(|&slot| memory.bits(slot, first) == memory.bits(slot, last))
+        && call.arguments.iter().all(|&slot| memory.is_same_in(slot, lanes))
+}
