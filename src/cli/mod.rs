@@ -4,6 +4,8 @@
 //! at fault, and a diagnostic says how; 2 the command line is; 130 ended by Ctrl-C, with no file half written.
 
 #[cfg(feature = "gpu")]
+mod accuracy;
+#[cfg(feature = "gpu")]
 mod bench;
 mod check;
 #[cfg(feature = "gpu")]
@@ -75,6 +77,9 @@ enum Command {
     /// Measure what a look costs and how far it is from the truth, whole and node by node
     #[cfg(feature = "gpu")]
     Bench(bench::Arguments),
+    /// Measure how far every node and every example look is from the truth, and write it down
+    #[cfg(feature = "gpu")]
+    Accuracy(accuracy::Arguments),
     /// Write a look as shaders for other programs
     Export(export::Arguments),
 }
@@ -125,6 +130,8 @@ pub fn run() -> Outcome {
         Command::Eval(arguments) => eval::run(arguments, &output),
         #[cfg(feature = "gpu")]
         Command::Bench(arguments) => bench::run(arguments, &output),
+        #[cfg(feature = "gpu")]
+        Command::Accuracy(arguments) => accuracy::run(arguments, &output),
         Command::Export(arguments) => export::run(arguments, &output),
     };
     Outcome::Done(match result {

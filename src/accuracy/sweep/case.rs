@@ -16,8 +16,8 @@ use crate::library::{Context, Fallback, Input, Library, NodeDef, Parameter, Spec
 const MOST: f64 = f32::MAX as f64;
 /// The place on the surface: far enough, and its depth stays a number.
 const MOST_PLACE: f64 = 1e30;
-/// Layers and their colours are no maths nodes: what leaves f32 there is cleared by the Output.
-const MOST_COLOR: f64 = 1e12;
+/// Layers and their colours are no maths nodes: what leaves f32 there, as a product of many, is cleared by the Output.
+const MOST_COLOR: f64 = 1e6;
 /// Documents place lights no farther away.
 const MOST_LIGHT: f64 = 1e6;
 
@@ -300,7 +300,11 @@ impl Builder<'_> {
     }
 
     fn most(&self) -> f64 {
-        if matches!(self.def.category.as_str(), "curvature" | "layer") { MOST_COLOR } else { MOST }
+        if matches!(self.def.category.as_str(), "curvature" | "layer") || self.def.kind == "light_apply" {
+            MOST_COLOR
+        } else {
+            MOST
+        }
     }
 
     fn setting(&mut self, input: &Input, word: &str) {
@@ -362,17 +366,17 @@ impl Builder<'_> {
             self.def.inputs.iter().filter(|input| !is_fed(input)).filter_map(context_of).collect();
         for context in contexts {
             match context {
-                Context::Normal => self.slot("normal", Place::Normal, Kind::Unit, 3, 1.0),
+                Context::Normal => self.slot("surface_normal", Place::Normal, Kind::Unit, 3, 1.0),
                 Context::View => self.slot("view", Place::View, Kind::Unit, 3, 1.0),
                 Context::Tangent | Context::Bitangent => {
-                    self.slot("normal", Place::Normal, Kind::Unit, 3, 1.0);
-                    self.slot("tangent", Place::Tangent, Kind::Unit, 3, 1.0);
+                    self.slot("surface_normal", Place::Normal, Kind::Unit, 3, 1.0);
+                    self.slot("surface_tangent", Place::Tangent, Kind::Unit, 3, 1.0);
                 }
                 Context::Position | Context::PositionObject => {
-                    self.slot("position", Place::Position, number, 3, MOST_PLACE);
+                    self.slot("surface_position", Place::Position, number, 3, MOST_PLACE);
                 }
                 Context::PositionCamera | Context::Depth => {
-                    self.slot("position", Place::Position, number, 3, MOST_PLACE);
+                    self.slot("surface_position", Place::Position, number, 3, MOST_PLACE);
                     self.slot("camera", Place::Camera, Kind::Rotation, 4, 1.0);
                 }
                 Context::CameraFromWorld => self.slot("camera", Place::Camera, Kind::Rotation, 4, 1.0),
@@ -454,16 +458,16 @@ fn value_slot(input: &Input, ty: &Type, name: &str, most: f64) -> Slot {
 /// The picture that image nodes are given.
 const PICTURE: &str = "sweep.png";
 
-/// Writes the picture that image nodes are given: 8 x 8 texels, each of its own colour, half of them transparent.
+/// Writes the picture that image nodes are given: 9 x 9 texels, each of its own colour and alpha. The middle of the
+/// picture is the middle of a texel, so that straight ahead is no edge.
 ///
 /// # Errors
 /// What the disk refuses.
 pub(super) fn write_picture(folder: &Path) -> Result<(), Vec<Diagnostic>> {
-    let texel = |x: u32, y: u32| {
-        image::Rgba([(32 * x) as u8, (32 * y) as u8, (37 * (x * y) % 256) as u8, (255 - 16 * x) as u8])
-    };
+    let texel =
+        |x: u32, y: u32| image::Rgba([(28 * x) as u8, (28 * y) as u8, (14 * (x + y)) as u8, (255 - 16 * x) as u8]);
     let told = |error: image::ImageError| {
         vec![Diagnostic::error("write-failed", format!("the sweep's picture cannot be written: {error}"))]
     };
-    image::RgbaImage::from_fn(8, 8, texel).save(folder.join(PICTURE)).map_err(told)
+    image::RgbaImage::from_fn(9, 9, texel).save(folder.join(PICTURE)).map_err(told)
 }

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::bounds::{Judging, bound, is_stated, judging};
+use super::bounds::{Judging, bound, counts_inputs, is_stated, judging, moves_together, slack};
 use super::case::{Bench, Case, Root, feeders, write_picture};
 use super::random::{Even, Random};
 use super::slot::{Kind, Numbers, Place, Slot, held, next, relate};
@@ -138,6 +138,9 @@ impl<'a> Lab<'a> {
         let has_prepare = self.library.nodes.get(&bench.case.node).is_some_and(|def| def.prepare.is_some());
         let unspecialized = !has_prepare || bench.case.prepared_in_fragment;
         let mut rows = vec![Vec::new(); samples.len()];
+        if rows.is_empty() {
+            return Ok(rows);
+        }
         for root in &bench.roots {
             for batch in self.batches(&bench.look, root, &samples, unspecialized)? {
                 let values = block_on(self.renderer.evaluate(&batch))?;
@@ -154,6 +157,9 @@ impl<'a> Lab<'a> {
     pub fn truth(&mut self, bench: &Bench, all: &[Numbers]) -> Result<Vec<Vec<f64>>, Stopped> {
         let samples: Vec<EvalSample> = all.iter().map(|numbers| sample(&bench.slots, numbers)).collect();
         let mut rows = vec![Vec::new(); samples.len()];
+        if rows.is_empty() {
+            return Ok(rows);
+        }
         for root in &bench.roots {
             for mut batch in self.batches(&bench.exact, root, &samples, true)? {
                 // Unit vectors and whatever else the host makes of a sample reach the GPU rounded.
@@ -188,20 +194,54 @@ impl<'a> Lab<'a> {
         let got = self.run(bench, samples)?;
         let truth = self.truth(bench, samples)?;
         let finding = |((numbers, got), truth): ((&Numbers, Vec<f64>), Vec<f64>)| {
-            let (absolute, error) = (difference(&got, &truth), distance(&got, &truth));
+            let (absolute, error) =
+                (difference(&got, &truth), distance(&got, &truth, least_range(&bench.case, numbers)));
             Finding { numbers: numbers.clone(), got, truth, absolute, error }
         };
         let mut findings: Vec<Finding> = samples.iter().zip(got).zip(truth).map(finding).collect();
         let judging = judging(&bench.case);
+        let enough = 0.25 * bound(&bench.case, &self.library);
+        let doubtful = |finding: &Finding| finding.error > enough && finding.got.iter().all(|x| x.is_finite());
+        self.flush(bench, &doubtful, &mut findings)?;
         if judging != Judging::Plain {
-            let enough = 0.25 * bound(&bench.case, &self.library);
-            let doubtful = |finding: &Finding| finding.error > enough && finding.got.iter().all(|x| x.is_finite());
             let open: Vec<usize> = (0..findings.len()).filter(|&index| doubtful(&findings[index])).collect();
             for indices in open.chunks(400) {
                 self.judge(bench, judging, indices, &mut findings)?;
             }
         }
+        for finding in &mut findings {
+            finding.error /= slack(&bench.case, &bench.slots, &finding.numbers);
+        }
         Ok(findings)
+    }
+
+    /// WGSL lets a denormal count as 0, and halving makes one of a few more: results are right if they are so with
+    /// either.
+    fn flush(
+        &mut self,
+        bench: &Bench,
+        doubtful: &dyn Fn(&Finding) -> bool,
+        findings: &mut [Finding],
+    ) -> Result<(), Stopped> {
+        for below in [1.0, 4.0] {
+            let is_tiny = |x: &f64| *x != 0.0 && x.abs() < below * f64::from(f32::MIN_POSITIVE);
+            let has_any = |finding: &Finding| finding.numbers.iter().flatten().any(is_tiny);
+            let is_open = |i: &usize| has_any(&findings[*i]) && doubtful(&findings[*i]);
+            let open: Vec<usize> = (0..findings.len()).filter(is_open).collect();
+            let flushed = |x: &f64| if is_tiny(x) { 0.0_f64.copysign(*x) } else { *x };
+            let row = |&index: &usize| -> Numbers {
+                findings[index].numbers.iter().map(|numbers| numbers.iter().map(flushed).collect()).collect()
+            };
+            let rows: Vec<Numbers> = open.iter().map(row).collect();
+            for (&index, truth) in open.iter().zip(self.truth(bench, &rows)?) {
+                let finding = &mut findings[index];
+                let error = distance(&finding.got, &truth, least_range(&bench.case, &finding.numbers));
+                if error < finding.error {
+                    (finding.error, finding.absolute, finding.truth) = (error, difference(&finding.got, &truth), truth);
+                }
+            }
+        }
+        Ok(())
     }
 
     /// Judges samples by what is true around them.
@@ -212,11 +252,12 @@ impl<'a> Lab<'a> {
         indices: &[usize],
         findings: &mut [Finding],
     ) -> Result<(), Stopped> {
+        let together = moves_together(&bench.case);
         let mut around = Vec::new();
         let mut counts = Vec::new();
         for &index in indices {
             let before = around.len();
-            neighbours(&bench.slots, &findings[index].numbers, &mut around);
+            neighbours(&bench.slots, &findings[index].numbers, together, &mut around);
             counts.push(around.len() - before);
         }
         let truths = self.truth(bench, &around)?;
@@ -225,9 +266,10 @@ impl<'a> Lab<'a> {
             let finding = &mut findings[index];
             let mut set: Vec<&[f64]> = truths[first..first + count].iter().map(Vec::as_slice).collect();
             set.push(&finding.truth);
+            let least = least_range(&bench.case, &finding.numbers);
             let error = match judging {
-                Judging::Steps => set.iter().map(|truth| distance(&finding.got, truth)).fold(f64::INFINITY, f64::min),
-                _ => beyond(&finding.got, &set),
+                Judging::Steps => nearest(&finding.got, &set, least),
+                _ => beyond(&finding.got, &set, least),
             };
             finding.error = finding.error.min(error);
             first += count;
@@ -264,7 +306,9 @@ impl<'a> Lab<'a> {
                 ordinary.push(finding.error);
                 measured.absolute = measured.absolute.max(finding.absolute);
             }
-            measured.rounded += usize::from(finding.error <= bound && distance(&finding.got, &finding.truth) > bound);
+            let least = least_range(&bench.case, &finding.numbers);
+            measured.rounded +=
+                usize::from(finding.error <= bound && distance(&finding.got, &finding.truth, least) > bound);
             measured.max = measured.max.max(finding.error);
             judged.push(finding);
         }
@@ -328,28 +372,51 @@ fn samples(bench: &Bench, effort: &Effort) -> Vec<Numbers> {
 }
 
 /// Inputs that f32 can hardly tell from these: each number moved by one and by four units in the last place, and all of
-/// them at once.
-fn neighbours(slots: &[Slot], numbers: &Numbers, to: &mut Vec<Numbers>) {
+/// them at once. Numbers of a direction move by units of its largest one; `together`, all move by units of the largest
+/// number of all, which is at least 1.
+fn neighbours(slots: &[Slot], numbers: &Numbers, together: bool, to: &mut Vec<Numbers>) {
+    let largest = |numbers: &[f64]| numbers.iter().map(|x| x.abs()).fold(0.0, f64::max);
+    let all = numbers.iter().map(|numbers| largest(numbers)).fold(1.0, f64::max);
+    // A turned angle is known to so many digits of pi, and not of itself.
+    let is_turned = slots.iter().zip(numbers).any(|(slot, numbers)| slot.name == "shift" && numbers[0] != 0.0);
+    let moved = |slot: &Slot, numbers: &[f64], place: usize, steps: i32| {
+        let x = numbers[place];
+        let whole = match slot.kind {
+            _ if together => all,
+            Kind::Unit | Kind::Direction => largest(numbers),
+            Kind::HalfAngle if is_turned => largest(numbers),
+            _ => return next(x, steps),
+        };
+        let unit = next(whole, 1) - whole;
+        if unit.is_finite() && unit > 0.0 { held(x + f64::from(steps) * unit) } else { next(x, steps) }
+    };
     for (index, slot) in slots.iter().enumerate().filter(|(_, slot)| slot.is_continuous()) {
         for place in 0..slot.width {
             for steps in [-4, -1, 1, 4] {
-                let mut moved = numbers.clone();
-                moved[index][place] = next(numbers[index][place], steps);
-                to.push(moved);
+                let mut other = numbers.clone();
+                other[index][place] = moved(slot, &numbers[index], place, steps);
+                to.push(other);
+            }
+            // What is lost beside the largest number.
+            if together && numbers[index][place].abs() < 1e-6 * all {
+                let mut other = numbers.clone();
+                other[index][place] = 0.0;
+                to.push(other);
             }
         }
     }
-    for pattern in 0..8_u32 {
-        let mut moved = numbers.clone();
-        let mut place = 0;
-        for (slot, numbers) in slots.iter().zip(&mut moved).filter(|(slot, _)| slot.is_continuous()) {
-            for x in numbers.iter_mut().take(slot.width) {
-                let sign = if (place >> (pattern / 2)) & 1 == pattern & 1 { 1 } else { -1 };
-                *x = next(*x, 3 * sign);
-                place += 1;
+    // All up, all down, and every other one, every other two, every other four.
+    for (period, flip) in [0, 1, 2, 4].into_iter().flat_map(|period| [(period, 1), (period, -1)]) {
+        let mut other = numbers.clone();
+        let mut count = 0;
+        for (index, slot) in slots.iter().enumerate().filter(|(_, slot)| slot.is_continuous()) {
+            for place in 0..slot.width {
+                let sign = if period > 0 && (count / period) % 2 == 1 { -flip } else { flip };
+                other[index][place] = moved(slot, &numbers[index], place, 3 * sign);
+                count += 1;
             }
         }
-        to.push(moved);
+        to.push(other);
     }
 }
 
@@ -358,24 +425,38 @@ fn difference(got: &[f64], truth: &[f64]) -> f64 {
     got.iter().zip(truth).map(one).fold(0.0, f64::max)
 }
 
-/// The largest difference of a number over the result's range: 1, or the largest number of it.
-fn distance(got: &[f64], truth: &[f64]) -> f64 {
-    difference(got, truth) / range(truth)
+/// The largest difference of a number over the result's range: 1, or its largest number, or `least`.
+fn distance(got: &[f64], truth: &[f64], least: f64) -> f64 {
+    difference(got, truth) / range(truth, least)
 }
 
-fn range(truth: &[f64]) -> f64 {
-    truth.iter().map(|x| x.abs()).fold(1.0, f64::max)
+fn range(truth: &[f64], least: f64) -> f64 {
+    truth.iter().map(|x| x.abs()).fold(least, f64::max)
+}
+
+/// The least range of a sample: 1, or its largest input where these count.
+fn least_range(case: &Case, numbers: &Numbers) -> f64 {
+    if counts_inputs(case) { numbers.iter().flatten().map(|x| x.abs()).fold(1.0, f64::max) } else { 1.0 }
 }
 
 /// How far a result lies outside of what spans a set of true ones, over their range.
-fn beyond(got: &[f64], set: &[&[f64]]) -> f64 {
-    let range = set.iter().map(|truth| range(truth)).fold(1.0, f64::max);
+fn beyond(got: &[f64], set: &[&[f64]], least: f64) -> f64 {
+    let range = set.iter().map(|truth| range(truth, least)).fold(1.0, f64::max);
     let outside = |(index, x): (usize, &f64)| {
         let of = set.iter().filter_map(|truth| truth.get(index));
         let (low, high) = of.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(*y), high.max(*y)));
         (low - x).max(x - high).max(0.0)
     };
     got.iter().enumerate().map(outside).fold(0.0, f64::max) / range
+}
+
+/// How far each number of a result is from the nearest of a set of true ones, at most, over their range.
+fn nearest(got: &[f64], set: &[&[f64]], least: f64) -> f64 {
+    let one = |(index, x): (usize, &f64)| {
+        let of = set.iter().filter_map(|truth| truth.get(index).map(|y| (x - y).abs() / range(truth, least)));
+        of.fold(f64::INFINITY, f64::min)
+    };
+    got.iter().enumerate().map(one).fold(0.0, f64::max)
 }
 
 /// A sample of these numbers.

@@ -8,12 +8,19 @@
 
 pub mod bounds;
 pub mod case;
+pub mod looks;
 pub mod measure;
+pub mod plot;
 pub mod random;
+pub mod report;
 pub mod search;
 pub mod slot;
+pub mod stability;
 
 pub use bounds::{Judging, bound, judging};
 pub use case::{Bench, Case};
+pub use looks::{LookEffort, LookMeasured, looks_in, measure_look};
 pub use measure::{Effort, Finding, Lab, Measured};
+pub use report::{AccuracyReport, survey};
 pub use search::{Worst, climb};
+pub use stability::{StabilityEffort, StabilityMeasured, measure_stability};
