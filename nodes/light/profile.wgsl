@@ -20,7 +20,8 @@ import chiaro::profile;
 /// @preset "Phong specular" offset=0 falloff=0.3 cutoff=pi/2
 /// @preset "Cartoon" offset=pi/4 falloff=pi/4 cutoff=pi/4
 /// @preset "Ambient" offset=pi falloff=pi cutoff=pi
-/// @error balanced 1e-5 : tone, for a fall-off at least 0.05 from the offset; narrower ones divide by what is left
+/// @error balanced 1e-5 : tone, for a fall-off at least 0.05 from the offset; narrower ones divide by what is left;
+///   up to 5e-3 at the end of one whose fall-off is a quarter turn or more from there, which ends infinitely steep
 /// @error fast 5e-5 : the same; pixels on an edge of a soft profile are not averaged, hard edges are up to 0.15 off
 /// @source BADF eq. 5, 8, 10, 11
 fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {

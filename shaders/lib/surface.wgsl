@@ -11,7 +11,9 @@ fn world_from_tangent(tangent: vec3f, bitangent: vec3f, normal: vec3f) -> mat3x3
     let leaning = t - dot(t, n) * n;
     // Leaning by less than this the tangent has no direction beside the normal but rounding's.
     let is_usable = dot(leaning, leaning) > 1e-8;
-    let upright = normalize_or(select(any_orthogonal(n), leaning, is_usable), vec3f(1.0, 0.0, 0.0));
+    let rough = normalize_or(select(any_orthogonal(n), leaning, is_usable), vec3f(1.0, 0.0, 0.0));
+    // Once more: where tangent and normal are close, what is left of the one still leans along the other.
+    let upright = normalize_or(rough - dot(rough, n) * n, vec3f(1.0, 0.0, 0.0));
     let b = cross(n, upright);
     return mat3x3f(upright, select(b, -b, dot(b, bitangent) < 0.0), n);
 }

@@ -153,8 +153,10 @@ fn sin_cos_of(x: f32) -> vec2f {
 
 /// The angle of the point (x, y) from the x axis, in (-pi, pi]; 0 at the origin.
 fn angle_of_point(y: f32, x: f32) -> f32 {
-    // Halved, so that the sum of both stays finite.
-    let a = atan2_positive(0.5 * abs(bounded(y)), 0.5 * abs(bounded(x)));
+    // Halved where they are large, so that the sum of both stays finite.
+    let p = abs(bounded_vec2(vec2f(x, y)));
+    let scaled = select(p, 0.5 * p, max(p.x, p.y) > 1.0);
+    let a = atan2_positive(scaled.y, scaled.x);
     let turned = select(a, PI - a, x < 0.0);
     return select(turned, -turned, y < 0.0);
 }

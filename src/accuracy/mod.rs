@@ -11,6 +11,7 @@ pub mod error;
 pub mod plot;
 pub mod report;
 pub mod size;
+pub mod sweep;
 pub mod truth;
 pub mod tune;
 pub mod variant;

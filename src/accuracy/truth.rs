@@ -54,6 +54,19 @@ impl Truth {
     /// # Errors
     /// What the GPU refuses.
     pub fn compare(&self, renderer: &mut Renderer, plan: &FramePlan) -> Result<ErrorFigures, Stopped> {
+        self.compare_beside(renderer, plan, &self.edges)
+    }
+
+    /// [`Self::compare`] with other pixels kept apart as edges.
+    ///
+    /// # Errors
+    /// What the GPU refuses.
+    pub fn compare_beside(
+        &self,
+        renderer: &mut Renderer,
+        plan: &FramePlan,
+        edges: &[bool],
+    ) -> Result<ErrorFigures, Stopped> {
         let picture = block_on(renderer.picture(plan))?;
         let premultiplied = |[r, g, b, a]: [f32; 4]| {
             let a = f64::from(a);
@@ -61,7 +74,27 @@ impl Truth {
         };
         let rgba = picture.rgba.iter().map(|&pixel| premultiplied(pixel)).collect();
         let got = Colors { size: picture.size, rgba };
-        Ok(compare(&got, &self.colors(), |index| self.edges[index]))
+        Ok(compare(&got, &self.colors(), |index| edges[index]))
+    }
+
+    /// Pixels on edges, rows from the top: there coverage may differ.
+    pub fn edges(&self) -> &[bool] {
+        &self.edges
+    }
+
+    /// [`Self::edges`] and what is at most so many pixels away from them: derivatives in quads of pixels and the stencil
+    /// of the curvature see what is on the other side.
+    pub fn near_edges(&self, pixels: usize) -> Vec<bool> {
+        let [width, height] = self.picture.size.map(|side| side as usize);
+        let mut near = self.edges.clone();
+        for index in (0..near.len()).filter(|&index| self.edges[index]) {
+            let (x, y) = (index % width, index / width);
+            for row in y.saturating_sub(pixels)..(y + pixels + 1).min(height) {
+                let from = row * width + x.saturating_sub(pixels);
+                near[from..row * width + (x + pixels + 1).min(width)].fill(true);
+            }
+        }
+        near
     }
 
     /// Its colours, premultiplied.

@@ -4,6 +4,8 @@
 //! at fault, and a diagnostic says how; 2 the command line is; 130 ended by Ctrl-C, with no file half written.
 
 #[cfg(feature = "gpu")]
+mod accuracy;
+#[cfg(feature = "gpu")]
 mod bench;
 mod check;
 #[cfg(feature = "gpu")]
@@ -83,6 +85,9 @@ enum Command {
     Tune(tune::Arguments),
     /// Tell the value on every wire at one pixel, f32 beside f64
     Probe(probe::Arguments),
+    /// Measure how far every node and every example look is from the truth, and write it down
+    #[cfg(feature = "gpu")]
+    Accuracy(accuracy::Arguments),
     /// Write a look as shaders for other programs
     Export(export::Arguments),
 }
@@ -136,6 +141,8 @@ pub fn run() -> Outcome {
         #[cfg(feature = "gpu")]
         Command::Tune(arguments) => tune::run(arguments, &output),
         Command::Probe(arguments) => probe::run(arguments, &output),
+        #[cfg(feature = "gpu")]
+        Command::Accuracy(arguments) => accuracy::run(arguments, &output),
         Command::Export(arguments) => export::run(arguments, &output),
     };
     Outcome::Done(match result {

@@ -107,7 +107,7 @@ fn exp2_stable(x: f32) -> f32 {
     let clamped = clamp(x, -150.0, 127.999992);
     let whole = round(clamped);
     let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.16666667 + f * (0.041666668 + f * (0.008333334 + f * (0.0013888889 + f * 0.00019841270))))));
+    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667 + f * (0.0416666666666666667 + f * (0.00833333333333333333 + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
     // Two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
@@ -127,7 +127,7 @@ fn log_stable(x: f32) -> f32 {
     let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.33333334 + z2 * (0.2 + z2 * (0.14285715 + z2 * 0.11111111))));
+    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
     return f32(exponent) * LN_2 + series;
 }
 
@@ -136,7 +136,7 @@ fn log1p_negative(y: f32) -> f32 {
     if y < 0.25 {
         let z = y / (2.0 - y);
         let z2 = z * z;
-        return -2.0 * z * (1.0 + z2 * (0.33333334 + z2 * (0.2 + z2 * (0.14285715 + z2 * 0.11111111))));
+        return -2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
     }
     return log_stable(max(1.0 - y, 1.17549435e-38));
 }
@@ -146,8 +146,8 @@ fn sin_cos_quarter(x: f32) -> vec2f {
     // Halved to |h| <= pi/4, where short series suffice, then doubled.
     let h = 0.5 * x;
     let h2 = h * h;
-    let s = h * (1.0 + h2 * (-0.16666667 + h2 * (0.008333334 + h2 * (-0.00019841270 + h2 * 0.0000027557319))));
-    let one_minus_c = h2 * (0.5 + h2 * (-0.041666668 + h2 * (0.0013888889 + h2 * (-0.000024801588 + h2 * 2.7557319e-7))));
+    let s = h * (1.0 + h2 * (-0.166666666666666667 + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413 + h2 * 0.00000275573192239858907))));
+    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667 + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016 + h2 * 2.75573192239858907e-7))));
     let c = 1.0 - one_minus_c;
     return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
@@ -177,9 +177,9 @@ fn atan2_positive(y: f32, x: f32) -> f32 {
     let is_wide = t > 0.41421356;
     let r = select(t, (small - large) / (small + large), is_wide);
     let r2 = r * r;
-    let series = r * (1.0 + r2 * (-0.33333333 + r2 * (0.2 + r2 * (-0.14285714 + r2 * (0.11111111 + r2 * (-0.09090909
-        + r2 * (0.07692308 + r2 * (-0.06666667 + r2 * 0.05882353))))))));
-    let a = select(series, series + 0.785398163, is_wide);
+    let series = r * (1.0 + r2 * (-0.333333333333333333 + r2 * (0.2 + r2 * (-0.142857142857142857 + r2 * (0.111111111111111111 + r2 * (-0.0909090909090909091
+        + r2 * (0.0769230769230769231 + r2 * (-0.0666666666666666667 + r2 * 0.0588235294117647059))))))));
+    let a = select(series, series + 0.785398163397448310, is_wide);
     return select(a, HALF_PI - a, y > x);
 }
 
@@ -188,7 +188,8 @@ fn angle_shifted(u: Angle, shift: f32) -> Angle {
     let t = sin_cos_quarter(0.5 * clamp(shift, -PI, PI));
     let s = u.half_sin * t.y - u.half_cos * t.x;
     let c = u.half_cos * t.y + u.half_sin * t.x;
-    if s <= 0.0 {
+    // Beyond either end the smaller one tells which: a turn by pi may leave the other just below 0.
+    if s <= 0.0 && s < c {
         return Angle(0.0, 1.0);
     }
     if c <= 0.0 {
@@ -238,7 +239,7 @@ fn curvature_signed(kappa: f32, slope: f32) -> f32 {
     if magnitude < 0.0625 {
         // 1 - z cancels for small a; the series does not.
         let a2 = a * a;
-        return a * (1.0 - a2 * (0.33333334 - a2 * (0.13333334 - a2 * 0.053968254)));
+        return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2 * 0.0539682539682539683)));
     }
     let z = exp2_stable(-2.0 * LOG2_E * magnitude);
     let t = (1.0 - z) / (1.0 + z);
@@ -256,7 +257,7 @@ fn transition(kappa: f32, slope: f32) -> f32 {
 ///
 /// How far curvature moves the angle that a profile sees: convex parts by plus, concave parts by minus the amount.
 fn warp(convexity: f32, amount: f32) -> f32 {
-    return (2.0 * convexity - 1.0) * clamp(amount, -3.14159265, 3.14159265);
+    return (2.0 * convexity - 1.0) * clamp(amount, -3.14159265358979324, 3.14159265358979324);
 }
 
 /// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0, 1] when `clamped`.
@@ -370,7 +371,7 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
         return point;
     }
-    let is_narrow = w >= 3.46410162 * shape.edge_deviation;
+    let is_narrow = w >= 3.46410161513775459 * shape.edge_deviation;
     if is_narrow {
         let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
         return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
@@ -378,7 +379,7 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     if w < 0.1 * shape.edge_deviation {
         return point;
     }
-    let reach = 0.387298335 * w;
+    let reach = 0.387298334620741689 * w;
     let before = profile_point(angle_shifted(u, reach), shape);
     let after = profile_point(angle_shifted(u, -reach), shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;

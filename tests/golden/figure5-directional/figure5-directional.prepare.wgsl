@@ -23,7 +23,7 @@ fn exp2_stable(x: f32) -> f32 {
     let clamped = clamp(x, -150.0, 127.999992);
     let whole = round(clamped);
     let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.16666667 + f * (0.041666668 + f * (0.008333334 + f * (0.0013888889 + f * 0.00019841270))))));
+    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667 + f * (0.0416666666666666667 + f * (0.00833333333333333333 + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
     // Two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
@@ -43,7 +43,7 @@ fn log_stable(x: f32) -> f32 {
     let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.33333334 + z2 * (0.2 + z2 * (0.14285715 + z2 * 0.11111111))));
+    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
     return f32(exponent) * LN_2 + series;
 }
 
@@ -52,7 +52,7 @@ fn log1p_negative(y: f32) -> f32 {
     if y < 0.25 {
         let z = y / (2.0 - y);
         let z2 = z * z;
-        return -2.0 * z * (1.0 + z2 * (0.33333334 + z2 * (0.2 + z2 * (0.14285715 + z2 * 0.11111111))));
+        return -2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
     }
     return log_stable(max(1.0 - y, 1.17549435e-38));
 }
@@ -62,8 +62,8 @@ fn sin_cos_quarter(x: f32) -> vec2f {
     // Halved to |h| <= pi/4, where short series suffice, then doubled.
     let h = 0.5 * x;
     let h2 = h * h;
-    let s = h * (1.0 + h2 * (-0.16666667 + h2 * (0.008333334 + h2 * (-0.00019841270 + h2 * 0.0000027557319))));
-    let one_minus_c = h2 * (0.5 + h2 * (-0.041666668 + h2 * (0.0013888889 + h2 * (-0.000024801588 + h2 * 2.7557319e-7))));
+    let s = h * (1.0 + h2 * (-0.166666666666666667 + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413 + h2 * 0.00000275573192239858907))));
+    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667 + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016 + h2 * 2.75573192239858907e-7))));
     let c = 1.0 - one_minus_c;
     return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
 }

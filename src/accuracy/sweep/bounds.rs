@@ -1,0 +1,266 @@
+//! What each node is held to, and how. Exact tiers err by rounding alone; cheaper ones by what their files state.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use glam::{DQuat, DVec3};
+
+use super::case::Case;
+use super::slot::{Kind, Numbers, Slot};
+use crate::document::Tier;
+use crate::library::Library;
+
+/// Relative to the output's range, which is 1 or, where that is more, the largest number of the true result.
+pub const DEFAULT: f64 = 2e-6;
+
+/// How a result is held against the truth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Judging {
+    /// By its distance from the truth.
+    Plain,
+    /// By its distance from all that the truth gives within four units in the last place of each input: steep or
+    /// cancelling, where rounding of the inputs themselves decides. Such a result is right for inputs that no f32 can
+    /// tell from the given ones; anything worse still shows.
+    Steep,
+    /// The same, but by the distance from the nearest of these results, and not from what lies between them: steps.
+    Steps,
+}
+
+/// A node that is held to something else than [`DEFAULT`], and why.
+#[derive(Clone, Copy, Debug)]
+pub struct Exception {
+    /// The kind of node.
+    pub node: &'static str,
+    /// A word of one of its choices; empty for all.
+    pub word: &'static str,
+    /// The bound of its exact tier.
+    pub bound: f64,
+    /// How it is judged.
+    pub judging: Judging,
+    /// Whether the inputs' own size counts into the output's range.
+    pub of_inputs: bool,
+    /// Whether inputs are told apart by units in the last place of the largest of them (at least 1), and not each by
+    /// its own.
+    pub together: bool,
+    /// From what size of its inputs on (0 aside); below, the result is finite, and no more is said.
+    pub finest: f64,
+    /// Up to what size of its inputs; beyond, the result is finite, and no more is said.
+    pub reach: f64,
+    /// Why.
+    pub reason: &'static str,
+}
+
+/// Nothing is too large.
+const ALL: f64 = f32::MAX as f64;
+
+const fn on(node: &'static str, word: &'static str) -> Exception {
+    Exception {
+        node,
+        word,
+        bound: DEFAULT,
+        judging: Judging::Plain,
+        of_inputs: false,
+        together: false,
+        finest: 0.0,
+        reach: ALL,
+        reason: "",
+    }
+}
+
+impl Exception {
+    const fn steep(self, reason: &'static str) -> Self {
+        Self { judging: Judging::Steep, reason, ..self }
+    }
+
+    const fn steps(self, reason: &'static str) -> Self {
+        Self { judging: Judging::Steps, reason, ..self }
+    }
+
+    const fn within(self, reach: f64) -> Self {
+        Self { reach, ..self }
+    }
+
+    const fn from(self, finest: f64) -> Self {
+        Self { finest, ..self }
+    }
+
+    const fn of_inputs(self) -> Self {
+        Self { of_inputs: true, ..self }
+    }
+
+    const fn together(self) -> Self {
+        Self { together: true, ..self }
+    }
+
+    const fn bound(self, bound: f64) -> Self {
+        Self { bound, ..self }
+    }
+
+    const fn because(self, reason: &'static str) -> Self {
+        Self { reason, ..self }
+    }
+}
+
+/// Every exception, with its reason; the first that fits counts.
+pub const EXCEPTIONS: &[Exception] = &[
+    on("sine", "").within(1e5).because(PHASE),
+    on("cosine", "").within(1e5).because(PHASE),
+    on("tangent_value", "").within(1e5).steep(PHASE),
+    on("transform_uv", "").within(1e5).steep(PHASE),
+    on("rotate_vector", "").within(1e5).steep(PHASE),
+    on("power", "").within(1e15).steep(POWER),
+    on("gamma", "").within(1e15).steep(POWER),
+    on("color_space", "").within(1e3).because(COLOR),
+    on("map_range", "").within(1e15).of_inputs().steep(NARROW),
+    on("smooth_step_value", "").within(1e15).steep(NARROW),
+    on("threshold", "").within(1e15).steep(NARROW),
+    on("bands", "").within(1e15).steep(NARROW),
+    on("profile", "").steep(NARROW),
+    on("mix_values", "").within(1e15).of_inputs().steep(CANCELS),
+    on("dot_product", "").within(1e15).steep(CANCELS),
+    on("cross_product", "").within(1e15).steep(CANCELS),
+    on("reflect_vector", "").within(1e15).steep(CANCELS),
+    on("project_vector", "").within(1e15).steep(CANCELS),
+    on("transform_direction", "").within(1e15).steep(CANCELS),
+    on("refract_vector", "")
+        .within(8.0)
+        .bound(2e-4)
+        .steep("where total reflection begins, the direction turns infinitely fast"),
+    on("normalize_vector", "").steps("a vector that is too short to have a direction gives 0"),
+    on("light", "").steep("at the light itself it has no direction"),
+    on("fraction", "").together().steep(STEPS),
+    on("modulo", "").within(1e15).together().steep(STEPS),
+    on("rounding", "").steps(STEPS),
+    on("sign_of", "").steps(STEPS),
+    on("compare", "").steps(STEPS),
+    on("curve", "stepped").steps(STEPS),
+    on("ramp", "stepped").steps(STEPS),
+    on("checker", "").from(1e-15).within(1e5).together().steps(STEPS),
+    on("gradient", "").from(1e-15).within(1e15).together().steps("around its start it leaps from 1 to 0"),
+    on("noise", "").within(8.0).bound(2e-5).steep("octaves are finer than the position's last digits"),
+    on("image", "linear").within(30.0).together().bound(1e-2).steep(FILTER),
+    on("image", "nearest").within(30.0).together().steps("between texels rounding decides"),
+    on("litsphere", "linear").together().bound(1e-2).steep(FILTER),
+    on("litsphere", "nearest").together().steep("between texels rounding decides"),
+    on("tangent_frame", "").steep(FRAME),
+    on("normal_map", "").within(1e15).steep(FRAME),
+    on("bump_map", "").within(1e15).because("beyond, the height leaves f32"),
+    on("hsv_adjust", "").within(1e3).of_inputs().steep(COLOR),
+    on("brightness_contrast", "").within(1e3).of_inputs().because(COLOR),
+    on("negative_color", "").within(1e3).of_inputs().because(COLOR),
+    on("curvature_color", "").within(1e3).of_inputs().because(COLOR),
+    on("mix_colors", "").within(1e3).of_inputs().steep(COLOR),
+    on("blend", "").within(2.0).because("tones and opacities far above 1 multiply what colours were rounded by"),
+    on("output", "").within(1e3).steep("dividing by a small alpha"),
+];
+
+const POWER: &str = "far up a power, the exponent multiplies what the base was rounded by";
+const NARROW: &str = "a narrow edge is as steep as it is narrow, and an empty one a step";
+const FRAME: &str = "where normal and tangent are nearly the same, rounding turns the frame";
+const PHASE: &str = "beyond 100,000 an f32 holds no phase";
+const CANCELS: &str = "large terms cancel";
+const STEPS: &str = "a step: rounding of the input decides on which side it is";
+const FILTER: &str = "a GPU weighs texels by 8 bits";
+const COLOR: &str = "far beyond any colour, what is left of a small difference is rounding's";
+
+/// Nodes whose files state errors on the pixels of edges, which single samples have not.
+const ON_EDGES: [&str; 2] = ["threshold", "bands"];
+
+/// The exception that a case falls under.
+pub fn exception_of(case: &Case) -> Option<&'static Exception> {
+    let fits = |exception: &&Exception| {
+        exception.node == case.node
+            && (exception.word.is_empty() || case.choices.values().any(|word| word == exception.word))
+    };
+    EXCEPTIONS.iter().find(fits)
+}
+
+/// Whether the inputs' own size counts into a case's range.
+pub fn counts_inputs(case: &Case) -> bool {
+    exception_of(case).is_some_and(|exception| exception.of_inputs)
+}
+
+/// Whether a case's inputs are told apart by units of the largest of them.
+pub fn moves_together(case: &Case) -> bool {
+    exception_of(case).is_some_and(|exception| exception.together)
+}
+
+/// How a case is judged.
+pub fn judging(case: &Case) -> Judging {
+    exception_of(case).map_or(Judging::Plain, |exception| exception.judging)
+}
+
+/// What a case is held to, relative to the output's range.
+pub fn bound(case: &Case, library: &Library) -> f64 {
+    let exact = exception_of(case).map_or(DEFAULT, |exception| exception.bound);
+    if case.tier == Tier::Exact {
+        return exact;
+    }
+    let def = library.nodes.get(&case.node).filter(|_| !ON_EDGES.contains(&case.node.as_str()));
+    exact + def.and_then(|def| def.error_of(case.tier)).map_or(0.0, |error| error.bound)
+}
+
+/// Whether a sample lies where a bound is stated; elsewhere the result must be finite, and no more.
+pub fn is_stated(case: &Case, slots: &[Slot], numbers: &Numbers) -> bool {
+    let (finest, reach) = exception_of(case).map_or((0.0, ALL), |exception| (exception.finest, exception.reach));
+    let is_in_reach = |(slot, numbers): (&Slot, &Vec<f64>)| {
+        if slot.kind == Kind::Direction {
+            // Which vectors are too short to have a direction is a matter of the last digit there.
+            let largest = numbers.iter().map(|x| x.abs()).fold(0.0, f64::max);
+            return !(0.999e-30..1.001e-30).contains(&largest);
+        }
+        matches!(slot.kind, Kind::Kappa | Kind::Whole { .. })
+            || numbers.iter().all(|x| *x == 0.0 || (finest..=reach).contains(&x.abs()))
+    };
+    slots.iter().zip(numbers).all(is_in_reach) && is_of_tier(case, slots, numbers)
+}
+
+/// Whether a sample lies where the file of a cheaper tier states its bound.
+fn is_of_tier(case: &Case, slots: &[Slot], numbers: &Numbers) -> bool {
+    if case.node == "litsphere" {
+        return has_rim(case, slots, numbers);
+    }
+    let of = |name: &str| slots.iter().position(|slot| slot.name == name).map(|index| &numbers[index]);
+    let is_usual = profile_of(case, slots, numbers).is_none_or(|[tau, f, c]| {
+        // An offset within 1e-5 of pi is ambient, and shortly before that nothing is left of f32's digits, as of a
+        // fall-off that is nearly pi.
+        let is_near_pi = (PI - 1e-2..PI - 9e-6).contains(&tau) || (f > PI - 1e-3 && f < c);
+        !is_near_pi && (case.tier == Tier::Exact || f >= 0.05)
+    });
+    let length = of("normal").map_or(1.0, |n| n.iter().map(|x| x * x).sum::<f64>().sqrt());
+    is_usual && (case.tier == Tier::Exact || (1e-15..1e18).contains(&length))
+}
+
+/// How much more than its bound a sample is granted: a profile that falls off a quarter turn or more from its offset
+/// ends infinitely steep, as the square root does at 0.
+pub fn slack(case: &Case, slots: &[Slot], numbers: &Numbers) -> f64 {
+    let is_steep = profile_of(case, slots, numbers).is_some_and(|[_, f, _]| f > FRAC_PI_2 - 0.1);
+    match case.tier {
+        _ if !is_steep => 1.0,
+        Tier::Exact => STEEP_FOOT / DEFAULT,
+        Tier::Balanced => 10.0 * STEEP_FOOT / 1e-5,
+        Tier::Fast => 10.0 * STEEP_FOOT / 5e-5,
+    }
+}
+
+/// What a profile's exact tier is held to where it ends infinitely steep; cheaper ones to ten times that.
+pub const STEEP_FOOT: f64 = 5e-4;
+
+/// A profile's offset, and its fall-off and cut-off from there, in order.
+fn profile_of(case: &Case, slots: &[Slot], numbers: &Numbers) -> Option<[f64; 3]> {
+    let at = |name: &str| slots.iter().position(|slot| slot.name == name).map_or(0.0, |index| numbers[index][0]);
+    (case.node == "profile").then(|| {
+        let tau = at("offset").clamp(0.0, PI);
+        let c = at("cutoff").clamp(tau, PI);
+        [tau, at("falloff").clamp(tau, c) - tau, c - tau]
+    })
+}
+
+/// Whether a normal, as a LitSphere sees it, does not point straight away, where no side of the rim is nearer.
+fn has_rim(case: &Case, slots: &[Slot], numbers: &Numbers) -> bool {
+    let of = |name: &str| slots.iter().position(|slot| slot.name == name).map(|index| &numbers[index]);
+    let [Some(normal), Some(view), Some(camera)] = ["normal", "view", "camera"].map(of) else { return true };
+    let unit = |v: &[f64]| DVec3::from_slice(v).try_normalize().unwrap_or(DVec3::Z);
+    let camera = DQuat::from_slice(camera).normalize();
+    let view = if case.choice("lookup") == "camera" { camera.inverse() * DVec3::Z } else { unit(view) };
+    (unit(normal) + view).length() > 1e-3
+}

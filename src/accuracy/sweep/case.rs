@@ -1,0 +1,475 @@
+//! One way of using a node: its choices, its width, its tier, and whether what is prepared comes from the host.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value as Json, json};
+
+use super::slot::{Kind, Place, Slot};
+use crate::diag::Diagnostic;
+use crate::document::{Look, Tier};
+use crate::frame::SetupLook;
+use crate::library::{Context, Fallback, Input, Library, NodeDef, Parameter, Special, Type};
+
+/// The largest number that f32 holds.
+const MOST: f64 = f32::MAX as f64;
+/// The place on the surface: far enough, and its depth stays a number.
+const MOST_PLACE: f64 = 1e30;
+/// Layers and their colours are no maths nodes: what leaves f32 there, as a product of many, is cleared by the Output.
+const MOST_COLOR: f64 = 1e6;
+/// Documents place lights no farther away.
+const MOST_LIGHT: f64 = 1e6;
+
+/// One way of using a node. It is written down in `tests/worst`.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub struct Case {
+    /// The kind of node.
+    pub node: String,
+    /// The words of its choices; also the kind of light and the interpolation of a curve, which are no choices.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub choices: BTreeMap<String, String>,
+    /// The wider type that it is fed: `vec3`; empty for its own.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub width: String,
+    /// The tier.
+    pub tier: Tier,
+    /// Whether its `prepare` runs in the fragment, as it does where what it takes is wired.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub prepared_in_fragment: bool,
+}
+
+impl Case {
+    /// As people say it: `rounding floor, vec3, exact`.
+    pub fn name(&self) -> String {
+        let mut name = self.node.clone();
+        for word in self.choices.values() {
+            name += &format!(" {word}");
+        }
+        if !self.width.is_empty() {
+            name += &format!(", {}", self.width);
+        }
+        if self.prepared_in_fragment {
+            name += ", prepared in the fragment";
+        }
+        name
+    }
+
+    /// The word of a choice, empty where there is none of that name.
+    pub fn choice(&self, port: &str) -> &str {
+        self.choices.get(port).map_or("", String::as_str)
+    }
+
+    /// Every case of a node.
+    pub fn of(def: &NodeDef) -> Vec<Self> {
+        let mut cases = Vec::new();
+        for choices in choices(def) {
+            for width in widths(def) {
+                for tier in def.tiers() {
+                    for prepared_in_fragment in [false, true] {
+                        if prepared_in_fragment && def.prepare.is_none() {
+                            continue;
+                        }
+                        let (node, choices, width) = (def.kind.clone(), choices.clone(), width.clone());
+                        cases.push(Self { node, choices, width, tier, prepared_in_fragment });
+                    }
+                }
+            }
+        }
+        cases
+    }
+}
+
+/// Every combination of a node's choices.
+fn choices(def: &NodeDef) -> Vec<BTreeMap<String, String>> {
+    let words = |input: &Input| match input.ty {
+        Type::LightName => ["directional", "point", "spot"].map(str::to_owned).to_vec(),
+        Type::Curve | Type::Ramp => ["linear", "smooth", "stepped"].map(str::to_owned).to_vec(),
+        _ => input.options.iter().map(|(word, _)| word.clone()).collect(),
+    };
+    let mut all = vec![BTreeMap::new()];
+    for input in def.visible_inputs() {
+        let words = words(input);
+        if words.is_empty() {
+            continue;
+        }
+        let with = |map: &BTreeMap<String, String>, word: &String| {
+            let mut map = map.clone();
+            map.insert(input.name.to_string(), word.clone());
+            map
+        };
+        all = all.iter().flat_map(|map| words.iter().map(|word| with(map, word)).collect::<Vec<_>>()).collect();
+    }
+    all
+}
+
+/// The wider types that a node has functions for, and its own first.
+fn widths(def: &NodeDef) -> Vec<String> {
+    let mut widths = vec![String::new()];
+    for width in def.variants.iter().filter_map(|variant| variant.width.as_ref()) {
+        let word = width.to_string();
+        if !widths.contains(&word) {
+            widths.push(word);
+        }
+    }
+    widths
+}
+
+/// What of a node is looked at.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Root {
+    /// The node and the output, `node.output`; `None` for the look's own.
+    pub output: Option<(String, String)>,
+}
+
+/// A look with the node alone, every number of it fed by hand.
+#[derive(Clone, Debug)]
+pub struct Bench {
+    /// What is measured.
+    pub case: Case,
+    /// What it is fed.
+    pub slots: Vec<Slot>,
+    /// The look in the case's tier.
+    pub look: SetupLook,
+    /// The same, exact.
+    pub exact: SetupLook,
+    /// What is looked at.
+    pub roots: Vec<Root>,
+}
+
+/// Nodes that hand a value on at each fragment, so that nothing of it is known before.
+pub(super) fn feeders(library: &Library) -> Library {
+    let mut library = library.clone();
+    let plain = [("float", "f32", "0"), ("int", "i32", "0"), ("bool", "bool", "false"), ("vec2", "vec2f", "0,0")];
+    let wide = [("vec3", "vec3f", "0,0,0"), ("vec4", "vec4f", "0,0,0,0"), ("color", "Color", "0,0,0,1")];
+    for (name, ty, default) in plain.into_iter().chain(wide) {
+        let other = match name {
+            "bool" => "!value",
+            "int" => "value + 1",
+            _ => "value + 1.0",
+        };
+        let body = format!("return select(value, {other}, depth > 1e35);");
+        add_feeder(
+            &mut library,
+            name,
+            &format!("@param value \"Value\" default={default} : Any."),
+            &format!("value: {ty}"),
+            ty,
+            &body,
+        );
+    }
+    let body = "return select(value, value + 1.0, depth > 1e35);";
+    add_feeder(
+        &mut library,
+        "composite",
+        "@param value \"Value\" default=0,0,0,1 : Any.",
+        "value: Color",
+        "Composite",
+        body,
+    );
+    let body = "return Angle(value.x, value.y + select(0.0, 1.0, depth > 1e35));";
+    add_feeder(
+        &mut library,
+        "angle",
+        "@param value \"Value\" default=0,1 : Sine and cosine.",
+        "value: vec2f",
+        "Angle",
+        body,
+    );
+    let docs = "@param direction \"Direction\" default=0,0,1 : Unit.\n/// @param own_direction \"Own\" default=0,0,1 : Unit.\n\
+                /// @param color \"Color\" default=1,1,1 : RGB.\n/// @param intensity \"Intensity\" default=1 : 0 or more.";
+    let parameters = "direction: vec3f, own_direction: vec3f, color: vec3f, intensity: f32";
+    let body = "return Light(direction, own_direction, color, intensity + select(0.0, 1.0, depth > 1e35));";
+    add_feeder(&mut library, "light", docs, parameters, "Light", body);
+    library
+}
+
+fn add_feeder(library: &mut Library, name: &str, docs: &str, parameters: &str, ty: &str, body: &str) {
+    let code = format!(
+        "import chiaro::types;\n\n/// Feed\n///\n/// Not known before the fragment.\n///\n/// {docs}\n\
+         /// @param depth from=depth hidden\n/// @return value \"Value\" : The same.\n\
+         fn sweep_{name}({parameters}, depth: f32) -> {ty} {{\n    {body}\n}}\n"
+    );
+    library.add_file(&format!("nodes/sweep/sweep_{name}.wgsl"), &code);
+}
+
+fn feeder_of(ty: &Type) -> Option<&'static str> {
+    Some(match ty {
+        Type::Float => "sweep_float",
+        Type::Int => "sweep_int",
+        Type::Bool => "sweep_bool",
+        Type::Vec2 => "sweep_vec2",
+        Type::Vec3 => "sweep_vec3",
+        Type::Vec4 => "sweep_vec4",
+        Type::Color => "sweep_color",
+        Type::Composite => "sweep_composite",
+        Type::Angle => "sweep_angle",
+        Type::Light => "sweep_light",
+        _ => return None,
+    })
+}
+
+/// Builds a bench's look from its parts.
+struct Builder<'a> {
+    def: &'a NodeDef,
+    case: &'a Case,
+    slots: Vec<Slot>,
+    nodes: Vec<Json>,
+    wires: Vec<Json>,
+    exposed: Vec<Json>,
+    values: Map<String, Json>,
+}
+
+impl Bench {
+    /// The bench of a case; images come from `folder`.
+    ///
+    /// # Errors
+    /// A case that the library does not have (any more).
+    pub fn new(case: &Case, library: &Library, folder: &Path) -> Result<Self, Vec<Diagnostic>> {
+        let unknown = |what: &str| vec![Diagnostic::error("unknown-kind", format!("there is no {what} to measure"))];
+        let Some(def) = library.nodes.get(&case.node) else { return Err(unknown(&format!("node `{}`", case.node))) };
+        if !Case::of(def).contains(case) {
+            return Err(unknown(&format!("case `{}` ({:?})", case.name(), case.tier)));
+        }
+        let mut builder = Builder {
+            def,
+            case,
+            slots: Vec::new(),
+            nodes: Vec::new(),
+            wires: Vec::new(),
+            exposed: Vec::new(),
+            values: Map::new(),
+        };
+        builder.inputs();
+        builder.surroundings();
+        let roots = builder.roots();
+        let look = |tier: Tier| builder.look(tier, folder);
+        Ok(Self {
+            case: case.clone(),
+            look: look(case.tier)?,
+            exact: look(Tier::Exact)?,
+            slots: builder.slots.clone(),
+            roots,
+        })
+    }
+}
+
+impl Builder<'_> {
+    /// The types of the inputs in the case's width.
+    fn types(&self) -> Vec<Type> {
+        let mut types: Vec<Type> = self.def.inputs.iter().map(|input| input.ty.clone()).collect();
+        let is_it = |ty: &Option<Type>| ty.as_ref().is_some_and(|ty| ty.to_string() == self.case.width);
+        if let Some(variant) = self.def.variants.iter().find(|variant| is_it(&variant.width)) {
+            for parameter in &variant.parameters {
+                if let Parameter::Input(index, ty) = parameter {
+                    types[*index] = ty.clone();
+                }
+            }
+        }
+        types
+    }
+
+    fn inputs(&mut self) {
+        let prepared: Vec<usize> =
+            self.def.prepare.iter().flat_map(|prepare| prepare.parameters.iter().map(|(index, _)| *index)).collect();
+        for (index, ty) in self.types().into_iter().enumerate() {
+            let input = &self.def.inputs[index];
+            let name = input.name.to_string();
+            // What the Output asks beside the colour belongs to other passes.
+            let is_other = self.def.special == Special::Output && name != "color";
+            if input.hidden || is_other || input.fallback == Fallback::Context(Context::Kappa) {
+                continue;
+            }
+            if let Some(word) = self.case.choices.get(&name) {
+                self.setting(input, word);
+            } else if ty == Type::Image {
+                self.values.insert(name, json!(PICTURE));
+            } else if prepared.contains(&index) {
+                self.exposed.push(json!({"name": name, "target": format!("node.{name}")}));
+                self.slots.push(value_slot(input, &ty, &name, self.most()));
+            } else if ty == Type::Light {
+                self.feed_light(&name);
+            } else if let Some(feeder) = feeder_of(&ty) {
+                let id = format!("feed_{name}");
+                self.nodes.push(json!({"id": id, "kind": feeder}));
+                self.wires.push(json!({"from": id, "to": format!("node.{name}")}));
+                self.exposed.push(json!({"name": name, "target": format!("{id}.value")}));
+                self.slots.push(value_slot(input, &ty, &name, self.most()));
+            }
+        }
+    }
+
+    fn most(&self) -> f64 {
+        if matches!(self.def.category.as_str(), "curvature" | "layer") || self.def.kind == "light_apply" {
+            MOST_COLOR
+        } else {
+            MOST
+        }
+    }
+
+    fn setting(&mut self, input: &Input, word: &str) {
+        let points = [[-1.0, 0.5], [0.0, 0.0], [0.5, 2.0], [2.0, 2.0], [3.0, -1.0]];
+        let value = match input.ty {
+            Type::LightName => {
+                self.light_slots(word);
+                json!("key")
+            }
+            Type::Curve => json!({"points": points, "interpolation": word}),
+            Type::Ramp => {
+                let stop = |[x, y]: [f64; 2]| json!({"at": x, "color": [y, 0.1 * x, 0.3, 0.2 * y]});
+                json!({"stops": points.map(stop), "interpolation": word})
+            }
+            _ => json!(word),
+        };
+        self.values.insert(input.name.to_string(), value);
+    }
+
+    fn light_slots(&mut self, word: &str) {
+        let number = |min, max| Kind::Number { min, max, is_angle: false };
+        match word {
+            "directional" => self.slot("light_direction", Place::LightDirection, Kind::Direction, 3, MOST_LIGHT),
+            _ => self.slot("light_position", Place::LightPosition, number(None, None), 3, MOST_LIGHT),
+        }
+        self.slot("light_color", Place::LightColor, number(Some(0.0), Some(1.0)), 3, MOST_COLOR);
+        self.slot("light_intensity", Place::LightIntensity, number(Some(0.0), Some(4.0)), 1, MOST_COLOR);
+    }
+
+    fn feed_light(&mut self, name: &str) {
+        let number = |min, max| Kind::Number { min, max, is_angle: false };
+        let parts = [
+            ("direction", Kind::Unit, 3),
+            ("own_direction", Kind::Unit, 3),
+            ("color", number(Some(0.0), Some(1.0)), 3),
+            ("intensity", number(Some(0.0), Some(4.0)), 1),
+        ];
+        self.nodes.push(json!({"id": "feed_light", "kind": "sweep_light"}));
+        self.wires.push(json!({"from": "feed_light", "to": format!("node.{name}")}));
+        for (part, kind, width) in parts {
+            let exposed = format!("{name}_{part}");
+            self.exposed.push(json!({"name": exposed, "target": format!("feed_light.{part}")}));
+            self.slot(&exposed, Place::Value, kind, width, MOST_COLOR);
+        }
+    }
+
+    fn slot(&mut self, name: &str, place: Place, kind: Kind, width: usize, most: f64) {
+        if self.slots.iter().all(|slot| slot.place == Place::Value && place == Place::Value || slot.place != place) {
+            self.slots.push(Slot { name: name.to_owned(), place, kind, width, most });
+        }
+    }
+
+    /// Slots for what the node asks of its surroundings.
+    fn surroundings(&mut self) {
+        let number = Kind::Number { min: None, max: None, is_angle: false };
+        let clock = Kind::Number { min: Some(0.0), max: Some(100.0), is_angle: false };
+        let is_fed = |input: &Input| !input.hidden && input.fallback != Fallback::Context(Context::Kappa);
+        let contexts: Vec<Context> =
+            self.def.inputs.iter().filter(|input| !is_fed(input)).filter_map(context_of).collect();
+        for context in contexts {
+            match context {
+                Context::Normal => self.slot("surface_normal", Place::Normal, Kind::Unit, 3, 1.0),
+                Context::View => self.slot("view", Place::View, Kind::Unit, 3, 1.0),
+                Context::Tangent | Context::Bitangent => {
+                    self.slot("surface_normal", Place::Normal, Kind::Unit, 3, 1.0);
+                    self.slot("surface_tangent", Place::Tangent, Kind::Unit, 3, 1.0);
+                }
+                Context::Position | Context::PositionObject => {
+                    self.slot("surface_position", Place::Position, number, 3, MOST_PLACE);
+                }
+                Context::PositionCamera | Context::Depth => {
+                    self.slot("surface_position", Place::Position, number, 3, MOST_PLACE);
+                    self.slot("camera", Place::Camera, Kind::Rotation, 4, 1.0);
+                }
+                Context::CameraFromWorld => self.slot("camera", Place::Camera, Kind::Rotation, 4, 1.0),
+                Context::Uv => self.slot("uv", Place::Uv, number, 2, MOST),
+                Context::VertexColor => self.slot("vertex_color", Place::VertexColor, Kind::Color, 4, MOST_COLOR),
+                Context::Kappa | Context::KappaDetail | Context::KappaFast => {
+                    self.slot("kappa", Place::Kappa, Kind::Kappa, 1, MOST)
+                }
+                Context::Time | Context::Frame => self.slot("time", Place::Time, clock, 1, MOST_LIGHT),
+                Context::ObjectId | Context::Viewport | Context::Light(_) => {}
+            }
+        }
+    }
+
+    fn roots(&mut self) -> Vec<Root> {
+        match self.def.special {
+            Special::Output => return vec![Root { output: None }],
+            Special::Light => {
+                self.nodes.push(json!({"id": "parts", "kind": "light_parts"}));
+                self.wires.push(json!({"from": "node", "to": "parts.light"}));
+                let root = |port: &str| Root { output: Some(("parts".to_owned(), port.to_owned())) };
+                return ["direction", "color", "intensity"].map(root).to_vec();
+            }
+            _ => {}
+        }
+        let root = |name: String| Root { output: Some(("node".to_owned(), name)) };
+        self.def.outputs.iter().map(|output| root(output.name.to_string())).collect()
+    }
+
+    fn look(&self, tier: Tier, folder: &Path) -> Result<SetupLook, Vec<Diagnostic>> {
+        let mut nodes = self.nodes.clone();
+        let node = json!({"id": "node", "kind": self.def.kind, "values": self.values, "tier": tier});
+        nodes.push(node);
+        if self.def.special != Special::Output {
+            nodes.push(json!({"id": "shown", "kind": "color_value"}));
+            nodes.push(json!({"id": "output", "kind": "output"}));
+        }
+        let mut wires = self.wires.clone();
+        if self.def.special != Special::Output {
+            wires.push(json!({"from": "shown", "to": "output.color"}));
+        }
+        let light = json!({"type": self.light_word(), "space": "world", "inner": 0.35, "outer": 0.9, "half_distance": 1.5, "range": 40});
+        let json = json!({
+            "chiaro": "look", "version": 1, "name": self.case.name(),
+            "lights": {"key": light}, "nodes": nodes, "wires": wires, "exposed": self.exposed
+        });
+        let loaded = Look::read(&json.to_string(), "sweep.json");
+        let source = loaded.source.into();
+        let look = loaded.value.filter(|_| !crate::diag::has_errors(&loaded.diagnostics)).ok_or(loaded.diagnostics)?;
+        Ok(SetupLook { look, source, folder: PathBuf::from(folder) })
+    }
+
+    fn light_word(&self) -> &str {
+        let is_light = self.def.special == Special::Light;
+        let word = self.case.choices.get("light").filter(|_| is_light);
+        word.map_or("directional", String::as_str)
+    }
+}
+
+fn context_of(input: &Input) -> Option<Context> {
+    match input.fallback {
+        Fallback::Context(context) => Some(context),
+        _ => None,
+    }
+}
+
+fn value_slot(input: &Input, ty: &Type, name: &str, most: f64) -> Slot {
+    let is_angle = input.unit == "rad";
+    let (kind, width) = match ty {
+        Type::Int => (Kind::Whole { min: input.min.unwrap_or(-20.0), max: input.max.unwrap_or(20.0) }, 1),
+        Type::Bool => (Kind::Switch, 1),
+        Type::Color => (Kind::Color, 4),
+        Type::Composite => (Kind::Composite, 4),
+        Type::Angle => (Kind::HalfAngle, 2),
+        _ if matches!(name, "normal" | "axis" | "onto") => (Kind::Direction, 3),
+        _ => (Kind::Number { min: input.min, max: input.max, is_angle }, ty.width().unwrap_or(1)),
+    };
+    Slot { name: name.to_owned(), place: Place::Value, kind, width, most }
+}
+
+/// The picture that image nodes are given.
+const PICTURE: &str = "sweep.png";
+
+/// Writes the picture that image nodes are given: 9 x 9 texels, each of its own colour and alpha. The middle of the
+/// picture is the middle of a texel, so that straight ahead is no edge.
+///
+/// # Errors
+/// What the disk refuses.
+pub(super) fn write_picture(folder: &Path) -> Result<(), Vec<Diagnostic>> {
+    let texel =
+        |x: u32, y: u32| image::Rgba([(28 * x) as u8, (28 * y) as u8, (14 * (x + y)) as u8, (255 - 16 * x) as u8]);
+    let told = |error: image::ImageError| {
+        vec![Diagnostic::error("write-failed", format!("the sweep's picture cannot be written: {error}"))]
+    };
+    image::RgbaImage::from_fn(9, 9, texel).save(folder.join(PICTURE)).map_err(told)
+}

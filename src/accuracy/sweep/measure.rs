@@ -1,0 +1,521 @@
+//! Runs a bench on the GPU and in f64, with the same inputs, and says how far apart both are.
+
+use serde::Serialize;
+
+use super::bounds::{Judging, bound, counts_inputs, is_stated, judging, moves_together, slack};
+use super::case::{Bench, Case, Root, feeders, write_picture};
+use super::random::{Even, Random};
+use super::slot::{Kind, Numbers, Place, Slot, held, next, relate};
+use crate::accuracy::Stopped;
+use crate::compile::{Live, Options};
+use crate::diag::Diagnostic;
+use crate::document::Value;
+use crate::frame::{Assets, EvalBatch, EvalSample, LightOverride, SetupLook, eval_batches};
+use crate::ids::{NodePath, PortName};
+use crate::interp::Precision;
+use crate::library::{Library, Type};
+use crate::reference;
+use crate::render::{Renderer, block_on};
+
+/// What all measurements share.
+pub struct Lab<'a> {
+    /// The library, with the nodes that feed others.
+    pub library: Library,
+    /// The GPU.
+    pub renderer: &'a mut Renderer,
+    assets: Assets,
+    folder: tempfile::TempDir,
+}
+
+/// How much is measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Effort {
+    /// Samples a case that lie within what is documented.
+    pub ordinary: usize,
+    /// Samples a case at the edges of arithmetic.
+    pub extreme: usize,
+    /// Rounds of the search for worse inputs; 0 for none.
+    pub rounds: usize,
+}
+
+impl Effort {
+    /// Seconds for the whole library.
+    pub const QUICK: Self = Self { ordinary: 256, extreme: 512, rounds: 0 };
+    /// Minutes for the whole library.
+    pub const FULL: Self = Self { ordinary: 4000, extreme: 6000, rounds: 8 };
+}
+
+/// One sample's result.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finding {
+    /// What the node was fed.
+    pub numbers: Numbers,
+    /// What the GPU gave.
+    pub got: Vec<f64>,
+    /// What is true.
+    pub truth: Vec<f64>,
+    /// The largest difference of a number.
+    pub absolute: f64,
+    /// The same over the output's range, as [`judging`] has it.
+    pub error: f64,
+}
+
+/// What a case came to.
+#[derive(Clone, Debug, Serialize)]
+pub struct Measured {
+    /// The case.
+    pub case: Case,
+    /// How many samples were compared.
+    pub samples: usize,
+    /// Samples that are within the bound only as f32 cannot tell their inputs from others.
+    pub rounded: usize,
+    /// Results that were NaN or infinite.
+    pub broken: usize,
+    /// The largest difference over samples within what is documented.
+    pub absolute: f64,
+    /// Over those, all but one in a thousand are below, relative to the output's range.
+    pub p999: f64,
+    /// The largest error of all, relative to the output's range.
+    pub max: f64,
+    /// What it is held to.
+    pub bound: f64,
+    /// The worst samples, the worst first.
+    #[serde(skip)]
+    pub worst: Vec<Finding>,
+    /// The worst sample in words.
+    pub worst_words: String,
+}
+
+impl Measured {
+    /// Whether it keeps what it is held to.
+    pub fn holds(&self) -> bool {
+        self.broken == 0 && self.max <= self.bound
+    }
+}
+
+/// How many of the worst samples are kept.
+const KEPT: usize = 6;
+
+impl<'a> Lab<'a> {
+    /// A laboratory on this GPU.
+    ///
+    /// # Errors
+    /// Where no picture can be written for image nodes.
+    pub fn new(library: &Library, renderer: &'a mut Renderer) -> Result<Self, Vec<Diagnostic>> {
+        let told =
+            |error: std::io::Error| vec![Diagnostic::error("write-failed", format!("no temporary folder: {error}"))];
+        let folder = tempfile::tempdir().map_err(told)?;
+        write_picture(folder.path())?;
+        Ok(Self { library: feeders(library), renderer, assets: Assets::default(), folder })
+    }
+
+    /// The bench of a case.
+    ///
+    /// # Errors
+    /// A case that the library does not have.
+    pub fn bench(&self, case: &Case) -> Result<Bench, Vec<Diagnostic>> {
+        Bench::new(case, &self.library, self.folder.path())
+    }
+
+    fn batches(
+        &mut self,
+        look: &SetupLook,
+        root: &Root,
+        samples: &[EvalSample],
+        unspecialized: bool,
+    ) -> Result<Vec<EvalBatch>, Vec<Diagnostic>> {
+        let root = root.output.as_ref().map(|(node, port)| (NodePath::parse(node), PortName::from(port.as_str())));
+        let options = Options { root, live: Live::Exposed, unspecialized, ..Options::default() };
+        eval_batches(look, &self.library, samples, &options, &mut self.assets)
+    }
+
+    /// What the GPU gives, one row of all outputs' numbers for each sample.
+    ///
+    /// # Errors
+    /// What the compiler or the GPU refuses.
+    pub fn run(&mut self, bench: &Bench, all: &[Numbers]) -> Result<Vec<Vec<f64>>, Stopped> {
+        let samples: Vec<EvalSample> = all.iter().map(|numbers| sample(&bench.slots, numbers)).collect();
+        let has_prepare = self.library.nodes.get(&bench.case.node).is_some_and(|def| def.prepare.is_some());
+        let unspecialized = !has_prepare || bench.case.prepared_in_fragment;
+        let mut rows = vec![Vec::new(); samples.len()];
+        if rows.is_empty() {
+            return Ok(rows);
+        }
+        for root in &bench.roots {
+            for batch in self.batches(&bench.look, root, &samples, unspecialized)? {
+                let values = block_on(self.renderer.evaluate(&batch))?;
+                collect(&batch, values.iter().map(|value| value.map(f64::from)), &mut rows);
+            }
+        }
+        Ok(rows)
+    }
+
+    /// What is true: the exact tier in f64, fed with the numbers that the GPU holds.
+    ///
+    /// # Errors
+    /// What the compiler or the interpreter refuses.
+    pub fn truth(&mut self, bench: &Bench, all: &[Numbers]) -> Result<Vec<Vec<f64>>, Stopped> {
+        let samples: Vec<EvalSample> = all.iter().map(|numbers| sample(&bench.slots, numbers)).collect();
+        let mut rows = vec![Vec::new(); samples.len()];
+        if rows.is_empty() {
+            return Ok(rows);
+        }
+        for root in &bench.roots {
+            for mut batch in self.batches(&bench.exact, root, &samples, true)? {
+                // Unit vectors and whatever else the host makes of a sample reach the GPU rounded.
+                batch.samples.numbers.iter_mut().for_each(|x| *x = held(*x));
+                let values = reference::evaluate(&batch, Precision::F64).map_err(|problem| vec![problem])?;
+                collect(&batch, values.into_iter(), &mut rows);
+            }
+        }
+        Ok(rows)
+    }
+
+    /// Measures a case.
+    ///
+    /// # Errors
+    /// What the compiler, the GPU or the interpreter refuses.
+    pub fn measure(&mut self, case: &Case, effort: &Effort) -> Result<Measured, Stopped> {
+        let bench = self.bench(case)?;
+        let samples = samples(&bench, effort);
+        let findings = self.compare(&bench, &samples)?;
+        let mut worst = self.sum_up(&bench, findings);
+        if effort.rounds > 0 {
+            super::search::climb(self, &bench, &mut worst, effort.rounds)?;
+        }
+        Ok(worst)
+    }
+
+    /// The results of samples, in their order, judged as the case is.
+    ///
+    /// # Errors
+    /// What the compiler, the GPU or the interpreter refuses.
+    pub fn compare(&mut self, bench: &Bench, samples: &[Numbers]) -> Result<Vec<Finding>, Stopped> {
+        let got = self.run(bench, samples)?;
+        let truth = self.truth(bench, samples)?;
+        let finding = |((numbers, got), truth): ((&Numbers, Vec<f64>), Vec<f64>)| {
+            let (absolute, error) =
+                (difference(&got, &truth), distance(&got, &truth, least_range(&bench.case, numbers)));
+            Finding { numbers: numbers.clone(), got, truth, absolute, error }
+        };
+        let mut findings: Vec<Finding> = samples.iter().zip(got).zip(truth).map(finding).collect();
+        let judging = judging(&bench.case);
+        let enough = 0.25 * bound(&bench.case, &self.library);
+        let doubtful = |finding: &Finding| finding.error > enough && finding.got.iter().all(|x| x.is_finite());
+        self.flush(bench, &doubtful, &mut findings)?;
+        if judging != Judging::Plain {
+            let open: Vec<usize> = (0..findings.len()).filter(|&index| doubtful(&findings[index])).collect();
+            for indices in open.chunks(400) {
+                self.judge(bench, judging, indices, &mut findings)?;
+            }
+        }
+        for finding in &mut findings {
+            finding.error /= slack(&bench.case, &bench.slots, &finding.numbers);
+        }
+        Ok(findings)
+    }
+
+    /// WGSL lets a denormal count as 0, and halving makes one of a few more: results are right if they are so with
+    /// either.
+    fn flush(
+        &mut self,
+        bench: &Bench,
+        doubtful: &dyn Fn(&Finding) -> bool,
+        findings: &mut [Finding],
+    ) -> Result<(), Stopped> {
+        for below in [1.0, 4.0] {
+            let is_tiny = |x: &f64| *x != 0.0 && x.abs() < below * f64::from(f32::MIN_POSITIVE);
+            let has_any = |finding: &Finding| finding.numbers.iter().flatten().any(is_tiny);
+            let is_open = |i: &usize| has_any(&findings[*i]) && doubtful(&findings[*i]);
+            let open: Vec<usize> = (0..findings.len()).filter(is_open).collect();
+            let flushed = |x: &f64| if is_tiny(x) { 0.0_f64.copysign(*x) } else { *x };
+            let row = |&index: &usize| -> Numbers {
+                findings[index].numbers.iter().map(|numbers| numbers.iter().map(flushed).collect()).collect()
+            };
+            let rows: Vec<Numbers> = open.iter().map(row).collect();
+            for (&index, truth) in open.iter().zip(self.truth(bench, &rows)?) {
+                let finding = &mut findings[index];
+                let error = distance(&finding.got, &truth, least_range(&bench.case, &finding.numbers));
+                if error < finding.error {
+                    (finding.error, finding.absolute, finding.truth) = (error, difference(&finding.got, &truth), truth);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Judges samples by what is true around them.
+    fn judge(
+        &mut self,
+        bench: &Bench,
+        judging: Judging,
+        indices: &[usize],
+        findings: &mut [Finding],
+    ) -> Result<(), Stopped> {
+        let together = moves_together(&bench.case);
+        let mut around = Vec::new();
+        let mut counts = Vec::new();
+        for &index in indices {
+            let before = around.len();
+            neighbours(&bench.slots, &findings[index].numbers, together, &mut around);
+            counts.push(around.len() - before);
+        }
+        let truths = self.truth(bench, &around)?;
+        let mut first = 0;
+        for (&index, count) in indices.iter().zip(counts) {
+            let finding = &mut findings[index];
+            let mut set: Vec<&[f64]> = truths[first..first + count].iter().map(Vec::as_slice).collect();
+            set.push(&finding.truth);
+            let least = least_range(&bench.case, &finding.numbers);
+            let error = match judging {
+                Judging::Steps => nearest(&finding.got, &set, least),
+                _ => beyond(&finding.got, &set, least),
+            };
+            finding.error = finding.error.min(error);
+            first += count;
+        }
+        Ok(())
+    }
+
+    fn sum_up(&self, bench: &Bench, findings: Vec<Finding>) -> Measured {
+        let bound = bound(&bench.case, &self.library);
+        let mut measured = Measured {
+            case: bench.case.clone(),
+            samples: findings.len(),
+            rounded: 0,
+            broken: 0,
+            absolute: 0.0,
+            p999: 0.0,
+            max: 0.0,
+            bound,
+            worst: Vec::new(),
+            worst_words: String::new(),
+        };
+        let mut ordinary = Vec::new();
+        let mut judged = Vec::new();
+        for finding in findings {
+            if finding.got.iter().any(|x| !x.is_finite()) {
+                measured.broken += 1;
+                judged.push(finding);
+                continue;
+            }
+            if !is_stated(&bench.case, &bench.slots, &finding.numbers) {
+                continue;
+            }
+            if bench.slots.iter().zip(&finding.numbers).all(|(slot, numbers)| slot.is_ordinary(numbers)) {
+                ordinary.push(finding.error);
+                measured.absolute = measured.absolute.max(finding.absolute);
+            }
+            let least = least_range(&bench.case, &finding.numbers);
+            measured.rounded +=
+                usize::from(finding.error <= bound && distance(&finding.got, &finding.truth, least) > bound);
+            measured.max = measured.max.max(finding.error);
+            judged.push(finding);
+        }
+        if !ordinary.is_empty() {
+            let rank = (ordinary.len() * 999 / 1000).min(ordinary.len() - 1);
+            measured.p999 = *ordinary.select_nth_unstable_by(rank, f64::total_cmp).1;
+        }
+        judged.sort_by(|a, b| b.error.total_cmp(&a.error));
+        judged.truncate(KEPT);
+        measured.worst_words = judged.first().map_or_else(String::new, |finding| words(bench, finding));
+        measured.worst = judged;
+        measured
+    }
+}
+
+impl std::fmt::Debug for Lab<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "a laboratory of {} nodes", self.library.nodes.len())
+    }
+}
+
+fn collect(batch: &EvalBatch, values: impl Iterator<Item = [f64; 4]>, rows: &mut [Vec<f64>]) {
+    let ty = &batch.shader.root_type;
+    for (&index, value) in batch.indices.iter().zip(values) {
+        match ty {
+            // Radians say more than two halves; what is not finite stays so.
+            Type::Angle => rows[index].push(2.0 * value[0].atan2(value[1])),
+            _ => rows[index].extend(&value[..ty.width().unwrap_or(4)]),
+        }
+    }
+}
+
+/// What a node is fed: evenly within what is documented, then the edges.
+fn samples(bench: &Bench, effort: &Effort) -> Vec<Numbers> {
+    let mut random = Random::of(&bench.case.name());
+    let widths: Vec<usize> = bench.slots.iter().map(|slot| slot.width).collect();
+    let even = Even::new(widths.iter().sum());
+    let ordinary = |index: usize| -> Numbers {
+        let mut shares = even.point(index).into_iter();
+        bench.slots.iter().map(|slot| slot.ordinary(&shares.by_ref().take(slot.width).collect::<Vec<_>>())).collect()
+    };
+    let mut all: Vec<Numbers> = (0..effort.ordinary).map(ordinary).collect();
+    if bench.slots.is_empty() {
+        all.truncate(1);
+        return all;
+    }
+    for index in 0..effort.extreme {
+        let mut numbers = ordinary(effort.ordinary + index);
+        let share = random.pick(&[0.2, 0.5, 1.0]);
+        for (slot, numbers) in bench.slots.iter().zip(&mut numbers) {
+            if random.chance(share) {
+                *numbers = slot.extreme(&mut random);
+            }
+        }
+        if random.chance(0.35) {
+            relate(&bench.slots, &mut numbers, &mut random);
+        }
+        all.push(numbers);
+    }
+    all
+}
+
+/// Inputs that f32 can hardly tell from these: each number moved by one and by four units in the last place, and all of
+/// them at once. Numbers of a direction move by units of its largest one; `together`, all move by units of the largest
+/// number of all, which is at least 1.
+fn neighbours(slots: &[Slot], numbers: &Numbers, together: bool, to: &mut Vec<Numbers>) {
+    let largest = |numbers: &[f64]| numbers.iter().map(|x| x.abs()).fold(0.0, f64::max);
+    let all = numbers.iter().map(|numbers| largest(numbers)).fold(1.0, f64::max);
+    // A turned angle is known to so many digits of pi, and not of itself.
+    let is_turned = slots.iter().zip(numbers).any(|(slot, numbers)| slot.name == "shift" && numbers[0] != 0.0);
+    let moved = |slot: &Slot, numbers: &[f64], place: usize, steps: i32| {
+        let x = numbers[place];
+        let whole = match slot.kind {
+            _ if together => all,
+            Kind::Unit | Kind::Direction => largest(numbers),
+            Kind::HalfAngle if is_turned => largest(numbers),
+            _ => return next(x, steps),
+        };
+        let unit = next(whole, 1) - whole;
+        if unit.is_finite() && unit > 0.0 { held(x + f64::from(steps) * unit) } else { next(x, steps) }
+    };
+    for (index, slot) in slots.iter().enumerate().filter(|(_, slot)| slot.is_continuous()) {
+        for place in 0..slot.width {
+            for steps in [-4, -1, 1, 4] {
+                let mut other = numbers.clone();
+                other[index][place] = moved(slot, &numbers[index], place, steps);
+                to.push(other);
+            }
+            // What is lost beside the largest number.
+            if together && numbers[index][place].abs() < 1e-6 * all {
+                let mut other = numbers.clone();
+                other[index][place] = 0.0;
+                to.push(other);
+            }
+        }
+    }
+    // All up, all down, and every other one, every other two, every other four.
+    for (period, flip) in [0, 1, 2, 4].into_iter().flat_map(|period| [(period, 1), (period, -1)]) {
+        let mut other = numbers.clone();
+        let mut count = 0;
+        for (index, slot) in slots.iter().enumerate().filter(|(_, slot)| slot.is_continuous()) {
+            for place in 0..slot.width {
+                let sign = if period > 0 && (count / period) % 2 == 1 { -flip } else { flip };
+                other[index][place] = moved(slot, &numbers[index], place, 3 * sign);
+                count += 1;
+            }
+        }
+        to.push(other);
+    }
+}
+
+fn difference(got: &[f64], truth: &[f64]) -> f64 {
+    let one = |(a, b): (&f64, &f64)| if (a - b).is_nan() { f64::INFINITY } else { (a - b).abs() };
+    got.iter().zip(truth).map(one).fold(0.0, f64::max)
+}
+
+/// The largest difference of a number over the result's range: 1, or its largest number, or `least`.
+fn distance(got: &[f64], truth: &[f64], least: f64) -> f64 {
+    difference(got, truth) / range(truth, least)
+}
+
+fn range(truth: &[f64], least: f64) -> f64 {
+    truth.iter().map(|x| x.abs()).fold(least, f64::max)
+}
+
+/// The least range of a sample: 1, or its largest input where these count.
+fn least_range(case: &Case, numbers: &Numbers) -> f64 {
+    if counts_inputs(case) { numbers.iter().flatten().map(|x| x.abs()).fold(1.0, f64::max) } else { 1.0 }
+}
+
+/// How far a result lies outside of what spans a set of true ones, over their range.
+fn beyond(got: &[f64], set: &[&[f64]], least: f64) -> f64 {
+    let range = set.iter().map(|truth| range(truth, least)).fold(1.0, f64::max);
+    let outside = |(index, x): (usize, &f64)| {
+        let of = set.iter().filter_map(|truth| truth.get(index));
+        let (low, high) = of.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(*y), high.max(*y)));
+        (low - x).max(x - high).max(0.0)
+    };
+    got.iter().enumerate().map(outside).fold(0.0, f64::max) / range
+}
+
+/// How far each number of a result is from the nearest of a set of true ones, at most, over their range.
+fn nearest(got: &[f64], set: &[&[f64]], least: f64) -> f64 {
+    let one = |(index, x): (usize, &f64)| {
+        let of = set.iter().filter_map(|truth| truth.get(index).map(|y| (x - y).abs() / range(truth, least)));
+        of.fold(f64::INFINITY, f64::min)
+    };
+    got.iter().enumerate().map(one).fold(0.0, f64::max)
+}
+
+/// A sample of these numbers.
+pub fn sample(slots: &[Slot], all: &Numbers) -> EvalSample {
+    let mut sample = EvalSample::default();
+    let mut light = LightOverride::default();
+    let vec3 = |numbers: &[f64]| glam::DVec3::from_slice(numbers);
+    for (slot, numbers) in slots.iter().zip(all) {
+        match slot.place {
+            Place::Value => {
+                let value = match (slot.kind, numbers.as_slice()) {
+                    (Kind::Switch, [x]) => Value::Bool(*x > 0.5),
+                    (_, [x]) => Value::Number(*x),
+                    (_, more) => Value::Vector(more.to_vec()),
+                };
+                sample.values.insert(slot.name.as_str().into(), value);
+            }
+            Place::Normal => sample.normal = vec3(numbers),
+            Place::Tangent => sample.tangent = Some(vec3(numbers)),
+            Place::View => sample.view = vec3(numbers),
+            Place::Position => sample.position = vec3(numbers),
+            Place::Camera => {
+                let turn = glam::DQuat::from_slice(numbers);
+                sample.camera =
+                    glam::DMat3::from_quat(if turn.length() > 1e-9 { turn.normalize() } else { glam::DQuat::IDENTITY });
+            }
+            Place::Uv => sample.uv = glam::DVec2::from_slice(numbers),
+            Place::Kappa => sample.kappa = numbers[0],
+            Place::VertexColor => sample.vertex_color = [numbers[0], numbers[1], numbers[2], numbers[3]],
+            Place::Time => sample.time = numbers[0],
+            Place::LightDirection => light.direction = Some(vec3(numbers)),
+            Place::LightPosition => light.position = Some(vec3(numbers)),
+            Place::LightColor => light.color = Some(vec3(numbers)),
+            Place::LightIntensity => light.intensity = Some(numbers[0]),
+        }
+    }
+    if light != LightOverride::default() {
+        sample.lights.insert("key".into(), light);
+    }
+    sample
+}
+
+/// A sample and its result in words.
+pub(super) fn words(bench: &Bench, finding: &Finding) -> String {
+    let fed: Vec<String> = bench
+        .slots
+        .iter()
+        .zip(&finding.numbers)
+        .map(|(slot, numbers)| format!("{} {}", slot.name, told(numbers)))
+        .collect();
+    format!("{} gives {} for {}", fed.join(", "), told(&finding.got), told(&finding.truth))
+}
+
+/// Numbers in the shortest form that f32 reads back.
+pub fn told(numbers: &[f64]) -> String {
+    let one = |x: &f64| {
+        let x = *x as f32;
+        if x != 0.0 && !(1e-4..1e7).contains(&x.abs()) { format!("{x:e}") } else { format!("{x}") }
+    };
+    let all: Vec<String> = numbers.iter().map(one).collect();
+    if all.len() == 1 { all.concat() } else { format!("({})", all.join(", ")) }
+}

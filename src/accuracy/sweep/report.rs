@@ -1,0 +1,366 @@
+//! Everything that was swept, as a document: docs/accuracy.md, its plots and its JSON.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use serde::Serialize;
+
+use super::bounds::{EXCEPTIONS, Judging, STEEP_FOOT};
+use super::case::Case;
+use super::looks::{INTERIOR, LookEffort, LookMeasured, VISIBLE_SHARE, looks_in, measure_look};
+use super::measure::{Effort, Lab, Measured};
+use super::search::Worst;
+use super::stability::{MESHES, StabilityEffort, StabilityMeasured, measure_stability};
+use super::{plot, stability};
+use crate::accuracy::{Progress, Stopped};
+use crate::diag::Diagnostic;
+use crate::document::write_atomic;
+use crate::library::Library;
+use crate::render::Renderer;
+
+/// What is surveyed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Survey {
+    /// The kinds of nodes; all where it is empty.
+    pub nodes: Vec<String>,
+    /// How much of each node.
+    pub effort: Effort,
+    /// The folder of looks; none are drawn without it.
+    pub looks: Option<std::path::PathBuf>,
+    /// How much of each look.
+    pub look_effort: LookEffort,
+    /// How long looks are turned.
+    pub stability: StabilityEffort,
+}
+
+/// What a survey came to.
+#[derive(Clone, Debug, Serialize)]
+pub struct AccuracyReport {
+    /// The GPU.
+    pub adapter: String,
+    /// Whether it is a program on the CPU.
+    pub is_software: bool,
+    /// Each case of each node.
+    pub nodes: Vec<Measured>,
+    /// Each look.
+    pub looks: Vec<LookMeasured>,
+    /// Each look on each mesh, turning.
+    pub stability: Vec<StabilityMeasured>,
+    /// The worst inputs, to be kept.
+    #[serde(skip)]
+    pub worst: Vec<Worst>,
+}
+
+/// Measures everything.
+///
+/// # Errors
+/// What is wrong with a look or a node, what the GPU refuses, or that `progress` stopped it.
+pub fn survey(
+    survey: &Survey,
+    library: &Library,
+    renderer: &mut Renderer,
+    progress: &mut Progress<'_>,
+) -> Result<AccuracyReport, Stopped> {
+    let mut report = AccuracyReport {
+        adapter: renderer.gpu().name(),
+        is_software: renderer.gpu().is_software(),
+        nodes: Vec::new(),
+        looks: Vec::new(),
+        stability: Vec::new(),
+        worst: Vec::new(),
+    };
+    let mut precise = Renderer::new(renderer.gpu().precise());
+    let looks = survey.looks.as_deref().map_or_else(|| Ok(Vec::new()), looks_in)?;
+    let mut kinds: Vec<&String> = library.nodes.keys().collect();
+    kinds.retain(|kind| survey.nodes.is_empty() || survey.nodes.contains(kind));
+    kinds.sort_unstable();
+    let cases: Vec<Case> = kinds.into_iter().flat_map(|kind| Case::of(&library.nodes[kind])).collect();
+    let truths = 3 * (survey.look_effort.stations + survey.look_effort.sides.len()) + 2 * survey.stability.frames;
+    progress.expect((cases.len() + looks.len() * truths) as u64);
+    let mut lab = Lab::new(library, renderer)?;
+    for case in cases {
+        let measured = lab.measure(&case, &survey.effort)?;
+        let bench = lab.bench(&case)?;
+        report.worst.extend(measured.worst.iter().take(2).filter(|f| f.error > 0.0).map(|f| Worst::new(&bench, f)));
+        report.nodes.push(measured);
+        progress.step()?;
+    }
+    for path in &looks {
+        report.looks.push(measure_look(path, library, &mut precise, &survey.look_effort, progress)?);
+        for mesh in MESHES {
+            let effort = &survey.stability;
+            report.stability.push(measure_stability(path, mesh, library, &mut precise, effort, progress)?);
+        }
+    }
+    Ok(report)
+}
+
+impl AccuracyReport {
+    /// Whatever does not keep its bound, in words.
+    pub fn broken(&self) -> Vec<String> {
+        let nodes = self.nodes.iter().filter(|one| !one.holds());
+        let nodes = nodes.map(|one| format!("{} ({}): {}", one.case.name(), tier(one), one.worst_words));
+        let looks = self.looks.iter().filter(|one| !one.holds());
+        let looks = looks.map(|one| format!("{}: {:.1e} in {}", one.look, one.error.max, one.worst_words));
+        let turning = self.stability.iter().filter(|one| !one.holds());
+        let turning = turning.map(|one| format!("{} on the {} flickers by {:.1e}", one.look, one.mesh, one.edges.max));
+        nodes.chain(looks).chain(turning).collect()
+    }
+
+    /// The document; plots lie in the folder `plots` beside it.
+    pub fn markdown(&self, command: &str, plots: &str) -> String {
+        let mut text = String::new();
+        self.head(&mut text, command);
+        self.nodes_part(&mut text, plots);
+        exceptions_part(&mut text);
+        if !self.looks.is_empty() {
+            self.looks_part(&mut text, plots);
+            self.stability_part(&mut text, plots);
+        }
+        text
+    }
+
+    fn head(&self, text: &mut String, command: &str) {
+        let software = if self.is_software {
+            " This is **software Vulkan**: a GPU rounds division, square roots and derivatives in its own way, within\n\
+             what WGSL allows, and no figure here was taken on one."
+        } else {
+            ""
+        };
+        let _ = writeln!(
+            text,
+            "# Accuracy\n\n<!-- Written by `{command}`. -->\n\n\
+             How far the GPU is from the truth, and where it is farthest. The truth is the exact tier in f64, with nothing\n\
+             folded, fed with the same f32-rounded inputs. It shares the exact tier's polynomials (good to 1e-7); closed\n\
+             forms that share nothing with the shaders hold those, in `tests/truth_*.rs`.\n\n\
+             Made by `{command}` on {}.{software} The same adapter gives the same file.\n",
+            self.adapter
+        );
+    }
+
+    fn nodes_part(&self, text: &mut String, plots: &str) {
+        let samples: usize = self.nodes.iter().map(|one| one.samples).sum();
+        let broken: usize = self.nodes.iter().map(|one| one.broken).sum();
+        let _ = writeln!(
+            text,
+            "## Nodes\n\n\
+             Every node in every choice, width and tier, alone in a look with all of its inputs fed: evenly over what is\n\
+             documented, and at the edges of arithmetic (zeros, denormals, the largest numbers, pi in f32 and its neighbours,\n\
+             vectors that are equal, opposite and nearly so, or not unit). From the worst samples a search climbs to worse\n\
+             ones; what it found is kept in `tests/worst` and held by a test. {samples} samples; NaN or infinite: {broken}.\n\n\
+             Errors are relative to the output's range: 1, or the largest number of the true result where that is more. p99.9 is\n\
+             over samples within what is documented. *by rounding* counts samples that are within the bound only because no f32\n\
+             can tell their inputs from others (see below). A line stands for the worst of a node's choices and widths.\n\n\
+             ![The largest error of each node and its bound]({plots}/nodes.svg)\n\n\
+             | node | tier | samples | by rounding | p99.9 | largest | bound | worst case |\n\
+             | --- | --- | ---: | ---: | ---: | ---: | ---: | --- |"
+        );
+        for group in self.groups() {
+            let worst = group.iter().max_by(|a, b| (a.max / a.bound).total_cmp(&(b.max / b.bound))).copied();
+            let Some(worst) = worst else { continue };
+            let sum = |get: fn(&Measured) -> usize| group.iter().map(|one| get(one)).sum::<usize>();
+            let p999 = group.iter().map(|one| one.p999).fold(0.0, f64::max);
+            let case = if worst.max == 0.0 { "exact".to_owned() } else { self.words_of(worst) };
+            let _ = writeln!(
+                text,
+                "| {} | {} | {} | {} | {} | {} | {} | {case} |",
+                worst.case.node,
+                tier(worst),
+                sum(|one| one.samples),
+                sum(|one| one.rounded),
+                small(p999),
+                small(worst.max),
+                small(worst.bound),
+            );
+        }
+        text.push('\n');
+    }
+
+    fn words_of(&self, one: &Measured) -> String {
+        let setting = one.case.name();
+        let setting = setting.trim_start_matches(one.case.node.as_str()).trim_start_matches([' ', ',']);
+        let setting = if setting.is_empty() { String::new() } else { format!("*{setting}:* ") };
+        format!("{setting}{}", one.worst_words.replace('|', "\\|"))
+    }
+
+    /// The cases of each node and tier.
+    fn groups(&self) -> Vec<Vec<&Measured>> {
+        let mut groups: Vec<Vec<&Measured>> = Vec::new();
+        for one in &self.nodes {
+            let same = |group: &&mut Vec<&Measured>| {
+                group[0].case.node == one.case.node && group[0].case.tier == one.case.tier
+            };
+            match groups.iter_mut().find(same) {
+                Some(group) => group.push(one),
+                None => groups.push(vec![one]),
+            }
+        }
+        groups
+    }
+
+    fn looks_part(&self, text: &mut String, plots: &str) {
+        let _ = writeln!(
+            text,
+            "## Example looks\n\n\
+             Each look in its exact tier on a sphere, the creature and a plane, over the sphere of lights and views, near (0.45\n\
+             times the distance) and far (20 times). Colours are compared where coverage agrees; pixels at most two away from an\n\
+             edge are told apart, because derivatives and the curvature's stencil see across it. Inside, no channel is farther\n\
+             from the truth than {INTERIOR}, and at most {VISIBLE_SHARE} of the pixels by more than 1/255.\n\n\
+             ![The largest error of each look]({plots}/looks.svg)\n\n\
+             | look | pictures | pixels | NaN or inf | largest | RMS | over 1/255 | at edges | worst pixel |\n\
+             | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | --- |"
+        );
+        for one in &self.looks {
+            let e = &one.error;
+            let _ = writeln!(
+                text,
+                "| {} | {} | {} | {} | {} | {} | {} | {} | {} |",
+                one.look,
+                one.pictures,
+                e.pixels,
+                e.broken,
+                small(e.max),
+                small(e.rms),
+                e.visible,
+                small(e.edge_max),
+                one.worst_words
+            );
+        }
+        text.push('\n');
+    }
+
+    fn stability_part(&self, text: &mut String, plots: &str) {
+        let _ = writeln!(
+            text,
+            "## Temporal stability\n\n\
+             The camera turns by {} rad a frame and the lights by twice that the other way; each pixel's change from frame to\n\
+             frame, less the change of its truth, is flicker. *Smooth* is where the truth hardly changes from pixel to pixel\n\
+             (bound {}); *edges* are terminators, cartoon edges and the borders that direction keys make (bound {} on the\n\
+             sphere, {} on the creature, whose shallow folds count among them); *silhouettes* are pixels at most two away from\n\
+             where coverage or depth changes: there one pixel more or less decides, and nothing is held. Beside each stands\n\
+             the largest change of the truth itself.\n\n\
+             ![Flicker of each look]({plots}/stability.svg)\n\n\
+             | look | mesh | direction keys | smooth | of | edges | of | silhouettes | of |\n\
+             | --- | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |",
+            stability::STEP,
+            stability::SMOOTH,
+            stability::EDGES,
+            stability::EDGES_OF_FOLDS
+        );
+        for one in &self.stability {
+            let of = |flicker: &stability::Flicker| {
+                if flicker.count == 0 {
+                    "none |".to_owned()
+                } else {
+                    format!("{} | {}", small(flicker.max), small(flicker.truth))
+                }
+            };
+            let keys = if one.has_direction_keys { "yes" } else { "" };
+            let (smooth, edges, silhouettes) = (of(&one.smooth), of(&one.edges), of(&one.silhouettes));
+            let _ = writeln!(text, "| {} | {} | {keys} | {smooth} | {edges} | {silhouettes} |", one.look, one.mesh);
+        }
+    }
+
+    /// Writes the document to `path`, and the plots into the folder of its stem beside it.
+    ///
+    /// # Errors
+    /// What the disk refuses.
+    pub fn write(&self, path: &Path, command: &str) -> Result<(), Vec<Diagnostic>> {
+        let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+        let folder = path.with_file_name(&stem);
+        let told =
+            |error: std::io::Error| vec![Diagnostic::error("write-failed", format!("{}: {error}", folder.display()))];
+        std::fs::create_dir_all(&folder).map_err(told)?;
+        let write = |path: &Path, text: &str| write_atomic(path, text.as_bytes()).map_err(|problem| vec![*problem]);
+        write(path, &self.markdown(command, &stem))?;
+        for (name, svg) in self.plots() {
+            write(&folder.join(name), &svg)?;
+        }
+        Ok(())
+    }
+
+    fn plots(&self) -> Vec<(&'static str, String)> {
+        let node = |group: &Vec<&Measured>| {
+            let worst = group.iter().map(|one| one.max).fold(0.0, f64::max);
+            let bound = group.iter().map(|one| one.bound).fold(0.0, f64::max);
+            let one = group[0];
+            let color = ["#35618f", "#4f8f5b", "#c0583f"][one.case.tier as usize];
+            let label =
+                if tier(one) == "exact" { one.case.node.clone() } else { format!("{}, {}", one.case.node, tier(one)) };
+            plot::Row { label, points: vec![(worst, color)], bound: Some(bound) }
+        };
+        let nodes: Vec<plot::Row> = self.groups().iter().map(node).collect();
+        let look = |one: &LookMeasured| plot::Row {
+            label: one.look.clone(),
+            points: vec![(one.error.edge_max, "#b9b4a9"), (one.error.rms, "#4f8f5b"), (one.error.max, "#35618f")],
+            bound: Some(one.bound),
+        };
+        let looks: Vec<plot::Row> = self.looks.iter().map(look).collect();
+        let turning = |one: &StabilityMeasured| {
+            let kinds = [(one.silhouettes, "#b9b4a9"), (one.edges, "#c0583f"), (one.smooth, "#35618f")];
+            let points =
+                kinds.iter().filter(|(flicker, _)| flicker.count > 0).map(|(flicker, color)| (flicker.max, *color));
+            let label = format!("{}, {}", one.look, one.mesh);
+            plot::Row { label, points: points.collect(), bound: Some(one.edge_bound) }
+        };
+        let stability: Vec<plot::Row> = self.stability.iter().map(turning).collect();
+        let tiers = [("exact", "#35618f"), ("balanced", "#4f8f5b"), ("fast", "#c0583f")];
+        let parts = [("largest", "#35618f"), ("RMS", "#4f8f5b"), ("at edges", "#b9b4a9")];
+        let kinds = [("smooth", "#35618f"), ("terminators and cartoon edges", "#c0583f"), ("silhouettes", "#b9b4a9")];
+        let all = [
+            ("nodes.svg", plot::svg("Largest error of each node", "relative to the output's range", &nodes, &tiers)),
+            ("looks.svg", plot::svg("Error of each look", "of a channel", &looks, &parts)),
+            (
+                "stability.svg",
+                plot::svg("Flicker of each look", "change of a channel beside the truth's", &stability, &kinds),
+            ),
+        ];
+        let is_empty = |name: &str| name != "nodes.svg" && self.looks.is_empty();
+        all.into_iter().filter(|(name, _)| !is_empty(name)).collect()
+    }
+}
+
+fn exceptions_part(text: &mut String) {
+    let _ = writeln!(
+        text,
+        "### How nodes are held to their bounds\n\n\
+         Exact tiers err by rounding alone: 2e-6 of the output's range, but for those below. A cheaper tier is held to that\n\
+         and to what its file states, where the file states it. A denormal may count as 0, as WGSL allows.\n\n\
+         - *plain*: by the distance from the truth.\n\
+         - *steep*: where that is too far, by the distance from what the truth spans while each input moves by up to four units in\n  \
+           its last place: a result that is right for inputs which no f32 can tell from the given ones is no error.\n\
+         - *steps*: the same, but by the distance from the nearest of those results, so that nothing between two steps passes.\n\n\
+         *From* and *to* limit the inputs' size; beyond, results are finite, and no more is said. A profile that falls off a quarter\n\
+         turn or more from its offset ends infinitely steep, and is held to {STEEP_FOOT:e} (cheaper tiers to ten times that); an\n\
+         offset within 0.01 of pi is held to be finite.\n\n\
+         | node | choice | bound | judged | from | to | why |\n\
+         | --- | --- | ---: | --- | ---: | ---: | --- |"
+    );
+    for e in EXCEPTIONS {
+        let judged = match e.judging {
+            Judging::Plain => "plain",
+            Judging::Steep => "steep",
+            Judging::Steps => "steps",
+        };
+        let range = if e.of_inputs { ", inputs count into the range" } else { "" };
+        let together = if e.together { ", moved by units of the largest input" } else { "" };
+        let limit = |x: f64, none: bool| if none { String::new() } else { format!("{x:e}") };
+        let (from, to) = (limit(e.finest, e.finest == 0.0), limit(e.reach, e.reach >= f64::from(f32::MAX)));
+        let (bound, word) = (small(e.bound), e.word);
+        let _ = writeln!(
+            text,
+            "| {} | {word} | {bound} | {judged}{range}{together} | {from} | {to} | {} |",
+            e.node, e.reason
+        );
+    }
+    text.push('\n');
+}
+
+fn tier(one: &Measured) -> &'static str {
+    ["exact", "balanced", "fast"][one.case.tier as usize]
+}
+
+/// Two digits, whatever the size.
+fn small(number: f64) -> String {
+    if number == 0.0 { "0".to_owned() } else { format!("{number:.1e}") }
+}

@@ -1,0 +1,165 @@
+//! Looks for worse inputs: from the worst that a sweep has found, small and large steps, keeping what is worse. What was
+//! found is written down, so that a test can hold it.
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use super::bounds::is_stated;
+use super::case::{Bench, Case};
+use super::measure::{Finding, Lab, Measured, told};
+use super::random::Random;
+use super::slot::{Numbers, relate};
+use crate::accuracy::Stopped;
+use crate::diag::Diagnostic;
+use crate::document::write_atomic;
+
+/// How many are kept from round to round.
+const PARENTS: usize = 6;
+/// How many steps are tried from each.
+const CHILDREN: usize = 40;
+
+/// Climbs from the worst samples of `measured` to worse ones; the work is the same in every run.
+///
+/// # Errors
+/// What the compiler, the GPU or the interpreter refuses.
+pub fn climb(lab: &mut Lab<'_>, bench: &Bench, measured: &mut Measured, rounds: usize) -> Result<(), Stopped> {
+    if bench.slots.is_empty() || measured.broken > 0 {
+        return Ok(());
+    }
+    let mut random = Random::of(&format!("climb {}", bench.case.name()));
+    for _ in 0..rounds {
+        let mut children: Vec<Numbers> = Vec::new();
+        for parent in &measured.worst {
+            children.extend((0..CHILDREN).map(|_| child(bench, &parent.numbers, &mut random)));
+        }
+        for finding in lab.compare(bench, &children)? {
+            let is_broken = finding.got.iter().any(|x| !x.is_finite());
+            measured.broken += usize::from(is_broken);
+            measured.samples += 1;
+            if is_broken || is_stated(&bench.case, &bench.slots, &finding.numbers) {
+                measured.worst.push(finding);
+            }
+        }
+        measured.worst.sort_by(|a, b| b.error.total_cmp(&a.error));
+        measured.worst.dedup_by(|a, b| a.numbers == b.numbers);
+        measured.worst.truncate(PARENTS);
+    }
+    if let Some(worst) = measured.worst.first() {
+        measured.max = measured.max.max(worst.error);
+        measured.worst_words = super::measure::words(bench, worst);
+    }
+    Ok(())
+}
+
+fn child(bench: &Bench, parent: &Numbers, random: &mut Random) -> Numbers {
+    let mut numbers = parent.clone();
+    let share = random.pick(&[0.15, 0.5, 1.0]);
+    let sure = random.index(bench.slots.len());
+    for (index, slot) in bench.slots.iter().enumerate() {
+        if index == sure || random.chance(share) {
+            let is_far = random.chance(0.05);
+            numbers[index] = if is_far { slot.extreme(random) } else { slot.step(&numbers[index], random) };
+        }
+    }
+    if random.chance(0.05) {
+        relate(&bench.slots, &mut numbers, random);
+    }
+    numbers
+}
+
+/// A worst input as it is kept in `tests/worst`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Worst {
+    /// The case.
+    #[serde(flatten)]
+    pub case: Case,
+    /// What the node was fed, by slot; NaN and infinities as words.
+    pub inputs: indexmap::IndexMap<String, Vec<Word>>,
+    /// The error when it was found, relative to the output's range.
+    pub error: f64,
+}
+
+/// A number, or a word for one that JSON has no number for.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Word {
+    /// A finite number.
+    Number(f64),
+    /// `inf`, `-inf` or `nan`.
+    Word(String),
+}
+
+impl From<f64> for Word {
+    fn from(x: f64) -> Self {
+        if x.is_finite() { Self::Number(x) } else { Self::Word(told(&[x]).to_lowercase()) }
+    }
+}
+
+impl Word {
+    fn number(&self) -> f64 {
+        match self {
+            Self::Number(x) => *x,
+            Self::Word(word) => word.parse().unwrap_or(f64::NAN),
+        }
+    }
+}
+
+impl Worst {
+    /// A finding of a bench.
+    pub fn new(bench: &Bench, finding: &Finding) -> Self {
+        let input = |(slot, numbers): (&super::slot::Slot, &Vec<f64>)| {
+            (slot.name.clone(), numbers.iter().copied().map(Word::from).collect())
+        };
+        let error = format!("{:.2e}", finding.error).parse().unwrap_or(finding.error);
+        Self { case: bench.case.clone(), inputs: bench.slots.iter().zip(&finding.numbers).map(input).collect(), error }
+    }
+
+    /// The numbers for a bench's slots.
+    ///
+    /// # Errors
+    /// An input that is missing or has another width.
+    pub fn numbers(&self, bench: &Bench) -> Result<Numbers, Diagnostic> {
+        let of = |slot: &super::slot::Slot| {
+            let numbers = self.inputs.get(&slot.name).map(|words| words.iter().map(Word::number).collect::<Vec<_>>());
+            let wrong = || {
+                Diagnostic::error(
+                    "worst-input",
+                    format!("`{}` of {} has not {} numbers", slot.name, self.case.name(), slot.width),
+                )
+            };
+            numbers.filter(|numbers| numbers.len() == slot.width).ok_or_else(wrong)
+        };
+        bench.slots.iter().map(of).collect()
+    }
+}
+
+/// Writes worst inputs, a file a node, one input a line.
+///
+/// # Errors
+/// What the disk refuses.
+pub fn write(folder: &Path, all: &[Worst]) -> Result<(), Vec<Diagnostic>> {
+    let mut by_node: std::collections::BTreeMap<&str, Vec<&Worst>> = std::collections::BTreeMap::new();
+    for worst in all {
+        by_node.entry(&worst.case.node).or_default().push(worst);
+    }
+    let told =
+        |error: std::io::Error| vec![Diagnostic::error("write-failed", format!("{}: {error}", folder.display()))];
+    std::fs::create_dir_all(folder).map_err(told)?;
+    for (node, inputs) in by_node {
+        let lines: Vec<String> = inputs.iter().map(|worst| serde_json::json!(worst).to_string()).collect();
+        let text = format!("[\n{}\n]\n", lines.join(",\n"));
+        write_atomic(&folder.join(format!("{node}.json")), text.as_bytes()).map_err(|problem| vec![*problem])?;
+    }
+    Ok(())
+}
+
+/// Reads a file of worst inputs.
+///
+/// # Errors
+/// What cannot be read, or is none.
+pub fn read(path: &Path) -> Result<Vec<Worst>, Diagnostic> {
+    let told = |error: String| Diagnostic::error("worst-input", error).in_file(path.display().to_string());
+    let text = std::fs::read_to_string(path).map_err(|error| told(error.to_string()))?;
+    serde_json::from_str(&text).map_err(|error| told(error.to_string()))
+}

@@ -1,0 +1,189 @@
+//! Flicker: how much more a pixel changes from frame to frame than its truth does, while light and camera turn slowly.
+
+use std::path::Path;
+
+use serde::Serialize;
+
+use super::looks::EDGE_REACH;
+use crate::accuracy::{Progress, Stopped, truth::Truth};
+use crate::compile::Live;
+use crate::frame::{Assets, PlanOptions, Planner, Setup, open};
+use crate::library::Library;
+use crate::render::{Renderer, block_on};
+
+/// What turns.
+pub const MESHES: [&str; 2] = ["shape:sphere", "shape:creature"];
+/// Radians that the camera turns from frame to frame; the light turns by twice as much the other way.
+pub const STEP: f64 = 0.004;
+/// Where the truth is smooth, a channel changes by no more than this beside what its truth does.
+pub const SMOOTH: f64 = 2e-3;
+/// The same on terminators and cartoon edges, on a sphere.
+pub const EDGES: f64 = 1.5e-2;
+/// The same on other meshes, whose folds are too shallow to be told from shading.
+pub const EDGES_OF_FOLDS: f64 = 0.1;
+/// A pixel whose truth changes by more than this across it lies on a terminator or on a cartoon edge.
+const STEEP: f64 = 0.04;
+
+/// How long and how large.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StabilityEffort {
+    /// Frames.
+    pub frames: usize,
+    /// The pictures' side, in pixels.
+    pub side: u32,
+}
+
+/// What one kind of pixel came to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Flicker {
+    /// Changes that were compared.
+    pub count: u64,
+    /// The largest change beside the truth's.
+    pub max: f64,
+    /// The mean one.
+    pub mean: f64,
+    /// The largest change of the truth itself.
+    pub truth: f64,
+}
+
+impl Flicker {
+    fn note(&mut self, beside: f64, truth: f64) {
+        self.count += 1;
+        self.max = self.max.max(beside);
+        self.mean += (beside - self.mean) / self.count as f64;
+        self.truth = self.truth.max(truth);
+    }
+}
+
+/// What a look on a mesh came to.
+#[derive(Clone, Debug, Serialize)]
+pub struct StabilityMeasured {
+    /// The file's stem.
+    pub look: String,
+    /// The mesh.
+    pub mesh: String,
+    /// Whether direction keys turn with the light or the view.
+    pub has_direction_keys: bool,
+    /// Where the truth is smooth.
+    pub smooth: Flicker,
+    /// On terminators and cartoon edges.
+    pub edges: Flicker,
+    /// On silhouettes, and where one part hides another: there coverage itself differs, and nothing is held.
+    pub silhouettes: Flicker,
+    /// What smooth pixels are held to.
+    pub bound: f64,
+    /// What edges are held to.
+    pub edge_bound: f64,
+}
+
+impl StabilityMeasured {
+    /// Whether it keeps what it is held to.
+    pub fn holds(&self) -> bool {
+        self.smooth.max <= self.bound && self.edges.max <= self.edge_bound
+    }
+}
+
+/// One frame: what the GPU drew and what is true, premultiplied, and which pixels are on outlines.
+struct Frame {
+    got: Vec<[f64; 4]>,
+    truth: Vec<[f64; 4]>,
+    outlines: Vec<bool>,
+}
+
+/// Turns a look on a mesh, and compares each frame's change with the truth's. `precise` draws
+/// [precisely](crate::render::Gpu::precise).
+///
+/// # Errors
+/// What is wrong with the look, what the GPU refuses, or that `progress` stopped it.
+pub fn measure_stability(
+    path: &Path,
+    mesh: &str,
+    library: &Library,
+    precise: &mut Renderer,
+    effort: &StabilityEffort,
+    progress: &mut Progress<'_>,
+) -> Result<StabilityMeasured, Stopped> {
+    let (setup, _) = open(path, Some(mesh), &mut Assets::default())?;
+    let (mut planner, mut truths) = (Planner::default(), Planner::for_truth(Assets::default()));
+    let mut measured = StabilityMeasured {
+        look: path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default(),
+        mesh: mesh.trim_start_matches("shape:").to_owned(),
+        has_direction_keys: setup.looks.iter().any(|look| !look.look.direction_keys.is_empty()),
+        smooth: Flicker::default(),
+        edges: Flicker::default(),
+        silhouettes: Flicker::default(),
+        bound: SMOOTH,
+        edge_bound: if mesh == MESHES[0] { EDGES } else { EDGES_OF_FOLDS },
+    };
+    let mut before: Option<Frame> = None;
+    for index in 0..effort.frames {
+        let turn = STEP * index as f64;
+        let mut seen = setup.clone();
+        seen.turn_camera([turn, 0.4 * turn]);
+        seen.turn_lights([-2.0 * turn, turn]);
+        let frame = frame(&seen, library, precise, (&mut planner, &mut truths), effort.side, progress)?;
+        if let Some(before) = &before {
+            compare(before, &frame, effort.side as usize, &mut measured);
+        }
+        before = Some(frame);
+    }
+    Ok(measured)
+}
+
+fn frame(
+    setup: &Setup,
+    library: &Library,
+    precise: &mut Renderer,
+    (planner, truths): (&mut Planner, &mut Planner),
+    side: u32,
+    progress: &mut Progress<'_>,
+) -> Result<Frame, Stopped> {
+    let options = PlanOptions { size: [side; 2], samples: 1, time: 0.0 };
+    let truth = Truth::of(setup, library, truths, &options, progress)?;
+    let plan = planner.plan(setup, library, &Live::Keyed, &options)?;
+    let picture = block_on(precise.picture(&plan))?;
+    let premultiplied = |pixel: &[f32; 4]| {
+        let [r, g, b, a] = pixel.map(f64::from);
+        [r * a, g * a, b * a, a]
+    };
+    let got = picture.rgba.iter().map(premultiplied).collect();
+    Ok(Frame { got, truth: truth.colors().rgba.to_vec(), outlines: truth.near_edges(EDGE_REACH) })
+}
+
+fn compare(before: &Frame, after: &Frame, width: usize, measured: &mut StabilityMeasured) {
+    for index in 0..after.got.len() {
+        let change = |pixels: [&[[f64; 4]]; 2], channel: usize| pixels[1][index][channel] - pixels[0][index][channel];
+        // Where nothing is drawn, nothing can flicker.
+        let is_empty = |frame: &Frame| frame.truth[index] == [0.0; 4] && frame.got[index] == [0.0; 4];
+        if is_empty(before) && is_empty(after) {
+            continue;
+        }
+        let (mut beside, mut truth) = (0.0_f64, 0.0_f64);
+        for channel in 0..4 {
+            let real = change([&before.truth, &after.truth], channel);
+            let drawn = change([&before.got, &after.got], channel);
+            beside = beside.max((drawn - real).abs());
+            truth = truth.max(real.abs());
+        }
+        let kind = if before.outlines[index] || after.outlines[index] {
+            &mut measured.silhouettes
+        } else if is_steep(&after.truth, index, width) || is_steep(&before.truth, index, width) {
+            &mut measured.edges
+        } else {
+            &mut measured.smooth
+        };
+        kind.note(beside, truth);
+    }
+}
+
+/// Whether the truth changes much from this pixel to the next ones.
+fn is_steep(pixels: &[[f64; 4]], index: usize, width: usize) -> bool {
+    let differs = |other: usize| {
+        pixels.get(other).is_some_and(|other| other.iter().zip(&pixels[index]).any(|(a, b)| (a - b).abs() > STEEP))
+    };
+    let column = index % width;
+    (column > 0 && differs(index - 1))
+        || (column + 1 < width && differs(index + 1))
+        || index.checked_sub(width).is_some_and(differs)
+        || differs(index + width)
+}

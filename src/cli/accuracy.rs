@@ -1,0 +1,110 @@
+//! `chiaro accuracy`: how far every node and every example look is from the truth, and where it is farthest.
+
+use std::path::PathBuf;
+
+use super::output::Output;
+use crate::accuracy::sweep::report::{Survey, survey};
+use crate::accuracy::sweep::{Effort, LookEffort, StabilityEffort, search};
+use crate::accuracy::{Progress, Stopped};
+use crate::diag::Diagnostic;
+use crate::library::Library;
+use crate::render::{Gpu, Renderer, block_on};
+
+const EXAMPLES: &str = "\
+Examples:
+  chiaro accuracy -o docs/accuracy.md
+  chiaro accuracy --nodes profile parametrization
+  chiaro accuracy --quick --json > accuracy.json
+
+The truth is the exact tier in f64, fed with what the GPU holds. Exit code 1 where a bound is broken.";
+
+/// What `chiaro accuracy` is given.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// The document to write; its plots go into a folder of its name beside it
+    #[arg(short, long)]
+    output: Option<PathBuf>,
+    /// Only these kinds of nodes, and no looks
+    #[arg(short, long, num_args = 1..)]
+    nodes: Vec<String>,
+    /// The folder of looks to draw
+    #[arg(long, default_value = "examples/looks")]
+    looks: PathBuf,
+    /// Fewer samples, views and frames, and no search for worse inputs
+    #[arg(short, long)]
+    quick: bool,
+    /// A folder to write the worst inputs into, which a test then holds
+    #[arg(long)]
+    worst: Option<PathBuf>,
+    /// Print the report as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+    let library = Library::built_in();
+    check_nodes(&arguments.nodes, library)?;
+    let gpu = block_on(Gpu::headless()).map_err(|error| vec![error.into()])?;
+    let mut renderer = Renderer::new(gpu);
+    let quick = arguments.quick;
+    let wanted = Survey {
+        nodes: arguments.nodes.clone(),
+        effort: if quick { Effort::QUICK } else { Effort::FULL },
+        looks: arguments.nodes.is_empty().then(|| arguments.looks.clone()),
+        look_effort: if quick { LookEffort::quick() } else { LookEffort::full() },
+        stability: StabilityEffort { frames: if quick { 6 } else { 60 }, side: 96 },
+    };
+    let mut told = |done, total| {
+        output.progress("measuring", done, total);
+        true
+    };
+    let report = survey(&wanted, library, &mut renderer, &mut Progress::new(&mut told))
+        .map_err(|stopped: Stopped| stopped.into());
+    output.end_progress();
+    let report = report.map_err(|problems: Vec<Diagnostic>| problems)?;
+    let command = command_of(arguments);
+    if let Some(path) = &arguments.output {
+        report.write(path, &command)?;
+        output.message(&format!("{}: {} cases, {} looks", path.display(), report.nodes.len(), report.looks.len()));
+    }
+    if let Some(folder) = &arguments.worst {
+        search::write(folder, &report.worst)?;
+        output.message(&format!("{}: {} worst inputs", folder.display(), report.worst.len()));
+    }
+    if arguments.json {
+        output.json(&serde_json::json!(report));
+    } else if arguments.output.is_none() {
+        output.result(&report.markdown(&command, "accuracy"));
+    }
+    let broken = report.broken();
+    if broken.is_empty() {
+        return Ok(());
+    }
+    Err(broken.into_iter().map(|words| Diagnostic::error("beyond-bound", words)).collect())
+}
+
+/// The command that gives the same document again.
+fn command_of(arguments: &Arguments) -> String {
+    let mut command = "chiaro accuracy".to_owned();
+    if arguments.quick {
+        command += " --quick";
+    }
+    if !arguments.nodes.is_empty() {
+        command += &format!(" --nodes {}", arguments.nodes.join(" "));
+    }
+    if let Some(path) = &arguments.output {
+        command += &format!(" -o {}", path.display());
+    }
+    command
+}
+
+fn check_nodes(kinds: &[String], library: &Library) -> Result<(), Vec<Diagnostic>> {
+    let unknown = |kind: &String| {
+        Diagnostic::error("bad-argument", format!("there is no node of kind `{kind}`"))
+            .suggest(kind.as_str(), library.nodes.keys().map(String::as_str))
+    };
+    let problems: Vec<Diagnostic> =
+        kinds.iter().filter(|kind| !library.nodes.contains_key(*kind)).map(unknown).collect();
+    if problems.is_empty() { Ok(()) } else { Err(problems) }
+}
