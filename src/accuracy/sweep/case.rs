@@ -383,7 +383,7 @@ impl Builder<'_> {
                 Context::Uv => self.slot("uv", Place::Uv, number, 2, MOST),
                 Context::VertexColor => self.slot("vertex_color", Place::VertexColor, Kind::Color, 4, MOST_COLOR),
                 Context::Kappa | Context::KappaDetail | Context::KappaFast => {
-                    self.slot("kappa", Place::Kappa, Kind::Kappa, 1, MOST)
+                    self.slot("kappa", Place::Kappa, Kind::Kappa, 1, MOST);
                 }
                 Context::Time | Context::Frame => self.slot("time", Place::Time, clock, 1, MOST_LIGHT),
                 Context::ObjectId | Context::Viewport | Context::Light(_) => {}
