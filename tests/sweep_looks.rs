@@ -1,5 +1,6 @@
 //! The example looks against their truth: over lights and views, at many sizes, and from frame to frame.
 #![cfg(feature = "gpu")]
+#![allow(clippy::print_stdout, reason = "figures are worth reading when a bound is missed")]
 
 mod support;
 

@@ -1,5 +1,6 @@
 //! Every node of the library, in every choice, width and tier, on the GPU against f64.
 #![cfg(feature = "gpu")]
+#![allow(clippy::print_stdout, reason = "figures are worth reading when a bound is missed")]
 
 mod support;
 
