@@ -10,13 +10,15 @@ use eframe::egui::{Key, KeyboardShortcut, Modifiers, Panel, RichText, Ui, Viewpo
 use super::canvas::Canvas;
 use super::code::Code;
 use super::command::Command;
+use super::cost::Cost;
 use super::dialogs::{Dialogs, MESHES, Purpose};
 use super::dock::effects::Effects;
 use super::dock::{Dock, Tab};
 use super::picture::Picture;
-use super::probe::Probe;
+use super::probe::{Probe, picture_size};
 use super::session::Session;
 use super::viewport::Viewport;
+use super::wipe::Wipe;
 use super::{inspector, problems, theme};
 use crate::diag::Diagnostic;
 use crate::library::Library;
@@ -32,6 +34,8 @@ pub struct App {
     dock: Dock,
     effects: Effects,
     probe: Probe,
+    wipe: Wipe,
+    cost: Cost,
     /// What is done once unsaved changes are dealt with.
     pending: Option<Pending>,
     /// What went wrong with a file or an edit, until the next command.
@@ -58,16 +62,21 @@ impl App {
             move || ctx.request_repaint()
         };
         let library = Arc::new(Library::built_in().clone());
+        let picture = render_state.map(|state| Picture::new(state, waker()));
+        let wipe = Wipe::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
+        let cost = Cost::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         Self {
             session: Session::new(library, waker()),
             canvas: Canvas::default(),
             viewport: Viewport::default(),
             code: Code::default(),
-            picture: render_state.map(|state| Picture::new(state, waker())),
+            picture,
             dialogs: Dialogs::new(waker()),
             dock: Dock::default(),
             effects: Effects::default(),
             probe: Probe::new(waker()),
+            wipe,
+            cost,
             pending: None,
             message: None,
             presses: 0,
@@ -111,15 +120,28 @@ impl App {
         &self.probe
     }
 
+    /// The comparison with a tier or the truth.
+    pub fn wipe(&self) -> &Wipe {
+        &self.wipe
+    }
+
+    /// What was measured.
+    pub fn cost(&self) -> &Cost {
+        &self.cost
+    }
+
     /// Whether shaders, pictures or values are being made.
     pub fn is_busy(&self) -> bool {
-        self.session.is_compiling() || self.probe.is_busy() || self.picture.as_ref().is_some_and(Picture::is_busy)
+        let is_drawing = self.picture.as_ref().is_some_and(Picture::is_busy);
+        is_drawing || self.session.is_compiling() || self.probe.is_busy() || self.wipe.is_busy() || self.cost.is_busy()
     }
 
     /// Waits for them; for tests.
     pub fn wait(&self) {
         self.session.wait();
         self.probe.wait();
+        self.wipe.wait();
+        self.cost.wait();
         if let Some(picture) = &self.picture {
             picture.wait();
         }
@@ -209,7 +231,13 @@ impl App {
                 picture.tells_effects = self.dock.shows(Tab::Effects);
             }
             egui::CentralPanel::no_frame().show(ui, |ui| {
-                commands.extend(self.viewport.show(ui, &mut self.session, self.picture.as_mut(), &mut self.probe));
+                commands.extend(self.viewport.show(
+                    ui,
+                    &mut self.session,
+                    self.picture.as_mut(),
+                    &mut self.probe,
+                    &mut self.wipe,
+                ));
             });
         });
         egui::CentralPanel::no_frame().show(ui, |ui| commands.extend(self.canvas.show(ui, &self.session)));
@@ -223,6 +251,10 @@ impl App {
         commands.extend(match self.dock.tab {
             Tab::Code => self.code.show(ui, &self.session),
             Tab::Effects => self.effects.show(ui, self.picture.as_ref().map(|picture| &picture.effects)),
+            Tab::Cost => {
+                let size = self.viewport.rect().map_or([0, 0], |rect| picture_size(rect, ui.pixels_per_point()));
+                self.cost.show(ui, &self.session, size)
+            }
             Tab::Probe => self.probe.show(ui, &self.session),
         });
     }

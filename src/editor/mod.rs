@@ -9,6 +9,7 @@ mod catalog;
 mod code;
 mod command;
 mod compiling;
+mod cost;
 mod dialogs;
 mod dock;
 mod inspector;
@@ -21,6 +22,7 @@ mod still;
 mod theme;
 mod values;
 mod viewport;
+mod wipe;
 mod worker;
 
 use eframe::egui;
@@ -28,10 +30,12 @@ use std::path::PathBuf;
 
 pub use app::App;
 pub use canvas::Canvas;
+pub use cost::Cost;
 pub use orbit::Orbit;
 pub use probe::Probe;
 pub use session::Session;
 pub use viewport::Viewport;
+pub use wipe::Wipe;
 
 use crate::diag::Diagnostic;
 

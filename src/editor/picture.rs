@@ -45,6 +45,7 @@ struct Drawn {
 /// The viewport's picture.
 pub(crate) struct Picture {
     state: RenderState,
+    gpu: Gpu,
     worker: Worker<Wish, Drawn>,
     texture: Option<TextureId>,
     wished: Option<Wished>,
@@ -64,10 +65,11 @@ impl Picture {
         let gpu = Gpu::new(state.device.clone(), state.queue.clone(), state.adapter.get_info());
         // Lights are edited: a look is not compiled anew when one goes out.
         let planner = Planner::default().culling(Cull::Objects);
-        let mut artist = Artist { renderer: Renderer::new(gpu), planner, provided: None };
+        let mut artist = Artist { renderer: Renderer::new(gpu.clone()), planner, provided: None };
         let worker = Worker::new("picture", wake, move |wish| artist.draw(&wish));
         Self {
             state,
+            gpu,
             worker,
             texture: None,
             wished: None,
@@ -76,6 +78,11 @@ impl Picture {
             tells_effects: false,
             effects: Arc::default(),
         }
+    }
+
+    /// The window's device.
+    pub(crate) fn gpu(&self) -> &Gpu {
+        &self.gpu
     }
 
     /// Asks for a picture of `size` pixels if anything changed, and returns the newest there is.

@@ -12,6 +12,7 @@ use super::picture::Picture;
 use super::probe::{Probe, picture_size};
 use super::session::Session;
 use super::theme;
+use super::wipe::Wipe;
 use crate::geometry::SHAPES;
 
 /// What a drag that is going on does.
@@ -39,8 +40,10 @@ impl Viewport {
         session: &mut Session,
         picture: Option<&mut Picture>,
         probe: &mut Probe,
+        wipe: &mut Wipe,
     ) -> Option<Command> {
-        let command = self.bar(ui, session, probe);
+        let command = self.bar(ui, session, probe, wipe);
+        wipe.bar(ui, session);
         let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Picture"));
         self.rect = Some(rect);
@@ -55,6 +58,8 @@ impl Viewport {
                 stand_in(ui, rect, session);
             }
         }
+        wipe.update(ui, session, picture_size(rect, ui.pixels_per_point()));
+        wipe.over(ui, rect);
         probe.update(ui, session, rect, pointer.filter(|_| self.drag.is_none()), response.clicked());
         if probe.is_on() {
             response.on_hover_cursor(CursorIcon::Crosshair);
@@ -66,7 +71,7 @@ impl Viewport {
     }
 
     /// The mesh that the look is seen on, and how it stands.
-    fn bar(&self, ui: &mut Ui, session: &mut Session, probe: &Probe) -> Option<Command> {
+    fn bar(&self, ui: &mut Ui, session: &mut Session, probe: &Probe, wipe: &mut Wipe) -> Option<Command> {
         let mut command = None;
         ui.horizontal(|ui| {
             let label = ui.label("On");
@@ -103,6 +108,7 @@ impl Viewport {
                 if ui.toggle_value(&mut is_on, "Probe pixel").on_hover_text(help).changed() {
                     command = Some(Command::Probe(is_on));
                 }
+                wipe.choice(ui);
                 if session.is_compiling() {
                     ui.label(egui::RichText::new("compiling").color(theme::DIM));
                 }

@@ -12,16 +12,18 @@ use super::theme;
 pub(crate) enum Tab {
     Code,
     Effects,
+    Cost,
     Probe,
 }
 
 impl Tab {
-    const ALL: [Self; 3] = [Self::Code, Self::Effects, Self::Probe];
+    const ALL: [Self; 4] = [Self::Code, Self::Effects, Self::Cost, Self::Probe];
 
     fn label(self) -> &'static str {
         match self {
             Self::Code => "Code",
             Self::Effects => "Effects",
+            Self::Cost => "Cost and accuracy",
             Self::Probe => "Probe",
         }
     }
@@ -30,6 +32,7 @@ impl Tab {
         match self {
             Self::Code => "The generated WGSL",
             Self::Effects => "Everything that the picture costs, what was left out, and the proof",
+            Self::Cost => "What each tier costs in time, and how far it is from the truth",
             Self::Probe => "The value on every wire at a pixel, f32 beside f64 (I)",
         }
     }

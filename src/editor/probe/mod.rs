@@ -188,8 +188,10 @@ impl Probe {
         let is_right = at.x > rect.center().x;
         let align = if is_right { egui::Align2::RIGHT_TOP } else { egui::Align2::LEFT_TOP };
         let corner = pos2(at.x + if is_right { -8.0 } else { 8.0 }, at.y + 8.0);
-        painter.text(corner + vec2(1.0, 1.0), align, &text, egui::FontId::monospace(11.0), egui::Color32::BLACK);
-        painter.text(corner, align, text, egui::FontId::monospace(11.0), color);
+        let galley = painter.layout_no_wrap(text, egui::FontId::monospace(11.0), color);
+        let place = align.anchor_size(corner, galley.size());
+        painter.rect_filled(place.expand(2.0), 2.0, egui::Color32::from_black_alpha(150));
+        painter.galley(place.min, galley, color);
     }
 }
 

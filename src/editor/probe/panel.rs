@@ -177,7 +177,7 @@ fn short(numbers: &[f64]) -> String {
         _ if x.is_infinite() => if x > 0.0 { "inf" } else { "-inf" }.to_owned(),
         1 => number_text(x, 7),
         2 => number_text(x, 5),
-        _ => number_text(x, 3),
+        _ => number_text(x, 2),
     };
     numbers.iter().map(|&x| text(x)).collect::<Vec<_>>().join(" ")
 }
