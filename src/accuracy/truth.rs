@@ -32,13 +32,28 @@ impl Truth {
         options: &PlanOptions,
         progress: &mut Progress<'_>,
     ) -> Result<Self, Stopped> {
+        Self::watched(setup, library, planner, options, progress, &Control::none())
+    }
+
+    /// The same, with somebody who watches the picture being made and may stop it.
+    ///
+    /// # Errors
+    /// As [`of`](Self::of).
+    pub fn watched(
+        setup: &Setup,
+        library: &Library,
+        planner: &mut Planner,
+        options: &PlanOptions,
+        progress: &mut Progress<'_>,
+        control: &Control<'_>,
+    ) -> Result<Self, Stopped> {
         let options = PlanOptions { samples: 1, ..options.clone() };
         let plan = planner.plan(setup, library, &Live::All, &options)?;
         progress.step()?;
         let one = |problem| vec![problem];
         let modules = Modules::new(&plan, Precision::F64).map_err(one)?;
         let options = reference::Options { snap: GRID, ..reference::Options::default() };
-        let picture = reference::execute(&plan, &modules, &options, &Control::none()).map_err(one)?;
+        let picture = reference::execute(&plan, &modules, &options, control).map_err(one)?;
         let edges = edges(&picture, &plan.view, reach(&plan));
         Ok(Self { picture, edges })
     }
@@ -46,6 +61,11 @@ impl Truth {
     /// The picture.
     pub fn picture(&self) -> &ReferencePicture {
         &self.picture
+    }
+
+    /// Whether a pixel, rows from the top, lies on an edge, where coverage may differ.
+    pub fn is_edge(&self, index: usize) -> bool {
+        self.edges.get(index).copied().unwrap_or(true)
     }
 
     /// How far the GPU's picture of `plan` is from this one. `renderer` should be [precise](crate::render::Gpu::precise),

@@ -10,10 +10,15 @@ use eframe::egui::{Key, KeyboardShortcut, Modifiers, Panel, RichText, Ui, Viewpo
 use super::canvas::Canvas;
 use super::code::Code;
 use super::command::Command;
+use super::cost::Cost;
 use super::dialogs::{Dialogs, MESHES, Purpose};
+use super::dock::effects::Effects;
+use super::dock::{Dock, Tab};
 use super::picture::Picture;
+use super::probe::{Probe, picture_size};
 use super::session::Session;
 use super::viewport::Viewport;
+use super::wipe::Wipe;
 use super::{inspector, problems, theme};
 use crate::diag::Diagnostic;
 use crate::library::Library;
@@ -26,7 +31,11 @@ pub struct App {
     code: Code,
     picture: Option<Picture>,
     dialogs: Dialogs,
-    shows_code: bool,
+    dock: Dock,
+    effects: Effects,
+    probe: Probe,
+    wipe: Wipe,
+    cost: Cost,
     /// What is done once unsaved changes are dealt with.
     pending: Option<Pending>,
     /// What went wrong with a file or an edit, until the next command.
@@ -53,14 +62,21 @@ impl App {
             move || ctx.request_repaint()
         };
         let library = Arc::new(Library::built_in().clone());
+        let picture = render_state.map(|state| Picture::new(state, waker()));
+        let wipe = Wipe::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
+        let cost = Cost::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         Self {
             session: Session::new(library, waker()),
             canvas: Canvas::default(),
             viewport: Viewport::default(),
             code: Code::default(),
-            picture: render_state.map(|state| Picture::new(state, waker())),
+            picture,
             dialogs: Dialogs::new(waker()),
-            shows_code: true,
+            dock: Dock::default(),
+            effects: Effects::default(),
+            probe: Probe::new(waker()),
+            wipe,
+            cost,
             pending: None,
             message: None,
             presses: 0,
@@ -99,14 +115,33 @@ impl App {
         &self.viewport
     }
 
-    /// Whether shaders or pictures are being made.
+    /// The probe.
+    pub fn probe(&self) -> &Probe {
+        &self.probe
+    }
+
+    /// The comparison with a tier or the truth.
+    pub fn wipe(&self) -> &Wipe {
+        &self.wipe
+    }
+
+    /// What was measured.
+    pub fn cost(&self) -> &Cost {
+        &self.cost
+    }
+
+    /// Whether shaders, pictures or values are being made.
     pub fn is_busy(&self) -> bool {
-        self.session.is_compiling() || self.picture.as_ref().is_some_and(Picture::is_busy)
+        let is_drawing = self.picture.as_ref().is_some_and(Picture::is_busy);
+        is_drawing || self.session.is_compiling() || self.probe.is_busy() || self.wipe.is_busy() || self.cost.is_busy()
     }
 
     /// Waits for them; for tests.
     pub fn wait(&self) {
         self.session.wait();
+        self.probe.wait();
+        self.wipe.wait();
+        self.cost.wait();
         if let Some(picture) = &self.picture {
             picture.wait();
         }
@@ -186,19 +221,42 @@ impl App {
         right.show(ui, |ui| commands.extend(inspector::show(ui, &self.session)));
         let left = Panel::left("picture").frame(theme::panel()).default_size(500.0).size_range(220.0..=1400.0);
         left.show(ui, |ui| {
-            if self.shows_code {
-                const HEIGHT: f32 = 240.0;
-                let code = Panel::bottom("code")
+            if self.dock.is_open {
+                const HEIGHT: f32 = 260.0;
+                let dock = Panel::bottom("dock")
                     .frame(egui::Frame::new().inner_margin(egui::Margin { top: 8, ..Default::default() }));
-                code.default_size(HEIGHT).size_range(60.0..=2000.0).show(ui, |ui| {
-                    commands.extend(self.code.show(ui, &self.session));
-                });
+                dock.default_size(HEIGHT).size_range(90.0..=2000.0).show(ui, |ui| self.docked(ui, commands));
+            }
+            if let Some(picture) = &mut self.picture {
+                picture.tells_effects = self.dock.shows(Tab::Effects);
             }
             egui::CentralPanel::no_frame().show(ui, |ui| {
-                commands.extend(self.viewport.show(ui, &mut self.session, self.picture.as_mut()));
+                commands.extend(self.viewport.show(
+                    ui,
+                    &mut self.session,
+                    self.picture.as_mut(),
+                    &mut self.probe,
+                    &mut self.wipe,
+                ));
             });
         });
         egui::CentralPanel::no_frame().show(ui, |ui| commands.extend(self.canvas.show(ui, &self.session)));
+    }
+
+    /// The panel below the picture.
+    fn docked(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
+        self.dock.strip(ui);
+        // It keeps its height while there is little to show.
+        ui.set_min_height(ui.available_height());
+        commands.extend(match self.dock.tab {
+            Tab::Code => self.code.show(ui, &self.session),
+            Tab::Effects => self.effects.show(ui, self.picture.as_ref().map(|picture| &picture.effects)),
+            Tab::Cost => {
+                let size = self.viewport.rect().map_or([0, 0], |rect| picture_size(rect, ui.pixels_per_point()));
+                self.cost.show(ui, &self.session, size)
+            }
+            Tab::Probe => self.probe.show(ui, &self.session),
+        });
     }
 
     fn bar(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
@@ -221,7 +279,8 @@ impl App {
             let help = format!("Repeats: {} (Ctrl+Shift+Z)", step(redo, "nothing"));
             button(ui, "Redo", &help, redo.is_some(), Command::Redo);
             ui.separator();
-            ui.toggle_value(&mut self.shows_code, "Code").on_hover_text("Shows the generated WGSL");
+            ui.toggle_value(&mut self.dock.is_open, "Panels")
+                .on_hover_text("Shows code, effects and the probe's values below the picture");
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let name = self.document_name();
                 if self.session.is_dirty() {
@@ -280,7 +339,9 @@ impl App {
             (Modifiers::COMMAND, Key::Y, Command::Redo),
             (Modifiers::COMMAND, Key::Z, Command::Undo),
         ];
-        let elsewhere = elsewhere.into_iter().filter(|_| !is_typing);
+        let probe = (Modifiers::NONE, Key::I, Command::Probe(!self.probe.is_on()));
+        let leave = self.probe.is_on().then_some((Modifiers::NONE, Key::Escape, Command::LeaveProbe));
+        let elsewhere = elsewhere.into_iter().chain([probe]).chain(leave).filter(|_| !is_typing);
         for (modifiers, key, command) in always.into_iter().chain(elsewhere) {
             let shortcut = KeyboardShortcut::new(modifiers, key);
             if ui.input_mut(|input| input.consume_shortcut(&shortcut)) {
@@ -321,6 +382,13 @@ impl App {
             }
             Command::ShowOn(Some(path)) => self.show_on(&path.to_string_lossy()),
             Command::ShowOn(None) => self.dialogs.ask(Purpose::Mesh, Some(Path::new(&self.session.view.mesh))),
+            Command::Probe(on) => {
+                self.probe.turn(on);
+                if on {
+                    self.dock.open(Tab::Probe);
+                }
+            }
+            Command::LeaveProbe => self.probe.escape(),
             Command::Copy(text) => ui.ctx().copy_text(text),
         }
     }

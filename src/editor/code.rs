@@ -24,8 +24,6 @@ pub(crate) struct Code {
 impl Code {
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         self.sync(session.baked());
-        // The panel keeps its height while there is little to show.
-        ui.set_min_height(ui.available_height());
         let mut commands = Vec::new();
         let Some(shader) = self.shader.clone() else {
             ui.label(RichText::new("The shader appears here once the look compiles").color(theme::DIM));

@@ -29,6 +29,10 @@ pub(crate) enum Command {
     SaveTo(PathBuf),
     /// Shows the look on the mesh of this file; asks for one where there is none.
     ShowOn(Option<PathBuf>),
+    /// Turns the probe on or off.
+    Probe(bool),
+    /// Lets go of the probed pixel, or else leaves the probe.
+    LeaveProbe,
     /// Copies text to the clipboard.
     Copy(String),
 }

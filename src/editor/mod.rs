@@ -9,15 +9,20 @@ mod catalog;
 mod code;
 mod command;
 mod compiling;
+mod cost;
 mod dialogs;
+mod dock;
 mod inspector;
 mod orbit;
 mod picture;
+mod probe;
 mod problems;
 pub mod session;
+mod still;
 mod theme;
 mod values;
 mod viewport;
+mod wipe;
 mod worker;
 
 use eframe::egui;
@@ -25,9 +30,12 @@ use std::path::PathBuf;
 
 pub use app::App;
 pub use canvas::Canvas;
+pub use cost::Cost;
 pub use orbit::Orbit;
+pub use probe::Probe;
 pub use session::Session;
 pub use viewport::Viewport;
+pub use wipe::Wipe;
 
 use crate::diag::Diagnostic;
 

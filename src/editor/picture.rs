@@ -1,48 +1,62 @@
 //! The picture in the viewport: planned and drawn on a thread of its own, on the window's device, so that neither a
 //! slow GPU nor a shader being built holds up a hand. The newest wish wins; what was drawn last stays until then.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use eframe::egui::TextureId;
 use eframe::egui_wgpu::RenderState;
-use glam::DQuat;
 
 use super::orbit::Orbit;
 use super::session::{Session, Showing};
+use super::still::Still;
 use super::worker::Worker;
-use crate::compile::CompiledShader;
+use crate::compile::{CompiledShader, Live};
 use crate::diag::Diagnostic;
-use crate::document::SourceMap;
-use crate::frame::{Cull, PlanOptions, Planner, SetupLook, default_setup};
-use crate::library::Library;
+use crate::frame::{Cull, Effect, PlanOptions, Planner, effects};
 use crate::render::{Gpu, Renderer, block_on};
 
 /// What is to be drawn.
 struct Wish {
     showing: Showing,
-    source: Arc<SourceMap>,
-    folder: std::path::PathBuf,
-    library: Arc<Library>,
+    still: Still,
+    size: [u32; 2],
+    /// Whether its effects are to be told.
+    tells_effects: bool,
+}
+
+/// What a picture was wished for: the same again needs no new one.
+#[derive(PartialEq)]
+struct Wished {
+    picture: u64,
     orbit: Orbit,
     size: [u32; 2],
+    folder: PathBuf,
+    tells_effects: bool,
 }
 
 /// What was drawn: a texture where it is another than the last time.
 struct Drawn {
     texture: Option<wgpu::TextureView>,
     problems: Vec<Diagnostic>,
+    effects: Option<Vec<Effect>>,
 }
 
 /// The viewport's picture.
 pub(crate) struct Picture {
     state: RenderState,
+    gpu: Gpu,
     worker: Worker<Wish, Drawn>,
     texture: Option<TextureId>,
-    wished: Option<(u64, Orbit, [u32; 2], std::path::PathBuf)>,
+    wished: Option<Wished>,
     /// How many pictures were asked for.
     pub(crate) wishes: u64,
     /// What keeps the picture from being drawn, or was odd about it.
     pub(crate) problems: Vec<Diagnostic>,
+    /// Whether somebody wants to know what the picture costs.
+    pub(crate) tells_effects: bool,
+    /// What the last picture of a look at rest cost, where that was wanted.
+    pub(crate) effects: Arc<Vec<Effect>>,
 }
 
 impl Picture {
@@ -51,9 +65,24 @@ impl Picture {
         let gpu = Gpu::new(state.device.clone(), state.queue.clone(), state.adapter.get_info());
         // Lights are edited: a look is not compiled anew when one goes out.
         let planner = Planner::default().culling(Cull::Objects);
-        let mut artist = Artist { renderer: Renderer::new(gpu), planner, provided: None };
+        let mut artist = Artist { renderer: Renderer::new(gpu.clone()), planner, provided: None };
         let worker = Worker::new("picture", wake, move |wish| artist.draw(&wish));
-        Self { state, worker, texture: None, wished: None, wishes: 0, problems: Vec::new() }
+        Self {
+            state,
+            gpu,
+            worker,
+            texture: None,
+            wished: None,
+            wishes: 0,
+            problems: Vec::new(),
+            tells_effects: false,
+            effects: Arc::default(),
+        }
+    }
+
+    /// The window's device.
+    pub(crate) fn gpu(&self) -> &Gpu {
+        &self.gpu
     }
 
     /// Asks for a picture of `size` pixels if anything changed, and returns the newest there is.
@@ -63,24 +92,25 @@ impl Picture {
                 self.show(&view);
             }
             self.problems = drawn.problems;
+            if let Some(effects) = drawn.effects {
+                self.effects = Arc::new(effects);
+            }
         }
-        let folder =
-            session.path().and_then(|path| path.parent()).map(std::path::Path::to_path_buf).unwrap_or_default();
-        let wished = Some((session.picture(), session.view.clone(), size, folder.clone()));
+        let wished = Some(Wished {
+            picture: session.picture(),
+            orbit: session.view.clone(),
+            size,
+            folder: session.folder(),
+            tells_effects: self.tells_effects,
+        });
         if self.wished != wished
             && size.iter().all(|&side| side > 0)
             && let Some(showing) = session.showing()
         {
             self.wished = wished;
             self.wishes += 1;
-            let wish = Wish {
-                showing,
-                source: session.source().clone(),
-                folder,
-                library: session.library.clone(),
-                orbit: session.view.clone(),
-                size,
-            };
+            let still = session.still_of(showing.look.clone());
+            let wish = Wish { showing, still, size, tells_effects: self.tells_effects };
             self.worker.request(|_| wish);
         }
         self.texture
@@ -117,24 +147,19 @@ struct Artist {
 impl Artist {
     fn draw(&mut self, wish: &Wish) -> Drawn {
         match self.try_draw(wish) {
-            Ok(()) => {
+            Ok(effects) => {
                 let problems = std::mem::take(&mut self.planner.warnings);
-                Drawn { texture: self.renderer.picture_view(), problems }
+                Drawn { texture: self.renderer.picture_view(), problems, effects }
             }
-            Err(problems) => Drawn { texture: None, problems },
+            Err(problems) => Drawn { texture: None, problems, effects: None },
         }
     }
 
-    fn try_draw(&mut self, wish: &Wish) -> Result<(), Vec<Diagnostic>> {
-        let Wish { showing, orbit, .. } = wish;
-        let look =
-            SetupLook { look: (*showing.look).clone(), source: wish.source.clone(), folder: wish.folder.clone() };
-        let (mut setup, notes) = default_setup(look, &orbit.mesh, &mut self.planner.assets)?;
-        if orbit.z_is_up {
-            setup.stand_up();
-        }
-        setup.scene.camera = orbit.camera();
-        setup.scene.illumination = DQuat::to_array(&orbit.illumination);
+    /// Draws, and tells the effects where they are wanted and the look is at rest: of a look that is being edited
+    /// nothing is left out, which would only flicker.
+    fn try_draw(&mut self, wish: &Wish) -> Result<Option<Vec<Effect>>, Vec<Diagnostic>> {
+        let showing = &wish.showing;
+        let (mut setup, notes) = wish.still.setup(&mut self.planner.assets)?;
         // The look's lights as they are now: the planner keeps those of the time when it was given the shader.
         setup.scene.lights.clone_from(&showing.look.lights);
         if !self.provided.as_ref().is_some_and(|provided| Arc::ptr_eq(provided, &showing.shader)) {
@@ -142,9 +167,11 @@ impl Artist {
             self.provided = Some(showing.shader.clone());
         }
         let options = PlanOptions { size: wish.size, samples: 4, time: 0.0 };
-        let plan = self.planner.plan(&setup, &wish.library, &showing.live, &options)?;
+        let plan = self.planner.plan(&setup, &wish.still.library, &showing.live, &options)?;
         self.planner.warnings.extend(notes);
+        let is_told = wish.tells_effects && showing.live == Live::Keyed;
+        let effects = is_told.then(|| effects(&plan, self.renderer.done()));
         block_on(self.renderer.draw(&plan)).map_err(|error| vec![error.into()])?;
-        Ok(())
+        Ok(effects)
     }
 }

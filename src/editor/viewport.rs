@@ -2,15 +2,17 @@
 
 use eframe::egui;
 use eframe::egui::{
-    Color32, Key, Modifiers, PointerButton, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo, pos2, vec2,
+    Color32, CursorIcon, Key, Modifiers, PointerButton, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo, pos2, vec2,
 };
 use glam::DVec3;
 use std::path::Path;
 
 use super::command::Command;
 use super::picture::Picture;
+use super::probe::{Probe, picture_size};
 use super::session::Session;
 use super::theme;
+use super::wipe::Wipe;
 use crate::geometry::SHAPES;
 
 /// What a drag that is going on does.
@@ -37,15 +39,18 @@ impl Viewport {
         ui: &mut Ui,
         session: &mut Session,
         picture: Option<&mut Picture>,
+        probe: &mut Probe,
+        wipe: &mut Wipe,
     ) -> Option<Command> {
-        let command = self.bar(ui, session);
+        let command = self.bar(ui, session, probe, wipe);
+        wipe.bar(ui, session);
         let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Picture"));
         self.rect = Some(rect);
         let pointer = response.contains_pointer().then(|| ui.input(|input| input.pointer.hover_pos())).flatten();
         self.drags(ui, &response, rect, session);
         self.wheel_and_keys(ui, pointer, session);
-        self.hint = self.hint_at(pointer, rect, session);
+        self.hint = if probe.is_on() { probe_hint(probe) } else { self.hint_at(pointer, rect, session) };
         match picture {
             Some(picture) => show_picture(ui, rect, session, picture),
             None => {
@@ -53,14 +58,20 @@ impl Viewport {
                 stand_in(ui, rect, session);
             }
         }
-        if response.hovered() || self.drag == Some(Drag::Lights) {
+        wipe.update(ui, session, picture_size(rect, ui.pixels_per_point()));
+        wipe.over(ui, rect);
+        probe.update(ui, session, rect, pointer.filter(|_| self.drag.is_none()), response.clicked());
+        if probe.is_on() {
+            response.on_hover_cursor(CursorIcon::Crosshair);
+            probe.mark(ui, rect);
+        } else if response.hovered() || self.drag == Some(Drag::Lights) {
             light_needles(ui, rect, session, self.drag == Some(Drag::Lights));
         }
         command
     }
 
     /// The mesh that the look is seen on, and how it stands.
-    fn bar(&self, ui: &mut Ui, session: &mut Session) -> Option<Command> {
+    fn bar(&self, ui: &mut Ui, session: &mut Session, probe: &Probe, wipe: &mut Wipe) -> Option<Command> {
         let mut command = None;
         ui.horizontal(|ui| {
             let label = ui.label("On");
@@ -92,6 +103,12 @@ impl Viewport {
                 if ui.button("Reset").on_hover_text("Turns camera and lights back (R)").clicked() {
                     session.view.reset();
                 }
+                let mut is_on = probe.is_on();
+                let help = "Reads the value on every wire at a pixel, f32 beside f64 (I)";
+                if ui.toggle_value(&mut is_on, "Probe pixel").on_hover_text(help).changed() {
+                    command = Some(Command::Probe(is_on));
+                }
+                wipe.choice(ui);
                 if session.is_compiling() {
                     ui.label(egui::RichText::new("compiling").color(theme::DIM));
                 }
@@ -176,9 +193,15 @@ impl Viewport {
     }
 }
 
+fn probe_hint(probe: &Probe) -> &'static str {
+    match probe.pinned() {
+        None => "Rest the pointer to read a pixel, click to keep it · Esc leaves the probe",
+        Some(_) => "This pixel is kept: click another · Esc lets go of it, Esc again leaves the probe",
+    }
+}
+
 fn show_picture(ui: &Ui, rect: Rect, session: &mut Session, picture: &mut Picture) {
-    let pixels = ui.pixels_per_point();
-    let size = [rect.width(), rect.height()].map(|side| (side * pixels).round().clamp(0.0, 8192.0) as u32);
+    let size = picture_size(rect, ui.pixels_per_point());
     let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
     match picture.update(session, size) {
         Some(texture) => {

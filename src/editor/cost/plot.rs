@@ -1,0 +1,117 @@
+//! Error against time, both logarithmic: points by tier, the line of 1/255, and the front of what nothing beats.
+
+use eframe::egui;
+use eframe::egui::{Align2, FontId, Pos2, Rect, Sense, Shape, Stroke, Ui, pos2, vec2};
+
+use super::super::theme;
+use super::panel::{color, told};
+use crate::accuracy::Row;
+use crate::accuracy::report::{pareto_front, tier_word};
+
+const HEIGHT: f32 = 170.0;
+/// What f32 cannot tell from 0 is drawn here.
+const LEAST_ERROR: f64 = 1e-8;
+const LEAST_TIME: f64 = 1e-3;
+const VISIBLE: f64 = 1.0 / 255.0;
+
+/// An axis over powers of ten.
+struct Axis {
+    low: f64,
+    high: f64,
+    from: f32,
+    to: f32,
+}
+
+impl Axis {
+    fn new(numbers: impl Iterator<Item = f64> + Clone, from: f32, to: f32) -> Self {
+        let low = numbers.clone().fold(f64::INFINITY, f64::min).log10();
+        let high = numbers.fold(f64::NEG_INFINITY, f64::max).log10();
+        let (low, high) = if low.is_finite() && high.is_finite() { (low, high) } else { (-1.0, 1.0) };
+        // Room around, and never so narrow that noise fills the plot.
+        let spare = (0.15 * (high - low)).max(0.15);
+        Self { low: low - spare, high: high + spare, from, to }
+    }
+
+    fn at(&self, number: f64) -> f32 {
+        let share = (number.log10() - self.low) / (self.high - self.low);
+        self.from + share as f32 * (self.to - self.from)
+    }
+
+    /// Where lines are drawn: powers of ten, and 2 and 5 times those where there is room.
+    fn ticks(&self) -> Vec<f64> {
+        let decades = self.high - self.low;
+        let steps: &[f64] = if decades < 1.5 { &[1.0, 2.0, 5.0] } else { &[1.0] };
+        let stride = ((decades / 6.0).ceil() as i32).max(1);
+        let powers = (self.low.floor() as i32..=self.high.ceil() as i32).filter(|power| power % stride == 0);
+        let all = powers.flat_map(|power| steps.iter().map(move |step| step * 10f64.powi(power)));
+        all.filter(|number| (self.low..=self.high).contains(&number.log10())).collect()
+    }
+}
+
+/// Plots the rows of one subject, and returns the one that was clicked.
+pub(super) fn show(ui: &mut Ui, rows: &[&Row], title: String, in_use: impl Fn(&Row) -> bool) -> Option<Row> {
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), HEIGHT), Sense::click());
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, "Error against time"));
+    let inner = Rect::from_min_max(rect.min + vec2(46.0, 20.0), rect.max - vec2(10.0, 20.0));
+    let time = |row: &Row| row.time.median.max(LEAST_TIME);
+    let error = |row: &Row| row.max_error().unwrap_or(0.0).max(LEAST_ERROR);
+    let x = Axis::new(rows.iter().map(|row| time(row)), inner.left(), inner.right());
+    let y = Axis::new(rows.iter().map(|row| error(row)).chain([VISIBLE]), inner.bottom(), inner.top());
+    grid(ui, rect, inner, &x, &y);
+    ui.painter().text(rect.left_top(), Align2::LEFT_TOP, title, FontId::proportional(11.0), theme::TEXT);
+    let place = |row: &Row| pos2(x.at(time(row)), y.at(error(row)));
+    let front: Vec<Pos2> = pareto_front(rows).into_iter().map(|index| place(rows[index])).collect();
+    ui.painter().add(Shape::line(front, Stroke::new(1.0, theme::DIM)));
+    let pointer = response.hover_pos();
+    let near = |row: &&&Row| pointer.is_some_and(|at| place(row).distance(at) < 12.0);
+    let distance = |row: &&Row| pointer.map_or(f32::INFINITY, |at| place(row).distance(at));
+    let hovered = rows.iter().filter(near).min_by(|a, b| distance(a).total_cmp(&distance(b)));
+    for row in rows {
+        let at = place(row);
+        let span = [row.time.low, row.time.high].map(|time| x.at(time.max(LEAST_TIME)).clamp(x.from, x.to));
+        let ink = color(row.tier);
+        ui.painter().hline(span[0]..=span[1], at.y, Stroke::new(1.0, ink.gamma_multiply(0.6)));
+        let is_hovered = hovered.is_some_and(|other| std::ptr::eq(*other, *row));
+        ui.painter().circle_filled(at, if is_hovered { 6.5 } else { 5.0 }, ink);
+        if in_use(row) {
+            ui.painter().circle_stroke(at, 8.5, Stroke::new(1.5, theme::TEXT));
+        }
+        let is_right = at.x > inner.center().x;
+        let (align, offset) = if is_right { (Align2::RIGHT_BOTTOM, -8.0) } else { (Align2::LEFT_BOTTOM, 8.0) };
+        let font = FontId::proportional(11.0);
+        ui.painter().text(at + vec2(offset, -4.0), align, tier_word(row.tier), font, ink);
+    }
+    let clicked = response.clicked();
+    let row = *hovered?;
+    let response = response.on_hover_text_at_pointer(told(row, in_use(row)));
+    if row.tier.is_some() {
+        response.on_hover_cursor(egui::CursorIcon::PointingHand);
+    }
+    (clicked && row.tier.is_some()).then(|| row.clone())
+}
+
+fn grid(ui: &Ui, rect: Rect, inner: Rect, x: &Axis, y: &Axis) {
+    let painter = ui.painter();
+    let font = FontId::proportional(10.0);
+    painter.rect_filled(inner, 2.0, theme::CANVAS);
+    for time in x.ticks() {
+        painter.vline(x.at(time), inner.y_range(), Stroke::new(1.0, theme::GRID));
+        let text = super::super::values::number_text(time, 4);
+        painter.text(pos2(x.at(time), inner.bottom() + 3.0), Align2::CENTER_TOP, text, font.clone(), theme::DIM);
+    }
+    for error in y.ticks() {
+        painter.hline(inner.x_range(), y.at(error), Stroke::new(1.0, theme::GRID));
+        let text = format!("{error:.0e}");
+        painter.text(pos2(inner.left() - 5.0, y.at(error)), Align2::RIGHT_CENTER, text, font.clone(), theme::DIM);
+    }
+    let visible = y.at(VISIBLE);
+    painter.extend(Shape::dashed_line(
+        &[pos2(inner.left(), visible), pos2(inner.right(), visible)],
+        Stroke::new(1.0, theme::WARNING.gamma_multiply(0.7)),
+        4.0,
+        4.0,
+    ));
+    let at = pos2(inner.right() - 3.0, visible - 1.0);
+    painter.text(at, Align2::RIGHT_BOTTOM, "1/255", font.clone(), theme::WARNING);
+    painter.text(rect.right_top(), Align2::RIGHT_TOP, "max error over milliseconds", font, theme::DIM);
+}

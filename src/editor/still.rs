@@ -1,0 +1,77 @@
+//! What the viewport shows, as something that a thread can take with it, and a stamp that tells whether it still holds.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use glam::DQuat;
+
+use super::orbit::Orbit;
+use super::session::Session;
+use crate::diag::Diagnostic;
+use crate::document::{Look, SourceMap};
+use crate::frame::{Assets, Setup, SetupLook, default_setup};
+use crate::library::Library;
+
+/// A look with everything that its picture depends on, but for the size.
+#[derive(Clone)]
+pub(crate) struct Still {
+    pub(crate) look: Arc<Look>,
+    pub(crate) source: Arc<SourceMap>,
+    /// What the look's assets are relative to.
+    pub(crate) folder: PathBuf,
+    pub(crate) library: Arc<Library>,
+    pub(crate) orbit: Orbit,
+}
+
+impl Still {
+    /// As a scene, with what was odd about the mesh.
+    ///
+    /// # Errors
+    /// What is wrong with the mesh.
+    pub(crate) fn setup(&self, assets: &mut Assets) -> Result<(Setup, Vec<Diagnostic>), Vec<Diagnostic>> {
+        let look = SetupLook { look: (*self.look).clone(), source: self.source.clone(), folder: self.folder.clone() };
+        let (mut setup, notes) = default_setup(look, &self.orbit.mesh, assets)?;
+        if self.orbit.z_is_up {
+            setup.stand_up();
+        }
+        setup.scene.camera = self.orbit.camera();
+        setup.scene.illumination = DQuat::to_array(&self.orbit.illumination);
+        Ok((setup, notes))
+    }
+}
+
+/// Tells one moment of a session from another: the same stamp is the same look in the same view.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Stamp {
+    document: u64,
+    revision: u64,
+    orbit: Orbit,
+}
+
+impl Session {
+    /// The document as it is, in the view as it is.
+    pub(crate) fn still(&self) -> Still {
+        self.still_of(Arc::new(self.look().clone()))
+    }
+
+    /// Another look in its place.
+    pub(crate) fn still_of(&self, look: Arc<Look>) -> Still {
+        Still {
+            look,
+            source: self.source().clone(),
+            folder: self.folder(),
+            library: self.library.clone(),
+            orbit: self.view.clone(),
+        }
+    }
+
+    /// What the look's assets are relative to.
+    pub(crate) fn folder(&self) -> PathBuf {
+        self.path().and_then(Path::parent).map(Path::to_path_buf).unwrap_or_default()
+    }
+
+    /// What changes whenever [`still`](Self::still) does.
+    pub(crate) fn stamp(&self) -> Stamp {
+        Stamp { document: self.document_number(), revision: self.revision(), orbit: self.view.clone() }
+    }
+}

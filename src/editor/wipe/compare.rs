@@ -1,0 +1,117 @@
+//! Makes both pictures, on the thread.
+
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+
+use eframe::egui::{Color32, ColorImage};
+
+use super::{Against, Compared, Done, Job};
+use crate::accuracy::{Colors, Progress, Stopped, Truth, Variant, compare};
+use crate::compile::Live;
+use crate::diag::Diagnostic;
+use crate::document::Tier;
+use crate::frame::{Assets, Cull, Picture, PlanOptions, Planner, Setup};
+use crate::library::Library;
+use crate::reference::Control;
+use crate::render::{Gpu, Renderer, block_on};
+
+/// What it keeps between comparisons.
+pub(super) struct Comparer {
+    renderer: Renderer,
+    planner: Planner,
+    /// Tells the window that there is more progress to show.
+    wake: Box<dyn Fn() + Send + Sync>,
+}
+
+impl Comparer {
+    pub(super) fn new(gpu: Gpu, wake: impl Fn() + Send + Sync + 'static) -> Self {
+        let planner = Planner::default().culling(Cull::Objects);
+        Self { renderer: Renderer::new(gpu.precise()), planner, wake: Box::new(wake) }
+    }
+
+    pub(super) fn run(&mut self, job: Job) -> Done {
+        let result = self.try_run(&job);
+        Done { moment: job.moment, result }
+    }
+
+    fn try_run(&mut self, job: &Job) -> Result<Compared, Vec<Diagnostic>> {
+        let library = &job.still.library;
+        let options = PlanOptions { size: job.moment.size, samples: 1, time: 0.0 };
+        let (setup, _) = job.still.setup(&mut self.planner.assets)?;
+        let present = self.draw(&setup, library, &options)?;
+        match job.moment.against {
+            Against::Tier(tier) => {
+                let other = self.draw(&Variant::Looks(tier).of(&setup), library, &options)?;
+                Ok(together(&present, &other.rgba, &colors(&other), |_| false))
+            }
+            Against::Truth => {
+                let truth = self.truth(job, &Variant::Looks(Tier::Exact).of(&setup), &options)?;
+                let straight = truth.picture().to_straight_f32();
+                Ok(together(&present, &straight, &truth.colors(), |index| truth.is_edge(index)))
+            }
+        }
+    }
+
+    fn draw(&mut self, setup: &Setup, library: &Library, options: &PlanOptions) -> Result<Picture, Vec<Diagnostic>> {
+        let plan = self.planner.plan(setup, library, &Live::Keyed, options)?;
+        block_on(self.renderer.picture(&plan)).map_err(|error| vec![error.into()])
+    }
+
+    fn truth(&self, job: &Job, setup: &Setup, options: &PlanOptions) -> Result<Truth, Vec<Diagnostic>> {
+        let told = |share: f64| {
+            let thousandths = (share * 1000.0) as u32;
+            let before = job.progress.fetch_max(thousandths, Ordering::Relaxed);
+            if before / 10 != thousandths / 10 {
+                (self.wake)();
+            }
+        };
+        let control = Control { cancel: &job.cancel, progress: &told };
+        let mut go_on = |_, _| true;
+        let mut planner = Planner::for_truth(Assets::default());
+        let library: &Arc<Library> = &job.still.library;
+        Truth::watched(setup, library, &mut planner, options, &mut Progress::new(&mut go_on), &control)
+            .map_err(|stopped: Stopped| stopped.into())
+    }
+}
+
+fn colors(picture: &Picture) -> Colors<'static> {
+    let premultiplied = |&[r, g, b, a]: &[f32; 4]| {
+        let [r, g, b, a] = [r, g, b, a].map(f64::from);
+        [r * a, g * a, b * a, a]
+    };
+    Colors { size: picture.size, rgba: picture.rgba.iter().map(premultiplied).collect() }
+}
+
+fn together(
+    present: &Picture,
+    straight: &[[f32; 4]],
+    wanted: &Colors<'_>,
+    is_edge: impl Fn(usize) -> bool,
+) -> Compared {
+    let got = colors(present);
+    let figures = compare(&got, wanted, &is_edge);
+    let channels = |(index, (a, b)): (usize, (&[f64; 4], &[f64; 4]))| {
+        let of = |channel: usize| {
+            let difference = (a[channel] - b[channel]).abs();
+            if is_edge(index) {
+                0.0
+            } else if difference.is_finite() {
+                difference as f32
+            } else {
+                f32::MAX
+            }
+        };
+        [of(0), of(1), of(2)]
+    };
+    let difference = got.rgba.iter().zip(wanted.rgba.iter()).enumerate().map(channels).collect();
+    let pictures = [image(present.size, &present.rgba), image(present.size, straight)];
+    Compared { pictures, difference, figures }
+}
+
+fn image(size: [u32; 2], straight: &[[f32; 4]]) -> ColorImage {
+    let color = |pixel: &[f32; 4]| {
+        let [r, g, b, a] = pixel.map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
+        Color32::from_rgba_unmultiplied(r, g, b, a)
+    };
+    ColorImage::new(size.map(|side| side as usize), straight.iter().map(color).collect())
+}

@@ -1,0 +1,270 @@
+//! The panels below the picture: effects and the probe, driven by a hand.
+#![cfg(feature = "editor")]
+
+mod editor_support;
+
+use chiaro::editor::App;
+use chiaro::render::{Gpu, block_on};
+use editor_support::Hand;
+use eframe::egui::{Key, Rect, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
+
+/// A window that draws.
+fn window() -> Hand {
+    block_on(Gpu::headless()).expect("an adapter; software Vulkan does");
+    let state = create_render_state(default_wgpu_setup(), eframe::egui_wgpu::RendererOptions::PREDICTABLE);
+    let builder = Harness::builder().renderer(WgpuTestRenderer::from_render_state(state.clone()));
+    Hand::with_builder(builder, move |ctx| App::new(ctx, Some(state.clone())))
+}
+
+fn picture(hand: &Hand) -> Rect {
+    hand.app().viewport().rect().unwrap()
+}
+
+fn click_label(hand: &mut Hand, label: &str) {
+    let at = hand.harness.get_by_label(label).rect().center();
+    hand.click(at);
+}
+
+fn selected(hand: &Hand) -> Vec<String> {
+    hand.app().session().selected().map(ToString::to_string).collect()
+}
+
+/// A look whose second node divides by 0, and whose last hides it.
+const BROKEN: &str = r##"{"nodes": [
+    {"id": "fine", "kind": "add", "values": {"a": 0, "b": 0}},
+    {"id": "broken", "kind": "wgsl", "at": [240, 0],
+     "values": {"code": "fn broken(value: f32) -> f32 { return 1.0 / value; }"}},
+    {"id": "after", "kind": "wgsl", "at": [480, 0],
+     "values": {"code": "fn after(value: f32) -> f32 { return value * 2.0; }"}},
+    {"id": "output", "kind": "output", "at": [720, 0]}
+  ], "wires": [
+    {"from": "fine", "to": "broken.value"}, {"from": "broken", "to": "after.value"}, {"from": "after", "to": "output.color"}
+  ]}"##;
+
+fn open(hand: &mut Hand, text: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("look.json");
+    std::fs::write(&path, text).unwrap();
+    hand.app_mut().open(&path);
+    hand.settle();
+    let problems = hand.app().session().problems();
+    assert!(problems.iter().all(|problem| !problem.is_error()), "{problems:?}");
+    folder
+}
+
+#[test]
+fn the_probe_reads_every_wire_under_a_resting_pointer() {
+    let mut hand = Hand::new();
+    let middle = picture(&hand).center();
+    hand.hover(middle);
+    hand.settle();
+    assert!(hand.app().probe().wires().is_empty(), "it is off");
+    hand.key(Key::I);
+    hand.settle();
+    assert!(hand.app().probe().is_on());
+    let wires = hand.app().probe().wires();
+    let of = |node: &str| wires.iter().find(|wire| wire.node.to_string() == node).expect("it has a value");
+    // A new look's base is [0.16, 0.15, 0.2]: nothing is computed, so both know it as their numbers can.
+    let base = of("base");
+    assert_eq!(base.double, [0.16, 0.15, 0.2, 1.0]);
+    assert_eq!(base.single, [0.16_f32, 0.15, 0.2, 1.0].map(f64::from));
+    assert!(base.difference() > 0.0 && base.difference() < 1e-8);
+    assert!(wires.last().unwrap().node.to_string() == "output", "in the order of computing");
+    // Beside the object there is nothing.
+    let corner = picture(&hand).left_top() + vec2(5.0, 5.0);
+    hand.hover(corner);
+    hand.settle();
+    assert!(hand.app().probe().wires().is_empty());
+    assert!(hand.harness.query_by_label("Nothing is drawn there.").is_some());
+    // Away from the picture nothing is probed, and Esc leaves.
+    hand.key(Key::Escape);
+    assert!(!hand.app().probe().is_on());
+}
+
+#[test]
+fn a_click_keeps_a_pixel_and_escape_lets_go_of_it() {
+    let mut hand = Hand::new();
+    click_label(&mut hand, "Probe pixel");
+    assert!(hand.app().probe().is_on());
+    let rect = picture(&hand);
+    hand.click(rect.center());
+    hand.settle();
+    let offset = rect.size() / 2.0;
+    assert_eq!(hand.app().probe().pinned(), Some([offset.x as u32, offset.y as u32]));
+    let kept = hand.app().probe().wires().to_vec();
+    assert!(!kept.is_empty());
+    hand.hover(rect.left_top() + vec2(5.0, 5.0));
+    hand.settle();
+    assert_eq!(hand.app().probe().wires(), kept);
+    // The values follow an edit.
+    let graph = chiaro::document::GraphId::Look;
+    let value = chiaro::document::Value::Vector(vec![0.5, 0.25, 0.125]);
+    let edit = chiaro::document::Edit::SetValue { graph, id: "base".into(), port: "color".into(), value, index: None };
+    hand.app_mut().session_mut().apply(edit, None).unwrap();
+    hand.settle();
+    let base = &hand.app().probe().wires()[0];
+    assert_eq!((base.node.to_string().as_str(), base.difference()), ("base", 0.0));
+    assert_eq!(base.double, [0.5, 0.25, 0.125, 1.0]);
+    hand.key(Key::Escape);
+    assert!(hand.app().probe().is_on() && hand.app().probe().pinned().is_none());
+    hand.key(Key::Escape);
+    assert!(!hand.app().probe().is_on());
+    // A click turns nothing, and neither did the probe.
+    assert!(!hand.app().viewport().rect().unwrap().is_negative());
+}
+
+#[test]
+fn a_row_of_the_probe_leads_to_its_node() {
+    let mut hand = Hand::new();
+    hand.key(Key::I);
+    hand.click(picture(&hand).center());
+    hand.settle();
+    let at = hand.harness.get_all_by_label("Wire of base").next().unwrap().rect().center();
+    hand.click(at);
+    assert_eq!(selected(&hand), ["base"]);
+    assert!(hand.app().probe().pinned().is_some(), "the probe goes on");
+}
+
+#[test]
+fn the_first_broken_wire_is_found() {
+    let mut hand = Hand::new();
+    let _folder = open(&mut hand, BROKEN);
+    hand.key(Key::I);
+    hand.click(picture(&hand).center());
+    hand.settle();
+    let wires = hand.app().probe().wires();
+    let broken: Vec<String> = wires.iter().filter(|w| !w.is_finite()).map(|w| w.node.to_string()).collect();
+    assert_eq!(broken.first().map(String::as_str), Some("broken"), "{wires:?}");
+    click_label(&mut hand, "Go to first broken wire");
+    assert_eq!(selected(&hand), ["broken"]);
+}
+
+#[test]
+fn a_window_with_a_probe_at_rest_asks_for_no_frame() {
+    let mut hand = Hand::new();
+    hand.key(Key::I);
+    hand.hover(picture(&hand).center());
+    hand.settle();
+    hand.harness.run_steps(12);
+    hand.settle();
+    assert_eq!(hand.repaint_delay(), std::time::Duration::MAX);
+}
+
+#[test]
+fn effects_are_listed_with_state_and_lead_to_nodes() {
+    let mut hand = window();
+    click_label(&mut hand, "Effects");
+    hand.harness.run_steps(8);
+    hand.settle();
+    let is_listed = |hand: &Hand, label: &str| hand.harness.query_by_label(label).is_some();
+    // The first picture was drawn before the panel was opened: its passes still stand.
+    assert!(is_listed(&hand, "Effect look"));
+    assert!(is_listed(&hand, "Effect curvature of the detail normals"), "a dropped pass is told too");
+    // Only what runs: what was dropped goes away.
+    let at = hand.harness.get_by_label_contains(" dropped").rect().center();
+    hand.click(at);
+    assert!(!is_listed(&hand, "Effect curvature of the detail normals") && is_listed(&hand, "Effect look"));
+    // A node of a list that is taller than the panel: the wheel brings it into view.
+    let list = hand.harness.get_by_label("Effect look").rect().center();
+    let of_diffuse = |hand: &Hand| {
+        let found = hand.harness.query_all_by_label_contains("Effect diffuse").next();
+        found.map(|node| node.rect().center())
+    };
+    for _ in 0..20 {
+        if of_diffuse(&hand).is_some() {
+            break;
+        }
+        hand.wheel(list, -60.0);
+    }
+    hand.wheel(list, -40.0);
+    let at = of_diffuse(&hand).expect("the diffuse layer runs");
+    hand.click(at);
+    assert_eq!(selected(&hand), ["diffuse"]);
+}
+
+/// Opens the list of what the picture is compared with, and chooses from it.
+fn compare_with(hand: &mut Hand, before: &str, what: &str) {
+    let combo = hand.harness.get_all_by_role(eframe::egui::accesskit::Role::ComboBox);
+    let combo = combo.into_iter().find(|node| node.value().as_deref() == Some(before)).map(|node| node.rect().center());
+    hand.click(combo.expect("the list of what to compare with"));
+    let at = hand.harness.get_all_by_label(what).last().unwrap().rect().center();
+    hand.click(at);
+    hand.harness.run_steps(4);
+    hand.settle();
+}
+
+#[test]
+fn the_picture_is_wiped_against_truth_and_tiers() {
+    let mut hand = window();
+    compare_with(&mut hand, "Compare with", "Truth (f64)");
+    let figures = hand.app().wipe().figures().expect("chosen by hand, it is computed at once").clone();
+    assert!(figures.pixels > 10_000 && figures.broken == 0);
+    assert!(figures.max < 1.0 / 255.0, "exact is close to the truth: {figures:?}");
+    // The divider follows the hand, and the camera does not.
+    let before = hand.app().session().orbit().clone();
+    let rect = picture(&hand);
+    hand.drag(rect.center(), rect.center() + vec2(80.0, 0.0));
+    assert!((hand.app().wipe().split() - (0.5 + 80.0 / rect.width())).abs() < 0.02, "{}", hand.app().wipe().split());
+    assert_eq!(*hand.app().session().orbit(), before);
+    // Magnified, what is equal is black: all of the background.
+    click_label(&mut hand, "×256");
+    let image = hand.harness.render().unwrap();
+    let corner = rect.left_bottom() + vec2(6.0, -6.0);
+    assert_eq!(image.get_pixel(corner.x as u32, corner.y as u32).0, [0, 0, 0, 255]);
+    // Once anything changes it is out of date, and only a click computes it again.
+    click_label(&mut hand, "Wipe");
+    let corner = rect.left_top() + vec2(12.0, 60.0);
+    hand.drag(corner, corner + vec2(40.0, 0.0));
+    hand.harness.run_steps(4);
+    hand.settle();
+    assert!(hand.app().wipe().figures().is_none());
+    click_label(&mut hand, "Compute again");
+    hand.settle();
+    assert!(hand.app().wipe().figures().is_some());
+    // A tier follows by itself.
+    compare_with(&mut hand, "Truth (f64)", "Exact");
+    assert_eq!(hand.app().wipe().figures().expect("drawn").max, 0.0, "the look is exact already");
+    hand.drag(corner, corner + vec2(-40.0, 0.0));
+    hand.harness.run_steps(4);
+    hand.settle();
+    assert!(hand.app().wipe().figures().is_some());
+    hand.harness.run_steps(12);
+    hand.settle();
+    assert_eq!(hand.repaint_delay(), std::time::Duration::MAX);
+}
+
+#[test]
+fn tiers_are_measured_when_asked_and_adopted_by_a_click() {
+    use chiaro::document::Tier;
+    let mut hand = window();
+    click_label(&mut hand, "Cost and accuracy");
+    hand.harness.run_steps(8);
+    hand.settle();
+    assert!(hand.app().cost().report().is_none(), "never by itself");
+    click_label(&mut hand, "Measure");
+    hand.settle();
+    let report = hand.app().cost().report().expect("it was measured");
+    assert!(report.rows.iter().any(|row| row.tier == Some(Tier::Fast) && row.error.is_some()));
+    let plot = hand.harness.get_by_label("Error against time").rect();
+    // The table is below the plot.
+    let row = "Adopt fast for Whole look";
+    let visible = |hand: &Hand| {
+        let found = hand.harness.query_by_label(row).map(|node| node.rect());
+        found.filter(|rect| rect.bottom() < 860.0)
+    };
+    for _ in 0..20 {
+        if visible(&hand).is_some() {
+            break;
+        }
+        hand.wheel(plot.center(), -30.0);
+    }
+    let at = visible(&hand).unwrap().center();
+    hand.click(at);
+    assert_eq!(hand.look().tier, Tier::Fast);
+    hand.undo();
+    assert_eq!(hand.look().tier, Tier::Exact);
+    assert!(!hand.app().session().is_dirty(), "one step");
+}
