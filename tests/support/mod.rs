@@ -5,6 +5,8 @@ pub(crate) mod badf;
 #[cfg(feature = "gpu")]
 pub(crate) mod eval;
 pub(crate) mod files;
+#[cfg(feature = "gpu")]
+pub(crate) mod handwritten;
 pub(crate) mod random;
 pub(crate) mod report;
 pub(crate) mod stacks;

@@ -1,0 +1,104 @@
+//! Generated modules against WGSL that an expert writes by hand for the same picture (`tests/handwritten.rs` holds that it
+//! is the same).
+//!
+//! `cargo bench --no-default-features --features gpu --bench handwritten` prints a row for each look of
+//! `benches/handwritten/` and each tier: how many times as many SPIR-V instructions (in functions, both stages; as naga
+//! writes them, and after `spirv-opt -O` where that is installed), as much time of the look pass (the GPU's own clock,
+//! in turns, median with its 95% interval) and as many lines (without comments) the generated module takes.
+#![allow(clippy::print_stdout, reason = "what it is for")]
+#![allow(missing_docs, reason = "a program")]
+#![allow(clippy::disallowed_methods, reason = "it asks another program to optimise")]
+
+#[path = "../tests/support/handwritten.rs"]
+mod handwritten;
+
+use std::process::Command;
+
+use chiaro::accuracy::cost::{Series, alternate};
+use chiaro::accuracy::{Estimate, Progress};
+use chiaro::document::Tier;
+use chiaro::export::spirv_words;
+use chiaro::frame::{CompiledShader, FramePlan, PassKind};
+use chiaro::render::{Gpu, Renderer, block_on};
+
+const SIZE: [u32; 2] = [800, 600];
+const ROUNDS: usize = 41;
+
+/// Instructions of a SPIR-V module from its first function on.
+fn instructions(words: &[u32]) -> usize {
+    const OP_FUNCTION: u32 = 54;
+    let (mut at, mut count) = (5, 0);
+    while let Some(word) = words.get(at) {
+        if count > 0 || word & 0xffff == OP_FUNCTION {
+            count += 1;
+        }
+        at += ((word >> 16) as usize).max(1);
+    }
+    count
+}
+
+/// A module as naga writes it, and as `spirv-opt -O` leaves it.
+fn sizes(shader: &CompiledShader) -> [Option<usize>; 2] {
+    let words = spirv_words(&shader.valid).expect("SPIR-V can express it");
+    [Some(instructions(&words)), optimised(&words).map(|words| instructions(&words))]
+}
+
+fn optimised(words: &[u32]) -> Option<Vec<u32>> {
+    let folder = tempfile::tempdir().ok()?;
+    let [before, after] = ["before.spv", "after.spv"].map(|name| folder.path().join(name));
+    let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+    std::fs::write(&before, bytes).ok()?;
+    let ran = Command::new("spirv-opt").arg("-O").arg(&before).arg("-o").arg(&after).status().ok()?;
+    let bytes = ran.success().then(|| std::fs::read(after).ok()).flatten()?;
+    let word = |bytes: &[u8]| Some(u32::from_le_bytes(bytes.try_into().ok()?));
+    bytes.chunks_exact(4).map(word).collect()
+}
+
+/// Lines that hold more than a comment.
+fn lines(shader: &CompiledShader) -> usize {
+    let is_code = |line: &&str| !line.trim().is_empty() && !line.trim_start().starts_with("//");
+    shader.wgsl.lines().filter(is_code).count()
+}
+
+/// The look pass alone.
+fn look_pass(series: &Series) -> &[f64] {
+    series.passes.iter().find(|(kind, _)| *kind == PassKind::Look).map_or(&[], |(_, times)| times)
+}
+
+fn main() {
+    let gpu = block_on(Gpu::headless()).expect("a GPU, a software one for one");
+    println!("{}, {}x{}, one sample a pixel\n", gpu.name(), SIZE[0], SIZE[1]);
+    println!("| look | tier | instructions: naga | spirv-opt -O | look pass | by hand | lines |");
+    println!("| --- | --- | ---: | ---: | ---: | ---: | ---: |");
+    let mut renderer = Renderer::new(gpu);
+    let tiers = [Tier::Exact, Tier::Balanced, Tier::Fast];
+    for look in handwritten::LOOKS {
+        let setup = handwritten::setup(look);
+        let generated: Vec<FramePlan> = tiers.iter().map(|tier| handwritten::generated(&setup, *tier, SIZE)).collect();
+        let hand = handwritten::by_hand(&setup, look, &generated[0]);
+        let plans: Vec<&FramePlan> = generated.iter().chain([&hand]).collect();
+        let mut told = |_, _| true;
+        let series = alternate(&mut renderer, &plans, ROUNDS, &mut Progress::new(&mut told));
+        let series = series.unwrap_or_else(|_| panic!("{look} was stopped"));
+        let by_hand = (look_pass(&series[3]), sizes(&hand.draws[0].look), lines(&hand.draws[0].look));
+        for ((tier, plan), series) in tiers.iter().zip(&generated).zip(&series) {
+            let shader = &plan.draws[0].look;
+            let pairs: Vec<f64> = look_pass(series).iter().zip(by_hand.0).map(|(a, b)| a / b).collect();
+            let time = Estimate::of(&pairs);
+            let ratios = sizes(shader).into_iter().zip(by_hand.1).map(|(own, hand)| match (own, hand) {
+                (Some(own), Some(hand)) => format!("{own} / {hand} = {:.2}", own as f64 / hand as f64),
+                _ => "?".to_owned(),
+            });
+            let [naga, optimised] = ratios.collect::<Vec<_>>().try_into().expect("two");
+            let (own, hand) = (lines(shader), by_hand.2);
+            println!(
+                "| {look} | {tier:?} | {naga} | {optimised} | {:.2} ({:.2} to {:.2}) | {:.2} ms | {own} / {hand} = {:.2} |",
+                time.median,
+                time.low,
+                time.high,
+                Estimate::of(by_hand.0).median,
+                own as f64 / hand as f64
+            );
+        }
+    }
+}
