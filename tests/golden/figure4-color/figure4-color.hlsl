@@ -257,10 +257,18 @@ float angle_radians(Angle u)
 
 Angle angle_shifted(Angle u_1, float shift)
 {
+    bool local_1 = (bool)0;
+
     const float2 _e7 = sin_cos_quarter((0.5 * clamp(shift, -3.1415927, PI)));
     float s_2 = ((u_1.half_sin * _e7.y) - (u_1.half_cos * _e7.x));
     float c_1 = ((u_1.half_cos * _e7.y) + (u_1.half_sin * _e7.x));
     if ((s_2 <= 0.0)) {
+        local_1 = (s_2 < c_1);
+    } else {
+        local_1 = false;
+    }
+    bool _e28 = local_1;
+    if (_e28) {
         const Angle angle_2 = ConstructAngle(0.0, 1.0);
         return angle_2;
     }
@@ -392,15 +400,15 @@ float profile_power(float q, float exponent)
 
 float profile_point(Angle u_3, ProfileShape shape)
 {
-    bool local_1 = (bool)0;
+    bool local_2 = (bool)0;
 
     float s_3 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
     if (!((s_3 <= 0.0))) {
-        local_1 = (shape.kind == PROFILE_AMBIENT);
+        local_2 = (shape.kind == PROFILE_AMBIENT);
     } else {
-        local_1 = true;
+        local_2 = true;
     }
-    bool _e18 = local_1;
+    bool _e18 = local_2;
     if (_e18) {
         return 1.0;
     }
@@ -414,15 +422,15 @@ float profile_point(Angle u_3, ProfileShape shape)
 
 float profile_filtered(Angle u_4, float w, ProfileShape shape_1)
 {
-    bool local_2 = (bool)0;
+    bool local_3 = (bool)0;
 
     const float _e3 = profile_point(u_4, shape_1);
     if (!((w <= 0.0))) {
-        local_2 = (shape_1.kind == PROFILE_AMBIENT);
+        local_3 = (shape_1.kind == PROFILE_AMBIENT);
     } else {
-        local_2 = true;
+        local_3 = true;
     }
-    bool _e13 = local_2;
+    bool _e13 = local_3;
     if (_e13) {
         return _e3;
     }

@@ -188,7 +188,8 @@ fn angle_shifted(u: Angle, shift: f32) -> Angle {
     let t = sin_cos_quarter(0.5 * clamp(shift, -PI, PI));
     let s = u.half_sin * t.y - u.half_cos * t.x;
     let c = u.half_cos * t.y + u.half_sin * t.x;
-    if s <= 0.0 {
+    // Beyond either end the smaller one tells which: a turn by pi may leave the other just below 0.
+    if s <= 0.0 && s < c {
         return Angle(0.0, 1.0);
     }
     if c <= 0.0 {

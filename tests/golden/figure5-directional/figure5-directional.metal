@@ -241,10 +241,17 @@ Angle angle_shifted(
     Angle u_1,
     float shift
 ) {
+    bool local_1 = {};
     metal::float2 _e7 = sin_cos_quarter(0.5 * metal::clamp(shift, -3.1415927, PI));
     float s_2 = (u_1.half_sin * _e7.y) - (u_1.half_cos * _e7.x);
     float c_1 = (u_1.half_cos * _e7.y) + (u_1.half_sin * _e7.x);
     if (s_2 <= 0.0) {
+        local_1 = s_2 < c_1;
+    } else {
+        local_1 = false;
+    }
+    bool _e28 = local_1;
+    if (_e28) {
         return Angle {0.0, 1.0};
     }
     if (c_1 <= 0.0) {
@@ -413,14 +420,14 @@ float profile_point(
     Angle u_3,
     ProfileShape shape
 ) {
-    bool local_1 = {};
+    bool local_2 = {};
     float s_3 = (u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset);
     if (!((s_3 <= 0.0))) {
-        local_1 = shape.kind == PROFILE_AMBIENT;
+        local_2 = shape.kind == PROFILE_AMBIENT;
     } else {
-        local_1 = true;
+        local_2 = true;
     }
-    bool _e18 = local_1;
+    bool _e18 = local_2;
     if (_e18) {
         return 1.0;
     }
@@ -437,14 +444,14 @@ float profile_filtered(
     float w,
     ProfileShape shape_1
 ) {
-    bool local_2 = {};
+    bool local_3 = {};
     float _e3 = profile_point(u_4, shape_1);
     if (!((w <= 0.0))) {
-        local_2 = shape_1.kind == PROFILE_AMBIENT;
+        local_3 = shape_1.kind == PROFILE_AMBIENT;
     } else {
-        local_2 = true;
+        local_3 = true;
     }
-    bool _e13 = local_2;
+    bool _e13 = local_3;
     if (_e13) {
         return _e3;
     }
