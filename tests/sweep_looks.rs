@@ -22,6 +22,7 @@ fn flawless<T>(result: Result<T, Stopped>) -> T {
     result.unwrap_or_else(|stopped| panic!("{}", told(&Vec::<Diagnostic>::from(stopped))))
 }
 
+#[allow(clippy::print_stdout, reason = "`--nocapture` shows how near the bounds are")]
 fn hold_looks(effort: &LookEffort) {
     let mut precise = Renderer::new(renderer().gpu().precise());
     let mut broken = Vec::new();
@@ -50,6 +51,7 @@ fn hold_looks(effort: &LookEffort) {
     assert!(broken.is_empty(), "beyond their bounds:\n{}", broken.join("\n"));
 }
 
+#[allow(clippy::print_stdout, reason = "`--nocapture` shows how near the bounds are")]
 fn hold_stability(effort: &StabilityEffort) {
     let mut precise = Renderer::new(renderer().gpu().precise());
     let mut broken = Vec::new();

@@ -15,9 +15,8 @@ fn sweep(effort: &Effort) -> Vec<Measured> {
     let mut lab = Lab::new(Library::built_in(), &mut renderer).unwrap_or_else(|problems| panic!("{}", told(&problems)));
     let mut kinds: Vec<&str> = Library::built_in().nodes.keys().map(String::as_str).collect();
     kinds.sort_unstable();
-    let only = std::env::var("SWEEP_NODE").ok();
     let mut all = Vec::new();
-    for kind in kinds.into_iter().filter(|kind| only.as_deref().is_none_or(|only| only == *kind)) {
+    for kind in kinds {
         for case in Case::of(&Library::built_in().nodes[kind]) {
             let measured = lab.measure(&case, effort).unwrap_or_else(|stopped: Stopped| {
                 let problems: Vec<Diagnostic> = stopped.into();
@@ -29,6 +28,7 @@ fn sweep(effort: &Effort) -> Vec<Measured> {
     all
 }
 
+#[allow(clippy::print_stdout, reason = "`--nocapture` shows how near the bounds are")]
 fn hold(all: &[Measured]) {
     let mut broken = Vec::new();
     for one in all {
@@ -55,12 +55,57 @@ fn hold(all: &[Measured]) {
 
 #[test]
 fn every_node_keeps_its_bound() {
-    let quick = Effort { rounds: std::env::var("SWEEP_ROUNDS").map_or(0, |n| n.parse().unwrap()), ..Effort::QUICK };
-    hold(&sweep(&quick));
+    hold(&sweep(&Effort::QUICK));
 }
 
 #[test]
 #[ignore = "minutes: scripts/soak"]
 fn soak_every_node_keeps_its_bound() {
     hold(&sweep(&Effort::FULL));
+}
+
+/// What the GPU and the truth give where every slot has these numbers.
+fn one(node: &str, inputs: &[(&str, &[f64])]) -> [Vec<f64>; 2] {
+    let mut renderer = renderer();
+    let mut lab = Lab::new(Library::built_in(), &mut renderer).unwrap_or_else(|problems| panic!("{}", told(&problems)));
+    let case = Case::of(&Library::built_in().nodes[node]).remove(0);
+    let bench = lab.bench(&case).unwrap_or_else(|problems| panic!("{}", told(&problems)));
+    let of = |name: &str| inputs.iter().find(|input| input.0 == name).map(|input| input.1.to_vec());
+    let numbers = bench.slots.iter().map(|slot| of(&slot.name).unwrap_or_else(|| vec![0.0; slot.width])).collect();
+    let findings = lab.compare(&bench, &[numbers]);
+    let mut findings = findings.unwrap_or_else(|stopped| panic!("{}", told(&Vec::<Diagnostic>::from(stopped))));
+    let finding = findings.remove(0);
+    [finding.got, finding.truth]
+}
+
+/// An angle of pi that is turned by another pi stays at pi, on the GPU and in f64.
+#[test]
+fn a_turn_by_pi_beyond_pi_ends_at_pi() {
+    let quarter = [std::f64::consts::FRAC_PI_2];
+    let inputs: [(&str, &[f64]); 4] =
+        [("angle", &[1.0, 0.0]), ("falloff", &quarter), ("cutoff", &quarter), ("shift", &[-7.0])];
+    for tone in one("profile", &inputs) {
+        assert_eq!(tone, [0.0]);
+    }
+}
+
+/// A tangent that nearly lies along the normal still gives a frame at right angles.
+#[test]
+fn a_tangent_beside_the_normal_gives_a_frame_at_right_angles() {
+    let normal = [-1.0, -2.3e-4, 2.4e-4];
+    let inputs: [(&str, &[f64]); 3] =
+        [("normal", &normal), ("surface_normal", &[0.0, 1.0, 0.0]), ("surface_tangent", &[-1.0, 0.0, 1.2e-4])];
+    for frame in one("tangent_frame", &inputs) {
+        let along: f64 = (0..3).map(|i| frame[i] * frame[6 + i]).sum();
+        assert!(along.abs() < 3e-7, "{along} of {frame:?}");
+    }
+}
+
+/// Points beside the origin have an angle as long as f32 tells them from it.
+#[test]
+fn the_smallest_point_has_an_angle() {
+    let least = [-f64::from(f32::MIN_POSITIVE)];
+    for angle in one("arctangent", &[("y", &least), ("x", &least)]) {
+        assert!((angle[0] + 0.75 * std::f64::consts::PI).abs() < 1e-6, "{angle:?}");
+    }
 }

@@ -230,16 +230,19 @@ fn is_of_tier(case: &Case, slots: &[Slot], numbers: &Numbers) -> bool {
     is_usual && (case.tier == Tier::Exact || (1e-15..1e18).contains(&length))
 }
 
-/// How much more than its bound a sample is granted: a profile that falls off a quarter turn or more from its offset
-/// ends infinitely steep, as the square root does at 0.
+/// How much more than its bound a sample is granted. A profile that falls off a quarter turn or more from its offset
+/// ends infinitely steep, as the square root does at 0; and near an offset of pi the cosine of half of it is as small as
+/// its error is large beside it.
 pub fn slack(case: &Case, slots: &[Slot], numbers: &Numbers) -> f64 {
-    let is_steep = profile_of(case, slots, numbers).is_some_and(|[_, f, _]| f > FRAC_PI_2 - 0.1);
-    match case.tier {
-        _ if !is_steep => 1.0,
+    let Some([tau, f, _]) = profile_of(case, slots, numbers) else { return 1.0 };
+    let near_pi = (0.5 / (PI - tau).max(1e-2)).max(1.0);
+    let steep = match case.tier {
+        _ if f <= FRAC_PI_2 - 0.1 => 1.0,
         Tier::Exact => STEEP_FOOT / DEFAULT,
         Tier::Balanced => 10.0 * STEEP_FOOT / 1e-5,
         Tier::Fast => 10.0 * STEEP_FOOT / 5e-5,
-    }
+    };
+    near_pi.max(steep)
 }
 
 /// What a profile's exact tier is held to where it ends infinitely steep; cheaper ones to ten times that.

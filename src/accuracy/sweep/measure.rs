@@ -410,9 +410,9 @@ fn neighbours(slots: &[Slot], numbers: &Numbers, together: bool, to: &mut Vec<Nu
         let mut other = numbers.clone();
         let mut count = 0;
         for (index, slot) in slots.iter().enumerate().filter(|(_, slot)| slot.is_continuous()) {
-            for (place, number) in other[index].iter_mut().enumerate().take(slot.width) {
+            for (place, x) in other[index].iter_mut().enumerate() {
                 let sign = if period > 0 && (count / period) % 2 == 1 { -flip } else { flip };
-                *number = moved(slot, &numbers[index], place, 3 * sign);
+                *x = moved(slot, &numbers[index], place, 3 * sign);
                 count += 1;
             }
         }

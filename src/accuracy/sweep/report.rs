@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::bounds::{EXCEPTIONS, Judging, STEEP_FOOT};
 use super::case::Case;
-use super::looks::{INTERIOR, LookEffort, LookMeasured, VISIBLE_SHARE, looks_in, measure_look};
+use super::looks::{INTERIOR, LEAST_SIDE, LookEffort, LookMeasured, VISIBLE_SHARE, looks_in, measure_look};
 use super::measure::{Effort, Lab, Measured};
 use super::search::Worst;
 use super::stability::{MESHES, StabilityEffort, StabilityMeasured, measure_stability};
@@ -205,7 +205,8 @@ impl AccuracyReport {
              Each look in its exact tier on a sphere, the creature and a plane, over the sphere of lights and views, near (0.45\n\
              times the distance) and far (20 times). Colours are compared where coverage agrees; pixels at most two away from an\n\
              edge are told apart, because derivatives and the curvature's stencil see across it. Inside, no channel is farther\n\
-             from the truth than {INTERIOR}, and at most {VISIBLE_SHARE} of the pixels by more than 1/255.\n\n\
+             from the truth than {INTERIOR}, and at most {VISIBLE_SHARE} of the pixels by more than 1/255. In pictures of less than\n\
+             {LEAST_SIDE} pixels a side, where an object is smaller than a pixel, all pixels count as edges.\n\n\
              ![The largest error of each look]({plots}/looks.svg)\n\n\
              | look | pictures | pixels | NaN or inf | largest | RMS | over 1/255 | at edges | worst pixel |\n\
              | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | --- |"
@@ -235,17 +236,18 @@ impl AccuracyReport {
             "## Temporal stability\n\n\
              The camera turns by {} rad a frame and the lights by twice that the other way; each pixel's change from frame to\n\
              frame, less the change of its truth, is flicker. *Smooth* is where the truth hardly changes from pixel to pixel\n\
-             (bound {}); *edges* are terminators, cartoon edges and the borders that direction keys make (bound {} on the\n\
-             sphere, {} on the creature, whose shallow folds count among them); *silhouettes* are pixels at most two away from\n\
-             where coverage or depth changes: there one pixel more or less decides, and nothing is held. Beside each stands\n\
-             the largest change of the truth itself.\n\n\
+             (bound {} on the sphere, {} on the creature, whose folds are too shallow to be told from shading); *edges* are\n\
+             terminators, cartoon edges and the borders that direction keys make (bounds {} and {}); *silhouettes* are pixels\n\
+             at most two away from where coverage or depth changes: there one pixel more or less decides, and nothing is held.\n\
+             Beside each stands the largest change of the truth itself.\n\n\
              ![Flicker of each look]({plots}/stability.svg)\n\n\
              | look | mesh | direction keys | smooth | of | edges | of | silhouettes | of |\n\
              | --- | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |",
             stability::STEP,
-            stability::SMOOTH,
-            stability::EDGES,
-            stability::EDGES_OF_FOLDS
+            stability::ON_SPHERE[0],
+            stability::ON_FOLDS[0],
+            stability::ON_SPHERE[1],
+            stability::ON_FOLDS[1]
         );
         for one in &self.stability {
             let of = |flicker: &stability::Flicker| {
@@ -332,7 +334,7 @@ fn exceptions_part(text: &mut String) {
          - *steps*: the same, but by the distance from the nearest of those results, so that nothing between two steps passes.\n\n\
          *From* and *to* limit the inputs' size; beyond, results are finite, and no more is said. A profile that falls off a quarter\n\
          turn or more from its offset ends infinitely steep, and is held to {STEEP_FOOT:e} (cheaper tiers to ten times that); an\n\
-         offset within 0.01 of pi is held to be finite.\n\n\
+         offset near pi to 1e-6 over its distance from pi, and within 0.01 of pi to be finite.\n\n\
          | node | choice | bound | judged | from | to | why |\n\
          | --- | --- | ---: | --- | ---: | ---: | --- |"
     );

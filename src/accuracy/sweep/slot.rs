@@ -118,7 +118,7 @@ const EDGES: [f64; 34] = [
     1.000_000_119_209_289_6,
     1.5,
     2.5,
-    1.401_298_464_324_817e-45,
+    1.4e-45,
     -1e-40,
     1e-40,
     1.175_494_350_822_287_5e-38,
@@ -141,7 +141,7 @@ const EDGES: [f64; 34] = [
     -f32::MAX as f64,
 ];
 
-#[allow(clippy::approx_constant, reason = "it is what people write for pi that is tried")]
+#[expect(clippy::approx_constant, reason = "what people write for pi is not pi")]
 /// Angles at which arithmetic goes wrong: pi in f32 and its neighbours, and what people write for it.
 const ANGLES: [f64; 20] = [
     0.0,

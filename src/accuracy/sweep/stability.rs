@@ -15,12 +15,12 @@ use crate::render::{Renderer, block_on};
 pub const MESHES: [&str; 2] = ["shape:sphere", "shape:creature"];
 /// Radians that the camera turns from frame to frame; the light turns by twice as much the other way.
 pub const STEP: f64 = 0.004;
-/// Where the truth is smooth, a channel changes by no more than this beside what its truth does.
-pub const SMOOTH: f64 = 2e-3;
-/// The same on terminators and cartoon edges, on a sphere.
-pub const EDGES: f64 = 1.5e-2;
+/// A channel changes by no more than this beside what its truth does, on a sphere: where the truth is smooth, and on
+/// terminators and cartoon edges.
+pub const ON_SPHERE: [f64; 2] = [2e-3, 1.5e-2];
 /// The same on other meshes, whose folds are too shallow to be told from shading.
-pub const EDGES_OF_FOLDS: f64 = 0.1;
+pub const ON_FOLDS: [f64; 2] = [1.5e-2, 0.15];
+
 /// A pixel whose truth changes by more than this across it lies on a terminator or on a cartoon edge.
 const STEEP: f64 = 0.04;
 
@@ -105,6 +105,7 @@ pub fn measure_stability(
 ) -> Result<StabilityMeasured, Stopped> {
     let (setup, _) = open(path, Some(mesh), &mut Assets::default())?;
     let (mut planner, mut truths) = (Planner::default(), Planner::for_truth(Assets::default()));
+    let [bound, edge_bound] = if mesh == MESHES[0] { ON_SPHERE } else { ON_FOLDS };
     let mut measured = StabilityMeasured {
         look: path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default(),
         mesh: mesh.trim_start_matches("shape:").to_owned(),
@@ -112,8 +113,8 @@ pub fn measure_stability(
         smooth: Flicker::default(),
         edges: Flicker::default(),
         silhouettes: Flicker::default(),
-        bound: SMOOTH,
-        edge_bound: if mesh == MESHES[0] { EDGES } else { EDGES_OF_FOLDS },
+        bound,
+        edge_bound,
     };
     let mut before: Option<Frame> = None;
     for index in 0..effort.frames {
