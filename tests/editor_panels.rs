@@ -268,3 +268,49 @@ fn tiers_are_measured_when_asked_and_adopted_by_a_click() {
     assert_eq!(hand.look().tier, Tier::Exact);
     assert!(!hand.app().session().is_dirty(), "one step");
 }
+
+/// A look whose output shows 0.5 everywhere, with a constant of 2 and a custom node that is wired to nothing.
+const WIRES: &str = r##"{"nodes": [
+    {"id": "two", "kind": "number", "values": {"value": 2}},
+    {"id": "base", "kind": "base", "at": [240, 0], "values": {"color": [0.5, 0.5, 0.5]}},
+    {"id": "output", "kind": "output", "at": [480, 0]}
+  ], "wires": [{"from": "base", "to": "output.color"}]}"##;
+
+/// The colour in the middle of the picture.
+fn middle(hand: &mut Hand) -> [u8; 4] {
+    let at = picture(hand).center();
+    hand.harness.remove_cursor();
+    hand.settle();
+    hand.harness.render().unwrap().get_pixel(at.x as u32, at.y as u32).0
+}
+
+fn choose(hand: &mut Hand, list: &str, what: &str) {
+    let role = eframe::egui::accesskit::Role::ComboBox;
+    let at = hand.harness.get_by_role_and_label(role, list).rect().center();
+    hand.click(at);
+    let at = hand.harness.get_all_by_label(what).last().unwrap().rect().center();
+    hand.click(at);
+    hand.settle();
+}
+
+#[test]
+fn any_wire_is_shown_in_place_of_the_picture() {
+    let mut hand = window();
+    let _folder = open(&mut hand, WIRES);
+    let grey = middle(&mut hand);
+    assert!(grey[0].abs_diff(128) <= 1, "{grey:?}");
+    hand.click(editor_support::node_center(&hand, "two"));
+    choose(&mut hand, "View wire", "Value");
+    assert_eq!(middle(&mut hand), [255; 4], "2 is white");
+    // Heat is red above 1, whatever the look's output is.
+    click_label(&mut hand, "Heat");
+    let red = middle(&mut hand);
+    assert!(red[0] > 200 && red[1] < 80 && red[2] < 80, "{red:?}");
+    // Every style is a shader that compiles, and the look is untouched.
+    click_label(&mut hand, "Isolines");
+    assert_eq!(middle(&mut hand), [255; 4], "a whole number has a strong line");
+    assert!(hand.app().session().problems().is_empty(), "{:?}", hand.app().session().problems());
+    assert!(!hand.app().session().is_dirty());
+    click_label(&mut hand, "Show the look");
+    assert_eq!(middle(&mut hand), grey);
+}

@@ -388,6 +388,7 @@ impl App {
                     self.dock.open(Tab::Probe);
                 }
             }
+            Command::ShowWire(wire) => self.session.show_wire(wire),
             Command::LeaveProbe => self.probe.escape(),
             Command::Copy(text) => ui.ctx().copy_text(text),
         }

@@ -3,6 +3,7 @@
 use eframe::egui;
 use std::path::PathBuf;
 
+use super::wire::ShownWire;
 use crate::document::Edit;
 use crate::ids::NodeId;
 
@@ -33,6 +34,8 @@ pub(crate) enum Command {
     Probe(bool),
     /// Lets go of the probed pixel, or else leaves the probe.
     LeaveProbe,
+    /// Shows a wire in place of the picture, or the picture again.
+    ShowWire(Option<ShownWire>),
     /// Copies text to the clipboard.
     Copy(String),
 }

@@ -4,12 +4,13 @@
 use std::collections::HashSet;
 use std::sync::Arc;
 
+use super::wire::ShownWire;
 use super::worker::Worker;
 use crate::compile::{CompiledShader, Live, Options, check, compile_typed};
 use crate::diag::Diagnostic;
 use crate::document::Look;
 use crate::ids::{NodePath, PortName};
-use crate::library::Library;
+use crate::library::{Library, Type};
 
 /// What is to be compiled.
 pub(crate) struct Request {
@@ -23,6 +24,8 @@ pub(crate) struct Request {
     pub(crate) structure: u64,
     /// The values that were edited, which stay live however long the look is.
     pub(crate) touched: Arc<HashSet<(NodePath, PortName)>>,
+    /// The wire that is shown in place of the look's own output, with its type.
+    pub(crate) wire: Option<(ShownWire, Option<Type>)>,
     /// The nodes there are.
     pub(crate) library: Arc<Library>,
     /// Whether only the baked shader is wanted, because the live one still serves.
@@ -57,8 +60,19 @@ pub(crate) fn start(wake: impl Fn() + Send + 'static) -> Compiler {
 }
 
 fn compile(request: &Request) -> Result<Shaders, Vec<Diagnostic>> {
-    let (typed, warnings) = check(&request.look, &request.library, None)?;
-    let with = |live| Options { live, touched: (*request.touched).clone(), display: true, ..Options::default() };
+    let shown = request.wire.as_ref().map(|(wire, ty)| wire.of(&request.look, ty.as_ref()));
+    let (look, root) = match &shown {
+        Some((look, root)) => (look, Some(root)),
+        None => (&*request.look, None),
+    };
+    let (typed, warnings) = check(look, &request.library, root)?;
+    let with = |live| Options {
+        root: root.cloned(),
+        live,
+        touched: (*request.touched).clone(),
+        display: true,
+        ..Options::default()
+    };
     let baked = Arc::new(compile_typed(&typed, &with(Live::Keyed), warnings.clone())?);
     let live = match request.only_baked {
         true => None,

@@ -23,6 +23,7 @@ mod theme;
 mod values;
 mod viewport;
 mod wipe;
+mod wire;
 mod worker;
 
 use eframe::egui;

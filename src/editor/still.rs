@@ -9,7 +9,7 @@ use super::orbit::Orbit;
 use super::session::Session;
 use crate::diag::Diagnostic;
 use crate::document::{Look, SourceMap};
-use crate::frame::{Assets, Setup, SetupLook, default_setup};
+use crate::frame::{Assets, Planner, Setup, SetupLook, default_setup};
 use crate::library::Library;
 
 /// A look with everything that its picture depends on, but for the size.
@@ -37,6 +37,29 @@ impl Still {
         setup.scene.camera = self.orbit.camera();
         setup.scene.illumination = DQuat::to_array(&self.orbit.illumination);
         Ok((setup, notes))
+    }
+}
+
+/// A planner that keeps meshes and images, and of what it compiled only what is of the last look.
+pub(crate) struct Reused {
+    planner: Planner,
+    make: fn(Assets) -> Planner,
+    last: Option<Arc<Look>>,
+}
+
+impl Reused {
+    /// `make` makes a planner of assets.
+    pub(crate) fn new(make: fn(Assets) -> Planner) -> Self {
+        Self { planner: make(Assets::default()), make, last: None }
+    }
+
+    /// The planner, for this look.
+    pub(crate) fn of(&mut self, look: &Arc<Look>) -> &mut Planner {
+        if self.last.as_ref().is_none_or(|last| **last != **look) {
+            self.planner = (self.make)(std::mem::take(&mut self.planner.assets));
+            self.last = Some(look.clone());
+        }
+        &mut self.planner
     }
 }
 

@@ -43,6 +43,7 @@ impl Viewport {
         wipe: &mut Wipe,
     ) -> Option<Command> {
         let command = self.bar(ui, session, probe, wipe);
+        let command = command.or(wire_bar(ui, session));
         wipe.bar(ui, session);
         let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Picture"));
@@ -191,6 +192,26 @@ impl Viewport {
     pub fn rect(&self) -> Option<Rect> {
         self.rect
     }
+}
+
+/// Says that a wire is shown in place of the picture, and leads back.
+fn wire_bar(ui: &mut Ui, session: &Session) -> Option<Command> {
+    let wire = session.wire()?;
+    let node = session.look().graph.nodes.get(&wire.node)?;
+    let kind = session.catalog.of(node);
+    let name = if node.name.is_empty() { kind.map_or("", |kind| &kind.label) } else { &node.name };
+    let port = kind.and_then(|kind| Some(&*kind.outputs[kind.output(wire.port.as_str())?].label)).unwrap_or_default();
+    let mut command = None;
+    ui.horizontal(|ui| {
+        let text = format!("Showing {port} of {name} as {}", wire.style.label().to_lowercase());
+        ui.label(egui::RichText::new(text).color(theme::ACCENT)).on_hover_text(wire.style.help());
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            if ui.button("Show the look").clicked() {
+                command = Some(Command::ShowWire(None));
+            }
+        });
+    });
+    command
 }
 
 fn probe_hint(probe: &Probe) -> &'static str {

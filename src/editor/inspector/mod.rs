@@ -13,6 +13,7 @@ use super::catalog::Kind;
 use super::command::Command;
 use super::session::Session;
 use super::theme;
+use super::wire::{ShownWire, Style};
 use crate::document::{ColorSpace, Edit, GraphId, Node, Tier};
 use crate::ids::NodeId;
 
@@ -71,6 +72,7 @@ fn show_node(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
         row::show(ui, subject, port, out);
     }
     tier_row(ui, subject, out);
+    shown_row(ui, subject, out);
     light::lights_of(ui, subject, out);
 }
 
@@ -120,6 +122,44 @@ fn tier_row(ui: &mut Ui, Subject { id, node, kind, .. }: &Subject<'_>, out: &mut
             }
         });
         combo.response.labelled_by(label);
+    });
+}
+
+/// Which output is shown in place of the picture, and how.
+fn shown_row(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: &mut Vec<Command>) {
+    if kind.outputs.is_empty() {
+        return;
+    }
+    let shown = session.wire().filter(|wire| wire.node == **id);
+    row::labelled(ui, "View wire", "Shows an output of this node in place of the picture", |ui, label| {
+        let name = |port: &super::catalog::Port| port.label.to_string();
+        let port = shown.and_then(|wire| kind.outputs.iter().find(|port| port.name == wire.port));
+        let text = port.map_or("Not shown".to_owned(), name);
+        let combo = egui::ComboBox::from_id_salt("wire").selected_text(text).width(90.0).show_ui(ui, |ui| {
+            if ui.selectable_label(shown.is_none(), "Not shown").clicked() {
+                out.push(Command::ShowWire(None));
+            }
+            for port in &kind.outputs {
+                let is_it = shown.is_some_and(|wire| wire.port == port.name);
+                if ui.selectable_label(is_it, &*port.label).clicked() {
+                    let style = shown.map(|wire| wire.style).unwrap_or_default();
+                    out.push(Command::ShowWire(Some(ShownWire {
+                        node: (*id).clone(),
+                        port: port.name.clone(),
+                        style,
+                    })));
+                }
+            }
+        });
+        combo.response.labelled_by(label);
+    });
+    let Some(wire) = shown else { return };
+    row::labelled(ui, "Seen as", "How its numbers are seen", |ui, _| {
+        for style in Style::ALL {
+            if ui.selectable_label(wire.style == style, style.label()).on_hover_text(style.help()).clicked() {
+                out.push(Command::ShowWire(Some(ShownWire { style, ..wire.clone() })));
+            }
+        }
     });
 }
 

@@ -10,12 +10,12 @@ use eframe::egui;
 use eframe::egui::{Pos2, Rect, Stroke, Ui, pos2, vec2};
 
 use super::session::Session;
-use super::still::{Stamp, Still};
+use super::still::{Reused, Stamp, Still};
 use super::theme;
 use super::worker::Worker;
 use crate::compile::Live;
 use crate::diag::Diagnostic;
-use crate::frame::{Assets, PlanOptions, Planner};
+use crate::frame::{PlanOptions, Planner};
 use crate::reference::{Control, Options, WireValue, probe_wires};
 
 /// The pointer rests after so many seconds.
@@ -59,7 +59,7 @@ pub struct Probe {
 impl Probe {
     /// A probe that is off. `wake` is called from another thread when something was found.
     pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
-        let mut planner = Planner::for_truth(Assets::default());
+        let mut planner = Reused::new(Planner::for_truth);
         Self {
             worker: Worker::new("probe", wake, move |query| probe(&mut planner, query)),
             is_on: false,
@@ -206,7 +206,8 @@ pub(crate) fn picture_size(rect: Rect, scale: f32) -> [u32; 2] {
     [rect.width(), rect.height()].map(|side| (side * scale).round().clamp(0.0, 8192.0) as u32)
 }
 
-fn probe(planner: &mut Planner, Query { spot, still, cancel }: Query) -> Found {
+fn probe(planner: &mut Reused, Query { spot, still, cancel }: Query) -> Found {
+    let planner = planner.of(&still.look);
     let mut find = || {
         let (setup, _) = still.setup(&mut planner.assets)?;
         let options = PlanOptions { size: spot.size, samples: 1, time: 0.0 };

@@ -10,6 +10,7 @@ use indexmap::IndexSet;
 use super::catalog::Catalog;
 use super::compiling::{self, Compiler};
 use super::orbit::Orbit;
+use super::wire::ShownWire;
 use crate::diag::Diagnostic;
 use crate::document::{Edit, History, Look, SourceMap, write_atomic};
 use crate::ids::NodeId;
@@ -41,6 +42,8 @@ pub struct Session {
     document_number: u64,
     picture: u64,
     good_revision: (u64, u64),
+    /// What is shown in place of the look's own output.
+    wire: Option<ShownWire>,
 }
 
 /// Consecutive edits by the same hand, as one step.
@@ -74,6 +77,7 @@ impl Session {
             document_number: 0,
             picture: 0,
             good_revision: (0, 0),
+            wire: None,
         };
         session.start_new();
         session
@@ -142,6 +146,7 @@ impl Session {
         self.problems.clear();
         self.problems_number += 1;
         self.shaders = Shown::default();
+        self.wire = None;
         self.picture += 1;
         self.catalog.sync(self.history.document(), &self.library);
     }
@@ -202,6 +207,19 @@ impl Session {
         &self.view
     }
 
+    /// The wire that is shown in place of the picture.
+    pub(crate) fn wire(&self) -> Option<&ShownWire> {
+        self.wire.as_ref()
+    }
+
+    /// Shows a wire in place of the picture, or the picture again.
+    pub(crate) fn show_wire(&mut self, wire: Option<ShownWire>) {
+        if self.wire != wire {
+            self.wire = wire;
+            self.shaders.requested_structure = None;
+        }
+    }
+
     /// What is wrong with the look, as the compiler last told.
     pub fn problems(&self) -> &[Diagnostic] {
         &self.problems
@@ -258,6 +276,7 @@ impl Session {
         }
         let nodes = &self.history.document().graph.nodes;
         self.selection.retain(|id| nodes.contains_key(id));
+        self.wire = self.wire.take().filter(|wire| nodes.contains_key(&wire.node));
         self.picture += 1;
     }
 

@@ -112,6 +112,10 @@ impl Session {
             revision: self.history.revision(),
             structure: self.shaders.structure,
             touched: self.shaders.touched.clone(),
+            wire: self.wire.clone().map(|wire| {
+                let ty = wire.ty(self.look(), &self.catalog);
+                (wire, ty)
+            }),
             library: self.library.clone(),
             only_baked,
         };
@@ -124,6 +128,7 @@ impl Session {
 
     fn take(&mut self, Answer { request, result }: Answer) {
         let is_current = request.document == self.document_number && request.structure == self.shaders.structure;
+        let is_current = is_current && request.wire.as_ref().map(|(wire, _)| wire) == self.wire.as_ref();
         if !is_current {
             // A newer one is on its way, and what this one is about is gone.
             return;

@@ -5,6 +5,7 @@ use std::sync::atomic::Ordering;
 
 use eframe::egui::{Color32, ColorImage};
 
+use super::super::still::Reused;
 use super::{Against, Compared, Done, Job};
 use crate::accuracy::{Colors, Progress, Stopped, Truth, Variant, compare};
 use crate::compile::Live;
@@ -17,16 +18,19 @@ use crate::render::{Gpu, Renderer, block_on};
 
 /// What it keeps between comparisons.
 pub(super) struct Comparer {
-    renderer: Renderer,
-    planner: Planner,
+    /// Made when first needed, on a device of its own: the window's may not blend 32-bit floats, and the rounding of a
+    /// 16-bit picture would show in the difference.
+    renderer: Option<Renderer>,
+    window: Gpu,
+    planner: Reused,
     /// Tells the window that there is more progress to show.
     wake: Box<dyn Fn() + Send + Sync>,
 }
 
 impl Comparer {
-    pub(super) fn new(gpu: Gpu, wake: impl Fn() + Send + Sync + 'static) -> Self {
-        let planner = Planner::default().culling(Cull::Objects);
-        Self { renderer: Renderer::new(gpu.precise()), planner, wake: Box::new(wake) }
+    pub(super) fn new(window: Gpu, wake: impl Fn() + Send + Sync + 'static) -> Self {
+        let planner = Reused::new(|assets| Planner::new(assets).culling(Cull::Objects));
+        Self { renderer: None, window, planner, wake: Box::new(wake) }
     }
 
     pub(super) fn run(&mut self, job: Job) -> Done {
@@ -37,11 +41,20 @@ impl Comparer {
     fn try_run(&mut self, job: &Job) -> Result<Compared, Vec<Diagnostic>> {
         let library = &job.still.library;
         let options = PlanOptions { size: job.moment.size, samples: 1, time: 0.0 };
-        let (setup, _) = job.still.setup(&mut self.planner.assets)?;
-        let present = self.draw(&setup, library, &options)?;
+        let planner = self.planner.of(&job.still.look);
+        let (setup, _) = job.still.setup(&mut planner.assets)?;
+        let renderer = self.renderer.get_or_insert_with(|| {
+            let gpu = block_on(Gpu::headless()).unwrap_or_else(|_| self.window.clone());
+            Renderer::new(gpu.precise())
+        });
+        let mut draw = |setup: &Setup| -> Result<Picture, Vec<Diagnostic>> {
+            let plan = planner.plan(setup, library, &Live::Keyed, &options)?;
+            block_on(renderer.picture(&plan)).map_err(|error| vec![error.into()])
+        };
+        let present = draw(&setup)?;
         match job.moment.against {
             Against::Tier(tier) => {
-                let other = self.draw(&Variant::Looks(tier).of(&setup), library, &options)?;
+                let other = draw(&Variant::Looks(tier).of(&setup))?;
                 Ok(together(&present, &other.rgba, &colors(&other), |_| false))
             }
             Against::Truth => {
@@ -50,11 +63,6 @@ impl Comparer {
                 Ok(together(&present, &straight, &truth.colors(), |index| truth.is_edge(index)))
             }
         }
-    }
-
-    fn draw(&mut self, setup: &Setup, library: &Library, options: &PlanOptions) -> Result<Picture, Vec<Diagnostic>> {
-        let plan = self.planner.plan(setup, library, &Live::Keyed, options)?;
-        block_on(self.renderer.picture(&plan)).map_err(|error| vec![error.into()])
     }
 
     fn truth(&self, job: &Job, setup: &Setup, options: &PlanOptions) -> Result<Truth, Vec<Diagnostic>> {
