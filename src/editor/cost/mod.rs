@@ -75,7 +75,7 @@ impl Cost {
         let start = |gpu: Gpu| {
             let mut renderer = None;
             let told = wake.clone();
-            Worker::new("measure", wake, move |job| measure(&mut renderer, &gpu, &told, job))
+            Worker::new("measure", wake, move |job| measure(&mut renderer, &gpu, &told, &job))
         };
         Self {
             worker: gpu.map(start),
@@ -168,7 +168,7 @@ fn adopt(look: &Look, row: &Row) -> Option<Edit> {
     }
 }
 
-fn measure(renderer: &mut Option<Renderer>, window: &Gpu, wake: &impl Fn(), job: Job) -> Done {
+fn measure(renderer: &mut Option<Renderer>, window: &Gpu, wake: &impl Fn(), job: &Job) -> Done {
     // A device of its own: the window's may have no timestamps, and has a window to draw.
     let renderer = renderer.get_or_insert_with(|| {
         let gpu = block_on(Gpu::headless()).unwrap_or_else(|_| window.clone());
