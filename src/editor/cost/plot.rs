@@ -8,7 +8,8 @@ use super::panel::{color, told};
 use crate::accuracy::Row;
 use crate::accuracy::report::{pareto_front, tier_word};
 
-const HEIGHT: f32 = 170.0;
+/// In points; it leaves room for the table.
+const HEIGHT: std::ops::RangeInclusive<f32> = 110.0..=260.0;
 /// What f32 cannot tell from 0 is drawn here.
 const LEAST_ERROR: f64 = 1e-8;
 const LEAST_TIME: f64 = 1e-3;
@@ -50,7 +51,8 @@ impl Axis {
 
 /// Plots the rows of one subject, and returns the one that was clicked.
 pub(super) fn show(ui: &mut Ui, rows: &[&Row], title: String, in_use: impl Fn(&Row) -> bool) -> Option<Row> {
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), HEIGHT), Sense::click());
+    let height = (ui.clip_rect().height() * 0.62).clamp(*HEIGHT.start(), *HEIGHT.end());
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::click());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, "Error against time"));
     let inner = Rect::from_min_max(rect.min + vec2(46.0, 20.0), rect.max - vec2(10.0, 20.0));
     let time = |row: &Row| row.time.median.max(LEAST_TIME);
@@ -76,10 +78,7 @@ pub(super) fn show(ui: &mut Ui, rows: &[&Row], title: String, in_use: impl Fn(&R
         if in_use(row) {
             ui.painter().circle_stroke(at, 8.5, Stroke::new(1.5, theme::TEXT));
         }
-        let is_right = at.x > inner.center().x;
-        let (align, offset) = if is_right { (Align2::RIGHT_BOTTOM, -8.0) } else { (Align2::LEFT_BOTTOM, 8.0) };
-        let font = FontId::proportional(11.0);
-        ui.painter().text(at + vec2(offset, -4.0), align, tier_word(row.tier), font, ink);
+        name_point(ui, inner, at, row);
     }
     let clicked = response.clicked();
     let row = *hovered?;
@@ -88,6 +87,21 @@ pub(super) fn show(ui: &mut Ui, rows: &[&Row], title: String, in_use: impl Fn(&R
         response.on_hover_cursor(egui::CursorIcon::PointingHand);
     }
     (clicked && row.tier.is_some()).then(|| row.clone())
+}
+
+/// The tier beside its point; exact and balanced, which often lie together, on different sides.
+fn name_point(ui: &Ui, inner: Rect, at: Pos2, row: &Row) {
+    use crate::document::Tier;
+    let is_right = at.x > inner.center().x;
+    let is_below = at.y < inner.top() + 14.0 || row.tier == Some(Tier::Balanced) && at.y < inner.bottom() - 16.0;
+    let align = match (is_right, is_below) {
+        (true, true) => Align2::RIGHT_TOP,
+        (true, false) => Align2::RIGHT_BOTTOM,
+        (false, true) => Align2::LEFT_TOP,
+        (false, false) => Align2::LEFT_BOTTOM,
+    };
+    let offset = vec2(if is_right { -9.0 } else { 9.0 }, if is_below { 3.0 } else { -3.0 });
+    ui.painter().text(at + offset, align, tier_word(row.tier), FontId::proportional(11.0), color(row.tier));
 }
 
 fn grid(ui: &Ui, rect: Rect, inner: Rect, x: &Axis, y: &Axis) {
