@@ -102,11 +102,13 @@ impl Truth {
         &self.edges
     }
 
-    /// [`Self::edges`] and what is at most so many pixels away from them: derivatives in quads of pixels and the stencil
-    /// of the curvature see what is on the other side.
+    /// [`Self::edges`] and what is at most so many pixels away from them or from the picture's border: derivatives in
+    /// quads of pixels and the stencil of the curvature see what is on the other side, or that there is nothing.
     pub fn near_edges(&self, pixels: usize) -> Vec<bool> {
         let [width, height] = self.picture.size.map(|side| side as usize);
-        let mut near = self.edges.clone();
+        let is_inside = |at: usize, size: usize| at >= pixels && at + pixels < size;
+        let is_border = |index: usize| !(is_inside(index % width, width) && is_inside(index / width, height));
+        let mut near: Vec<bool> = (0..self.edges.len()).map(is_border).collect();
         for index in (0..near.len()).filter(|&index| self.edges[index]) {
             let (x, y) = (index % width, index / width);
             for row in y.saturating_sub(pixels)..(y + pixels + 1).min(height) {

@@ -18,13 +18,9 @@ pub const MESHES: [&str; 3] = ["shape:sphere", "shape:creature", "shape:plane"];
 /// How far the camera is from where it was: near, as it was, and far.
 pub const DISTANCES: [f64; 3] = [0.45, 1.0, 20.0];
 
-/// So many pixels beside an edge, what is drawn still depends on what is on the other side: derivatives reach one pixel,
+/// So many pixels beside an edge or the picture's border, what is drawn still depends on what is on the other side: derivatives reach one pixel,
 /// the curvature's stencil two.
 pub const EDGE_REACH: usize = 2;
-
-/// In smaller pictures an object is no larger than a pixel, and which of its triangles is seen is rounding's: all of
-/// their pixels count as edges.
-pub const LEAST_SIDE: u32 = 5;
 
 /// Inside of what is drawn, no channel of any pixel of an exact look is farther from the truth.
 pub const INTERIOR: f64 = 6e-2;
@@ -48,7 +44,7 @@ impl LookEffort {
 
     /// Ten seconds a look.
     pub fn full() -> Self {
-        Self { stations: 12, sides: vec![1, 2, 3, 16, 61, 128, 256] }
+        Self { stations: 12, sides: vec![1, 2, 3, 16, 61, 160] }
     }
 
     /// Minutes a look.
@@ -118,11 +114,7 @@ pub fn measure_look(
                 let options = PlanOptions { size: [side; 2], samples: 1, time: station.time };
                 let truth = Truth::of(&seen, library, &mut truths, &options, progress)?;
                 let plan = planner.plan(&seen, library, &Live::Keyed, &options)?;
-                let mut edges = truth.near_edges(EDGE_REACH);
-                if side < LEAST_SIDE {
-                    edges.fill(true);
-                }
-                let error = truth.compare_beside(precise, &plan, &edges)?;
+                let error = truth.compare_beside(precise, &plan, &truth.near_edges(EDGE_REACH))?;
                 if error.max > worst.0 {
                     let [x, y] = error.worst;
                     let name = mesh.trim_start_matches("shape:");

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::bounds::{EXCEPTIONS, Judging, STEEP_FOOT};
 use super::case::Case;
-use super::looks::{INTERIOR, LEAST_SIDE, LookEffort, LookMeasured, VISIBLE_SHARE, looks_in, measure_look};
+use super::looks::{INTERIOR, LookEffort, LookMeasured, VISIBLE_SHARE, looks_in, measure_look};
 use super::measure::{Effort, Lab, Measured};
 use super::search::Worst;
 use super::stability::{MESHES, StabilityEffort, StabilityMeasured, measure_stability};
@@ -205,8 +205,8 @@ impl AccuracyReport {
              Each look in its exact tier on a sphere, the creature and a plane, over the sphere of lights and views, near (0.45\n\
              times the distance) and far (20 times). Colours are compared where coverage agrees; pixels at most two away from an\n\
              edge are told apart, because derivatives and the curvature's stencil see across it. Inside, no channel is farther\n\
-             from the truth than {INTERIOR}, and at most {VISIBLE_SHARE} of the pixels by more than 1/255. In pictures of less than\n\
-             {LEAST_SIDE} pixels a side, where an object is smaller than a pixel, all pixels count as edges.\n\n\
+             from the truth than {INTERIOR}, and at most {VISIBLE_SHARE} of the pixels by more than 1/255. The\n\
+             picture's border counts as an edge, so that in the smallest pictures all pixels do.\n\n\
              ![The largest error of each look]({plots}/looks.svg)\n\n\
              | look | pictures | pixels | NaN or inf | largest | RMS | over 1/255 | at edges | worst pixel |\n\
              | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | --- |"
@@ -334,7 +334,8 @@ fn exceptions_part(text: &mut String) {
          - *steps*: the same, but by the distance from the nearest of those results, so that nothing between two steps passes.\n\n\
          *From* and *to* limit the inputs' size; beyond, results are finite, and no more is said. A profile that falls off a quarter\n\
          turn or more from its offset ends infinitely steep, and is held to {STEEP_FOOT:e} (cheaper tiers to ten times that); an\n\
-         offset near pi to 1e-6 over its distance from pi, and within 0.01 of pi to be finite.\n\n\
+         offset near pi to 1e-6 over its distance from pi, and within 0.01 of pi to be finite;\n\
+         the table has errors there divided by what is granted more.\n\n\
          | node | choice | bound | judged | from | to | why |\n\
          | --- | --- | ---: | --- | ---: | ---: | --- |"
     );
