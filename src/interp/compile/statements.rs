@@ -284,12 +284,13 @@ impl<'a> FunctionCompiler<'a> {
         }
         let (target, link) = (frame.entry, frame.link);
         let instruction = match &frame.shared {
-            Some(arguments) => {
+            // A remembered call leaves no values to be observed.
+            Some(arguments) if !self.context.options.observe => {
                 let Frame { result, result_slots, .. } = *frame;
                 let call = PureCall { arguments: arguments.clone(), result, result_slots };
                 Instruction::CallPure { target, link, call: self.assembler.pure_call(call) }
             }
-            None => Instruction::Call { target, link },
+            _ => Instruction::Call { target, link },
         };
         self.assembler.emit(instruction)?;
         let Some(result) = result else { return Ok(()) };
