@@ -169,6 +169,7 @@ impl Bench<'_> {
         let series = alternate(self.renderer, &plans.iter().collect::<Vec<_>>(), self.options.rounds, progress)?;
         // What cannot be left out is told against its own cheapest tier, which then costs nothing.
         let without = series.last().cloned().unwrap_or_default();
+        let sizes_without = plans.last().map(Sizes::of).unwrap_or_default();
         let mut rows = Vec::new();
         for ((&tier, plan), series) in node.tiers.iter().zip(&plans).zip(&series) {
             let subject = Subject::Node {
@@ -177,7 +178,7 @@ impl Bench<'_> {
                 name: node.name.clone(),
                 kind: node.kind.clone(),
             };
-            let sizes = Sizes::of(plan).over(&plans.last().map(Sizes::of).unwrap_or_default());
+            let sizes = Sizes::of(plan).over(&sizes_without);
             let error = self.error(plan, truth)?;
             rows.push(Row {
                 subject,

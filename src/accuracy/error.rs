@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use crate::frame::Picture;
+
 /// A difference that eight bits a channel can show.
 pub const VISIBLE: f64 = 1.0 / 255.0;
 
@@ -12,6 +14,16 @@ pub struct Colors<'a> {
     pub size: [u32; 2],
     /// Row by row.
     pub rgba: std::borrow::Cow<'a, [[f64; 4]]>,
+}
+
+impl From<&Picture> for Colors<'static> {
+    fn from(picture: &Picture) -> Self {
+        let premultiplied = |pixel: &[f32; 4]| {
+            let [r, g, b, a] = pixel.map(f64::from);
+            [r * a, g * a, b * a, a]
+        };
+        Self { size: picture.size, rgba: picture.rgba.iter().map(premultiplied).collect() }
+    }
 }
 
 /// Figures of one comparison.

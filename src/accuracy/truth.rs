@@ -87,36 +87,18 @@ impl Truth {
         plan: &FramePlan,
         edges: &[bool],
     ) -> Result<ErrorFigures, Stopped> {
-        let picture = block_on(renderer.picture(plan))?;
-        let premultiplied = |[r, g, b, a]: [f32; 4]| {
-            let a = f64::from(a);
-            [f64::from(r) * a, f64::from(g) * a, f64::from(b) * a, a]
-        };
-        let rgba = picture.rgba.iter().map(|&pixel| premultiplied(pixel)).collect();
-        let got = Colors { size: picture.size, rgba };
+        let got = Colors::from(&block_on(renderer.picture(plan))?);
         Ok(compare(&got, &self.colors(), |index| edges[index]))
     }
 
-    /// Pixels on edges, rows from the top: there coverage may differ.
-    pub fn edges(&self) -> &[bool] {
-        &self.edges
-    }
-
-    /// [`Self::edges`] and what is at most so many pixels away from them or from the picture's border: derivatives in
+    /// Pixels on edges and what is at most so many pixels away from them or from the picture's border: derivatives in
     /// quads of pixels and the stencil of the curvature see what is on the other side, or that there is nothing.
     pub fn near_edges(&self, pixels: usize) -> Vec<bool> {
         let [width, height] = self.picture.size.map(|side| side as usize);
         let is_inside = |at: usize, size: usize| at >= pixels && at + pixels < size;
         let is_border = |index: usize| !(is_inside(index % width, width) && is_inside(index / width, height));
-        let mut near: Vec<bool> = (0..self.edges.len()).map(is_border).collect();
-        for index in (0..near.len()).filter(|&index| self.edges[index]) {
-            let (x, y) = (index % width, index / width);
-            for row in y.saturating_sub(pixels)..(y + pixels + 1).min(height) {
-                let from = row * width + x.saturating_sub(pixels);
-                near[from..row * width + (x + pixels + 1).min(width)].fill(true);
-            }
-        }
-        near
+        let near = widened(&self.edges, width, pixels);
+        near.into_iter().enumerate().map(|(index, is_near)| is_near || is_border(index)).collect()
     }
 
     /// Its colours, premultiplied.

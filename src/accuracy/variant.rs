@@ -1,9 +1,10 @@
 //! The same setup with one thing changed.
 
-use crate::document::{Look, Tier};
+use crate::compile::can_be_muted;
+use crate::document::{Look, Node, Tier};
 use crate::frame::Setup;
 use crate::ids::NodeId;
-use crate::library::{GroupPorts, Library, NodeDef, Type};
+use crate::library::{GroupPorts, Library, NodeDef};
 
 /// What a variant changes.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
@@ -37,26 +38,16 @@ impl Variant {
         let mut setup = setup.clone();
         if *self != Self::Asked {
             let tier = if let Self::Looks(tier) = self { *tier } else { Tier::Exact };
-            setup.looks.iter_mut().for_each(|look| set_all(&mut look.look, tier));
+            setup.looks.iter_mut().for_each(|look| look.look.set_every_tier(tier));
         }
         match self {
             Self::Asked | Self::Looks(_) => {}
-            Self::Node { look, node, tier } => {
-                if let Some(node) = setup.looks.get_mut(*look).and_then(|look| look.look.graph.nodes.get_mut(node)) {
-                    node.tier = Some(*tier);
-                }
-            }
-            Self::Without { look, node } => {
-                if let Some(node) = setup.looks.get_mut(*look).and_then(|look| look.look.graph.nodes.get_mut(node)) {
-                    node.muted = true;
-                }
-            }
+            Self::Node { look, node, tier } => edit(&mut setup, *look, node, |node| node.tier = Some(*tier)),
+            Self::Without { look, node } => edit(&mut setup, *look, node, |node| node.muted = true),
         }
         setup
     }
-}
 
-impl Variant {
     /// Gives a node of the look's own graph a tier; the look's own where they are the same, so that little is said.
     pub fn set_tier(look: &mut Look, node: &NodeId, tier: Tier) {
         let of_look = look.tier;
@@ -68,19 +59,15 @@ impl Variant {
     /// `setup` with one node of one look in this tier, all else as it is.
     #[must_use]
     pub fn of_also(mut setup: Setup, look: usize, node: &NodeId, tier: Tier) -> Setup {
-        if let Some(node) = setup.looks.get_mut(look).and_then(|look| look.look.graph.nodes.get_mut(node)) {
-            node.tier = Some(tier);
-        }
+        edit(&mut setup, look, node, |node| node.tier = Some(tier));
         setup
     }
 }
 
-/// Every node in this tier, also those that say their own.
-fn set_all(look: &mut Look, tier: Tier) {
-    look.tier = tier;
-    let graphs = std::iter::once(&mut look.graph).chain(look.definitions.values_mut().map(|group| &mut group.graph));
-    for node in graphs.flat_map(|graph| graph.nodes.values_mut()) {
-        node.tier = None;
+/// Changes a node of a look's own graph, if there is one of that id.
+fn edit(setup: &mut Setup, look: usize, node: &NodeId, change: impl FnOnce(&mut Node)) {
+    if let Some(node) = setup.looks.get_mut(look).and_then(|look| look.look.graph.nodes.get_mut(node)) {
+        change(node);
     }
 }
 
@@ -119,6 +106,5 @@ pub fn can_be_left_out(look: &Look, library: &Library, kind: &str) -> bool {
         (None, Some(def)) if def.special == crate::library::Special::None => (def.inputs.clone(), def.outputs.clone()),
         _ => return false,
     };
-    let needs_input = |ty: &Type| matches!(ty, Type::Light | Type::Angle | Type::Mat3 | Type::Prepared(_));
-    outputs.iter().all(|output| !needs_input(&output.ty) || inputs.iter().any(|input| input.ty == output.ty))
+    can_be_muted(&inputs, &outputs)
 }

@@ -182,8 +182,7 @@ fn draw(plan: &FramePlan, on: Option<On>, output: &Output) -> Result<Drawn, Diag
     let modules = Modules::new(plan, Precision::F64)?;
     let drawn = execute(plan, &modules, &reference::Options::default(), &control);
     output.end_progress();
-    let drawn = drawn?;
-    let picture = Picture { size: drawn.size, rgba: drawn.to_straight_f32() };
+    let picture = drawn?.to_picture();
     let passes = plan.passes.iter().map(|pass| pass.kind.clone()).collect();
     Ok(Drawn { picture, passes, adapter: "the reference, in f64".to_owned() })
 }

@@ -518,23 +518,35 @@ enum Source<'a> {
 /// What stands for an output of a muted node: the input of the same name, else the first that could be its value, else a
 /// zero. Lights and angles have no zero, so the node that makes one stays.
 fn muted<'a>(inputs: &[Input], output: &Output, scope: usize, id: &'a NodeId) -> Option<Source<'a>> {
-    let Output { name, ty, .. } = output;
-    let is_like = |input: &&Input| input.ty == *ty && !input.hidden;
-    let same = inputs.iter().find(|input| input.name == *name).filter(is_like);
-    // A number with a unit is a setting of what the node does, not what it does it to.
-    let is_subject = |input: &&Input| is_like(input) && input.unit.is_empty();
-    if let Some(input) = same.or_else(|| inputs.iter().find(is_subject)) {
+    if let Some(input) = let_through(inputs, output) {
         let default = if let Fallback::Value(value) = &input.fallback { Some(value.clone()) } else { None };
         return Some(Source::Input { scope, id, port: input.name.clone(), default });
     }
-    let zero = match ty {
+    Some(Source::Nothing { scope, id, port: output.name.clone(), zero: zero_of(&output.ty)? })
+}
+
+/// Whether muting a node with these ports leaves something in the place of each of its outputs.
+pub fn can_be_muted(inputs: &[Input], outputs: &[Output]) -> bool {
+    outputs.iter().all(|output| let_through(inputs, output).is_some() || zero_of(&output.ty).is_some())
+}
+
+/// The input that a muted node lets through to an output.
+fn let_through<'i>(inputs: &'i [Input], output: &Output) -> Option<&'i Input> {
+    let is_like = |input: &&Input| input.ty == output.ty && !input.hidden;
+    let same = inputs.iter().find(|input| input.name == output.name).filter(is_like);
+    // A number with a unit is a setting of what the node does, not what it does it to.
+    let is_subject = |input: &&Input| is_like(input) && input.unit.is_empty();
+    same.or_else(|| inputs.iter().find(is_subject))
+}
+
+fn zero_of(ty: &Type) -> Option<Value> {
+    Some(match ty {
         Type::Float | Type::Int => Value::Number(0.0),
         Type::Bool => Value::Bool(false),
         Type::Color => Value::Vector(vec![0.0, 0.0, 0.0, 1.0]),
         Type::Vec2 | Type::Vec3 | Type::Vec4 | Type::Composite => Value::Vector(vec![0.0; ty.width()?]),
         _ => return None,
-    };
-    Some(Source::Nothing { scope, id, port: name.clone(), zero })
+    })
 }
 
 fn port_names(ports: &[InterfacePort]) -> Vec<&str> {

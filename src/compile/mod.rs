@@ -27,7 +27,7 @@ use crate::wgsl::{self, Valid};
 
 pub use check::{TypedGraph, TypedInput, TypedNode, TypedSource, check};
 pub use emit::{Attribute, Binding, BindingKind, ImageBinding, SAMPLES_PER_ROW, SpanMap};
-pub use flatten::{MAX_FLAT_NODES, Param, ParamId};
+pub use flatten::{MAX_FLAT_NODES, Param, ParamId, can_be_muted};
 pub use host::{HostInputs, HostProgram, LightValues, MAX_INTENSITY, Uniform, UniformMember, push_numbers};
 pub use host_source::{HostSource, HostStep};
 pub use layout::{Layout, StructLayout};

@@ -40,6 +40,17 @@ pub struct Look {
     pub unknown: Unknown,
 }
 
+impl Look {
+    /// Asks every node for a tier, also those that say their own, and those in the look's groups.
+    pub fn set_every_tier(&mut self, tier: Tier) {
+        self.tier = tier;
+        let groups = self.definitions.values_mut().map(|definition| &mut definition.graph);
+        for graph in std::iter::once(&mut self.graph).chain(groups) {
+            graph.nodes.values_mut().for_each(|node| node.tier = None);
+        }
+    }
+}
+
 /// What the numbers of a colour mean.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]

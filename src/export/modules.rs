@@ -8,7 +8,7 @@ use super::reflect::{self, Bound, EntryPoint, Kind};
 use crate::compile::{BindingKind, CompiledShader, HostSource, Live, Options, Stage, TypedGraph, compile_typed};
 use crate::diag::Diagnostic;
 use crate::library::Context;
-use crate::wgsl::{self, PASSES, Source, Valid};
+use crate::wgsl::{self, Source, Valid};
 
 /// The name of the module that draws the look itself.
 const DRAW: &str = "draw";
@@ -281,12 +281,12 @@ impl Pass {
 
 impl Modules {
     fn add_curvature(&mut self, kappa: bool, detail: bool) -> Result<(), Vec<Diagnostic>> {
-        let Some(pass) = PASSES.iter().find(|(path, _)| path.ends_with("/curvature.wgsl")) else {
+        let Some(pass) = wgsl::pass("curvature") else {
             let problem = Diagnostic::warning("missing-pass", "this build of Chiaro lacks the curvature pass");
             self.warnings.push(problem.hint("bind textures of curvature of your own"));
             return Ok(());
         };
-        let module = ShaderModule::fixed("curvature", "Finds curvature from normals and depth.", *pass)?;
+        let module = ShaderModule::fixed("curvature", "Finds curvature from normals and depth.", pass)?;
         for (name, normals, _) in [("curvature", "normals", kappa), ("detail_curvature", "detail_normals", detail)]
             .into_iter()
             .filter(|p| p.2)

@@ -16,7 +16,7 @@ use crate::interp::{
     self, Address, Bindings, Bound, Filter, Lanes, Level, Port, Precision, Program, ResourceKind, Sampler, Texture,
     TextureDimension,
 };
-use crate::wgsl::{self, PASSES, Valid};
+use crate::wgsl::{self, Valid};
 
 /// Both stages of a module.
 #[derive(Debug)]
@@ -37,7 +37,8 @@ impl Stages {
 #[derive(Debug)]
 pub struct Modules {
     precision: Precision,
-    looks: HashMap<*const CompiledShader, Stages>,
+    /// By address; the shader is kept, so that no other can come to lie there.
+    looks: HashMap<*const CompiledShader, (Arc<CompiledShader>, Stages)>,
     curvature: Option<Stages>,
     images: HashMap<(u64, bool), Texture>,
     /// What the fragments of looks are watched for.
@@ -66,12 +67,7 @@ impl Modules {
         for draw in &plan.draws {
             for shader in std::iter::once(&draw.look).chain(draw.normals.values()) {
                 modules.add(shader)?;
-            }
-            for (stage, shader) in [(Stage::Draw, &draw.look)]
-                .into_iter()
-                .chain(draw.normals.values().map(|normals| (normals.stage, normals)))
-            {
-                for (image, used) in draw.images_of(stage).iter().zip(&shader.needs.images) {
+                for (image, used) in draw.images_of(shader.stage).iter().zip(&shader.needs.images) {
                     if let Entry::Vacant(place) = modules.images.entry((image.hash, used.is_decoded)) {
                         place.insert(texture_of(image, used.is_decoded)?);
                     }
@@ -91,13 +87,17 @@ impl Modules {
 
     fn add(&mut self, shader: &Arc<CompiledShader>) -> Result<(), Diagnostic> {
         if let Entry::Vacant(place) = self.looks.entry(Arc::as_ptr(shader)) {
-            place.insert(Stages::compile(&shader.valid, &shader.wgsl, self.watch.is_some())?);
+            let stages = Stages::compile(&shader.valid, &shader.wgsl, self.watch.is_some())?;
+            place.insert((shader.clone(), stages));
         }
         Ok(())
     }
 
     fn stages(&self, shader: &Arc<CompiledShader>) -> Result<&Stages, Diagnostic> {
-        self.looks.get(&Arc::as_ptr(shader)).ok_or_else(|| missing("a module of another plan"))
+        self.looks
+            .get(&Arc::as_ptr(shader))
+            .map(|(_, stages)| stages)
+            .ok_or_else(|| missing("a module of another plan"))
     }
 }
 
@@ -107,7 +107,7 @@ fn missing(what: &str) -> Diagnostic {
 }
 
 fn curvature() -> Result<Stages, Diagnostic> {
-    let source = PASSES.iter().find(|(path, _)| path.ends_with("/curvature.wgsl")).map_or("", |(_, text)| text);
+    let (_, source) = wgsl::pass("curvature").ok_or_else(|| missing("the source of the curvature pass"))?;
     let refused = |error: wgsl::WgslError| Diagnostic::error("invalid-wgsl", error.message);
     Stages::compile(&wgsl::parse(source).map_err(refused)?, source, false)
 }

@@ -32,13 +32,14 @@ impl Snap {
     }
 }
 
-/// What the images of passes hold, for later passes to read: normals and object numbers, depth, curvature.
+/// What the images of passes hold, for later passes to read: normals and object numbers, depth, curvature. The
+/// renderer's hold f32 numbers; halves, which it held once, show what they would cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum ImageRounding {
     /// All of every number: the truth.
     #[default]
     None,
-    /// What the renderer's textures hold, `rgba16float` and `r32float`, rounded to the nearest as most GPUs do.
+    /// Normals in `rgba16float` and the rest in `r32float`, rounded to the nearest as most GPUs do.
     Nearest,
     /// The same, but halves rounded toward zero, as software Vulkan does.
     TowardZero,

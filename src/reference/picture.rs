@@ -2,6 +2,7 @@
 
 use super::raster::Raster;
 use super::texels::{Coverage, Texels};
+use crate::frame::Picture;
 use crate::ids::ObjectId;
 
 /// What a frame plan shows, in f64, with what is on top in each pixel.
@@ -35,9 +36,10 @@ impl ReferencePicture {
         straight(self.color.pixel(x, y))
     }
 
-    /// All pixels, straight RGBA, rows from the top, as picture files and the renderer have them.
-    pub fn to_straight_f32(&self) -> Vec<[f32; 4]> {
-        self.color.values.chunks_exact(4).map(|pixel| straight(pixel).map(|x| x as f32)).collect()
+    /// As the renderer gives it and picture files take it.
+    pub fn to_picture(&self) -> Picture {
+        let rgba = self.color.values.chunks_exact(4).map(|pixel| straight(pixel).map(|x| x as f32)).collect();
+        Picture { size: self.size, rgba }
     }
 
     /// What is on top in a pixel.

@@ -13,3 +13,9 @@ pub use embedded::{NODES, PASSES, SHADER_LIBRARY};
 pub use link::{Linked, Source, link};
 pub use scan::{Declaration, DeclarationKind, Field, Import, Scan, identifiers, rename_identifiers, scan};
 pub use validate::{Valid, WgslError, parse, validate};
+
+/// The path and the text of `shaders/passes/NAME.wgsl`.
+pub fn pass(name: &str) -> Option<(&'static str, &'static str)> {
+    let is_it = |path: &str| path.rsplit('/').next().and_then(|file| file.strip_suffix(".wgsl")) == Some(name);
+    PASSES.iter().copied().find(|(path, _)| is_it(path))
+}

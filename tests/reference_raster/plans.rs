@@ -96,7 +96,7 @@ fn passes_run_in_order_and_read_each_other() {
     assert_eq!((picture.coverage(0, 0).draw, picture.object(0, 0)), (None, None));
     let backdrop = plan.backdrop.expect("the default scene has one");
     assert!(picture.straight(0, 0).iter().zip(backdrop).all(|(found, wanted)| (found - wanted).abs() < 1e-15));
-    assert_eq!(picture.to_straight_f32().len(), 81 * 60);
+    assert_eq!(picture.to_picture().rgba.len(), 81 * 60);
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::looks::EDGE_REACH;
-use crate::accuracy::{Progress, Stopped, truth::Truth};
+use crate::accuracy::{Colors, Progress, Stopped, truth::Truth};
 use crate::compile::Live;
 use crate::frame::{Assets, PlanOptions, Planner, Setup, open};
 use crate::library::Library;
@@ -142,13 +142,8 @@ fn frame(
     let options = PlanOptions { size: [side; 2], samples: 1, time: 0.0 };
     let truth = Truth::of(setup, library, truths, &options, progress)?;
     let plan = planner.plan(setup, library, &Live::Keyed, &options)?;
-    let picture = block_on(precise.picture(&plan))?;
-    let premultiplied = |pixel: &[f32; 4]| {
-        let [r, g, b, a] = pixel.map(f64::from);
-        [r * a, g * a, b * a, a]
-    };
-    let got = picture.rgba.iter().map(premultiplied).collect();
-    Ok(Frame { got, truth: truth.colors().rgba.to_vec(), outlines: truth.near_edges(EDGE_REACH) })
+    let got = Colors::from(&block_on(precise.picture(&plan))?).rgba.into_owned();
+    Ok(Frame { got, truth: truth.colors().rgba.into_owned(), outlines: truth.near_edges(EDGE_REACH) })
 }
 
 fn compare(before: &Frame, after: &Frame, width: usize, measured: &mut StabilityMeasured) {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
-use eframe::egui::{Color32, ColorImage};
+use eframe::egui::ColorImage;
 
 use super::super::still::Reused;
 use super::{Against, Compared, Done, Job};
@@ -55,12 +55,12 @@ impl Comparer {
         match job.moment.against {
             Against::Tier(tier) => {
                 let other = draw(&Variant::Looks(tier).of(&setup))?;
-                Ok(together(&present, &other.rgba, &colors(&other), |_| false))
+                Ok(together(&present, &other, &Colors::from(&other), |_| false))
             }
             Against::Truth => {
                 let truth = self.truth(job, &Variant::Looks(Tier::Exact).of(&setup), &options)?;
-                let straight = truth.picture().to_straight_f32();
-                Ok(together(&present, &straight, &truth.colors(), |index| truth.is_edge(index)))
+                let wanted = truth.picture().to_picture();
+                Ok(together(&present, &wanted, &truth.colors(), |index| truth.is_edge(index)))
             }
         }
     }
@@ -82,21 +82,8 @@ impl Comparer {
     }
 }
 
-fn colors(picture: &Picture) -> Colors<'static> {
-    let premultiplied = |&[r, g, b, a]: &[f32; 4]| {
-        let [r, g, b, a] = [r, g, b, a].map(f64::from);
-        [r * a, g * a, b * a, a]
-    };
-    Colors { size: picture.size, rgba: picture.rgba.iter().map(premultiplied).collect() }
-}
-
-fn together(
-    present: &Picture,
-    straight: &[[f32; 4]],
-    wanted: &Colors<'_>,
-    is_edge: impl Fn(usize) -> bool,
-) -> Compared {
-    let got = colors(present);
+fn together(present: &Picture, other: &Picture, wanted: &Colors<'_>, is_edge: impl Fn(usize) -> bool) -> Compared {
+    let got = Colors::from(present);
     let figures = compare(&got, wanted, &is_edge);
     let channels = |(index, (a, b)): (usize, (&[f64; 4], &[f64; 4]))| {
         let of = |channel: usize| {
@@ -112,14 +99,9 @@ fn together(
         [of(0), of(1), of(2)]
     };
     let difference = got.rgba.iter().zip(wanted.rgba.iter()).enumerate().map(channels).collect();
-    let pictures = [image(present.size, &present.rgba), image(present.size, straight)];
-    Compared { pictures, difference, figures }
-}
-
-fn image(size: [u32; 2], straight: &[[f32; 4]]) -> ColorImage {
-    let color = |pixel: &[f32; 4]| {
-        let [r, g, b, a] = pixel.map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
-        Color32::from_rgba_unmultiplied(r, g, b, a)
+    let image = |picture: &Picture| {
+        ColorImage::from_rgba_unmultiplied(picture.size.map(|side| side as usize), &picture.to_rgba8())
     };
-    ColorImage::new(size.map(|side| side as usize), straight.iter().map(color).collect())
+    let pictures = [image(present), image(other)];
+    Compared { pictures, difference, figures }
 }

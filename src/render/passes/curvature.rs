@@ -6,7 +6,7 @@ use crate::frame::{FramePlan, PassKind};
 use crate::render::Renderer;
 use crate::render::gpu::Gpu;
 use crate::render::target::NUMBER;
-use crate::wgsl::PASSES;
+use crate::wgsl;
 
 /// The fixed pipeline.
 #[derive(Debug)]
@@ -16,7 +16,7 @@ pub(in crate::render) struct CurvaturePass {
 
 impl CurvaturePass {
     pub(in crate::render) fn new(gpu: &Gpu) -> Self {
-        let source = PASSES.iter().find(|(path, _)| path.ends_with("/curvature.wgsl")).map_or("", |(_, text)| text);
+        let (_, source) = wgsl::pass("curvature").unwrap_or_default();
         let descriptor =
             wgpu::ShaderModuleDescriptor { label: Some("curvature"), source: wgpu::ShaderSource::Wgsl(source.into()) };
         let module = gpu.device.create_shader_module(descriptor);
