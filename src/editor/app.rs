@@ -57,6 +57,7 @@ impl App {
     /// A window with a new look. `render_state` is the device to draw with, where there is one.
     pub fn new(ctx: &egui::Context, render_state: Option<eframe::egui_wgpu::RenderState>) -> Self {
         theme::apply(ctx);
+        ctx.set_theme(egui::ThemePreference::Dark);
         let waker = || {
             let ctx = ctx.clone();
             move || ctx.request_repaint()
@@ -204,12 +205,12 @@ impl App {
     }
 
     fn panels(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
-        Panel::top("bar").frame(theme::panel()).resizable(false).show(ui, |ui| self.bar(ui, commands));
+        Panel::top("bar").frame(theme::panel(ui)).resizable(false).show(ui, |ui| self.bar(ui, commands));
         if let Some(picture) = &self.picture {
             self.session.set_picture_problems(&picture.problems);
         }
         let problems: Vec<Diagnostic> = self.session.all_problems().cloned().collect();
-        Panel::bottom("status").frame(theme::panel()).resizable(false).show(ui, |ui| {
+        Panel::bottom("status").frame(theme::panel(ui)).resizable(false).show(ui, |ui| {
             let listed: Vec<&Diagnostic> = problems.iter().collect();
             if !listed.is_empty() {
                 commands.extend(problems::show(ui, &listed));
@@ -217,9 +218,9 @@ impl App {
             }
             self.status(ui);
         });
-        let right = Panel::right("inspector").frame(theme::panel()).default_size(310.0).size_range(240.0..=520.0);
+        let right = Panel::right("inspector").frame(theme::panel(ui)).default_size(310.0).size_range(240.0..=520.0);
         right.show(ui, |ui| commands.extend(inspector::show(ui, &self.session)));
-        let left = Panel::left("picture").frame(theme::panel()).default_size(500.0).size_range(220.0..=1400.0);
+        let left = Panel::left("picture").frame(theme::panel(ui)).default_size(500.0).size_range(220.0..=1400.0);
         left.show(ui, |ui| {
             if self.dock.is_open {
                 const HEIGHT: f32 = 260.0;
@@ -284,7 +285,7 @@ impl App {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let name = self.document_name();
                 if self.session.is_dirty() {
-                    ui.label(RichText::new("changed").color(theme::ACCENT)).on_hover_text("Not saved yet");
+                    ui.label(RichText::new("changed").color(theme::of(ui).accent)).on_hover_text("Not saved yet");
                 }
                 let path = self.session.path().map(|path| path.display().to_string());
                 let label = ui.label(RichText::new(name).strong());
@@ -300,10 +301,10 @@ impl App {
             [self.viewport.hint(), self.canvas.hint()].into_iter().find(|hint| !hint.is_empty()).unwrap_or_default();
         ui.horizontal(|ui| {
             if let Some(message) = &self.message {
-                ui.label(RichText::new(message).color(theme::ACCENT));
+                ui.label(RichText::new(message).color(theme::of(ui).accent));
                 ui.separator();
             }
-            ui.add(egui::Label::new(RichText::new(hint).color(theme::DIM)).truncate());
+            ui.add(egui::Label::new(RichText::new(hint).color(theme::of(ui).dim)).truncate());
         });
     }
 

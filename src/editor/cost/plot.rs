@@ -4,7 +4,7 @@ use eframe::egui;
 use eframe::egui::{Align2, FontId, Pos2, Rect, Sense, Shape, Stroke, Ui, pos2, vec2};
 
 use super::super::theme;
-use super::panel::{color, told};
+use super::panel::told;
 use crate::accuracy::Row;
 use crate::accuracy::report::{pareto_front, tier_word};
 
@@ -60,10 +60,16 @@ pub(super) fn show(ui: &mut Ui, rows: &[&Row], title: String, in_use: impl Fn(&R
     let x = Axis::new(rows.iter().map(|row| time(row)), inner.left(), inner.right());
     let y = Axis::new(rows.iter().map(|row| error(row)).chain([VISIBLE]), inner.bottom(), inner.top());
     grid(ui, rect, inner, &x, &y);
-    ui.painter().text(rect.left_top(), Align2::LEFT_TOP, title, FontId::proportional(11.0), theme::TEXT);
+    ui.painter().text(
+        rect.left_top(),
+        Align2::LEFT_TOP,
+        title,
+        FontId::proportional(theme::SMALL_TEXT),
+        theme::of(ui).text,
+    );
     let place = |row: &Row| pos2(x.at(time(row)), y.at(error(row)));
     let front: Vec<Pos2> = pareto_front(rows).into_iter().map(|index| place(rows[index])).collect();
-    ui.painter().add(Shape::line(front, Stroke::new(1.0, theme::DIM)));
+    ui.painter().add(Shape::line(front, Stroke::new(1.0, theme::of(ui).dim)));
     let pointer = response.hover_pos();
     let near = |row: &&&Row| pointer.is_some_and(|at| place(row).distance(at) < 12.0);
     let distance = |row: &&Row| pointer.map_or(f32::INFINITY, |at| place(row).distance(at));
@@ -71,12 +77,12 @@ pub(super) fn show(ui: &mut Ui, rows: &[&Row], title: String, in_use: impl Fn(&R
     for row in rows {
         let at = place(row);
         let span = [row.time.low, row.time.high].map(|time| x.at(time.max(LEAST_TIME)).clamp(x.from, x.to));
-        let ink = color(row.tier);
+        let ink = theme::of(ui).of_tier(row.tier);
         ui.painter().hline(span[0]..=span[1], at.y, Stroke::new(1.0, ink.gamma_multiply(0.6)));
         let is_hovered = hovered.is_some_and(|other| std::ptr::eq(*other, *row));
         ui.painter().circle_filled(at, if is_hovered { 6.5 } else { 5.0 }, ink);
         if in_use(row) {
-            ui.painter().circle_stroke(at, 8.5, Stroke::new(1.5, theme::TEXT));
+            ui.painter().circle_stroke(at, 8.5, Stroke::new(1.5, theme::of(ui).text));
         }
         name_point(ui, inner, at, row);
     }
@@ -101,31 +107,43 @@ fn name_point(ui: &Ui, inner: Rect, at: Pos2, row: &Row) {
         (false, false) => Align2::LEFT_BOTTOM,
     };
     let offset = vec2(if is_right { -9.0 } else { 9.0 }, if is_below { 3.0 } else { -3.0 });
-    ui.painter().text(at + offset, align, tier_word(row.tier), FontId::proportional(11.0), color(row.tier));
+    ui.painter().text(
+        at + offset,
+        align,
+        tier_word(row.tier),
+        FontId::proportional(theme::SMALL_TEXT),
+        theme::of(ui).of_tier(row.tier),
+    );
 }
 
 fn grid(ui: &Ui, rect: Rect, inner: Rect, x: &Axis, y: &Axis) {
     let painter = ui.painter();
     let font = FontId::proportional(10.0);
-    painter.rect_filled(inner, 2.0, theme::CANVAS);
+    painter.rect_filled(inner, 2.0, theme::of(ui).canvas);
     for time in x.ticks() {
-        painter.vline(x.at(time), inner.y_range(), Stroke::new(1.0, theme::GRID));
+        painter.vline(x.at(time), inner.y_range(), Stroke::new(1.0, theme::of(ui).grid));
         let text = super::super::values::number_text(time, 4);
-        painter.text(pos2(x.at(time), inner.bottom() + 3.0), Align2::CENTER_TOP, text, font.clone(), theme::DIM);
+        painter.text(pos2(x.at(time), inner.bottom() + 3.0), Align2::CENTER_TOP, text, font.clone(), theme::of(ui).dim);
     }
     for error in y.ticks() {
-        painter.hline(inner.x_range(), y.at(error), Stroke::new(1.0, theme::GRID));
+        painter.hline(inner.x_range(), y.at(error), Stroke::new(1.0, theme::of(ui).grid));
         let text = format!("{error:.0e}");
-        painter.text(pos2(inner.left() - 5.0, y.at(error)), Align2::RIGHT_CENTER, text, font.clone(), theme::DIM);
+        painter.text(
+            pos2(inner.left() - 5.0, y.at(error)),
+            Align2::RIGHT_CENTER,
+            text,
+            font.clone(),
+            theme::of(ui).dim,
+        );
     }
     let visible = y.at(VISIBLE);
     painter.extend(Shape::dashed_line(
         &[pos2(inner.left(), visible), pos2(inner.right(), visible)],
-        Stroke::new(1.0, theme::WARNING.gamma_multiply(0.7)),
+        Stroke::new(1.0, theme::of(ui).warning.gamma_multiply(0.7)),
         4.0,
         4.0,
     ));
     let at = pos2(inner.right() - 3.0, visible - 1.0);
-    painter.text(at, Align2::RIGHT_BOTTOM, "1/255", font.clone(), theme::WARNING);
-    painter.text(rect.right_top(), Align2::RIGHT_TOP, "max error over milliseconds", font, theme::DIM);
+    painter.text(at, Align2::RIGHT_BOTTOM, "1/255", font.clone(), theme::of(ui).warning);
+    painter.text(rect.right_top(), Align2::RIGHT_TOP, "max error over milliseconds", font, theme::of(ui).dim);
 }

@@ -68,13 +68,13 @@ impl Dock {
             ui.spacing_mut().item_spacing.x = 14.0;
             for tab in Tab::ALL {
                 let is_it = self.tab == tab;
-                let color = if is_it { theme::TEXT } else { theme::DIM };
+                let color = if is_it { theme::of(ui).text } else { theme::of(ui).dim };
                 let text = egui::RichText::new(tab.label()).color(color);
                 let button = egui::Button::new(text).frame(false).sense(Sense::click());
                 let response = ui.add(button).on_hover_text(tab.help());
                 if is_it {
                     let line = response.rect.translate(vec2(0.0, 2.0));
-                    let stroke = egui::Stroke::new(2.0, theme::ACCENT);
+                    let stroke = egui::Stroke::new(2.0, theme::of(ui).accent);
                     ui.painter().line_segment([line.left_bottom(), line.right_bottom()], stroke);
                 }
                 if response.clicked() {
@@ -88,7 +88,7 @@ impl Dock {
 
 /// A line in place of what is not there yet.
 pub(crate) fn hint(ui: &mut Ui, text: &str) {
-    ui.label(egui::RichText::new(text).color(theme::DIM));
+    ui.label(egui::RichText::new(text).color(theme::of(ui).dim));
 }
 
 /// Text in a column of a row, cut where it is too long.

@@ -53,16 +53,16 @@ fn show_node(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
         let label = ui.label(RichText::new(&*kind.label).heading());
         let count = session.selection.len();
         if count > 1 {
-            ui.label(RichText::new(format!("and {} more", count - 1)).color(theme::DIM));
+            ui.label(RichText::new(format!("and {} more", count - 1)).color(theme::of(ui).dim));
         }
         label.on_hover_text(format!("kind {}, id {id}", node.kind));
     });
     if !kind.help.is_empty() {
         let first = kind.help.split("\n\n").next().unwrap_or_default();
-        ui.label(RichText::new(first).color(theme::DIM)).on_hover_text(&kind.help);
+        ui.label(RichText::new(first).color(theme::of(ui).dim)).on_hover_text(&kind.help);
     }
     if !kind.sources.is_empty() {
-        ui.label(RichText::new(kind.sources.join(" · ")).small().color(theme::DIM));
+        ui.label(RichText::new(kind.sources.join(" · ")).small().color(theme::of(ui).dim));
     }
     ui.add_space(4.0);
     name_row(ui, subject, out);
@@ -175,7 +175,7 @@ fn tier_name(tier: Tier) -> &'static str {
 fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     let look = session.look();
     ui.heading("Look");
-    ui.label(RichText::new("Select a node to set its values.").color(theme::DIM));
+    ui.label(RichText::new("Select a node to set its values.").color(theme::of(ui).dim));
     ui.add_space(4.0);
     row::labelled(ui, "Name", "What you call this look", |ui, label| {
         let mut name = look.name.clone();
