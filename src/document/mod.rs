@@ -7,6 +7,7 @@
 mod check;
 mod color;
 mod edit;
+pub mod grouping;
 mod json;
 mod look;
 mod problems;
