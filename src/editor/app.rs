@@ -352,7 +352,7 @@ impl App {
     }
 
     fn apply(&mut self, ui: &Ui, command: Command) {
-        if !matches!(command, Command::Select(_) | Command::Reveal(_)) {
+        if !matches!(command, Command::Select(_) | Command::Reveal(_) | Command::Show(_) | Command::OpenGraph(_)) {
             self.message = None;
         }
         match command {
@@ -369,6 +369,15 @@ impl App {
                 self.session.select(vec![id.clone()]);
                 self.canvas.reveal(id);
             }
+            Command::Show(path) => {
+                let ids = path.ids();
+                self.session.open_graph(&ids[..ids.len().saturating_sub(1)]);
+                if let Some(id) = self.session.step_here(&path).cloned() {
+                    self.session.select(vec![id.clone()]);
+                    self.canvas.reveal(id);
+                }
+            }
+            Command::OpenGraph(path) => self.session.open_graph(&path),
             Command::Undo => drop(self.session.undo()),
             Command::Redo => drop(self.session.redo()),
             Command::New => self.do_or_ask(Pending::New),

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use super::wire::ShownWire;
 use crate::document::Edit;
-use crate::ids::NodeId;
+use crate::ids::{NodeId, NodePath};
 
 /// Something that a panel asks for.
 #[derive(Clone, Debug)]
@@ -18,6 +18,10 @@ pub(crate) enum Command {
     Select(Vec<NodeId>),
     /// Selects a node and brings it into view.
     Reveal(NodeId),
+    /// Selects a node in whichever group it lies, opens that, and brings it into view.
+    Show(NodePath),
+    /// Opens the graph that these nodes of groups lead to; none for the look's own.
+    OpenGraph(Vec<NodeId>),
     Undo,
     Redo,
     New,

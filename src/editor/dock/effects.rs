@@ -179,5 +179,5 @@ fn row(ui: &mut Ui, effect: &Effect) -> Option<Command> {
     let lead = if node.is_some() { "\nA click shows the node" } else { "" };
     let clicked = response.clicked();
     response.on_hover_text(format!("{name}: {state}\n{reason}{proof}{lead}"));
-    node.filter(|_| clicked).map(Command::Reveal)
+    node.filter(|_| clicked).map(|id| Command::Show(NodePath::root(id)))
 }

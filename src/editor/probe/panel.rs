@@ -69,7 +69,7 @@ impl Probe {
                     let help = "Shows the node whose value is the first that is not a finite number";
                     if ui.button(text).on_hover_text(help).clicked() {
                         self.jump = true;
-                        commands.push(Command::Reveal(node));
+                        commands.push(Command::Show(NodePath::root(node)));
                     }
                 });
             }
@@ -146,7 +146,7 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
     cell(ui, column(rect, 3), &text, FontId::monospace(11.0), ink);
     let clicked = response.clicked();
     response.on_hover_ui(|ui| in_full(ui, wire));
-    clicked.then(|| wire.node.outermost().cloned().map(Command::Reveal)).flatten()
+    clicked.then(|| wire.node.outermost().cloned().map(|id| Command::Show(NodePath::root(id)))).flatten()
 }
 
 /// What the artist calls a node, with the groups that it lies in.

@@ -1,5 +1,6 @@
 //! One open look: the document and its past, the file, what is selected, and the shaders made of it.
 
+mod place;
 mod shading;
 
 use std::path::{Path, PathBuf};
@@ -12,7 +13,7 @@ use super::compiling::{self, Compiler};
 use super::orbit::Orbit;
 use super::wire::ShownWire;
 use crate::diag::Diagnostic;
-use crate::document::{Edit, History, Look, SourceMap, write_atomic};
+use crate::document::{Edit, GraphId, History, Look, SourceMap, write_atomic};
 use crate::ids::NodeId;
 use crate::library::{Fallback, Library};
 pub(crate) use shading::Showing;
@@ -27,7 +28,7 @@ pub struct Session {
     is_partial: bool,
     pub(crate) library: Arc<Library>,
     pub(crate) catalog: Catalog,
-    /// Nodes of the look's own graph, the first one selected last.
+    /// Nodes of the graph that is open, the first one selected last.
     pub(crate) selection: IndexSet<NodeId>,
     pub(crate) view: Orbit,
     /// What reading the file told.
@@ -44,6 +45,7 @@ pub struct Session {
     good_revision: (u64, u64),
     /// What is shown in place of the look's own output.
     wire: Option<ShownWire>,
+    place: place::OpenGroups,
 }
 
 /// Consecutive edits by the same hand, as one step.
@@ -78,6 +80,7 @@ impl Session {
             picture: 0,
             good_revision: (0, 0),
             wire: None,
+            place: Default::default(),
         };
         session.start_new();
         session
@@ -149,6 +152,7 @@ impl Session {
         self.wire = None;
         self.picture += 1;
         self.catalog.sync(self.history.document(), &self.library);
+        self.reset_place();
     }
 
     /// The look as it is.
@@ -193,8 +197,7 @@ impl Session {
 
     /// Selects nodes and no others.
     pub fn select(&mut self, ids: Vec<NodeId>) {
-        let nodes = &self.history.document().graph.nodes;
-        self.selection = ids.into_iter().filter(|id| nodes.contains_key(id)).collect();
+        self.selection = ids.into_iter().filter(|id| self.is_here(id)).collect();
     }
 
     /// Lets unsaved changes go: they are no longer asked about.
@@ -274,8 +277,11 @@ impl Session {
             self.shaders.structure = self.history.revision();
             self.catalog.sync(self.history.document(), &self.library);
         }
+        self.check_place();
+        let mut selection = std::mem::take(&mut self.selection);
+        selection.retain(|id| self.is_here(id));
+        self.selection = selection;
         let nodes = &self.history.document().graph.nodes;
-        self.selection.retain(|id| nodes.contains_key(id));
         self.wire = self.wire.take().filter(|wire| nodes.contains_key(&wire.node));
         self.picture += 1;
     }
@@ -284,7 +290,15 @@ impl Session {
     fn is_structural(&self, edit: &Edit) -> bool {
         match edit {
             Edit::Group { edits } => edits.iter().any(|edit| self.is_structural(edit)),
-            Edit::MoveNodes { .. } | Edit::SetLookName { .. } => false,
+            Edit::MoveNodes { .. }
+            | Edit::SetCollapsed { .. }
+            | Edit::AddNote { .. }
+            | Edit::SetNote { .. }
+            | Edit::RemoveNote { .. }
+            | Edit::SetBookmarks { .. }
+            | Edit::SetLookName { .. } => false,
+            // A long look's uniforms are told by paths, and a group's node lies at many of them.
+            Edit::SetValue { graph: GraphId::Definition(_), .. } if self.shaders.is_long() => true,
             Edit::SetLight { id, light } => {
                 self.look().lights.get(id).is_none_or(|old| (old.kind, &old.name) != (light.kind, &light.name))
             }
