@@ -23,7 +23,7 @@ pub use crate::frame::Picture;
 
 pub use error::RenderError;
 pub use gpu::{Gpu, block_on};
-pub use timer::PassTime;
+pub use timer::{PassTime, set_times};
 
 /// Runs frame plans.
 #[derive(Debug)]

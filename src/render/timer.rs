@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::{RenderError, Renderer};
 use crate::clock::Clock;
-use crate::frame::{FramePlan, PassKind};
+use crate::frame::{Effect, FramePlan, PassKind};
 use crate::render::gpu::Gpu;
 
 /// How many passes can be timed in one frame.
@@ -109,5 +109,15 @@ impl Renderer {
             PassTime { kind, duration: Duration::from_nanos((ticks as f64 * period) as u64) }
         });
         Ok(times.collect())
+    }
+}
+
+/// Tells passes among the effects what they took.
+pub fn set_times(effects: &mut [Effect], times: &[PassTime]) {
+    for effect in effects {
+        let time = times.iter().find(|time| effect.pass.as_ref() == Some(&time.kind));
+        if let Some(time) = time {
+            effect.cost.milliseconds = Some(time.duration.as_secs_f64() * 1e3);
+        }
     }
 }
