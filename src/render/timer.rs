@@ -112,8 +112,12 @@ impl Renderer {
     }
 }
 
-/// Tells passes among the effects what they took.
+/// Tells passes among the effects what they took; nothing where no clock told them apart.
 pub fn set_times(effects: &mut [Effect], times: &[PassTime]) {
+    let passes = effects.iter().filter(|effect| effect.pass.is_some()).count();
+    if times.len() < passes {
+        return;
+    }
     for effect in effects {
         let time = times.iter().find(|time| effect.pass.as_ref() == Some(&time.kind));
         if let Some(time) = time {
