@@ -12,14 +12,14 @@ use super::code::Code;
 use super::command::Command;
 use super::cost::Cost;
 use super::dialogs::{Dialogs, MESHES, Purpose};
+use super::dock::Dock;
 use super::dock::effects::Effects;
-use super::dock::{Dock, Tab};
 use super::picture::Picture;
 use super::probe::{Probe, picture_size};
 use super::session::Session;
 use super::viewport::Viewport;
 use super::wipe::Wipe;
-use super::{inspector, problems, theme};
+use super::{dock, inspector, problems, theme};
 use crate::diag::Diagnostic;
 use crate::library::Library;
 
@@ -131,6 +131,16 @@ impl App {
         &self.cost
     }
 
+    /// How the panels share the window, where that changed since it was asked for last: to be remembered.
+    pub fn changed_arrangement(&mut self) -> Option<serde_json::Value> {
+        self.dock.changed()
+    }
+
+    /// Arranges the panels as they were; what cannot be read changes nothing.
+    pub fn arrange(&mut self, saved: &serde_json::Value) {
+        self.dock.restore(saved);
+    }
+
     /// Whether shaders, pictures or values are being made.
     pub fn is_busy(&self) -> bool {
         let is_drawing = self.picture.as_ref().is_some_and(Picture::is_busy);
@@ -218,45 +228,32 @@ impl App {
             }
             self.status(ui);
         });
-        let right = Panel::right("inspector").frame(theme::panel(ui)).default_size(310.0).size_range(240.0..=520.0);
-        right.show(ui, |ui| commands.extend(inspector::show(ui, &self.session)));
-        let left = Panel::left("picture").frame(theme::panel(ui)).default_size(500.0).size_range(220.0..=1400.0);
-        left.show(ui, |ui| {
-            if self.dock.is_open {
-                const HEIGHT: f32 = 260.0;
-                let dock = Panel::bottom("dock")
-                    .frame(egui::Frame::new().inner_margin(egui::Margin { top: 8, ..Default::default() }));
-                dock.default_size(HEIGHT).size_range(90.0..=2000.0).show(ui, |ui| self.docked(ui, commands));
-            }
-            if let Some(picture) = &mut self.picture {
-                picture.tells_effects = self.dock.shows(Tab::Effects);
-            }
-            egui::CentralPanel::no_frame().show(ui, |ui| {
-                commands.extend(self.viewport.show(
-                    ui,
-                    &mut self.session,
-                    self.picture.as_mut(),
-                    &mut self.probe,
-                    &mut self.wipe,
-                ));
-            });
+        if let Some(picture) = &mut self.picture {
+            picture.tells_effects = self.dock.shows(dock::Panel::Effects);
+        }
+        let mut dock = std::mem::take(&mut self.dock);
+        let ground = egui::Frame::new().fill(theme::of(ui).node_edge);
+        egui::CentralPanel::default().frame(ground).show(ui, |ui| {
+            dock.show(ui, &mut |ui, panel| self.panel(ui, panel, commands));
         });
-        egui::CentralPanel::no_frame().show(ui, |ui| commands.extend(self.canvas.show(ui, &self.session)));
+        self.dock = dock;
     }
 
-    /// The panel below the picture.
-    fn docked(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
-        self.dock.strip(ui);
-        // It keeps its height while there is little to show.
-        ui.set_min_height(ui.available_height());
-        commands.extend(match self.dock.tab {
-            Tab::Code => self.code.show(ui, &self.session),
-            Tab::Effects => self.effects.show(ui, self.picture.as_ref().map(|picture| &picture.effects)),
-            Tab::Cost => {
+    fn panel(&mut self, ui: &mut Ui, panel: dock::Panel, commands: &mut Vec<Command>) {
+        commands.extend(match panel {
+            dock::Panel::Picture => {
+                let Self { viewport, session, picture, probe, wipe, .. } = self;
+                viewport.show(ui, session, picture.as_mut(), probe, wipe).into_iter().collect()
+            }
+            dock::Panel::Graph => self.canvas.show(ui, &self.session),
+            dock::Panel::Inspector => inspector::show(ui, &self.session),
+            dock::Panel::Code => self.code.show(ui, &self.session),
+            dock::Panel::Effects => self.effects.show(ui, self.picture.as_ref().map(|picture| &picture.effects)),
+            dock::Panel::Cost => {
                 let size = self.viewport.rect().map_or([0, 0], |rect| picture_size(rect, ui.pixels_per_point()));
                 self.cost.show(ui, &self.session, size)
             }
-            Tab::Probe => self.probe.show(ui, &self.session),
+            dock::Panel::Probe => self.probe.show(ui, &self.session),
         });
     }
 
@@ -280,8 +277,7 @@ impl App {
             let help = format!("Repeats: {} (Ctrl+Shift+Z)", step(redo, "nothing"));
             button(ui, "Redo", &help, redo.is_some(), Command::Redo);
             ui.separator();
-            ui.toggle_value(&mut self.dock.is_open, "Panels")
-                .on_hover_text("Shows code, effects and the probe's values below the picture");
+            ui.menu_button("View", |ui| self.view_menu(ui)).response.on_hover_text("Panels, theme and scale");
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let name = self.document_name();
                 if self.session.is_dirty() {
@@ -293,6 +289,38 @@ impl App {
                     label.on_hover_text(path);
                 }
             });
+        });
+    }
+
+    fn view_menu(&mut self, ui: &mut Ui) {
+        for panel in dock::Panel::ALL {
+            let mut is_there = self.dock.has(panel);
+            if ui.checkbox(&mut is_there, panel.label()).on_hover_text(panel.help()).changed() {
+                if is_there { self.dock.open(panel) } else { self.dock.close(panel) }
+            }
+        }
+        if ui.button("Reset panels").on_hover_text("Puts all panels where a new window has them").clicked() {
+            self.dock.reset();
+        }
+        ui.separator();
+        let mut theme = ui.ctx().options(|options| options.theme_preference);
+        ui.horizontal(|ui| {
+            use egui::ThemePreference::{Dark, Light, System};
+            for (choice, label) in [(Dark, "Dark"), (Light, "Light"), (System, "As the system")] {
+                if ui.selectable_value(&mut theme, choice, label).changed() {
+                    ui.ctx().set_theme(theme);
+                }
+            }
+        });
+        ui.horizontal(|ui| {
+            let zoom = ui.ctx().zoom_factor();
+            for percent in [100, 125, 150, 200] {
+                let factor = percent as f32 / 100.0;
+                let is_it = (zoom - factor).abs() < 0.01;
+                if ui.selectable_label(is_it, format!("{percent}%")).on_hover_text("Scale of the window").clicked() {
+                    ui.ctx().set_zoom_factor(factor);
+                }
+            }
         });
     }
 
@@ -395,7 +423,7 @@ impl App {
             Command::Probe(on) => {
                 self.probe.turn(on);
                 if on {
-                    self.dock.open(Tab::Probe);
+                    self.dock.open(dock::Panel::Probe);
                 }
             }
             Command::ShowWire(wire) => self.session.show_wire(wire),

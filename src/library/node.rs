@@ -9,7 +9,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Tier, Value};
 use crate::ids::PortName;
 use crate::interp::{Derivatives, Options, Program};
-use crate::wgsl::{Declaration, Linked, Scan, Valid};
+use crate::wgsl::{Declaration, Linked, Operations, Scan, Valid};
 
 /// A kind of node.
 #[derive(Clone, Debug)]
@@ -283,6 +283,7 @@ pub struct NodeModule {
     pub scan: Scan,
     /// naga's view of it.
     pub valid: Valid,
+    operations: Operations,
     by_name: HashMap<String, usize>,
     programs: Mutex<HashMap<String, Result<Arc<Program>, Diagnostic>>>,
 }
@@ -291,12 +292,18 @@ impl NodeModule {
     /// Wraps validated text.
     pub fn new(linked: Linked, scan: Scan, valid: Valid) -> Self {
         let by_name = scan.declarations.iter().enumerate().map(|(i, d)| (d.name.clone(), i)).collect();
-        Self { linked, scan, valid, by_name, programs: Mutex::default() }
+        let operations = Operations::of(&valid.module);
+        Self { linked, scan, valid, operations, by_name, programs: Mutex::default() }
     }
 
     /// A top-level declaration by name.
     pub fn declaration(&self, name: &str) -> Option<&Declaration> {
         self.by_name.get(name).map(|&index| &self.scan.declarations[index])
+    }
+
+    /// The operations of a function, counted in the IR.
+    pub fn operations(&self, function: &str) -> u64 {
+        self.operations.of_function(&self.valid.module, function)
     }
 
     /// A function, ready to run on the CPU; compiled on the first call. Derivatives are 0 in it, because whatever

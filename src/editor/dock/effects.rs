@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::super::command::Command;
 use super::super::theme::{self, Colors};
 use super::{cell, hint};
-use crate::frame::{Effect, EffectKind, EffectState};
+use crate::frame::{Effect, EffectCost, EffectKind, EffectState};
 use crate::ids::NodePath;
 
 const ROW: f32 = 20.0;
@@ -155,18 +155,17 @@ fn row(ui: &mut Ui, effect: &Effect) -> Option<Command> {
     let (left, width) = (rect.left() + 18.0, rect.width() - 18.0);
     let name_width = (width * 0.3).clamp(70.0, 220.0);
     let proof = effect.proof.map(|proof| proof.label());
-    let proof_width = if proof.is_some() { (width * 0.24).min(150.0) } else { 0.0 };
+    let proof_width = if proof.is_some() { (width * 0.22).min(140.0) } else { 0.0 };
+    let cost_width = (width * 0.24).min(130.0);
     let column = |from: f32, width: f32| Rect::from_min_size(pos2(from, rect.top()), vec2(width, rect.height()));
     let ink = if is_dropped { theme::of(ui).dim } else { theme::of(ui).text };
     cell(ui, column(left, name_width - 8.0), name, font.clone(), ink);
+    let cost = short_cost(effect);
+    cell(ui, column(left + name_width, cost_width - 8.0), &cost, font.clone(), ink);
     let reason = effect.reason.replace('`', "");
-    cell(
-        ui,
-        column(left + name_width, width - name_width - proof_width - 8.0),
-        &reason,
-        font.clone(),
-        theme::of(ui).dim,
-    );
+    let reason_left = left + name_width + cost_width;
+    let reason_width = (rect.right() - proof_width - 8.0 - reason_left).max(0.0);
+    cell(ui, column(reason_left, reason_width), &reason, font.clone(), theme::of(ui).dim);
     if let Some(proof) = proof {
         cell(ui, column(rect.right() - proof_width, proof_width), proof, font, dot.gamma_multiply(1.3));
     }
@@ -178,6 +177,19 @@ fn row(ui: &mut Ui, effect: &Effect) -> Option<Command> {
     let proof = proof.map(|proof| format!("\nProof: {proof}")).unwrap_or_default();
     let lead = if node.is_some() { "\nA click shows the node" } else { "" };
     let clicked = response.clicked();
-    response.on_hover_text(format!("{name}: {state}\n{reason}{proof}{lead}"));
+    let verb = if is_dropped { "Saves" } else { "Costs" };
+    response.on_hover_text(format!("{name}: {state}\n{verb} {}\n{reason}{proof}{lead}", effect.cost));
     node.filter(|_| clicked).map(|id| Command::Show(NodePath::root(id)))
+}
+
+/// The weightiest part of what an effect costs, in few letters; what would be saved stands after a minus.
+fn short_cost(effect: &Effect) -> String {
+    let cost = &effect.cost;
+    let short = match (cost.milliseconds, cost.operations) {
+        (Some(milliseconds), _) => EffectCost { milliseconds: Some(milliseconds), ..EffectCost::default() }.to_string(),
+        (None, 1..) if effect.kind != EffectKind::Pass => format!("{} ops", cost.operations),
+        _ if cost.bytes > 0 => EffectCost::bytes(cost.bytes).to_string(),
+        _ => return String::new(),
+    };
+    if effect.state == EffectState::Dropped { format!("\u{2212}{short}") } else { short }
 }

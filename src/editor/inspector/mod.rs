@@ -2,6 +2,7 @@
 
 mod color;
 mod curve;
+mod interface;
 mod light;
 mod ramp;
 mod row;
@@ -14,7 +15,7 @@ use super::command::Command;
 use super::session::Session;
 use super::theme;
 use super::wire::{ShownWire, Style};
-use crate::document::{ColorSpace, Edit, GraphId, Node, Tier};
+use crate::document::{ColorSpace, Edit, Node, Tier};
 use crate::ids::NodeId;
 
 /// What every part of the inspector works with.
@@ -28,11 +29,19 @@ struct Subject<'a> {
 /// Shows the node that was selected last, or the look itself.
 pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
     let mut commands = Vec::new();
-    let look = session.look();
-    let selected = session.selection.last().and_then(|id| Some((id, look.graph.nodes.get(id)?)));
+    let selected = session.selection.last().and_then(|id| Some((id, session.graph().nodes.get(id)?)));
     ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
         // Room for the scroll bar.
         ui.set_max_width(ui.available_width() - 8.0);
+        if session.is_read_only() {
+            let text = "This group is of the library. Make it the look's own to change it.";
+            ui.label(RichText::new(text).color(theme::of(ui).dim));
+            if ui.button("Make it the look's own").clicked() {
+                commands.extend(session.own_group().map(Command::Edit));
+            }
+            ui.add_space(4.0);
+            ui.disable();
+        }
         match selected {
             Some((id, node)) => match session.catalog.of(node) {
                 Some(kind) => show_node(ui, &Subject { session, id, node, kind }, &mut commands),
@@ -41,6 +50,7 @@ pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
                     ui.label(format!("There is no node of kind \"{}\".", node.kind));
                 }
             },
+            None if session.definition().is_some() => interface::show(ui, session, &mut commands),
             None => show_look(ui, session, &mut commands),
         }
     });
@@ -76,19 +86,19 @@ fn show_node(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
     light::lights_of(ui, subject, out);
 }
 
-fn name_row(ui: &mut Ui, Subject { id, node, kind, .. }: &Subject<'_>, out: &mut Vec<Command>) {
+fn name_row(ui: &mut Ui, Subject { session, id, node, kind }: &Subject<'_>, out: &mut Vec<Command>) {
     row::labelled(ui, "Name", "What you call it; the generated code uses it", |ui, label| {
         let mut name = node.name.clone();
         let edit = TextEdit::singleline(&mut name).hint_text(&*kind.label).desired_width(f32::INFINITY).char_limit(80);
         let response = ui.add(edit).labelled_by(label);
         if response.changed() {
-            let edit = Edit::SetName { graph: GraphId::Look, id: (*id).clone(), name };
+            let edit = Edit::SetName { graph: session.graph_id().clone(), id: (*id).clone(), name };
             out.push(Command::EditHeld(response.id, edit));
         }
     });
 }
 
-fn presets(ui: &mut Ui, Subject { id, kind, .. }: &Subject<'_>, out: &mut Vec<Command>) {
+fn presets(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: &mut Vec<Command>) {
     if kind.presets.is_empty() {
         return;
     }
@@ -96,7 +106,7 @@ fn presets(ui: &mut Ui, Subject { id, kind, .. }: &Subject<'_>, out: &mut Vec<Co
         for preset in &kind.presets {
             if ui.button(&preset.label).on_hover_text("Sets the values of this preset").clicked() {
                 let edits = preset.values.iter().map(|(port, value)| Edit::SetValue {
-                    graph: GraphId::Look,
+                    graph: session.graph_id().clone(),
                     id: (*id).clone(),
                     port: port.clone(),
                     value: value.clone(),
@@ -108,7 +118,7 @@ fn presets(ui: &mut Ui, Subject { id, kind, .. }: &Subject<'_>, out: &mut Vec<Co
     });
 }
 
-fn tier_row(ui: &mut Ui, Subject { id, node, kind, .. }: &Subject<'_>, out: &mut Vec<Command>) {
+fn tier_row(ui: &mut Ui, Subject { session, id, node, kind }: &Subject<'_>, out: &mut Vec<Command>) {
     if kind.tiers.len() < 2 {
         return;
     }
@@ -117,7 +127,7 @@ fn tier_row(ui: &mut Ui, Subject { id, node, kind, .. }: &Subject<'_>, out: &mut
         let combo = egui::ComboBox::from_id_salt("tier").selected_text(name(node.tier)).show_ui(ui, |ui| {
             for tier in std::iter::once(None).chain(kind.tiers.iter().copied().map(Some)) {
                 if ui.selectable_label(node.tier == tier, name(tier)).clicked() {
-                    out.push(Command::Edit(Edit::SetTier { graph: GraphId::Look, id: (*id).clone(), tier }));
+                    out.push(Command::Edit(Edit::SetTier { graph: session.graph_id().clone(), id: (*id).clone(), tier }));
                 }
             }
         });
@@ -127,7 +137,8 @@ fn tier_row(ui: &mut Ui, Subject { id, node, kind, .. }: &Subject<'_>, out: &mut
 
 /// Which output is shown in place of the picture, and how.
 fn shown_row(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: &mut Vec<Command>) {
-    if kind.outputs.is_empty() {
+    // What is shown is a node of the look's own graph.
+    if kind.outputs.is_empty() || session.definition().is_some() {
         return;
     }
     let shown = session.wire().filter(|wire| wire.node == **id);
