@@ -50,3 +50,22 @@ fn shots() {
     hand.click(tab);
     save(&mut hand, "light");
 }
+
+fn click(hand: &mut Hand, label: &str) {
+    let at = hand.harness.get_all_by_label(label).next().unwrap().rect().center();
+    hand.click(at);
+    hand.settle();
+}
+
+#[test]
+#[ignore = "writes pictures to be looked at"]
+fn profile_shots() {
+    let mut hand = window();
+    hand.app_mut().open(Path::new("examples/looks/figure5-directional.json"));
+    hand.settle();
+    hand.app_mut().session_mut().select(vec!["diffuse".into()]);
+    save(&mut hand, "profile-dark");
+    click(&mut hand, "Profile preset Half-Lambert");
+    hand.harness.ctx.set_theme(Theme::Light);
+    save(&mut hand, "profile-light");
+}

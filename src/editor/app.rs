@@ -11,6 +11,9 @@ use super::canvas::Canvas;
 use super::code::Code;
 use super::command::Command;
 use super::cost::Cost;
+use super::curves::keys::Keys;
+use super::curves::profile::Profile;
+use super::curves::timeline::Timeline;
 use super::dialogs::{Dialogs, MESHES, Purpose};
 use super::dock::Dock;
 use super::dock::effects::Effects;
@@ -36,6 +39,9 @@ pub struct App {
     probe: Probe,
     wipe: Wipe,
     cost: Cost,
+    profile: Profile,
+    keys: Keys,
+    timeline: Timeline,
     /// What is done once unsaved changes are dealt with.
     pending: Option<Pending>,
     /// What went wrong with a file or an edit, until the next command.
@@ -78,6 +84,9 @@ impl App {
             probe: Probe::new(waker()),
             wipe,
             cost,
+            profile: Profile::default(),
+            keys: Keys::default(),
+            timeline: Timeline::default(),
             pending: None,
             message: None,
             presses: 0,
@@ -203,6 +212,8 @@ impl App {
         if let Some(again) = self.session.tick(ui.input(|input| input.time)) {
             ui.ctx().request_repaint_after(again);
         }
+        self.timeline.tick(ui, &mut self.session);
+        self.session.refresh_keys();
         self.panels(ui, &mut commands);
         self.ask_about_changes(ui, &mut commands);
         for command in commands {
@@ -254,6 +265,9 @@ impl App {
                 self.cost.show(ui, &self.session, size)
             }
             dock::Panel::Probe => self.probe.show(ui, &self.session),
+            dock::Panel::Profile => self.profile.show(ui, &self.session),
+            dock::Panel::Keys => self.keys.show(ui, &self.session),
+            dock::Panel::Timeline => self.timeline.show(ui, &self.session),
         });
     }
 
@@ -429,6 +443,10 @@ impl App {
             Command::ShowWire(wire) => self.session.show_wire(wire),
             Command::LeaveProbe => self.probe.escape(),
             Command::Copy(text) => ui.ctx().copy_text(text),
+            Command::OpenPanel(panel) => self.dock.open(panel),
+            Command::SelectKey(key) => self.session.key = key,
+            Command::SetTime(time) => self.session.time = time,
+            Command::TurnTo(view) => self.session.view = *view,
         }
     }
 

@@ -51,7 +51,7 @@ impl Port {
         self.is_wirable() && self.accepts.iter().any(|to| from.convert_to(to).is_some())
     }
 
-    fn named(name: &str) -> Self {
+    pub(crate) fn named(name: &str) -> Self {
         Self {
             name: name.into(),
             label: name.into(),

@@ -3,6 +3,8 @@
 use eframe::egui;
 use std::path::PathBuf;
 
+use super::dock::Panel;
+use super::orbit::Orbit;
 use super::wire::ShownWire;
 use crate::document::Edit;
 use crate::ids::{NodeId, NodePath};
@@ -42,4 +44,12 @@ pub(crate) enum Command {
     ShowWire(Option<ShownWire>),
     /// Copies text to the clipboard.
     Copy(String),
+    /// Brings a panel to the front.
+    OpenPanel(Panel),
+    /// Sets values at this direction key from now on: a set and a key of it; at none, at the one that weighs most.
+    SelectKey(Option<(usize, usize)>),
+    /// Moves the playhead, in seconds.
+    SetTime(f64),
+    /// Looks from elsewhere, or under lights that are turned otherwise.
+    TurnTo(Box<Orbit>),
 }

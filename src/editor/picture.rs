@@ -13,6 +13,7 @@ use super::still::Still;
 use super::worker::Worker;
 use crate::compile::{CompiledShader, Live};
 use crate::diag::Diagnostic;
+use crate::document::Look;
 use crate::frame::{Cull, Effect, PlanOptions, Planner, effects};
 use crate::render::{Gpu, Renderer, block_on, set_times};
 
@@ -30,6 +31,7 @@ struct Wish {
 struct Wished {
     picture: u64,
     orbit: Orbit,
+    time: f64,
     size: [u32; 2],
     folder: PathBuf,
     tells_effects: bool,
@@ -99,6 +101,7 @@ impl Picture {
         let wished = Some(Wished {
             picture: session.picture(),
             orbit: session.view.clone(),
+            time: session.time,
             size,
             folder: session.folder(),
             tells_effects: self.tells_effects,
@@ -141,7 +144,7 @@ struct Artist {
     renderer: Renderer,
     planner: Planner,
     /// The shader that the planner was given last.
-    provided: Option<Arc<CompiledShader>>,
+    provided: Option<(Arc<CompiledShader>, Arc<Look>)>,
 }
 
 impl Artist {
@@ -162,11 +165,15 @@ impl Artist {
         let (mut setup, notes) = wish.still.setup(&mut self.planner.assets)?;
         // The look's lights as they are now: the planner keeps those of the time when it was given the shader.
         setup.scene.lights.clone_from(&showing.look.lights);
-        if !self.provided.as_ref().is_some_and(|provided| Arc::ptr_eq(provided, &showing.shader)) {
+        if !self
+            .provided
+            .as_ref()
+            .is_some_and(|(shader, look)| Arc::ptr_eq(shader, &showing.shader) && same_keys(look, &showing.look))
+        {
             self.planner.provide(&showing.look, &showing.live, showing.shader.clone());
-            self.provided = Some(showing.shader.clone());
+            self.provided = Some((showing.shader.clone(), showing.look.clone()));
         }
-        let options = PlanOptions { size: wish.size, samples: 4, time: 0.0 };
+        let options = PlanOptions { size: wish.size, samples: 4, time: wish.still.time };
         let plan = self.planner.plan(&setup, &wish.still.library, &showing.live, &options)?;
         self.planner.warnings.extend(notes);
         let is_told = wish.tells_effects && showing.live == Live::Keyed;
@@ -179,4 +186,9 @@ impl Artist {
         }
         Ok(effects)
     }
+}
+
+/// Whether a planner that knows the keys of one knows those of the other.
+fn same_keys(a: &Look, b: &Look) -> bool {
+    (&a.direction_keys, &a.time_keys, &a.exposed) == (&b.direction_keys, &b.time_keys, &b.exposed)
 }

@@ -21,6 +21,8 @@ pub(crate) struct Still {
     pub(crate) folder: PathBuf,
     pub(crate) library: Arc<Library>,
     pub(crate) orbit: Orbit,
+    /// In seconds.
+    pub(crate) time: f64,
 }
 
 impl Still {
@@ -69,6 +71,7 @@ pub(crate) struct Stamp {
     document: u64,
     revision: u64,
     orbit: Orbit,
+    time: f64,
 }
 
 impl Session {
@@ -85,6 +88,7 @@ impl Session {
             folder: self.folder(),
             library: self.library.clone(),
             orbit: self.view.clone(),
+            time: self.time,
         }
     }
 
@@ -95,6 +99,6 @@ impl Session {
 
     /// What changes whenever [`still`](Self::still) does.
     pub(crate) fn stamp(&self) -> Stamp {
-        Stamp { document: self.document_number(), revision: self.revision(), orbit: self.view.clone() }
+        Stamp { document: self.document_number(), revision: self.revision(), orbit: self.view.clone(), time: self.time }
     }
 }

@@ -45,6 +45,17 @@ pub struct ObjectValues {
     pub lights: IndexMap<LightId, LightValues>,
 }
 
+/// What keys and exposed parameters make of a look at a moment.
+#[derive(Clone, Debug, Default)]
+pub struct KeyedValues {
+    /// By target: whatever anything sets.
+    pub values: HashMap<Target, Value>,
+    /// The lights as they are then.
+    pub lights: IndexMap<LightId, Light>,
+    /// For each set of direction keys the direction that decides, and the weight of each of its keys.
+    pub decided: Vec<(DVec3, Vec<f64>)>,
+}
+
 /// A look's keys with their weights solved, ready for any number of objects and moments.
 #[derive(Clone, Debug)]
 pub struct Rig {
@@ -59,27 +70,65 @@ impl Rig {
     /// Solves the direction keys of `look`. Diagnostics tell of keys that are merged or lie too close.
     pub fn new(look: &Look) -> (Self, Vec<Diagnostic>) {
         let mut problems = Vec::new();
-        let mut directions = Vec::new();
-        for (index, keys) in look.direction_keys.iter().enumerate() {
-            let places: Vec<DVec3> = keys.keys.iter().map(|key| DVec3::from(key.direction)).collect();
-            let (weights, found) = KeyWeights::new(&places, keys.scheme);
+        let mut index = 0;
+        let rig = Self::with(look, &mut |keys| {
+            let (weights, found) = solve(keys);
             problems.extend(found.into_iter().map(|mut problem| {
                 let inner = problem.place.json_path.take().unwrap_or_else(|| "keys".to_owned());
                 problem.json_path(format!("direction_keys[{index}].{inner}"))
             }));
-            directions.push((keys.clone(), weights));
-        }
+            index += 1;
+            weights
+        });
+        (rig, problems)
+    }
+
+    fn with(look: &Look, weights_of: &mut dyn FnMut(&DirectionKeys) -> KeyWeights) -> Self {
+        let mut directions: Vec<_> = look.direction_keys.iter().map(|keys| (keys.clone(), weights_of(keys))).collect();
         let exposed = look.exposed.iter().map(|exposed| (exposed.name.clone(), exposed.target.clone())).collect();
         let (lights, mut time, space) = (look.lights.clone(), look.time_keys.clone(), look.color_space);
         let in_space = |value: &mut Value| *value = std::mem::replace(value, Value::Bool(false)).in_space(space);
         time.iter_mut().flat_map(|track| &mut track.keys).for_each(|key| in_space(&mut key.value));
-        let keys = directions.iter_mut().flat_map(|(keys, _): &mut (DirectionKeys, _)| &mut keys.keys);
+        let keys = directions.iter_mut().flat_map(|(keys, _)| &mut keys.keys);
         keys.flat_map(|key| key.values.values_mut()).for_each(in_space);
-        (Self { lights, exposed, time, directions, space }, problems)
+        Self { lights, exposed, time, directions, space }
+    }
+
+    /// The rig of another state of the look. Weights are solved anew only where keys moved.
+    #[must_use]
+    pub fn renewed(&self, look: &Look) -> Self {
+        let places = |keys: &DirectionKeys| -> Vec<[f64; 3]> { keys.keys.iter().map(|key| key.direction).collect() };
+        let known = |keys: &DirectionKeys| {
+            let mut known = self.directions.iter();
+            known.find(|(own, _)| own.scheme == keys.scheme && places(own) == places(keys)).map(|(_, w)| w.clone())
+        };
+        Self::with(look, &mut |keys| known(keys).unwrap_or_else(|| solve(keys).0))
     }
 
     /// The values at a moment. `base` gives what an input has without keys.
     pub fn evaluate(&self, params: &[Param], table: &ParamTable, moment: &Moment<'_>) -> ObjectValues {
+        let base = |node: &NodePath, port: &PortName| table.find(node, port).and_then(|id| params[id].value.clone());
+        let KeyedValues { values, lights, .. } = self.keyed_values(&base, moment);
+        let resolve = |light: &Light| LightValues::new(light, moment.illumination, moment.camera_from_world);
+        ObjectValues {
+            params: values
+                .into_iter()
+                .filter_map(|(target, value)| match target {
+                    Target::Input { node, port } => Some((table.find(&node, &port)?, value)),
+                    Target::Light { .. } => None,
+                })
+                .collect(),
+            lights: lights.iter().map(|(id, light)| (id.clone(), resolve(light))).collect(),
+        }
+    }
+
+    /// Everything that keys and exposed parameters set at a moment, and what decided. `base` gives what an input has
+    /// without keys.
+    pub fn keyed_values(
+        &self,
+        base: &dyn Fn(&NodePath, &PortName) -> Option<Value>,
+        moment: &Moment<'_>,
+    ) -> KeyedValues {
         let mut values: HashMap<Target, Value> = HashMap::new();
         for (name, target) in &self.exposed {
             if let Some(value) = moment.exposed.get(name) {
@@ -98,23 +147,22 @@ impl Rig {
             }
         }
         set_lights(&mut lights, &values);
+        let mut decided = Vec::new();
         for (keys, weights) in &self.directions {
             let direction = self.direction(&keys.by, &lights, moment);
-            let base = |target: &Target| base_value(target, params, table, &lights).map(|v| v.in_space(self.space));
-            blend_keys(keys, &weights.weights(direction), &base, &mut values);
+            let of_target = |target: &Target| {
+                let value = match target {
+                    Target::Input { node, port } => base(node, port),
+                    Target::Light { light, field } => light_field(lights.get(light)?, field),
+                };
+                value.map(|value| value.in_space(self.space))
+            };
+            let weights = weights.weights(direction);
+            blend_keys(keys, &weights, &of_target, &mut values);
+            decided.push((direction, weights));
         }
         set_lights(&mut lights, &values);
-        let resolve = |light: &Light| LightValues::new(light, moment.illumination, moment.camera_from_world);
-        ObjectValues {
-            params: values
-                .into_iter()
-                .filter_map(|(target, value)| match target {
-                    Target::Input { node, port } => Some((table.find(&node, &port)?, value)),
-                    Target::Light { .. } => None,
-                })
-                .collect(),
-            lights: lights.iter().map(|(id, light)| (id.clone(), resolve(light))).collect(),
-        }
+        KeyedValues { values, lights, decided }
     }
 
     fn direction(&self, by: &KeyDirection, lights: &IndexMap<LightId, Light>, moment: &Moment<'_>) -> DVec3 {
@@ -131,6 +179,11 @@ impl Rig {
             }
         }
     }
+}
+
+fn solve(keys: &DirectionKeys) -> (KeyWeights, Vec<Diagnostic>) {
+    let places: Vec<DVec3> = keys.keys.iter().map(|key| DVec3::from(key.direction)).collect();
+    KeyWeights::new(&places, keys.scheme)
 }
 
 /// Finds parameters by place.
@@ -167,12 +220,13 @@ pub fn structural_look<'l>(look: &'l Look, time: f64, exposed: &Values) -> Cow<'
     changed
 }
 
-fn is_direction(target: &Target) -> bool {
+/// Whether a target is a direction, and so is turned where numbers are blended.
+pub fn is_direction(target: &Target) -> bool {
     matches!(target, Target::Light { field, .. } if field == "direction" || field == "aim")
 }
 
 /// The value of a track at a time; `None` for an empty one. Before the first key and after the last, theirs holds.
-fn at_time(keys: &[TimeKey], time: f64, is_direction: bool) -> Option<Value> {
+pub fn at_time(keys: &[TimeKey], time: f64, is_direction: bool) -> Option<Value> {
     let next = keys.partition_point(|key| key.time <= time);
     let Some(before) = next.checked_sub(1).map(|index| &keys[index]) else {
         return keys.first().map(|key| key.value.clone());
@@ -220,19 +274,6 @@ fn numbers_of(value: &Value) -> Option<Vec<f64>> {
         Value::Vector(v) => Some(v.clone()),
         Value::Text(_) => value.color().map(|rgba| rgba.to_vec()),
         Value::Bool(_) | Value::Curve(_) | Value::Ramp(_) => None,
-    }
-}
-
-/// What a target has without keys.
-fn base_value(
-    target: &Target,
-    params: &[Param],
-    table: &ParamTable,
-    lights: &IndexMap<LightId, Light>,
-) -> Option<Value> {
-    match target {
-        Target::Input { node, port } => table.find(node, port).and_then(|id| params[id].value.clone()),
-        Target::Light { light, field } => light_field(lights.get(light)?, field),
     }
 }
 
@@ -303,7 +344,8 @@ fn sanitized(target: &Target, value: &dyn Fn(&Target) -> Option<Value>) -> Optio
     }))
 }
 
-fn light_field(light: &Light, field: &str) -> Option<Value> {
+/// A field of a light by name; `None` where there is none of that name.
+pub fn light_field(light: &Light, field: &str) -> Option<Value> {
     let vector = |v: [f64; 3]| Some(Value::Vector(v.to_vec()));
     match field {
         "direction" => vector(light.direction),

@@ -22,7 +22,10 @@ pub use assets::{Assets, Image, MAX_IMAGE_SIDE, SHAPE_PREFIX};
 pub use camera::View;
 pub use cost::{EffectCost, attribute_bytes};
 pub use effects::{Effect, EffectKind, EffectState, effects};
-pub use keys::{Moment, ObjectValues, ParamTable, Rig, set_light_field, structural_look};
+pub use keys::{
+    KeyedValues, Moment, ObjectValues, ParamTable, Rig, at_time, is_direction, light_field, set_light_field,
+    structural_look,
+};
 pub use picture::Picture;
 pub use plan::{Draw, Dropped, FramePlan, LookShaders, Pass, PassKind, PlanOptions, Planner};
 pub use samples::{EvalBatch, EvalSample, LightOverride, eval_batches};

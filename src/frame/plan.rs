@@ -207,15 +207,24 @@ impl Planner {
         Self { cull, ..self }
     }
 
-    /// Gives a look's module that was compiled elsewhere (on another thread, say), for the next plans of this look.
+    /// Gives a look's module that was compiled elsewhere (on another thread, say), for the next plans of this look. The
+    /// same module again takes on the look's keys.
     pub fn provide(&mut self, look: &Look, live: &Live, draw: Arc<CompiledShader>) {
-        let (rig, problems) = Rig::new(look);
-        self.warnings = problems;
-        let tables = HashMap::from([(Stage::Draw, ParamTable::new(&draw.params))]);
+        let key = look_key(look, live, false, &BTreeSet::new());
+        // Keys change without the module: what was made beside it serves on.
+        let known = self.shaders.values_mut().find(|shaders| Arc::ptr_eq(&shaders.draw, &draw)).map(|shaders| {
+            let rig = shaders.rig.renewed(look);
+            LookShaders { rig, ..shaders.clone() }
+        });
+        let shaders = known.unwrap_or_else(|| {
+            let (rig, problems) = Rig::new(look);
+            self.warnings = problems;
+            let tables = HashMap::from([(Stage::Draw, ParamTable::new(&draw.params))]);
+            LookShaders { draw, normals: HashMap::new(), rig, tables }
+        });
         // One look is being edited at a time; what was compiled for its earlier states is not kept.
         self.shaders.clear();
-        let key = look_key(look, live, false, &BTreeSet::new());
-        self.shaders.insert(key, LookShaders { draw, normals: HashMap::new(), rig, tables });
+        self.shaders.insert(key, shaders);
     }
 
     /// Plans one picture of `setup`.

@@ -176,7 +176,7 @@ fn measure(renderer: &mut Option<Renderer>, window: &Gpu, wake: &impl Fn(), job:
     });
     let mut run = || {
         let (setup, _) = job.still.setup(&mut Assets::default())?;
-        let plan = PlanOptions { size: job.size, samples: 1, time: 0.0 };
+        let plan = PlanOptions { size: job.size, samples: 1, time: job.still.time };
         let options = BenchOptions { plan, rounds: ROUNDS, every_node: false, truth: true };
         let mut told = |done, total| {
             job.progress.done.store(done, Ordering::Relaxed);

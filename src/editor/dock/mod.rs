@@ -23,12 +23,25 @@ pub(crate) enum Panel {
     Effects,
     Cost,
     Probe,
+    Profile,
+    Keys,
+    Timeline,
 }
 
 impl Panel {
     /// All, in the order of menus.
-    pub(crate) const ALL: [Self; 7] =
-        [Self::Picture, Self::Graph, Self::Inspector, Self::Code, Self::Effects, Self::Cost, Self::Probe];
+    pub(crate) const ALL: [Self; 10] = [
+        Self::Picture,
+        Self::Graph,
+        Self::Inspector,
+        Self::Profile,
+        Self::Keys,
+        Self::Timeline,
+        Self::Code,
+        Self::Effects,
+        Self::Cost,
+        Self::Probe,
+    ];
 
     /// What its tab says.
     pub(crate) fn label(self) -> &'static str {
@@ -40,6 +53,9 @@ impl Panel {
             Self::Effects => "Effects",
             Self::Cost => "Cost and accuracy",
             Self::Probe => "Probe",
+            Self::Profile => "Profile",
+            Self::Keys => "Direction keys",
+            Self::Timeline => "Timeline",
         }
     }
 
@@ -53,6 +69,9 @@ impl Panel {
             Self::Effects => "Everything that the picture costs, what was left out, and the proof",
             Self::Cost => "What each tier costs in time, and how far it is from the truth",
             Self::Probe => "The value on every wire at a pixel, f32 beside f64 (I)",
+            Self::Profile => "How a layer's tone falls with the angle: drag offset, fall-off and cut-off",
+            Self::Keys => "Values that change with the direction of a light or of the view",
+            Self::Timeline => "Values that change with time: keys, play, scrub",
         }
     }
 
@@ -60,8 +79,9 @@ impl Panel {
     fn neighbours(self) -> &'static [Self] {
         match self {
             Self::Picture | Self::Graph | Self::Inspector => &[],
+            Self::Profile | Self::Keys | Self::Timeline => &[Self::Profile, Self::Keys, Self::Code, Self::Effects],
             Self::Code | Self::Effects | Self::Cost | Self::Probe => {
-                &[Self::Code, Self::Effects, Self::Cost, Self::Probe]
+                &[Self::Code, Self::Effects, Self::Cost, Self::Probe, Self::Profile, Self::Keys]
             }
         }
     }
@@ -88,7 +108,7 @@ fn arrangement() -> Tree<Panel> {
         tiles.insert_tab_tile(panes)
     };
     let picture = tabs(&[Panel::Picture]);
-    let below = tabs(&[Panel::Code, Panel::Effects, Panel::Cost, Panel::Probe]);
+    let below = tabs(&[Panel::Profile, Panel::Keys, Panel::Code, Panel::Effects, Panel::Cost, Panel::Probe]);
     let graph = tabs(&[Panel::Graph]);
     let inspector = tabs(&[Panel::Inspector]);
     let mut shared = |dir, parts: &[(TileId, f32)]| {

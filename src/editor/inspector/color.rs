@@ -15,12 +15,33 @@ pub(super) fn edit(
     space: ColorSpace,
     with_alpha: bool,
 ) -> Option<(Id, [f64; 4])> {
-    let swatch = swatch(ui, label, color, space, with_alpha);
+    let picker = |response: egui::Response| response.labelled_by(label);
+    let swatch = swatch_of(ui, color, space, with_alpha, picker);
     let hex = hex(ui, label, color, space);
     swatch.or(hex)
 }
 
-fn swatch(ui: &mut Ui, label: Id, color: [f64; 4], space: ColorSpace, with_alpha: bool) -> Option<(Id, [f64; 4])> {
+/// The swatch alone; `name` is what screen readers call it.
+pub(super) fn swatch(
+    ui: &mut Ui,
+    name: &str,
+    color: [f64; 4],
+    space: ColorSpace,
+    with_alpha: bool,
+) -> Option<(Id, [f64; 4])> {
+    swatch_of(ui, color, space, with_alpha, |response| {
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::ColorWell, true, name));
+        response
+    })
+}
+
+fn swatch_of(
+    ui: &mut Ui,
+    color: [f64; 4],
+    space: ColorSpace,
+    with_alpha: bool,
+    name: impl FnOnce(egui::Response) -> egui::Response,
+) -> Option<(Id, [f64; 4])> {
     // egui's picker thinks in linear light; a look's colours are as shown unless it says otherwise.
     let to_linear = |x: f64| match space {
         ColorSpace::Display => linear_from_gamma(x.clamp(0.0, 1.0) as f32),
@@ -34,7 +55,7 @@ fn swatch(ui: &mut Ui, label: Id, color: [f64; 4], space: ColorSpace, with_alpha
     let before = Rgba::from_rgba_unmultiplied(to_linear(r), to_linear(g), to_linear(b), a.clamp(0.0, 1.0) as f32);
     let mut after = before;
     let alpha = if with_alpha { color_picker::Alpha::OnlyBlend } else { color_picker::Alpha::Opaque };
-    let response = color_picker::color_edit_button_rgba(ui, &mut after, alpha).labelled_by(label);
+    let response = name(color_picker::color_edit_button_rgba(ui, &mut after, alpha));
     if !response.changed() || after == before {
         return None;
     }

@@ -6,6 +6,7 @@ mod interface;
 mod light;
 mod ramp;
 mod row;
+pub(crate) mod value;
 
 use eframe::egui;
 use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
@@ -127,7 +128,11 @@ fn tier_row(ui: &mut Ui, Subject { session, id, node, kind }: &Subject<'_>, out:
         let combo = egui::ComboBox::from_id_salt("tier").selected_text(name(node.tier)).show_ui(ui, |ui| {
             for tier in std::iter::once(None).chain(kind.tiers.iter().copied().map(Some)) {
                 if ui.selectable_label(node.tier == tier, name(tier)).clicked() {
-                    out.push(Command::Edit(Edit::SetTier { graph: session.graph_id().clone(), id: (*id).clone(), tier }));
+                    out.push(Command::Edit(Edit::SetTier {
+                        graph: session.graph_id().clone(),
+                        id: (*id).clone(),
+                        tier,
+                    }));
                 }
             }
         });

@@ -210,7 +210,7 @@ fn probe(planner: &mut Reused, Query { spot, still, cancel }: Query) -> Found {
     let planner = planner.of(&still.look);
     let mut find = || {
         let (setup, _) = still.setup(&mut planner.assets)?;
-        let options = PlanOptions { size: spot.size, samples: 1, time: 0.0 };
+        let options = PlanOptions { size: spot.size, samples: 1, time: still.time };
         let plan = planner.plan(&setup, &still.library, &Live::All, &options)?;
         let control = Control { cancel: &cancel, progress: &|_| {} };
         probe_wires(&plan, spot.pixel, &Options::default(), &control).map_err(|problem| vec![problem])

@@ -3,6 +3,7 @@
 mod place;
 mod shading;
 
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -13,7 +14,7 @@ use super::compiling::{self, Compiler};
 use super::orbit::Orbit;
 use super::wire::ShownWire;
 use crate::diag::Diagnostic;
-use crate::document::{Edit, GraphId, History, Look, SourceMap, write_atomic};
+use crate::document::{DirectionKeys, Edit, GraphId, History, Look, SourceMap, Target, Value, write_atomic};
 use crate::ids::NodeId;
 use crate::library::{Fallback, Library};
 pub(crate) use shading::Showing;
@@ -31,6 +32,11 @@ pub struct Session {
     /// Nodes of the graph that is open, the first one selected last.
     pub(crate) selection: IndexSet<NodeId>,
     pub(crate) view: Orbit,
+    /// The moment that is shown, in seconds.
+    pub(crate) time: f64,
+    /// The direction key that values are set at: its set and its place there.
+    pub(crate) key: Option<(usize, usize)>,
+    pub(crate) keyed: super::keying::Keyed,
     /// What reading the file told.
     pub(crate) load_problems: Vec<Diagnostic>,
     compiler: Compiler,
@@ -69,6 +75,9 @@ impl Session {
             catalog,
             selection: IndexSet::new(),
             view: Orbit::default(),
+            time: 0.0,
+            key: None,
+            keyed: Default::default(),
             load_problems: Vec::new(),
             compiler: compiling::start(wake),
             shaders: Shown::default(),
@@ -146,6 +155,8 @@ impl Session {
         self.path = path;
         self.selection.clear();
         self.view = Orbit { mesh: self.view.mesh.clone(), ..Orbit::default() };
+        self.time = 0.0;
+        self.key = None;
         self.problems.clear();
         self.problems_number += 1;
         self.shaders = Shown::default();
@@ -299,6 +310,17 @@ impl Session {
             | Edit::SetLookName { .. } => false,
             // A long look's uniforms are told by paths, and a group's node lies at many of them.
             Edit::SetValue { graph: GraphId::Definition(_), .. } if self.shaders.is_long() => true,
+            // Where the same is keyed, all of it is in uniforms; words are not.
+            Edit::SetDirectionKeys { index, keys } => {
+                let targets = |keys: &DirectionKeys| -> HashSet<Target> {
+                    keys.keys.iter().flat_map(|key| key.values.keys()).cloned().collect()
+                };
+                self.look().direction_keys.get(*index).is_none_or(|old| targets(old) != targets(keys))
+            }
+            Edit::SetTimeKeys { index, keys } => {
+                let is_word = keys.keys.iter().any(|key| matches!(&key.value, Value::Text(_)));
+                is_word || self.look().time_keys.get(*index).is_none_or(|old| old.target != keys.target)
+            }
             Edit::SetLight { id, light } => {
                 self.look().lights.get(id).is_none_or(|old| (old.kind, &old.name) != (light.kind, &light.name))
             }

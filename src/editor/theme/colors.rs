@@ -50,6 +50,7 @@ pub(crate) struct Colors {
     pub(crate) code: CodeColors,
     types: TypeColors,
     categories: [Color32; 9],
+    hues: [Color32; 8],
 }
 
 /// Colours of WGSL.
@@ -102,6 +103,11 @@ impl Colors {
     pub(crate) fn of_category(&self, category: &str) -> Color32 {
         let index = CATEGORIES.iter().position(|name| *name == category).unwrap_or(CATEGORIES.len());
         self.categories[index]
+    }
+
+    /// One of a row of colours that are told apart: of a key, by its place.
+    pub(crate) fn hue(&self, index: usize) -> Color32 {
+        self.hues[index % self.hues.len()]
     }
 
     /// The colour of a tier's marks; of a row that has none, plain text's.
@@ -171,6 +177,16 @@ pub(super) static DARK: Colors = Colors {
         rgb(0x5c4040),
         rgb(0x4a4a4e),
     ],
+    hues: [
+        rgb(0xeca454),
+        rgb(0x6fa8ec),
+        rgb(0x8cc46c),
+        rgb(0xd884c4),
+        rgb(0x5cc4bc),
+        rgb(0xe87c6c),
+        rgb(0xd4cc5c),
+        rgb(0xa890ec),
+    ],
 };
 
 /// Paper, with the same accent in a darker ink.
@@ -225,6 +241,16 @@ pub(super) static LIGHT: Colors = Colors {
         rgb(0xe3c4c2),
         rgb(0xd2cfca),
     ],
+    hues: [
+        rgb(0xb45c0c),
+        rgb(0x2464b4),
+        rgb(0x3c7c24),
+        rgb(0xa43c8c),
+        rgb(0x107c74),
+        rgb(0xb83c2c),
+        rgb(0x7c6c00),
+        rgb(0x6c4cc4),
+    ],
 };
 
 #[cfg(test)]
@@ -259,6 +285,10 @@ mod tests {
             }
             for ground in colors.categories {
                 assert!(contrast(colors.text, ground) >= 4.5, "{name}, a title on {ground:?}");
+            }
+            for (index, hue) in colors.hues.into_iter().enumerate() {
+                let found = contrast(hue, colors.canvas).min(contrast(hue, colors.panel));
+                assert!(found >= 3.0, "{name}, hue {index}: {found:.2}");
             }
             let types = &colors.types;
             let types = [

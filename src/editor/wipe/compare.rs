@@ -40,7 +40,7 @@ impl Comparer {
 
     fn try_run(&mut self, job: &Job) -> Result<Compared, Vec<Diagnostic>> {
         let library = &job.still.library;
-        let options = PlanOptions { size: job.moment.size, samples: 1, time: 0.0 };
+        let options = PlanOptions { size: job.moment.size, samples: 1, time: job.still.time };
         let planner = self.planner.of(&job.still.look);
         let (setup, _) = job.still.setup(&mut planner.assets)?;
         let renderer = self.renderer.get_or_insert_with(|| {

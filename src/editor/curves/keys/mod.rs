@@ -1,0 +1,444 @@
+//! Direction keys (BADF 3.4): the sphere of a light's or the view's directions with the keys on it, and what each key
+//! sets.
+
+mod jump;
+mod sphere;
+mod table;
+
+use eframe::egui;
+use eframe::egui::{
+    Align2, Color32, ComboBox, CursorIcon, FontId, Key, Pos2, Rect, Role, ScrollArea, Sense, Stroke, TextEdit, Ui,
+    WidgetInfo, pos2, vec2,
+};
+use glam::DVec3;
+
+use super::super::command::Command;
+use super::super::dock;
+use super::super::keying::rounded;
+use super::super::orbit::Orbit;
+use super::super::session::Session;
+use super::super::theme;
+use super::handle::{self, handle};
+use crate::document::{DirectionKey, DirectionKeys, Edit, KeyDirection, KeyScheme};
+use sphere::{Globe, Ground};
+
+/// A step by an arrow key, in radians.
+const STEP: f64 = 2.0 * std::f64::consts::PI / 180.0;
+/// How far from its original a copied key lies, in radians.
+const BESIDE: f64 = 0.4;
+
+/// The panel.
+#[derive(Default)]
+pub(crate) struct Keys {
+    set: usize,
+    /// How the sphere is turned: yaw and pitch in radians, by the kind of direction.
+    turned: [Option<[f64; 2]>; 2],
+    ground: Ground,
+    /// Where the light or the view was before it was sent to a key.
+    back: Option<Orbit>,
+}
+
+/// A set that is shown.
+struct Shown<'a> {
+    session: &'a Session,
+    set: usize,
+    keys: &'a DirectionKeys,
+    /// The key that values are set at.
+    key: usize,
+    weights: Vec<f64>,
+    now: DVec3,
+}
+
+impl Keys {
+    /// Shows a set of direction keys.
+    pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
+        let mut commands = Vec::new();
+        let sets = &session.look().direction_keys;
+        if let Some((set, _)) = session.key {
+            self.set = set;
+        }
+        self.set = self.set.min(sets.len().saturating_sub(1));
+        let Some(keys) = sets.get(self.set) else {
+            nothing(ui, session, &mut commands);
+            return commands;
+        };
+        let weights = session.decided(self.set).map(|(_, weights)| weights.clone()).unwrap_or_default();
+        let now = session.direction_of(&keys.by);
+        let key = session.key_at(self.set);
+        let shown = Shown { session, set: self.set, keys, key, weights, now };
+        self.sets(ui, &shown, &mut commands);
+        let room = ui.available_size();
+        if room.x > 400.0 {
+            ui.horizontal_top(|ui| {
+                let side = room.y.min(room.x * 0.42).max(120.0);
+                ui.vertical(|ui| {
+                    ui.set_width(side);
+                    self.globe(ui, &shown, side, &mut commands);
+                });
+                ui.vertical(|ui| self.beside(ui, &shown, &mut commands));
+            });
+        } else {
+            let side = room.x.min((room.y * 0.5).max(140.0));
+            self.globe(ui, &shown, side, &mut commands);
+            self.beside(ui, &shown, &mut commands);
+        }
+        commands
+    }
+
+    fn beside(&mut self, ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
+        shares(ui, shown);
+        self.buttons(ui, shown, out);
+        ScrollArea::both().id_salt("values").auto_shrink([false, false]).show(ui, |ui| table::show(ui, shown, out));
+    }
+
+    /// Which set, what decides between its keys, and how they are weighed.
+    fn sets(&mut self, ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
+        let Shown { session, set, keys, .. } = shown;
+        ui.horizontal_wrapped(|ui| {
+            let sets = &session.look().direction_keys;
+            if sets.len() > 1 {
+                let combo = ComboBox::from_id_salt("set").selected_text(format!("{} of {}", set + 1, sets.len()));
+                let combo = combo.width(56.0).show_ui(ui, |ui| {
+                    for (index, keys) in sets.iter().enumerate() {
+                        if ui.selectable_label(index == *set, &keys.name).clicked() {
+                            self.set = index;
+                            self.back = None;
+                            out.push(Command::SelectKey(None));
+                        }
+                    }
+                });
+                name(&combo.response, Role::ComboBox, "Set of keys");
+            }
+            let mut called = keys.name.clone();
+            let edit = ui.add(TextEdit::singleline(&mut called).desired_width(104.0).hint_text("Name").char_limit(80));
+            name(&edit, Role::TextInput, "Name of the keys");
+            if edit.changed() {
+                out.push(Command::EditHeld(edit.id, session.change_set(*set, |keys| keys.name = called)));
+            }
+            by(ui, shown, out);
+            scheme(ui, shown, out);
+            add_menu(ui, session, "Add set", out);
+            let help = "Removes these keys: every value is the look's own again";
+            if ui.button("Remove set").on_hover_text(help).clicked() {
+                out.push(Command::SelectKey(None));
+                out.push(Command::Edit(Edit::RemoveDirectionKeys { index: *set }));
+            }
+        });
+    }
+
+    /// What is done with the key that is selected.
+    fn buttons(&mut self, ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
+        let Shown { session, set, keys, key, .. } = shown;
+        let can_edit = !keys.keys.is_empty();
+        ui.horizontal_wrapped(|ui| {
+            let help = "Adds a key where the light or the view is now, with the values that are seen now";
+            if ui.button("Add key here").on_hover_text(help).clicked() {
+                out.push(Command::Edit(add_here(shown)));
+                out.push(Command::SelectKey(Some((*set, keys.keys.len()))));
+            }
+            if ui.add_enabled(can_edit, egui::Button::new("Copy key")).on_hover_text("Beside it (D)").clicked() {
+                copy(shown, out);
+            }
+            let delete = ui.add_enabled(can_edit, egui::Button::new("Delete key"));
+            if delete.on_hover_text("Takes this key and its values away (Delete)").clicked() {
+                remove(shown, out);
+            }
+            let to = keys.keys.get(*key).and_then(|key| jump::to(session, &keys.by, key.direction.into()));
+            let help =
+                "Brings the light or the view to this key, to compare; Back returns. The document is not changed";
+            let go = ui.add_enabled(to.is_some(), egui::Button::new("Go to key")).on_hover_text(help);
+            let help = "This light does not turn with the illumination frame: move it itself";
+            if go.on_disabled_hover_text(help).clicked()
+                && let Some(view) = to
+            {
+                self.back.get_or_insert_with(|| session.view.clone());
+                out.push(Command::TurnTo(Box::new(view)));
+            }
+            let back = ui.add_enabled(self.back.is_some(), egui::Button::new("Back"));
+            if back.on_hover_text("To where it was").clicked()
+                && let Some(view) = self.back.take()
+            {
+                out.push(Command::TurnTo(Box::new(view)));
+            }
+        });
+    }
+
+    fn globe(&mut self, ui: &mut Ui, shown: &Shown<'_>, side: f32, out: &mut Vec<Command>) {
+        let colors = theme::of(ui);
+        let (rect, response) = ui.allocate_exact_size(vec2(side, side), Sense::click_and_drag());
+        response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Sphere of directions"));
+        let is_view = shown.keys.by == KeyDirection::View;
+        let turned = self.turned[usize::from(is_view)].get_or_insert(if is_view { [0.5, 0.35] } else { [0.0, 0.0] });
+        if response.dragged() {
+            let delta = response.drag_delta() / side * 3.0;
+            let [yaw, pitch] = *turned;
+            *turned = [yaw - f64::from(delta.x), (pitch + f64::from(delta.y)).clamp(-1.5, 1.5)];
+        }
+        if response.double_clicked() {
+            *turned = [0.0, 0.0];
+        }
+        let turned = *turned;
+        let globe = Globe::new(rect.center(), side / 2.0 - 14.0, turned);
+        let inks: Vec<Color32> = (0..shown.keys.keys.len()).map(|key| colors.hue(key)).collect();
+        ui.painter().rect_filled(rect, 4.0, colors.canvas);
+        graticule(ui, globe, false);
+        ui.painter().add(self.ground.mesh(shown.keys, globe, turned, &inks, colors.canvas));
+        graticule(ui, globe, true);
+        ui.painter().circle_stroke(globe.center, globe.radius, Stroke::new(1.0, colors.swatch_edge));
+        names_of_places(ui, rect, globe, is_view);
+        response.on_hover_cursor(CursorIcon::Move).on_hover_text(
+            "Every direction of the light or the view, coloured by the key that weighs there. Drag a key; drag beside \
+             the keys to turn the sphere, double-click to turn it back. Keys behind are rings.",
+        );
+        for is_front in [false, true] {
+            for (index, key) in shown.keys.keys.iter().enumerate() {
+                let Some(direction) = DVec3::from(key.direction).try_normalize() else { continue };
+                if globe.is_front(direction) == is_front {
+                    key_handle(ui, shown, globe, index, direction, out);
+                }
+            }
+        }
+        now_mark(ui, shown, globe);
+    }
+}
+
+fn name(response: &egui::Response, role: Role, text: &str) {
+    response.widget_info(|| WidgetInfo::labeled(role, true, text));
+}
+
+/// Before there are any keys: what they are for, and how to begin.
+fn nothing(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+    dock::hint(
+        ui,
+        "Direction keys change a look with where the light, or the view, is: a rim light that turns violet as it comes \
+         around, a highlight that goes out from behind. Begin with what decides, or with the diamond beside any value.",
+    );
+    add_menu(ui, session, "Add direction keys", out);
+}
+
+fn add_menu(ui: &mut Ui, session: &Session, text: &str, out: &mut Vec<Command>) {
+    ui.menu_button(text, |ui| {
+        let mut add = |ui: &mut Ui, text: String, by: KeyDirection| {
+            if ui.button(text).clicked() {
+                let index = session.look().direction_keys.len();
+                out.push(Command::Edit(session.new_set(by, None)));
+                out.push(Command::SelectKey(Some((index, 0))));
+            }
+        };
+        for id in session.look().lights.keys() {
+            add(ui, format!("By the light {}", session.light_name(id)), KeyDirection::Light(id.clone()));
+        }
+        add(ui, "By the view".to_owned(), KeyDirection::View);
+    })
+    .response
+    .on_hover_text("Another set of keys, by the direction of a light or of the view");
+}
+
+fn by(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
+    let Shown { session, set, keys, .. } = shown;
+    let text = |by: &KeyDirection| match by {
+        KeyDirection::View => "By the view".to_owned(),
+        KeyDirection::Light(id) => format!("By {}", session.light_name(id)),
+    };
+    let combo = ComboBox::from_id_salt("by").width(84.0).selected_text(text(&keys.by)).show_ui(ui, |ui| {
+        let lights = session.look().lights.keys().map(|id| KeyDirection::Light(id.clone()));
+        for by in lights.chain([KeyDirection::View]) {
+            if ui.selectable_label(keys.by == by, text(&by)).clicked() && keys.by != by {
+                out.push(Command::Edit(session.change_set(*set, |keys| keys.by = by)));
+            }
+        }
+    });
+    name(&combo.response, Role::ComboBox, "What decides between the keys");
+    combo.response.on_hover_text(
+        "Whose direction decides: a light's as the camera sees it (it changes too when you orbit), or that to the eye",
+    );
+}
+
+fn scheme(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
+    let Shown { session, set, keys, .. } = shown;
+    let text = |scheme| match scheme {
+        KeyScheme::Biharmonic => ("Biharmonic", "The smoothest weights on a sphere, in closed form"),
+        KeyScheme::AppendixB => ("Appendix B", "The energy of the BADF paper's Appendix B, in closed form"),
+        KeyScheme::Tessellated => ("Tessellated", "The paper's own mesh; slow, for comparison"),
+    };
+    let combo = ComboBox::from_id_salt("scheme").width(84.0).selected_text(text(keys.scheme).0).show_ui(ui, |ui| {
+        for choice in [KeyScheme::Biharmonic, KeyScheme::AppendixB, KeyScheme::Tessellated] {
+            let (label, help) = text(choice);
+            let is_it = keys.scheme == choice;
+            if ui.selectable_label(is_it, label).on_hover_text(help).clicked() && !is_it {
+                out.push(Command::Edit(session.change_set(*set, |keys| keys.scheme = choice)));
+            }
+        }
+    });
+    name(&combo.response, Role::ComboBox, "Scheme of the weights");
+    combo.response.on_hover_text("How the weights between keys are found");
+}
+
+/// The weight of each key now, as a bar.
+fn shares(ui: &mut Ui, shown: &Shown<'_>) {
+    let colors = theme::of(ui);
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 12.0), Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "Weights of the keys now"));
+    let painter = ui.painter();
+    painter.rect_filled(rect, 3.0, colors.canvas);
+    let mut left = rect.left();
+    for (key, weight) in shown.weights.iter().enumerate() {
+        let width = rect.width() * *weight as f32;
+        let part = Rect::from_min_size(pos2(left, rect.top()), vec2(width, rect.height()));
+        painter.rect_filled(part, 2.0, colors.hue(key));
+        if width > 34.0 {
+            let font = FontId::proportional(theme::SMALL_TEXT);
+            let text = format!("{}: {:.0}%", key + 1, weight * 100.0);
+            painter.text(part.center(), Align2::CENTER_CENTER, text, font, colors.canvas);
+        }
+        left += width;
+    }
+    response.on_hover_text("How much each key counts where the light or the view is now");
+}
+
+fn add_here(shown: &Shown<'_>) -> Edit {
+    let Shown { session, set, keys, now, .. } = shown;
+    let values = super::super::keying::targets_of(keys)
+        .into_iter()
+        .filter_map(|target| Some((target.clone(), session.value_now(&target)?)))
+        .collect();
+    let direction = rounded(*now);
+    session.change_set(*set, |keys| keys.keys.push(DirectionKey { direction, values, unknown: Default::default() }))
+}
+
+fn copy(shown: &Shown<'_>, out: &mut Vec<Command>) {
+    let Some(original) = shown.keys.keys.get(shown.key) else { return };
+    let direction = DVec3::from(original.direction).try_normalize().unwrap_or(DVec3::Z);
+    let side = direction.any_orthonormal_vector();
+    let direction = rounded(direction * BESIDE.cos() + side * BESIDE.sin());
+    let copied = DirectionKey { direction, ..original.clone() };
+    out.push(Command::Edit(shown.session.change_set(shown.set, |keys| keys.keys.push(copied))));
+    out.push(Command::SelectKey(Some((shown.set, shown.keys.keys.len()))));
+}
+
+fn remove(shown: &Shown<'_>, out: &mut Vec<Command>) {
+    let key = shown.key;
+    out.push(Command::SelectKey(None));
+    out.push(Command::Edit(shown.session.change_set(shown.set, |keys| {
+        if key < keys.keys.len() {
+            keys.keys.remove(key);
+        }
+    })));
+}
+
+fn key_handle(ui: &Ui, shown: &Shown<'_>, globe: Globe, index: usize, direction: DVec3, out: &mut Vec<Command>) {
+    let colors = theme::of(ui);
+    let at = globe.project(direction);
+    let is_front = globe.is_front(direction);
+    let id = ui.scope_id().with(("key", shown.set, index));
+    let weight = shown.weights.get(index).copied().unwrap_or(0.0);
+    let handled = handle(ui, id, at, &format!("Direction key {}", index + 1), weight, true);
+    let side = handled.response.id.with("side");
+    if handled.response.drag_started() {
+        ui.data_mut(|data| data.insert_temp(side, is_front));
+    }
+    if handled.response.clicked() || handled.response.drag_started() {
+        out.push(Command::SelectKey(Some((shown.set, index))));
+    }
+    let moved = match handled.to {
+        Some(to) => {
+            let stays = ui.data(|data| data.get_temp::<bool>(side)).unwrap_or(is_front);
+            Some(globe.direction(to, stays))
+        }
+        None if handled.steps != egui::Vec2::ZERO => Some(globe.nudge(direction, handled.steps, STEP)),
+        None => None,
+    };
+    if let Some(moved) = moved {
+        let edit = shown.session.change_set(shown.set, |keys| keys.keys[index].direction = rounded(moved));
+        out.push(Command::EditHeld(handled.response.id, edit));
+    }
+    if handle::pressed(ui, &handled.response, Key::Delete) {
+        remove(&Shown { key: index, ..Shown { weights: Vec::new(), ..*shown } }, out);
+    }
+    if handle::pressed(ui, &handled.response, Key::D) {
+        copy(&Shown { key: index, ..Shown { weights: Vec::new(), ..*shown } }, out);
+    }
+    let is_selected = shown.key == index;
+    let radius = if is_front { 8.0 } else { 6.5 };
+    let ink = colors.hue(index);
+    let edge = if is_selected { colors.text } else { colors.canvas };
+    let painter = ui.painter();
+    if is_front {
+        painter.circle(at, radius, ink, Stroke::new(2.0, edge));
+    } else {
+        painter.circle(at, radius, colors.canvas.gamma_multiply(0.6), Stroke::new(2.0, ink));
+    }
+    if is_selected {
+        painter.circle_stroke(at, radius + 3.0, Stroke::new(1.5, colors.text));
+    }
+    let font = FontId::proportional(theme::SMALL_TEXT);
+    let text = if is_front { colors.canvas } else { ink };
+    painter.text(at, Align2::CENTER_CENTER, index + 1, font, text);
+    if !handled.response.dragged() {
+        let percent = weight * 100.0;
+        handled.response.on_hover_text(format!(
+            "Key {}, {percent:.0}% now. Drag it over the sphere (arrow keys: 2°), D copies it, Delete removes it.",
+            index + 1
+        ));
+    }
+}
+
+/// Where the light or the view is now: a sun.
+fn now_mark(ui: &Ui, shown: &Shown<'_>, globe: Globe) {
+    let colors = theme::of(ui);
+    let at = globe.project(shown.now);
+    let strength = if globe.is_front(shown.now) { 1.0 } else { 0.45 };
+    for (width, color) in [(3.5, colors.canvas), (1.5, colors.text)] {
+        let stroke = Stroke::new(width, color.gamma_multiply(strength));
+        for ray in 0..8 {
+            let way = egui::Vec2::angled(ray as f32 * std::f32::consts::FRAC_PI_4);
+            ui.painter().line_segment([at + way * 12.5, at + way * 16.5], stroke);
+        }
+    }
+}
+
+/// The three great circles, on the near or the far side.
+fn graticule(ui: &Ui, globe: Globe, is_front: bool) {
+    const PIECES: usize = 72;
+    let colors = theme::of(ui);
+    let color = if is_front { colors.text.gamma_multiply(0.22) } else { colors.grid };
+    for axis in 0..3 {
+        let at = |i: usize| {
+            let (sin, cos) = (i as f64 / PIECES as f64 * std::f64::consts::TAU).sin_cos();
+            let mut place = [0.0; 3];
+            (place[(axis + 1) % 3], place[(axis + 2) % 3]) = (cos, sin);
+            DVec3::from(place)
+        };
+        for i in 0..PIECES {
+            let (a, b) = (at(i), at(i + 1));
+            if globe.is_front(a) == is_front && globe.is_front(b) == is_front {
+                ui.painter().line_segment([globe.project(a), globe.project(b)], Stroke::new(1.0, color));
+            }
+        }
+    }
+}
+
+/// What the axes mean, beside the ends of those that are seen from the side.
+fn names_of_places(ui: &Ui, rect: Rect, globe: Globe, is_view: bool) {
+    let names = if is_view {
+        ["from the right", "from above", "from the front", "from the left", "from below", "from behind"]
+    } else {
+        ["right", "above", "toward you", "left", "below", "behind"]
+    };
+    let axes = [DVec3::X, DVec3::Y, DVec3::Z, DVec3::NEG_X, DVec3::NEG_Y, DVec3::NEG_Z];
+    let font = FontId::proportional(theme::SMALL_TEXT);
+    for (axis, text) in axes.into_iter().zip(names) {
+        let at = globe.project(axis);
+        let away: egui::Vec2 = at - globe.center;
+        // What points at the eye or away from it would lie on the keys in the middle.
+        if away.length() < 0.55 * globe.radius {
+            continue;
+        }
+        let galley = ui.painter().layout_no_wrap(text.to_owned(), font.clone(), theme::of(ui).dim);
+        let out = away.normalized();
+        let wished: Pos2 = globe.center + out * (globe.radius + 7.0);
+        let room = rect.shrink2(galley.size() / 2.0);
+        let at = pos2(wished.x.clamp(room.left(), room.right()), wished.y.clamp(room.top(), room.bottom()));
+        ui.painter().galley(at - galley.size() / 2.0, galley, theme::of(ui).dim);
+    }
+}
