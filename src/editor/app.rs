@@ -212,7 +212,11 @@ impl App {
         if let Some(again) = self.session.tick(ui.input(|input| input.time)) {
             ui.ctx().request_repaint_after(again);
         }
-        self.timeline.tick(ui, &mut self.session);
+        if self.dock.has(dock::Panel::Timeline) {
+            self.timeline.tick(ui, &mut self.session);
+        } else {
+            self.timeline.stop();
+        }
         self.session.refresh_keys();
         self.panels(ui, &mut commands);
         self.ask_about_changes(ui, &mut commands);

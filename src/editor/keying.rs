@@ -193,13 +193,13 @@ impl Session {
     /// The edit by which a target has a value where it is looked at: at the playhead, at the direction key that is
     /// selected or weighs most, or at all.
     pub(crate) fn set_at(&self, target: &Target, value: Value) -> Edit {
-        let mut edits = self.set_each_at([(target.clone(), value)]);
-        if edits.len() == 1 { edits.remove(0) } else { Edit::Group { edits } }
+        self.set_all_at([(target.clone(), value)])
     }
 
     /// The same of several targets.
     pub(crate) fn set_all_at(&self, values: impl IntoIterator<Item = (Target, Value)>) -> Edit {
-        Edit::Group { edits: self.set_each_at(values) }
+        let mut edits = self.set_each_at(values);
+        if edits.len() == 1 { edits.remove(0) } else { Edit::Group { edits } }
     }
 
     /// Edits replace whole sets, tracks and lights: what several values change of one of them is gathered.
@@ -391,7 +391,7 @@ pub(crate) fn changes_in_time(ty: &Type) -> bool {
 }
 
 /// A field of a light as if it were a port.
-fn field_port(field: &str) -> Port {
+pub(crate) fn field_port(field: &str) -> Port {
     let (label, ty, unit) = match field {
         "direction" => ("Direction", Type::Vec3, ""),
         "position" => ("Position", Type::Vec3, ""),

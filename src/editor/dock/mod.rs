@@ -116,7 +116,7 @@ fn arrangement() -> Tree<Panel> {
         parts.iter().for_each(|(tile, share)| linear.shares.set_share(*tile, *share));
         tiles.insert_container(Container::Linear(linear))
     };
-    let left = shared(LinearDir::Vertical, &[(picture, 0.68), (below, 0.32)]);
+    let left = shared(LinearDir::Vertical, &[(picture, 0.58), (below, 0.42)]);
     let root = shared(LinearDir::Horizontal, &[(left, 0.33), (graph, 0.46), (inspector, 0.21)]);
     Tree::new(egui::Id::unique("dock"), root, tiles)
 }
@@ -164,6 +164,9 @@ impl Dock {
     fn bring_back(&mut self, panel: Panel) {
         let tiles = &mut self.tree.tiles;
         let pane = tiles.insert_pane(panel);
+        if panel == Panel::Timeline && below_graph(tiles, pane).is_some() {
+            return;
+        }
         let beside = panel.neighbours().iter().filter(|other| **other != panel);
         let beside = beside.filter_map(|other| tiles.find_pane(other)).find_map(|tile| tiles.parent_of(tile));
         if let Some(Tile::Container(container)) = beside.and_then(|tabs| tiles.get_mut(tabs)) {
@@ -199,6 +202,23 @@ impl Dock {
             self.tree = tree;
         }
     }
+}
+
+/// Puts a panel below the graph; `None` where there is no place for it.
+fn below_graph(tiles: &mut Tiles<Panel>, pane: TileId) -> Option<()> {
+    let graph = tiles.parent_of(tiles.find_pane(&Panel::Graph)?)?;
+    let around = tiles.parent_of(graph)?;
+    let Some(Tile::Container(Container::Linear(_))) = tiles.get(around) else { return None };
+    let own = tiles.insert_tab_tile(vec![pane]);
+    let mut both = Linear::new(LinearDir::Vertical, vec![graph, own]);
+    both.shares.set_share(graph, 0.68);
+    both.shares.set_share(own, 0.32);
+    let both = tiles.insert_container(Container::Linear(both));
+    if let Some(Tile::Container(Container::Linear(row))) = tiles.get_mut(around) {
+        row.children.iter_mut().filter(|child| **child == graph).for_each(|child| *child = both);
+        row.shares.replace_with(graph, both);
+    }
+    Some(())
 }
 
 /// What the tree asks while it is shown.

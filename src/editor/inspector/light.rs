@@ -4,11 +4,14 @@ use eframe::egui;
 use eframe::egui::{ComboBox, DragValue, Id, Pos2, RichText, Role, Sense, Slider, Stroke, Ui, WidgetInfo, vec2};
 
 use super::super::command::Command;
+use super::super::keying::{KeyedBy, field_port};
 use super::super::session::Session;
 use super::super::{theme, values};
-use super::row::labelled;
+use super::marks::Marked;
+use super::row::{self, labelled};
 use super::{Subject, color};
-use crate::document::{Edit, Light, LightKind, LightSpace, Value};
+use crate::document::{Edit, Light, LightKind, LightSpace, Target, Value};
+use crate::frame::{light_field, set_light_field};
 use crate::ids::{LightId, make_slug};
 use crate::library::Type;
 
@@ -57,8 +60,19 @@ fn shown_name<'a>(id: &'a LightId, light: &'a Light) -> &'a str {
 
 fn edit(ui: &mut Ui, session: &Session, id: &LightId, light: &Light, out: &mut Vec<Command>) {
     ui.push_id(id, |ui| {
+        // Keyed fields are shown, and set, where they are looked at.
+        let light = &as_set(session, id, light);
         let mut new = light.clone();
         let mut hand = None;
+        let mut asked = Vec::new();
+        let mut field = |ui: &mut Ui, label: &str, help: &str, name: &str, add: &mut dyn FnMut(&mut Ui, Id)| {
+            let port = field_port(name);
+            let target = Target::Light { light: id.clone(), field: name.to_owned() };
+            let marked = Marked { session, target, ty: &port.ty, label, reset: None };
+            let text = RichText::new(label).color(theme::of(ui).text);
+            let help = format!("{help}\n{}", marked.help());
+            row::marked(ui, text, help.trim_end(), Some(&marked), &mut asked, |ui, label, _| add(ui, label));
+        };
         labelled(ui, "Type", "Directional lights are as far away as the sun", |ui, label| {
             hand = hand.or(kind(ui, label, &mut new));
         });
@@ -66,30 +80,35 @@ fn edit(ui: &mut Ui, session: &Session, id: &LightId, light: &Light, out: &mut V
             hand = hand.or(space(ui, label, &mut new));
         });
         if new.kind == LightKind::Directional {
-            labelled(
+            field(
                 ui,
                 "Direction",
                 "Toward the light. The middle is toward you, the inner ring sideways, the rim behind.",
-                |ui, label| {
+                "direction",
+                &mut |ui, label| {
                     hand = hand.or(ball(ui, &mut new.direction));
                     ui.vertical(|ui| hand = hand.or(xyz(ui, label, &mut new.direction)));
                 },
             );
         } else {
-            labelled(ui, "Position", "In scene units", |ui, label| hand = hand.or(xyz(ui, label, &mut new.position)));
+            field(ui, "Position", "In scene units", "position", &mut |ui, label| {
+                hand = hand.or(xyz(ui, label, &mut new.position));
+            });
         }
         if new.kind == LightKind::Spot {
-            labelled(ui, "Aim", "From the light outward", |ui, label| hand = hand.or(xyz(ui, label, &mut new.aim)));
-            labelled(ui, "Full cone", "Half-angle of full light", |ui, label| {
+            field(ui, "Aim", "From the light outward", "aim", &mut |ui, label| {
+                hand = hand.or(xyz(ui, label, &mut new.aim));
+            });
+            field(ui, "Full cone", "Half-angle of full light", "inner", &mut |ui, label| {
                 let outer = new.outer;
                 hand = hand.or(angle(ui, label, &mut new.inner, outer));
             });
-            labelled(ui, "Whole cone", "Half-angle at which nothing is left", |ui, label| {
+            field(ui, "Whole cone", "Half-angle at which nothing is left", "outer", &mut |ui, label| {
                 hand = hand.or(angle(ui, label, &mut new.outer, std::f64::consts::FRAC_PI_2));
                 new.inner = new.inner.min(new.outer);
             });
         }
-        labelled(ui, "Color", "Of the light", |ui, label| {
+        field(ui, "Color", "Of the light", "color", &mut |ui, label| {
             let [r, g, b] = new.color;
             if let Some((id, [r, g, b, _])) = color::edit(ui, label, [r, g, b, 1.0], session.look().color_space, false)
             {
@@ -97,17 +116,45 @@ fn edit(ui: &mut Ui, session: &Session, id: &LightId, light: &Light, out: &mut V
                 hand = Some(id);
             }
         });
-        labelled(ui, "Intensity", "A factor on the color", |ui, label| {
+        field(ui, "Intensity", "A factor on the color", "intensity", &mut |ui, label| {
             ui.spacing_mut().slider_width = (ui.available_width() - 66.0).max(40.0);
             let slider = Slider::new(&mut new.intensity, 0.0..=4.0).clamping(egui::SliderClamping::Never);
             let response = ui.add(slider.max_decimals(3)).labelled_by(label);
             new.intensity = if new.intensity.is_finite() { new.intensity.max(0.0) } else { 1.0 };
             hand = hand.or(response.changed().then_some(response.id));
         });
+        out.append(&mut asked);
         if let Some(hand) = hand.filter(|_| new != *light) {
-            out.push(Command::EditHeld(hand, Edit::SetLight { id: id.clone(), light: new }));
+            out.push(Command::EditHeld(hand, changed(session, id, light, new)));
         }
     });
+}
+
+/// A light with its keyed fields as they are where they are set.
+fn as_set(session: &Session, id: &LightId, light: &Light) -> Light {
+    let mut shown = light.clone();
+    for field in Target::LIGHT_FIELDS {
+        let target = Target::Light { light: id.clone(), field: field.to_owned() };
+        if session.keyed_by(&target) != KeyedBy::Nothing
+            && let Some(value) = session.value_at(&target)
+        {
+            set_light_field(&mut shown, field, &value);
+        }
+    }
+    shown
+}
+
+/// The edit from one state of a light to another: what is keyed is set at its key, all else in the light.
+fn changed(session: &Session, id: &LightId, old: &Light, new: Light) -> Edit {
+    let target = |field: &str| Target::Light { light: id.clone(), field: field.to_owned() };
+    let differs = |field: &&str| light_field(old, field) != light_field(&new, field);
+    let fields: Vec<&str> = Target::LIGHT_FIELDS.into_iter().filter(differs).collect();
+    if (new.kind, new.space) == (old.kind, old.space) && !fields.is_empty() {
+        let values = fields.iter().filter_map(|field| Some((target(field), light_field(&new, field)?)));
+        return session.set_all_at(values);
+    }
+    let own = session.look().lights.get(id).cloned().unwrap_or_default();
+    Edit::SetLight { id: id.clone(), light: Light { kind: new.kind, space: new.space, ..own } }
 }
 
 fn kind(ui: &mut Ui, label: Id, light: &mut Light) -> Option<Id> {

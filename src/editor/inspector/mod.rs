@@ -4,6 +4,7 @@ mod color;
 mod curve;
 mod interface;
 mod light;
+mod marks;
 mod ramp;
 mod row;
 pub(crate) mod value;
@@ -16,7 +17,7 @@ use super::command::Command;
 use super::session::Session;
 use super::theme;
 use super::wire::{ShownWire, Style};
-use crate::document::{ColorSpace, Edit, Node, Tier};
+use crate::document::{ColorSpace, Edit, Node, Target, Tier};
 use crate::ids::NodeId;
 
 /// What every part of the inspector works with.
@@ -64,7 +65,9 @@ fn show_node(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
         let label = ui.label(RichText::new(&*kind.label).heading());
         let count = session.selection.len();
         if count > 1 {
-            ui.label(RichText::new(format!("and {} more", count - 1)).color(theme::of(ui).dim));
+            let help = "What is set here is set in every selected node that has it";
+            let text = RichText::new(format!("and {} more", count - 1)).color(theme::of(ui).dim);
+            ui.label(text).on_hover_text(help);
         }
         label.on_hover_text(format!("kind {}, id {id}", node.kind));
     });
@@ -79,12 +82,39 @@ fn show_node(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
     name_row(ui, subject, out);
     presets(ui, subject, out);
     ui.separator();
-    for port in &kind.inputs {
+    let wanted = search(ui, kind);
+    for port in kind.inputs.iter().filter(|port| fits(port, &wanted)) {
         row::show(ui, subject, port, out);
     }
     tier_row(ui, subject, out);
     shown_row(ui, subject, out);
+    let path = session.path_of(id);
+    marks::list(ui, session, |target| matches!(target, Target::Input { node, .. } if *node == path), out);
     light::lights_of(ui, subject, out);
+}
+
+/// Inputs from which on there is a search.
+const LONG: usize = 10;
+
+/// What is searched for in a node with many inputs, in small letters.
+fn search(ui: &mut Ui, kind: &Kind) -> String {
+    if kind.inputs.len() < LONG {
+        return String::new();
+    }
+    let id = egui::Id::unique(("inspector search", &kind.id));
+    let mut text = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_default();
+    let response =
+        ui.add(TextEdit::singleline(&mut text).id(id).hint_text("Find a value").desired_width(f32::INFINITY));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::TextInput, true, "Find a value"));
+    if response.changed() {
+        ui.data_mut(|data| data.insert_temp(id, text.clone()));
+    }
+    text.trim().to_lowercase()
+}
+
+fn fits(port: &super::catalog::Port, wanted: &str) -> bool {
+    let has_it = |text: &str| text.to_lowercase().contains(wanted);
+    wanted.is_empty() || has_it(&port.label) || has_it(port.name.as_str()) || has_it(&port.help)
 }
 
 fn name_row(ui: &mut Ui, Subject { session, id, node, kind }: &Subject<'_>, out: &mut Vec<Command>) {
@@ -106,20 +136,14 @@ fn presets(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: &m
     ui.horizontal_wrapped(|ui| {
         for preset in &kind.presets {
             if ui.button(&preset.label).on_hover_text("Sets the values of this preset").clicked() {
-                let edits = preset.values.iter().map(|(port, value)| Edit::SetValue {
-                    graph: session.graph_id().clone(),
-                    id: (*id).clone(),
-                    port: port.clone(),
-                    value: value.clone(),
-                    index: None,
-                });
-                out.push(Command::Edit(Edit::Group { edits: edits.collect() }));
+                let values = preset.values.iter().map(|(port, value)| (session.target(id, port), value.clone()));
+                out.push(Command::Edit(session.set_all_at(values)));
             }
         }
     });
 }
 
-fn tier_row(ui: &mut Ui, Subject { session, id, node, kind }: &Subject<'_>, out: &mut Vec<Command>) {
+fn tier_row(ui: &mut Ui, Subject { session, node, kind, .. }: &Subject<'_>, out: &mut Vec<Command>) {
     if kind.tiers.len() < 2 {
         return;
     }
@@ -127,17 +151,34 @@ fn tier_row(ui: &mut Ui, Subject { session, id, node, kind }: &Subject<'_>, out:
         let name = |tier: Option<Tier>| tier.map_or("As the look", tier_name);
         let combo = egui::ComboBox::from_id_salt("tier").selected_text(name(node.tier)).show_ui(ui, |ui| {
             for tier in std::iter::once(None).chain(kind.tiers.iter().copied().map(Some)) {
-                if ui.selectable_label(node.tier == tier, name(tier)).clicked() {
-                    out.push(Command::Edit(Edit::SetTier {
-                        graph: session.graph_id().clone(),
-                        id: (*id).clone(),
-                        tier,
-                    }));
+                let response =
+                    ui.selectable_label(node.tier == tier, name(tier)).on_hover_text(error_of(session, kind, tier));
+                if response.clicked() {
+                    let alike = session.selection.iter().filter(|id| {
+                        let other = session.graph().nodes.get(*id).and_then(|node| session.catalog.of(node));
+                        other.is_some_and(|other| other.tiers == kind.tiers)
+                    });
+                    let graph = session.graph_id();
+                    let edits = alike.map(|id| Edit::SetTier { graph: graph.clone(), id: id.clone(), tier });
+                    out.push(Command::Edit(Edit::Group { edits: edits.collect() }));
                 }
             }
         });
         combo.response.labelled_by(label);
     });
+}
+
+/// How far a tier may be from the exact one, as its node's file says.
+fn error_of(session: &Session, kind: &Kind, tier: Option<Tier>) -> String {
+    let def = session.library.nodes.get(&kind.id);
+    match tier {
+        None => format!("As the look is: {}", tier_name(session.look().tier).to_lowercase()),
+        Some(Tier::Exact) => "The truth, as near as f32 comes".to_owned(),
+        Some(tier) => match def.and_then(|def| def.error_of(tier)) {
+            Some(error) => format!("At most {:e} off: {}", error.bound, error.help),
+            None => "Faster, with the error that the Cost and accuracy panel measures".to_owned(),
+        },
+    }
 }
 
 /// Which output is shown in place of the picture, and how.
@@ -224,5 +265,6 @@ fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         });
         combo.response.labelled_by(label);
     });
+    marks::list(ui, session, |_| true, out);
     light::all_lights(ui, session, out);
 }

@@ -5,33 +5,54 @@ use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, Slider, TextEdit
 
 use super::super::catalog::Port;
 use super::super::command::Command;
+use super::super::keying::KeyedBy;
 use super::super::{theme, values};
+use super::marks::{self, Marked};
 use super::{Subject, color, curve, ramp};
-use crate::document::{Edit, Endpoint, Value, Wire};
-use crate::ids::PortName;
+use crate::document::{Edit, Endpoint, Node, Value, Wire};
+use crate::ids::NodeId;
 use crate::library::{Fallback, Type};
 
+const MIXED: &str = "The selected nodes have different values; setting it sets all of them.";
+
 /// How wide labels are.
-const LABEL: f32 = 104.0;
+const LABEL: f32 = 92.0;
 
 /// A label with help, and a widget that is named by it.
 pub(super) fn labelled(ui: &mut Ui, label: &str, help: &str, add: impl FnOnce(&mut Ui, Id)) {
-    labelled_in(ui, label, help, theme::of(ui).text, add);
+    let text = RichText::new(label).color(theme::of(ui).text);
+    marked(ui, text, help, None, &mut Vec::new(), |ui, id, _| add(ui, id));
 }
 
-fn labelled_in(ui: &mut Ui, label: &str, help: &str, color: egui::Color32, add: impl FnOnce(&mut Ui, Id)) {
+/// The same with the mark of what it sets.
+pub(super) fn marked(
+    ui: &mut Ui,
+    label: RichText,
+    help: &str,
+    marked: Option<&Marked<'_>>,
+    out: &mut Vec<Command>,
+    add: impl FnOnce(&mut Ui, Id, &mut Vec<Command>),
+) {
     ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 3.0;
+        marks::diamond(ui, marked, out);
+        ui.spacing_mut().item_spacing.x = 6.0;
         let size = vec2(LABEL, ui.spacing().interact_size.y);
         let layout = egui::Layout::left_to_right(egui::Align::Center);
         let response = ui.allocate_ui_with_layout(size, layout, |ui| {
             ui.set_min_width(LABEL);
-            ui.add(egui::Label::new(RichText::new(label).color(color)).truncate())
+            let sense = if marked.is_some() { egui::Sense::click() } else { egui::Sense::hover() };
+            ui.add(egui::Label::new(label).truncate().sense(sense))
         });
-        let id = response.inner.id;
+        let mut response = response.inner;
+        let id = response.id;
         if !help.is_empty() {
-            response.inner.on_hover_text(help);
+            response = response.on_hover_text(help);
         }
-        add(ui, id);
+        if let Some(marked) = marked {
+            response.context_menu(|ui| marks::menu(ui, marked, out));
+        }
+        add(ui, id, out);
     });
 }
 
@@ -41,17 +62,36 @@ pub(super) fn show(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Ve
         if let Some(wire) = subject.session.graph().wire_into(subject.id, &port.name) {
             return wired(ui, subject, port, wire, out);
         }
+        let target = subject.session.target(subject.id, &port.name);
+        let is_keyed = subject.session.keyed_by(&target) != KeyedBy::Nothing;
+        let keyed = is_keyed.then(|| subject.session.value_at(&target)).flatten();
         let own = subject.node.values.get(&port.name);
-        let help = help_of(port);
+        let shown = keyed.as_ref().or(own);
         match port.ty {
-            Type::Text => code(ui, subject, port, own, out),
-            Type::Curve => wide(ui, subject, port, own, out, curve::show),
-            Type::Ramp => wide(ui, subject, port, own, out, ramp::show),
+            Type::Text => code(ui, subject, port, shown, out),
+            Type::Curve => wide(ui, subject, port, shown, out, curve::show),
+            Type::Ramp => wide(ui, subject, port, shown, out, ramp::show),
             _ => {
-                let tone = if own.is_some() { theme::of(ui).text } else { theme::of(ui).dim };
-                labelled_in(ui, &port.label, &help, tone, |ui, label| {
+                let reset_edit = reset_edit(subject, port);
+                let with_marks =
+                    Marked { session: subject.session, target, ty: &port.ty, label: &port.label, reset: reset_edit };
+                let is_mixed = is_mixed(subject, port);
+                let tone = if shown.is_some() { theme::of(ui).text } else { theme::of(ui).dim };
+                let mut text = RichText::new(&*port.label).color(tone);
+                if with_marks.exposed().is_some() {
+                    text = text.underline();
+                }
+                if is_mixed {
+                    text = text.italics().color(theme::of(ui).accent);
+                }
+                let mut help = help_of(port);
+                for line in [with_marks.help().as_str(), if is_mixed { MIXED } else { "" }] {
+                    help += if line.is_empty() { "" } else { "\n" };
+                    help += line;
+                }
+                marked(ui, text, &help, Some(&with_marks), out, |ui, label, out| {
                     reset(ui, subject, port, out);
-                    if let Some((id, value)) = widget(ui, label, subject, port, own) {
+                    if let Some((id, value)) = widget(ui, label, subject, port, shown) {
                         out.push(held(subject, port, id, value));
                     }
                 });
@@ -66,21 +106,60 @@ fn help_of(port: &Port) -> String {
         help += "\n";
     }
     help += &format!("{} ({})", port.name, port.ty);
+    let short = |number: f64| values::short(port, &Value::Number(number));
+    match (port.min, port.max) {
+        (Some(min), Some(max)) => help += &format!(", {} to {}", short(min), short(max)),
+        (Some(min), None) => help += &format!(", {} or more", short(min)),
+        (None, Some(max)) => help += &format!(", {} or less", short(max)),
+        (None, None) => {}
+    }
+    if let (Fallback::Value(value), false) = (&port.fallback, matches!(port.ty, Type::Text)) {
+        help += &format!("; default {}", values::short(port, value));
+    }
     help
 }
 
-fn held(subject: &Subject<'_>, port: &Port, widget: Id, value: Value) -> Command {
-    Command::EditHeld(widget, set(subject, &port.name, value))
+/// The nodes that are selected with this one and have the same input free: what is set here is set there too.
+fn alike<'a>(subject: &'a Subject<'_>, port: &'a Port) -> impl Iterator<Item = (&'a NodeId, &'a Node)> {
+    let session = subject.session;
+    session.selection.iter().filter(move |id| *id != subject.id).filter_map(move |id| {
+        let node = session.graph().nodes.get(id)?;
+        let kind = session.catalog.of(node)?;
+        let other = &kind.inputs[kind.input(port.name.as_str())?];
+        let is_free = session.graph().wire_into(id, &port.name).is_none();
+        (is_free && other.ty == port.ty && other.unit == port.unit).then_some((id, node))
+    })
 }
 
-fn set(subject: &Subject<'_>, port: &PortName, value: Value) -> Edit {
-    Edit::SetValue {
+/// Whether the nodes that are selected have different values here.
+fn is_mixed(subject: &Subject<'_>, port: &Port) -> bool {
+    let value = |id: &NodeId| subject.session.value_at(&subject.session.target(id, &port.name));
+    let own = value(subject.id);
+    alike(subject, port).any(|(id, _)| value(id) != own)
+}
+
+/// The edit that takes own values away.
+fn reset_edit(subject: &Subject<'_>, port: &Port) -> Option<Edit> {
+    let with_own = std::iter::once((subject.id, subject.node)).chain(alike(subject, port));
+    let clears = with_own.filter(|(_, node)| node.values.contains_key(&port.name)).map(|(id, _)| Edit::ClearValue {
         graph: subject.session.graph_id().clone(),
-        id: subject.id.clone(),
-        port: port.clone(),
-        value,
-        index: None,
-    }
+        id: id.clone(),
+        port: port.name.clone(),
+    });
+    let edits: Vec<Edit> = clears.collect();
+    (!edits.is_empty()).then_some(Edit::Group { edits })
+}
+
+/// Sets a value of all selected nodes that have it, each where it is looked at: at its key, or at all.
+fn held(subject: &Subject<'_>, port: &Port, widget: Id, value: Value) -> Command {
+    let session = subject.session;
+    let target = session.target(subject.id, &port.name);
+    let others: Vec<_> = alike(subject, port).map(|(id, _)| session.target(id, &port.name)).collect();
+    let edit = match others.is_empty() {
+        true => session.set_at(&target, value),
+        false => session.set_all_at(std::iter::once(target).chain(others).map(|target| (target, value.clone()))),
+    };
+    Command::EditHeld(widget, edit)
 }
 
 /// What feeds a wired input.

@@ -48,7 +48,13 @@ fn number(ui: &mut Ui, name: &str, port: &Port, value: &Value) -> Option<(Id, Va
         .range(range)
         .clamp_existing_to_range(false)
         .suffix(if scale == 1.0 { "" } else { "°" })
-        .max_decimals(if is_int { 0 } else { 3 })
+        .max_decimals(if is_int {
+            0
+        } else if scale == 1.0 {
+            3
+        } else {
+            1
+        })
         .speed(if scale == 1.0 { 0.01 } else { 0.5 });
     let response = ui.add_sized(vec2(66.0, ui.spacing().interact_size.y), drag);
     named(&response, eframe::egui::Role::SpinButton, name);

@@ -221,6 +221,11 @@ impl Session {
         &self.view
     }
 
+    /// The moment that is shown, in seconds.
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
     /// The wire that is shown in place of the picture.
     pub(crate) fn wire(&self) -> Option<&ShownWire> {
         self.wire.as_ref()

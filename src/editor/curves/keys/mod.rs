@@ -34,6 +34,8 @@ pub(crate) struct Keys {
     /// How the sphere is turned: yaw and pitch in radians, by the kind of direction.
     turned: [Option<[f64; 2]>; 2],
     ground: Ground,
+    /// The same of the small sphere that shows the other side.
+    other_side: Ground,
     /// Where the light or the view was before it was sent to a key.
     back: Option<Orbit>,
 }
@@ -178,7 +180,7 @@ impl Keys {
             *turned = [0.0, 0.0];
         }
         let turned = *turned;
-        let globe = Globe::new(rect.center(), side / 2.0 - 14.0, turned);
+        let globe = Globe::new(rect.center(), side / 2.0 - 22.0, turned);
         let inks: Vec<Color32> = (0..shown.keys.keys.len()).map(|key| colors.hue(key)).collect();
         ui.painter().rect_filled(rect, 4.0, colors.canvas);
         graticule(ui, globe, false);
@@ -199,6 +201,34 @@ impl Keys {
             }
         }
         now_mark(ui, shown, globe);
+        self.other_side(ui, shown, rect, turned);
+    }
+
+    /// A small sphere in the corner as seen from the other side; a press turns the large one there.
+    fn other_side(&mut self, ui: &Ui, shown: &Shown<'_>, rect: Rect, [yaw, pitch]: [f64; 2]) {
+        let colors = theme::of(ui);
+        let radius = (rect.width() * 0.11).clamp(14.0, 34.0);
+        let turned = [yaw + std::f64::consts::PI, -pitch];
+        let globe = Globe::new(rect.right_bottom() - vec2(radius + 5.0, radius + 5.0), radius, turned);
+        let place = Rect::from_center_size(globe.center, egui::Vec2::splat(2.0 * radius));
+        let response = ui.interact(place, ui.scope_id().with("other side"), Sense::click());
+        name(&response, Role::Button, "Turn to the other side");
+        let inks: Vec<Color32> = (0..shown.keys.keys.len()).map(|key| colors.hue(key)).collect();
+        ui.painter().circle_filled(globe.center, radius + 2.0, colors.canvas);
+        ui.painter().add(self.other_side.mesh(shown.keys, globe, turned, &inks, colors.canvas));
+        let edge = if response.hovered() || response.has_focus() { colors.accent } else { colors.swatch_edge };
+        ui.painter().circle_stroke(globe.center, radius, Stroke::new(1.0, edge));
+        for (index, key) in shown.keys.keys.iter().enumerate() {
+            let direction = DVec3::from(key.direction).normalize_or_zero();
+            if globe.is_front(direction) {
+                let stroke = Stroke::new(1.0, colors.canvas);
+                ui.painter().circle(globe.project(direction), 3.5, colors.hue(index), stroke);
+            }
+        }
+        if response.clicked() {
+            self.turned[usize::from(shown.keys.by == KeyDirection::View)] = Some(turned);
+        }
+        response.on_hover_text("The other side of the sphere; press to turn it to the front");
     }
 }
 

@@ -47,7 +47,7 @@ fn row(ui: &mut Ui, shown: &Shown<'_>, target: &Target, out: &mut Vec<Command>) 
     let Shown { session, set, keys, .. } = shown;
     let [owner, what] = session.names_of(target);
     let called = format!("{owner}: {what}");
-    let link = ui.link(&called).on_hover_text("Shows what has this value");
+    let link = ui.link(RichText::new(&called).color(theme::of(ui).text)).on_hover_text("Shows what has this value");
     if link.clicked()
         && let Target::Input { node, .. } = target
     {

@@ -52,7 +52,7 @@ struct Curve {
 pub(crate) struct Profile {
     /// The node that was shown last: another selection that has no profile changes nothing.
     shown: Option<NodeId>,
-    sampler: Option<(usize, Tier, Option<Sampler>)>,
+    sampler: Option<(Arc<Library>, Tier, Option<Sampler>)>,
     curves: HashMap<[u64; 4], Arc<Curve>>,
     strip: strip::Strip,
 }
@@ -185,9 +185,8 @@ impl Profile {
         const COUNT: usize = 240;
         let tier = layer.tier();
         let library: &Arc<Library> = &layer.session.library;
-        let stamp = Arc::as_ptr(library) as usize;
-        if self.sampler.as_ref().is_none_or(|(known, of, _)| (*known, *of) != (stamp, tier)) {
-            self.sampler = Some((stamp, tier, Sampler::new(library, tier)));
+        if !self.sampler.as_ref().is_some_and(|(known, of, _)| Arc::ptr_eq(known, library) && *of == tier) {
+            self.sampler = Some((library.clone(), tier, Sampler::new(library, tier)));
             self.curves.clear();
         }
         let key = [shape.offset, shape.falloff, shape.cutoff, shift].map(f64::to_bits);
@@ -219,7 +218,7 @@ fn head(ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
                 }
             }
         };
-        let combo = ComboBox::from_id_salt("profile").selected_text(layer.name()).width(110.0).show_ui(ui, name);
+        let combo = ComboBox::from_id_salt("profile").selected_text(layer.name()).width(84.0).show_ui(ui, name);
         combo.response.on_hover_text("The layer whose profile this is; selecting a layer shows its own").widget_info(
             || egui::WidgetInfo::labeled(egui::Role::ComboBox, true, format!("Profile of {}", layer.name())),
         );
@@ -261,7 +260,7 @@ fn numbers(ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
                 .range(0.0..=180.0)
                 .clamp_existing_to_range(false)
                 .speed(0.5)
-                .max_decimals(2)
+                .max_decimals(1)
                 .suffix("°");
             let response = ui.add(drag).labelled_by(label).on_hover_text(help);
             if response.changed() && degrees.is_finite() {

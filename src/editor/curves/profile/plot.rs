@@ -119,14 +119,7 @@ fn paint_curves(ui: &Ui, layer: &Layer<'_>, axes: Axes, curves: &Curves) {
         let [convex, concave] = &curves.warped;
         painter.add(PathShape::line(axes.line(convex), Stroke::new(1.0, colors.dim)));
         painter.extend(Drawn::dashed_line(&axes.line(concave), Stroke::new(1.0, colors.dim), 4.0, 3.0));
-        let font = FontId::proportional(theme::SMALL_TEXT);
-        for (curve, text, tone) in [(convex, "convex", 0.66), (concave, "concave", 0.34)] {
-            let place = curve.tones.iter().position(|&t| t < tone).and_then(|i| curve.angles.get(i));
-            let Some(&u) = place else { continue };
-            let is_right = u > layer.shape.sanitized().falloff;
-            let (align, dx) = if is_right { (Align2::LEFT_CENTER, 4.0) } else { (Align2::RIGHT_CENTER, -4.0) };
-            painter.text(axes.at(u, tone) + vec2(dx, 0.0), align, text, font.clone(), colors.dim);
-        }
+        legend(ui, axes);
     }
     for (key, curve) in &curves.keys {
         painter.add(PathShape::line(axes.line(curve), Stroke::new(1.5, colors.hue(*key).gamma_multiply(0.75))));
@@ -138,6 +131,22 @@ fn paint_curves(ui: &Ui, layer: &Layer<'_>, axes: Axes, curves: &Curves) {
         painter.add(Drawn::convex_polygon(diamond.to_vec(), colors.canvas, Stroke::new(1.5, colors.warning)));
         let font = FontId::proportional(theme::SMALL_TEXT);
         painter.text(at + vec2(8.0, -8.0), Align2::LEFT_CENTER, "bends here", font, colors.warning);
+    }
+}
+
+/// Says which of the faint curves is which, where a profile is seldom.
+fn legend(ui: &Ui, axes: Axes) {
+    let colors = theme::of(ui);
+    let (painter, font) = (ui.painter(), FontId::proportional(theme::SMALL_TEXT));
+    for (row, text) in ["most convex", "most concave"].into_iter().enumerate() {
+        let y = axes.0.top() + 9.0 + 14.0 * row as f32;
+        let rect = painter.text(pos2(axes.0.right() - 4.0, y), Align2::RIGHT_CENTER, text, font.clone(), colors.dim);
+        let line = [pos2(rect.left() - 24.0, y), pos2(rect.left() - 6.0, y)];
+        let stroke = Stroke::new(1.0, colors.dim);
+        match row {
+            0 => drop(painter.line_segment(line, stroke)),
+            _ => painter.extend(Drawn::dashed_line(&line, stroke, 4.0, 3.0)),
+        }
     }
 }
 

@@ -65,7 +65,12 @@ impl Bend {
         }
         let cosine = (f.cos() - c.cos()) / (f.cos() * c.cos() - 1.0);
         let second = cosine.clamp(-1.0, 1.0).acos();
-        if (second - f).abs() < 1e-4 { Self::Never } else { Self::Twice(offset + second) }
+        match second {
+            // With a cut-off half a turn away it lies there.
+            second if second >= c - 1e-4 => Self::Once,
+            second if (second - f).abs() < 1e-4 => Self::Never,
+            second => Self::Twice(offset + second),
+        }
     }
 }
 
@@ -189,6 +194,7 @@ mod tests {
             (0.0, 1.0, 2.0),
             (0.2, 0.9, 1.4),
             (0.0, FRAC_PI_2, PI),
+            (0.0, 1.7, PI),
             (0.0, 2.0, 2.6),
             (0.0, 1.8, 1.95),
             (0.3, 2.3, 2.9),

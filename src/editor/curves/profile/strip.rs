@@ -24,10 +24,13 @@ pub(super) const ROWS: [f64; 5] = [1.0, 0.75, 0.5, 0.25, 0.0];
 /// Colours over the angle.
 const COLUMNS: usize = 90;
 
+/// The profile at each of the convexities.
+pub(super) type Rows = [Arc<Curve>; ROWS.len()];
+
 /// The strip, and what it was computed from.
 #[derive(Default)]
 pub(super) struct Strip {
-    known: Option<(Inputs, Vec<[f64; 4]>)>,
+    known: Option<(Inputs, Rows, Vec<[f64; 4]>)>,
 }
 
 /// Everything that colours depend on, but for the curves.
@@ -41,21 +44,21 @@ struct Inputs {
     opacity: f64,
     clamped: bool,
     space: ColorSpace,
-    curves: [usize; ROWS.len()],
 }
 
 impl Strip {
     /// Shows the strip under the part of the plot that has angles.
-    pub(super) fn show(&mut self, ui: &mut Ui, layer: &Layer<'_>, area: Rect, rows: &[Arc<Curve>; ROWS.len()]) {
+    pub(super) fn show(&mut self, ui: &mut Ui, layer: &Layer<'_>, area: Rect, rows: &Rows) {
         let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), HEIGHT), Sense::hover());
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "Colors from convex to concave"));
-        let inputs = inputs(layer, rows);
-        if self.known.as_ref().is_none_or(|(known, _)| *known != inputs) {
+        let inputs = inputs(layer);
+        let is_same = |own: &Rows| own.iter().zip(rows).all(|(a, b)| Arc::ptr_eq(a, b));
+        if !self.known.as_ref().is_some_and(|(known, own, _)| *known == inputs && is_same(own)) {
             let colors = colors(layer, &inputs, rows).unwrap_or_default();
-            self.known = Some((inputs.clone(), colors));
+            self.known = Some((inputs.clone(), rows.clone(), colors));
         }
         let bar = Rect::from_x_y_ranges(area.x_range(), rect.y_range());
-        let Some((_, colors)) = &self.known else { return };
+        let Some((_, _, colors)) = &self.known else { return };
         paint(ui, bar, colors, inputs.space);
         let font = FontId::proportional(theme::SMALL_TEXT);
         let ink = theme::of(ui).dim;
@@ -69,7 +72,7 @@ impl Strip {
     }
 }
 
-fn inputs(layer: &Layer<'_>, rows: &[Arc<Curve>; ROWS.len()]) -> Inputs {
+fn inputs(layer: &Layer<'_>) -> Inputs {
     let session = layer.session;
     let space = session.look().color_space;
     let color = |port: &str| {
@@ -101,7 +104,6 @@ fn inputs(layer: &Layer<'_>, rows: &[Arc<Curve>; ROWS.len()]) -> Inputs {
         opacity: layer.number("opacity").unwrap_or(1.0),
         clamped: !matches!(clamped, Some(Value::Bool(false))),
         space,
-        curves: rows.each_ref().map(|curve| Arc::as_ptr(curve) as usize),
     }
 }
 
@@ -130,7 +132,7 @@ fn functions(layer: &Layer<'_>, mode: &str) -> Option<Functions> {
 }
 
 /// Row by row; premultiplied.
-fn colors(layer: &Layer<'_>, inputs: &Inputs, rows: &[Arc<Curve>; ROWS.len()]) -> Option<Vec<[f64; 4]>> {
+fn colors(layer: &Layer<'_>, inputs: &Inputs, rows: &Rows) -> Option<Vec<[f64; 4]>> {
     let functions = functions(layer, &inputs.mode)?;
     let vec = |x: &[f64]| Number::vec(x);
     let [r, g, b, intensity] = inputs.light;

@@ -78,6 +78,11 @@ impl Timeline {
         }
     }
 
+    /// Stops where it is.
+    pub(crate) fn stop(&mut self) {
+        self.playing = None;
+    }
+
     /// A time that is shown: the frame before it where times snap to frames.
     fn on_frame(&self, time: f64) -> f64 {
         if self.snaps { tidy((time * self.fps + 1e-6).floor() / self.fps) } else { tidy(time) }

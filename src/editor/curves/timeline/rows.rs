@@ -71,7 +71,12 @@ fn name(ui: &mut Ui, session: &Session, index: usize, track: &TimeKeys, out: &mu
             });
         }
         let now = session.value_now(&track.target).zip(session.port_at(&track.target));
-        let shown = now.map(|(value, port)| values::short(&port, &value)).unwrap_or_default();
+        let space = session.look().color_space;
+        let shown = now.map(|(value, port)| match value.color_in(space).filter(|_| port.ty == Type::Color) {
+            Some(color) => values::hex(color),
+            None => values::short(&port, &value),
+        });
+        let shown = shown.unwrap_or_default();
         let rect = ui.available_rect_before_wrap();
         let value_width = 62.0;
         let font = egui::TextStyle::Body.resolve(ui.style());

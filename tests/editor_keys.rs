@@ -1,0 +1,261 @@
+//! Profile, direction keys, timeline and what the inspector does with keyed values, driven by a hand.
+#![cfg(feature = "editor")]
+
+mod editor_support;
+
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use std::path::Path;
+
+use chiaro::document::{Interpolation, KeyDirection, Target, Value};
+use editor_support::{Hand, close};
+use eframe::egui::{Key, Pos2, Role, pos2, vec2};
+use egui_kittest::kittest::Queryable as _;
+
+fn at(hand: &Hand, label: &str) -> Pos2 {
+    let found = hand.harness.get_all_by_label(label).next();
+    found.unwrap_or_else(|| panic!("{label}")).rect().center()
+}
+
+fn click(hand: &mut Hand, label: &str) {
+    let at = at(hand, label);
+    hand.click(at);
+    hand.settle();
+}
+
+fn has(hand: &Hand, text: &str) -> bool {
+    hand.harness.query_all_by_label_contains(text).next().is_some()
+}
+
+fn select(hand: &mut Hand, ids: &[&str]) {
+    hand.app_mut().session_mut().select(ids.iter().map(|id| (*id).into()).collect());
+    hand.settle();
+}
+
+fn radians(hand: &Hand, node: &str, port: &str) -> f64 {
+    match hand.look().graph.nodes[node].values.get(port) {
+        Some(Value::Number(number)) => *number,
+        other => panic!("{node}.{port} is {other:?}"),
+    }
+}
+
+fn target(text: &str) -> Target {
+    Target::parse(text).unwrap()
+}
+
+/// Points for a degree of the profile.
+fn degree(hand: &Hand) -> f32 {
+    let plot = hand.harness.get_by_label_contains("over the angle").rect();
+    (plot.width() - 40.0) / 180.0
+}
+
+fn directional() -> Hand {
+    let mut hand = Hand::new();
+    hand.app_mut().open(Path::new("examples/looks/figure5-directional.json"));
+    hand.settle();
+    hand
+}
+
+#[test]
+fn a_profile_is_dragged_in_one_step_and_keeps_its_order() {
+    let mut hand = Hand::new();
+    select(&mut hand, &["diffuse"]);
+    let before = hand.look().clone();
+    let cutoff = at(&hand, "Cut-off of the profile");
+    let wide = degree(&hand);
+    hand.drag(cutoff, cutoff + vec2(30.0 * wide, 0.0));
+    hand.settle();
+    let dragged = radians(&hand, "diffuse", "cutoff");
+    assert!((dragged - 120_f64.to_radians()).abs() < 0.02, "{dragged}");
+    // The offset stops at the fall-off.
+    let offset = at(&hand, "Offset of the profile");
+    hand.drag(offset, offset + vec2(150.0 * wide, 0.0));
+    hand.settle();
+    assert!(close(radians(&hand, "diffuse", "offset"), FRAC_PI_2));
+    hand.undo();
+    hand.undo();
+    assert_eq!(*hand.look(), before, "a drag is one step");
+}
+
+#[test]
+fn presets_keys_and_notes_of_a_profile() {
+    let mut hand = Hand::new();
+    select(&mut hand, &["diffuse"]);
+    click(&mut hand, "Profile preset Cartoon");
+    for port in ["offset", "falloff", "cutoff"] {
+        assert!(close(radians(&hand, "diffuse", port), FRAC_PI_4), "{port}");
+    }
+    hand.undo();
+    assert!(hand.look().graph.nodes["diffuse"].values.get("offset").is_none(), "a preset is one step");
+    click(&mut hand, "Profile preset Half-Lambert");
+    assert!(close(radians(&hand, "diffuse", "cutoff"), PI));
+    // A click takes the focus, arrow keys move by a degree.
+    click(&mut hand, "Fall-off of the profile");
+    hand.key(Key::ArrowLeft);
+    hand.key(Key::ArrowLeft);
+    assert!(close(radians(&hand, "diffuse", "falloff"), 88_f64.to_radians()));
+    assert!(!has(&hand, "is not the only bend"));
+    for _ in 0..12 {
+        hand.key(Key::ArrowRight);
+    }
+    assert!(close(radians(&hand, "diffuse", "falloff"), 100_f64.to_radians()));
+    hand.settle();
+    assert!(!has(&hand, "is not the only bend"), "up to a cut-off of 180° the second bend lies at its end");
+    let cutoff = at(&hand, "Cut-off of the profile");
+    let wide = degree(&hand);
+    hand.drag(cutoff, cutoff - vec2(65.0 * wide, 0.0));
+    hand.settle();
+    assert!(has(&hand, "is not the only bend"));
+}
+
+#[test]
+fn direction_keys_are_made_from_nothing() {
+    let mut hand = Hand::new();
+    let before = hand.look().clone();
+    select(&mut hand, &["diffuse"]);
+    click(&mut hand, "Direction keys");
+    click(&mut hand, "Add direction keys");
+    click(&mut hand, "By the light key");
+    assert_eq!(hand.look().direction_keys[0].by, KeyDirection::Light("key".into()));
+    assert_eq!(hand.look().direction_keys[0].keys.len(), 1);
+    click(&mut hand, "Add value");
+    click(&mut hand, "Diffuse: Opacity");
+    let opacity = target("diffuse.opacity");
+    let keys = |hand: &Hand| hand.look().direction_keys[0].keys.clone();
+    assert_eq!(keys(&hand)[0].values[&opacity], Value::Number(1.0));
+    // A copy lies beside its original and is dragged elsewhere; what is set in the inspector is set there.
+    click(&mut hand, "Copy key");
+    let copy = at(&hand, "Direction key 2");
+    let sphere = hand.harness.get_by_label("Sphere of directions").rect();
+    hand.drag(copy, pos2(sphere.center().x + 0.3 * sphere.width(), sphere.center().y));
+    hand.settle();
+    let moved = keys(&hand)[1].direction;
+    assert!(moved[0] > 0.6 && moved[1].abs() < 0.15, "to the right: {moved:?}");
+    let field = hand.number_field("Opacity");
+    hand.click(field.center());
+    hand.key_with(eframe::egui::Modifiers::COMMAND, Key::A);
+    hand.type_text("0.25");
+    hand.key(Key::Enter);
+    hand.settle();
+    assert_eq!(keys(&hand)[1].values[&opacity], Value::Number(0.25));
+    assert_eq!(keys(&hand)[0].values[&opacity], Value::Number(1.0), "only at the key that is selected");
+    assert!(hand.look().graph.nodes["diffuse"].values.get("opacity").is_none());
+    // Going to a key turns the window's lights, not the document.
+    let look = hand.look().clone();
+    click(&mut hand, "Go to key");
+    assert_eq!(*hand.look(), look);
+    let light = hand.app().session().orbit().illumination * glam::DVec3::from(look.lights["key"].direction).normalize();
+    assert!((light - glam::DVec3::from(moved).normalize()).length() < 1e-3, "{light}");
+    click(&mut hand, "Back");
+    assert_eq!(hand.app().session().orbit().illumination, glam::DQuat::IDENTITY);
+    click(&mut hand, "Delete key");
+    assert_eq!(keys(&hand).len(), 1);
+    while hand.app().session().undo_label().is_some() {
+        hand.undo();
+    }
+    assert_eq!(*hand.look(), before);
+}
+
+#[test]
+fn a_key_takes_the_values_that_are_seen() {
+    let mut hand = directional();
+    click(&mut hand, "Direction keys");
+    let now = match hand.look().graph.nodes["diffuse"].values["cutoff"] {
+        Value::Number(own) => own,
+        _ => unreachable!(),
+    };
+    // The light stands on the first key.
+    click(&mut hand, "Add key here");
+    let keys = &hand.look().direction_keys[0].keys;
+    assert_eq!(keys.len(), 3);
+    match keys[2].values[&target("diffuse.cutoff")] {
+        Value::Number(value) => assert!(close(value, now)),
+        _ => unreachable!(),
+    }
+    assert_eq!(keys[2].values.len(), keys[1].values.len(), "every value that is keyed");
+    // While the same is keyed nothing is compiled: the sphere is dragged at the speed of uniforms.
+    hand.undo();
+    hand.settle();
+    let back = at(&hand, "Direction key 2");
+    hand.drag(back, back + vec2(12.0, 4.0));
+    assert_ne!(hand.look().direction_keys[0].keys[1].direction, [0.2, 0.5, -0.85]);
+    assert_eq!(hand.app().session().undo_label(), Some("change keys"));
+    hand.undo();
+    assert_eq!(hand.look().direction_keys[0].keys[1].direction, [0.2, 0.5, -0.85]);
+}
+
+#[test]
+fn a_value_is_keyed_in_time_and_played() {
+    let mut hand = Hand::new();
+    let before = hand.look().clone();
+    select(&mut hand, &["diffuse"]);
+    click(&mut hand, "Keys of Opacity");
+    click(&mut hand, "Key in time");
+    assert_eq!(hand.look().time_keys[0].target, target("diffuse.opacity"));
+    assert!(hand.harness.query_by_role_and_label(Role::Tab, "Timeline").is_some(), "the timeline comes up");
+    // Scrub, then set the value: a second key.
+    let ruler = hand.harness.get_by_label("Playhead").rect();
+    hand.click(pos2(ruler.left() + 0.6 * ruler.width(), ruler.top() + 6.0));
+    hand.settle();
+    let time = hand.app().session().time();
+    assert!(time > 1.0 && close(time * 24.0, (time * 24.0).round()), "{time} is on a frame");
+    let field = hand.number_field("Opacity");
+    hand.click(field.center());
+    hand.key_with(eframe::egui::Modifiers::COMMAND, Key::A);
+    hand.type_text("0.5");
+    hand.key(Key::Enter);
+    hand.settle();
+    let keys = |hand: &Hand| hand.look().time_keys[0].keys.clone();
+    assert_eq!(keys(&hand).len(), 2);
+    assert_eq!((keys(&hand)[1].time, &keys(&hand)[1].value), (time, &Value::Number(0.5)));
+    // Dragged in time, made stepped.
+    let second = at(&hand, "Time key 2 of Diffuse: Opacity");
+    hand.drag(second, second + vec2(40.0, 0.0));
+    hand.settle();
+    assert!(keys(&hand)[1].time > time);
+    click(&mut hand, "Stepped");
+    assert_eq!(keys(&hand)[1].interpolation, Interpolation::Stepped);
+    // It plays, and asks for frames only then.
+    assert_eq!(hand.repaint_delay(), std::time::Duration::MAX);
+    click(&mut hand, "Play");
+    let started = hand.app().session().time();
+    hand.harness.run_steps(12);
+    assert!(hand.app().session().time() > started || hand.app().session().time() < started, "it moves");
+    assert!(hand.repaint_delay() < std::time::Duration::from_millis(60));
+    let at_pause = at(&hand, "Pause");
+    hand.click(at_pause);
+    hand.settle();
+    assert_eq!(hand.repaint_delay(), std::time::Duration::MAX);
+    click(&mut hand, "Delete time key");
+    assert_eq!(keys(&hand).len(), 1);
+    while hand.app().session().undo_label().is_some() {
+        hand.undo();
+    }
+    assert_eq!(*hand.look(), before);
+}
+
+#[test]
+fn the_inspector_exposes_finds_and_sets_several() {
+    let mut hand = directional();
+    select(&mut hand, &["fill", "diffuse"]);
+    let field = hand.number_field("Opacity");
+    hand.click(field.center());
+    hand.key_with(eframe::egui::Modifiers::COMMAND, Key::A);
+    hand.type_text("0.75");
+    hand.key(Key::Enter);
+    hand.settle();
+    assert!(close(radians(&hand, "fill", "opacity"), 0.75) && close(radians(&hand, "diffuse", "opacity"), 0.75));
+    hand.undo();
+    assert!(hand.look().graph.nodes["fill"].values.get("opacity").is_none(), "one step");
+    select(&mut hand, &["diffuse"]);
+    click(&mut hand, "Keys of Opacity");
+    click(&mut hand, "Expose");
+    assert_eq!(hand.look().exposed[0].target, target("diffuse.opacity"));
+    assert_eq!(hand.look().exposed[0].name.as_str(), "diffuse_opacity");
+    // What is searched for stays, the rest goes.
+    let search = at(&hand, "Find a value");
+    hand.click(search);
+    hand.type_text("opac");
+    hand.settle();
+    assert!(hand.harness.query_by_label("Keys of Opacity").is_some());
+    assert!(hand.harness.query_by_label("Keys of Blending").is_none());
+}
