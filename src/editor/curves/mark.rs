@@ -11,27 +11,22 @@ use crate::document::Target;
 /// The mark of a target, to be pressed.
 pub(crate) fn of(ui: &mut Ui, session: &Session, target: &Target, name: &str) -> Response {
     let colors = theme::of(ui);
-    let (fill, edge, number) = match session.keyed_by(target) {
-        KeyedBy::Nothing => (Color32::TRANSPARENT, colors.dim.gamma_multiply(0.7), None),
+    let (fill, edge) = match session.keyed_by(target) {
+        KeyedBy::Nothing => (Color32::TRANSPARENT, colors.dim.gamma_multiply(0.7)),
         KeyedBy::Direction(set) => {
             let key = session.key_at(set);
-            (colors.hue(key), colors.hue(key), Some(key + 1))
+            (colors.hue(key), colors.hue(key))
         }
         KeyedBy::Time(track) => {
             let keys = session.look().time_keys.get(track).map(|track| track.keys.as_slice()).unwrap_or_default();
             let is_here = keys.iter().any(|key| (key.time - session.time).abs() < 1e-6);
-            (if is_here { colors.accent } else { Color32::TRANSPARENT }, colors.accent, None)
+            (if is_here { colors.accent } else { Color32::TRANSPARENT }, colors.accent)
         }
     };
     let (rect, response) = ui.allocate_exact_size(vec2(16.0, ui.spacing().interact_size.y), Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Button, ui.is_enabled(), name));
     let edge = if response.hovered() || response.has_focus() { colors.text } else { edge };
     diamond(ui, rect.center(), 4.5, fill, edge);
-    if let Some(number) = number {
-        let font = eframe::egui::FontId::proportional(8.0);
-        let align = eframe::egui::Align2::CENTER_CENTER;
-        ui.painter().text(rect.center(), align, number, font, colors.canvas);
-    }
     response
 }
 

@@ -182,12 +182,18 @@ fn wired(ui: &mut Ui, subject: &Subject<'_>, port: &Port, wire: &Wire, out: &mut
     });
 }
 
+fn default_button(ui: &mut Ui) -> bool {
+    let response = ui.add(egui::Button::new("×").small().frame(false));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, "Default"));
+    response.on_hover_text("Takes this value away, so that it has its default again").clicked()
+}
+
 /// Takes an own value away.
 fn reset(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Vec<Command>) {
     // What a context would give has no widget of its own, so this is the only way back.
     let is_own = subject.node.values.contains_key(&port.name);
     let is_read = matches!(port.fallback, Fallback::Context(_) | Fallback::Same(_));
-    if is_own && is_read && ui.small_button("Default").clicked() {
+    if is_own && is_read && default_button(ui) {
         let edit = Edit::ClearValue {
             graph: subject.session.graph_id().clone(),
             id: subject.id.clone(),

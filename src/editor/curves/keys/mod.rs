@@ -180,7 +180,7 @@ impl Keys {
             *turned = [0.0, 0.0];
         }
         let turned = *turned;
-        let globe = Globe::new(rect.center(), side / 2.0 - 22.0, turned);
+        let globe = Globe::new(rect.center(), side / 2.0 - 25.0, turned);
         let inks: Vec<Color32> = (0..shown.keys.keys.len()).map(|key| colors.hue(key)).collect();
         ui.painter().rect_filled(rect, 4.0, colors.canvas);
         graticule(ui, globe, false);

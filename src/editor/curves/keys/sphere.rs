@@ -54,7 +54,7 @@ impl Globe {
     /// The direction at a point of the screen, on the near or the far side; beside the sphere it is that of its rim.
     pub(super) fn direction(self, at: Pos2, is_front: bool) -> DVec3 {
         let offset = at - self.center;
-        let inside = offset * (self.radius * 0.9999 / offset.length().max(self.radius));
+        let inside = offset * (self.radius * 0.999_999 / offset.length().max(self.radius));
         let [x, y] = [inside.x, -inside.y].map(|x| f64::from(x) / self.scale());
         let ray = self.right * x + self.up * y - self.toward;
         let length = ray.length_squared();
@@ -179,7 +179,7 @@ mod tests {
             let side = (1.0 - z * z).sqrt();
             let direction = DVec3::new(side * cos, side * sin, z);
             let back = globe.direction(globe.project(direction), globe.is_front(direction));
-            assert!(back.distance(direction) < 2e-3, "{direction} {back}");
+            assert!(back.distance(direction) < 5e-3, "{direction} {back}");
             assert!(globe.project(direction).distance(globe.center) <= 70.01);
         }
         assert!(globe.direction(pos2(400.0, 80.0), true).dot(globe.toward) < 0.31, "beside it is the rim");

@@ -28,12 +28,19 @@ pub(super) fn show(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
 fn head(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
     let colors = theme::of(ui);
     ui.label(RichText::new("Value").small().color(colors.dim));
+    // A key that is selected on the sphere comes into view.
+    let seen = egui::Id::unique("key in view");
+    let is_new = ui.data(|data| data.get_temp(seen)) != Some((shown.set, shown.key));
+    ui.data_mut(|data| data.insert_temp(seen, (shown.set, shown.key)));
     for index in 0..shown.keys.keys.len() {
         let is_it = shown.key == index;
         let text = RichText::new(format!("Key {}", index + 1)).color(colors.hue(index)).strong();
         let response = ui.add(Button::selectable(is_it, text).small());
         response
             .widget_info(|| WidgetInfo::selected(egui::Role::Button, true, is_it, format!("Select key {}", index + 1)));
+        if is_it && is_new {
+            response.scroll_to_me(Some(egui::Align::Center));
+        }
         let help = "Values set elsewhere in the window are set at this key; press again to follow the heaviest key";
         if response.on_hover_text(help).clicked() {
             let is_held = shown.session.key == Some((shown.set, index));

@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use eframe::egui;
 use eframe::egui::ecolor::gamma_from_linear;
-use eframe::egui::epaint::{Mesh, Vertex};
-use eframe::egui::{Align2, Color32, FontId, Rect, Role, Sense, Shape as Drawn, Stroke, Ui, WidgetInfo, pos2, vec2};
+use eframe::egui::epaint::{Mesh, PathShape, Vertex};
+use eframe::egui::{Color32, Pos2, Rect, Role, Sense, Shape as Drawn, Stroke, Ui, WidgetInfo, pos2, vec2};
 
 use super::super::super::theme;
 use super::{Curve, Layer};
@@ -60,16 +60,22 @@ impl Strip {
         let bar = Rect::from_x_y_ranges(area.x_range(), rect.y_range());
         let Some((_, _, colors)) = &self.known else { return };
         paint(ui, bar, colors, inputs.space);
-        let font = FontId::proportional(theme::SMALL_TEXT);
-        let ink = theme::of(ui).dim;
-        let at = |y: f32| pos2(rect.left() + 1.0, y);
-        ui.painter().text(at(rect.top() + 7.0), Align2::LEFT_CENTER, "vex", font.clone(), ink);
-        ui.painter().text(at(rect.bottom() - 7.0), Align2::LEFT_CENTER, "cave", font, ink);
+        bow(ui, pos2(rect.left() + 12.0, rect.top() + 10.0), 1.0);
+        bow(ui, pos2(rect.left() + 12.0, rect.bottom() - 10.0), -1.0);
         response.on_hover_text(
             "What the layer makes of the look's base color at each angle: above where the surface bulges (convex), \
              below where it is hollow (concave), with the warp that curvature gives.",
         );
     }
+}
+
+/// A bump, or a hollow with `way` -1.
+fn bow(ui: &Ui, at: Pos2, way: f32) {
+    let points = (0..=8).map(|i| {
+        let x = i as f32 / 4.0 - 1.0;
+        at + vec2(7.0 * x, way * (5.0 * x * x - 2.5))
+    });
+    ui.painter().add(PathShape::line(points.collect(), Stroke::new(1.5, theme::of(ui).dim)));
 }
 
 fn inputs(layer: &Layer<'_>) -> Inputs {
