@@ -5,7 +5,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use eframe::egui::{Key, KeyboardShortcut, Modifiers, Panel, RichText, Ui, ViewportCommand};
+use eframe::egui::{Key, Modifiers, Panel, RichText, Ui, ViewportCommand};
 
 use super::canvas::Canvas;
 use super::code::Code;
@@ -17,6 +17,8 @@ use super::dock::effects::Effects;
 use super::picture::Picture;
 use super::probe::{Probe, picture_size};
 use super::session::Session;
+use super::sheet::Sheet;
+use super::shortcuts::{self, Action, Place};
 use super::viewport::Viewport;
 use super::wipe::Wipe;
 use super::{dock, inspector, problems, theme};
@@ -36,6 +38,7 @@ pub struct App {
     probe: Probe,
     wipe: Wipe,
     cost: Cost,
+    sheet: Sheet,
     /// What is done once unsaved changes are dealt with.
     pending: Option<Pending>,
     /// What went wrong with a file or an edit, until the next command.
@@ -78,6 +81,7 @@ impl App {
             probe: Probe::new(waker()),
             wipe,
             cost,
+            sheet: Sheet::default(),
             pending: None,
             message: None,
             presses: 0,
@@ -205,6 +209,7 @@ impl App {
         }
         self.panels(ui, &mut commands);
         self.ask_about_changes(ui, &mut commands);
+        commands.extend(self.sheet.show(ui).map(Command::Act));
         for command in commands {
             self.apply(ui, command);
             // What was changed in this frame is seen in the next one.
@@ -355,32 +360,27 @@ impl App {
 
     fn shortcuts(&self, ui: &Ui, commands: &mut Vec<Command>) {
         let is_typing = ui.ctx().egui_wants_keyboard_input();
-        let shift = Modifiers::COMMAND | Modifiers::SHIFT;
-        let always = [
-            (shift, Key::S, Command::SaveAs),
-            (Modifiers::COMMAND, Key::S, Command::Save),
-            (Modifiers::COMMAND, Key::O, Command::Open(None)),
-            (Modifiers::COMMAND, Key::N, Command::New),
-        ];
-        // A field that is being typed in has an undo of its own.
-        let elsewhere = [
-            (shift, Key::Z, Command::Redo),
-            (Modifiers::COMMAND, Key::Y, Command::Redo),
-            (Modifiers::COMMAND, Key::Z, Command::Undo),
-        ];
-        let probe = (Modifiers::NONE, Key::I, Command::Probe(!self.probe.is_on()));
-        let leave = self.probe.is_on().then_some((Modifiers::NONE, Key::Escape, Command::LeaveProbe));
-        let elsewhere = elsewhere.into_iter().chain([probe]).chain(leave).filter(|_| !is_typing);
-        for (modifiers, key, command) in always.into_iter().chain(elsewhere) {
-            let shortcut = KeyboardShortcut::new(modifiers, key);
-            if ui.input_mut(|input| input.consume_shortcut(&shortcut)) {
-                commands.push(command);
+        // A field that is being typed in has an undo of its own, and question marks.
+        let is_text = |action| matches!(action, Action::Undo | Action::Redo | Action::Shortcuts);
+        for row in shortcuts::ALL.iter().filter(|row| row.place != Place::Graph) {
+            if is_typing && (is_text(row.action) || row.place == Place::Picture) {
+                continue;
             }
+            if row.keys.iter().any(|&key| shortcuts::take(ui, key)) {
+                commands.push(Command::Act(row.action));
+            }
+        }
+        let escape = (Modifiers::NONE, Key::Escape);
+        if self.probe.is_on() && !is_typing && !self.sheet.is_open() && shortcuts::take(ui, escape) {
+            commands.push(Command::LeaveProbe);
         }
     }
 
     fn apply(&mut self, ui: &Ui, command: Command) {
-        if !matches!(command, Command::Select(_) | Command::Reveal(_) | Command::Show(_) | Command::OpenGraph(_)) {
+        if !matches!(
+            command,
+            Command::Act(_) | Command::Select(_) | Command::Reveal(_) | Command::Show(_) | Command::OpenGraph(_)
+        ) {
             self.message = None;
         }
         match command {
@@ -429,7 +429,25 @@ impl App {
             Command::ShowWire(wire) => self.session.show_wire(wire),
             Command::LeaveProbe => self.probe.escape(),
             Command::Copy(text) => ui.ctx().copy_text(text),
+            Command::Tell(text) => self.message = Some(text),
+            Command::Act(action) => self.act(ui, action),
         }
+    }
+
+    /// Does what the command palette chose.
+    fn act(&mut self, ui: &Ui, action: Action) {
+        let command = match action {
+            Action::New => Command::New,
+            Action::Open => Command::Open(None),
+            Action::Save => Command::Save,
+            Action::SaveAs => Command::SaveAs,
+            Action::Undo => Command::Undo,
+            Action::Redo => Command::Redo,
+            Action::Probe => Command::Probe(!self.probe.is_on()),
+            Action::Commands | Action::Shortcuts => return self.sheet.open(action),
+            action => return self.canvas.ask(action),
+        };
+        self.apply(ui, command);
     }
 
     fn tell(&mut self, edit: impl FnOnce(&mut Session) -> Result<(), Box<Diagnostic>>) {

@@ -91,7 +91,7 @@ fn ports(
                     let edit = set(id, definition, |changed| list(changed, is_output)[index].label = label);
                     out.push(Command::EditHeld(response.id, edit));
                 }
-                let mut button = |ui: &mut Ui, text: &str, verb: &str, is_on: bool| {
+                let button = |ui: &mut Ui, text: &str, verb: &str, is_on: bool| {
                     let response = ui.add_enabled(is_on, egui::Button::new(text).small());
                     let name = format!("{verb} {what} {}", port.name);
                     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, is_on, &name));

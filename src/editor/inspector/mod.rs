@@ -7,6 +7,8 @@ mod light;
 mod ramp;
 mod row;
 
+pub(crate) use interface::{free_port, set as set_interface};
+
 use eframe::egui;
 use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
 
@@ -127,7 +129,11 @@ fn tier_row(ui: &mut Ui, Subject { session, id, node, kind }: &Subject<'_>, out:
         let combo = egui::ComboBox::from_id_salt("tier").selected_text(name(node.tier)).show_ui(ui, |ui| {
             for tier in std::iter::once(None).chain(kind.tiers.iter().copied().map(Some)) {
                 if ui.selectable_label(node.tier == tier, name(tier)).clicked() {
-                    out.push(Command::Edit(Edit::SetTier { graph: session.graph_id().clone(), id: (*id).clone(), tier }));
+                    out.push(Command::Edit(Edit::SetTier {
+                        graph: session.graph_id().clone(),
+                        id: (*id).clone(),
+                        tier,
+                    }));
                 }
             }
         });

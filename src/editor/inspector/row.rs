@@ -74,7 +74,13 @@ fn held(subject: &Subject<'_>, port: &Port, widget: Id, value: Value) -> Command
 }
 
 fn set(subject: &Subject<'_>, port: &PortName, value: Value) -> Edit {
-    Edit::SetValue { graph: subject.session.graph_id().clone(), id: subject.id.clone(), port: port.clone(), value, index: None }
+    Edit::SetValue {
+        graph: subject.session.graph_id().clone(),
+        id: subject.id.clone(),
+        port: port.clone(),
+        value,
+        index: None,
+    }
 }
 
 /// What feeds a wired input.
@@ -103,7 +109,11 @@ fn reset(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Vec<Command>
     let is_own = subject.node.values.contains_key(&port.name);
     let is_read = matches!(port.fallback, Fallback::Context(_) | Fallback::Same(_));
     if is_own && is_read && ui.small_button("Default").clicked() {
-        let edit = Edit::ClearValue { graph: subject.session.graph_id().clone(), id: subject.id.clone(), port: port.name.clone() };
+        let edit = Edit::ClearValue {
+            graph: subject.session.graph_id().clone(),
+            id: subject.id.clone(),
+            port: port.name.clone(),
+        };
         out.push(Command::Edit(edit));
     }
 }
