@@ -136,7 +136,7 @@ fn a_group_is_made_opened_edited_and_dissolved() {
     hand.settle();
     assert_eq!(selected(&hand), ["sum", "half"]);
     assert!(hand.look().definitions.is_empty());
-    assert_eq!(wire_into(&hand, "output", "color").unwrap(), "half.value");
+    assert_eq!(wire_into(&hand, "output", "color").unwrap(), "half.product");
     assert!(errors(&hand).is_empty(), "{:?}", errors(&hand));
     undoes_to(&mut hand, &before);
 }
@@ -223,7 +223,7 @@ fn a_frame_is_made_titled_moved_and_removed() {
     assert_eq!(hand.look().graph.nodes["b"].position, place);
     // A node is dropped into it, and dragged out again.
     let half = node_center(&hand, "half");
-    let inside = hand.app().canvas().node_rect("b").unwrap().center_top() + vec2(60.0, 20.0);
+    let inside = hand.app().canvas().node_rect("b").unwrap().center_top() + vec2(-20.0, 30.0);
     hand.drag(half, inside);
     assert_eq!(hand.look().graph.frames["frame"].nodes.len(), 3);
     let half = node_center(&hand, "half");
@@ -265,7 +265,7 @@ fn right_click(hand: &mut Hand, at: Pos2) {
 #[test]
 fn a_note_is_written_moved_and_removed() {
     let mut hand = sums();
-    let nothing = hand.empty_place();
+    let nothing = hand.app().canvas().node_rect("b").unwrap().left_bottom() + vec2(10.0, 60.0);
     hand.hover(nothing);
     hand.key(Key::N);
     hand.type_text("Why half?");
@@ -278,7 +278,7 @@ fn a_note_is_written_moved_and_removed() {
     assert_ne!(hand.look().graph.notes["note"].position, place);
     let rect = hand.app().canvas().note_rect("note").unwrap();
     hand.drag(rect.right_center() - vec2(2.0, 0.0), rect.right_center() + vec2(60.0, 0.0));
-    assert!(hand.look().graph.notes["note"].width > 240.0);
+    assert!(hand.look().graph.notes["note"].width > 240.0, "{:?}", hand.look().graph.notes);
     let at = hand.app().canvas().note_rect("note").unwrap().center();
     hand.click(at);
     hand.key(Key::Delete);
@@ -324,14 +324,14 @@ fn bookmarks_bring_a_view_back() {
 #[test]
 fn a_node_is_dropped_on_a_wire() {
     let mut hand = sums();
-    hand.add("clamp", pos2(300.0, 340.0));
-    let (from, to) = (hand.output("half", "value"), hand.input("output", "color"));
-    let rect = hand.app().canvas().node_rect("clamp").unwrap();
+    hand.add("clamp_range", pos2(300.0, 340.0));
+    let (from, to) = (hand.output("half", "product"), hand.input("output", "color"));
+    let rect = hand.app().canvas().node_rect("clamp_range").unwrap();
     // Its middle comes to lie on the wire's.
-    let grab = node_center(&hand, "clamp");
+    let grab = node_center(&hand, "clamp_range");
     hand.drag(grab, from + (to - from) / 2.0 + (grab - rect.center()));
-    assert_eq!(wire_into(&hand, "clamp", "value").unwrap(), "half.value");
-    assert!(wire_into(&hand, "output", "color").unwrap().starts_with("clamp"));
+    assert_eq!(wire_into(&hand, "clamp_range", "value").unwrap(), "half.product");
+    assert!(wire_into(&hand, "output", "color").unwrap().starts_with("clamp_range"));
     hand.undo();
     assert_eq!(wire_into(&hand, "output", "color").unwrap(), "half");
 }
@@ -361,10 +361,10 @@ fn a_node_is_swapped_in_place() {
 #[test]
 fn a_reroute_is_put_into_a_wire_by_a_double_click() {
     let mut hand = sums();
-    let (from, to) = (hand.output("half", "value"), hand.input("output", "color"));
+    let (from, to) = (hand.output("half", "product"), hand.input("output", "color"));
     hand.double_click(from + (to - from) / 2.0);
     assert_eq!(hand.look().graph.nodes["reroute"].kind, "reroute");
-    assert_eq!(wire_into(&hand, "reroute", "value").unwrap(), "half.value");
+    assert_eq!(wire_into(&hand, "reroute", "value").unwrap(), "half.product");
     assert!(wire_into(&hand, "output", "color").unwrap().starts_with("reroute"));
     hand.settle();
     assert!(errors(&hand).is_empty(), "{:?}", errors(&hand));
@@ -385,18 +385,18 @@ fn wires_are_cut_with_a_stroke() {
 #[test]
 fn nodes_are_wired_by_key_and_by_coming_near() {
     let mut hand = sums();
-    hand.add("clamp", pos2(1100.0, 400.0));
-    select(&mut hand, &["sum", "clamp"]);
+    hand.add("clamp_range", pos2(540.0, 460.0));
+    select(&mut hand, &["sum", "clamp_range"]);
     hand.key(Key::F);
-    assert_eq!(wire_into(&hand, "clamp", "value").unwrap(), "sum.value");
+    assert_eq!(wire_into(&hand, "clamp_range", "value").unwrap(), "sum.sum");
     hand.undo();
-    assert_eq!(wire_into(&hand, "clamp", "value"), None);
-    let grab = node_center(&hand, "clamp");
-    let corner = hand.app().canvas().node_rect("clamp").unwrap().min;
+    assert_eq!(wire_into(&hand, "clamp_range", "value"), None);
+    let grab = node_center(&hand, "clamp_range");
+    let corner = hand.app().canvas().node_rect("clamp_range").unwrap().min;
     let half = hand.app().canvas().node_rect("half").unwrap();
-    let to = grab + (half.left_bottom() + vec2(half.width() + 40.0, 60.0) - corner);
+    let to = grab + (half.left_bottom() + vec2(half.width() + 25.0, 10.0) - corner);
     drag_with(&mut hand, PointerButton::Primary, Modifiers::ALT, &[grab, to]);
-    assert_eq!(wire_into(&hand, "clamp", "value").unwrap(), "half.value");
+    assert_eq!(wire_into(&hand, "clamp_range", "value").unwrap(), "half.product");
 }
 
 #[test]
@@ -518,8 +518,8 @@ fn edges_snap_to_those_of_neighbours() {
 fn what_adds_nothing_is_dimmed_and_told() {
     let mut hand = Hand::new();
     assert_eq!(hand.app().canvas().idle_word("diffuse"), None);
-    hand.add("clamp", pos2(0.0, 300.0));
-    assert_eq!(hand.app().canvas().idle_word("clamp"), Some("unused"));
+    hand.add("clamp_range", pos2(0.0, 300.0));
+    assert_eq!(hand.app().canvas().idle_word("clamp_range"), Some("unused"));
     let set = |value| {
         let (graph, port) = (GraphId::Look, "opacity".into());
         Edit::SetValue { graph, id: "diffuse".into(), port, value: Value::Number(value), index: None }
@@ -580,7 +580,7 @@ fn the_sheet_lists_keys_and_the_palette_runs_commands() {
     let at = hand.harness.get_by_label("Command: Undo").rect().center();
     hand.click(at);
     hand.harness.run_steps(3);
-    assert!(!hand.look().graph.nodes.contains_key("group"));
+    assert!(!hand.look().graph.nodes.contains_key("group"), "{:?}", hand.app().session().undo_label());
 }
 
 #[test]
@@ -615,10 +615,10 @@ fn a_script_may_edit_inside_a_group() {
     hand.key_with(CTRL, Key::G);
     hand.key_with(CTRL, Key::Enter);
     let graph = hand.app().session().graph_id().clone();
-    let node = Node { kind: "clamp".to_owned(), position: [260.0, 300.0], ..Node::default() };
-    let add = Edit::AddNode { graph, id: "clamp".into(), node, index: None };
+    let node = Node { kind: "clamp_range".to_owned(), position: [260.0, 300.0], ..Node::default() };
+    let add = Edit::AddNode { graph, id: "clamp_range".into(), node, index: None };
     hand.app_mut().session_mut().apply(add, None).unwrap();
     hand.settle();
-    hand.drag(hand.output("sum", "value"), hand.input("clamp", "value"));
-    assert_eq!(wire_into(&hand, "clamp", "value"), Some(Endpoint::new("sum", "value").to_string()));
+    hand.drag(hand.output("sum", "sum"), hand.input("clamp_range", "value"));
+    assert_eq!(wire_into(&hand, "clamp_range", "value"), Some(Endpoint::new("sum", "sum").to_string()));
 }

@@ -191,6 +191,7 @@ impl App {
         if ui.input(|input| input.pointer.any_pressed()) {
             self.presses += 1;
         }
+        self.sheet.take_escape(ui);
         self.canvas.claim_tab(ui);
         let mut commands = Vec::new();
         self.shortcuts(ui, &mut commands);
@@ -371,7 +372,7 @@ impl App {
             }
         }
         let escape = (Modifiers::NONE, Key::Escape);
-        if self.probe.is_on() && !is_typing && !self.sheet.is_open() && shortcuts::take(ui, escape) {
+        if self.probe.is_on() && !is_typing && shortcuts::take(ui, escape) {
             commands.push(Command::LeaveProbe);
         }
     }

@@ -35,10 +35,16 @@ impl Sheet {
         self.shown.is_some()
     }
 
+    /// Takes the key that closes it, before others do.
+    pub(crate) fn take_escape(&mut self, ui: &Ui) {
+        if self.is_open() && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
+            self.shown = None;
+        }
+    }
+
     /// Shows what is open; what was chosen.
     pub(crate) fn show(&mut self, ui: &Ui) -> Option<Action> {
         let shown = self.shown.as_mut()?;
-        let is_left = ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
         let (mut chosen, is_new) = (None, shown.is_new());
         let pivot = Align2::CENTER_TOP;
         let screen = ui.ctx().content_rect();
@@ -54,7 +60,7 @@ impl Sheet {
             let press = input.pointer.any_pressed().then(|| input.pointer.interact_pos()).flatten();
             press.is_some_and(|press| !response.response.rect.contains(press))
         });
-        if is_left || chosen.is_some() || is_outside && !is_new {
+        if chosen.is_some() || is_outside && !is_new {
             self.shown = None;
         }
         chosen

@@ -227,10 +227,10 @@ fn key_text(modifiers: Modifiers, key: Key) -> String {
     let names = [(modifiers.command || modifiers.ctrl, "Ctrl+"), (modifiers.shift, "Shift+"), (modifiers.alt, "Alt+")];
     let mut text: String = names.into_iter().filter(|(is_on, _)| *is_on).map(|(_, name)| name).collect();
     text += match key {
-        Key::ArrowLeft => "←",
-        Key::ArrowRight => "→",
-        Key::ArrowUp => "↑",
-        Key::ArrowDown => "↓",
+        Key::ArrowLeft => "Left",
+        Key::ArrowRight => "Right",
+        Key::ArrowUp => "Up",
+        Key::ArrowDown => "Down",
         Key::Delete => "Del",
         Key::OpenBracket => "[",
         Key::CloseBracket => "]",

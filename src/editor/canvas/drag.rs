@@ -23,11 +23,11 @@ const REACH: f32 = 5.0;
 const NEAR: f32 = 90.0;
 
 impl Canvas {
-    pub(super) fn go_on(&mut self, ui: &Ui, delta: Vec2, session: &Session, out: &mut Vec<Command>) {
+    pub(super) fn go_on(&mut self, ui: &Ui, session: &Session, out: &mut Vec<Command>) {
         let Some(at) = ui.input(|input| input.pointer.latest_pos()) else { return };
         let graph_at = self.view.to_graph(at);
         match &mut self.gesture {
-            Gesture::Move(_) => self.go_on_moving(ui, delta / self.view.zoom, graph_at),
+            Gesture::Move(_) => self.go_on_moving(ui, graph_at),
             Gesture::Box { from, before } => {
                 let area = Rect::from_two_pos(*from, graph_at);
                 let before = before.clone();
@@ -39,8 +39,8 @@ impl Canvas {
                 self.select_where(&before, session, out, |rect| is_inside(rect.center(), &path));
             }
             Gesture::Cut { path } => path.push(graph_at),
-            Gesture::Note { id, by, is_resize } => {
-                *by += delta / self.view.zoom;
+            Gesture::Note { id, from, by, is_resize } => {
+                *by = graph_at - *from;
                 let (id, by, is_resize) = (id.clone(), *by, *is_resize);
                 if let Some((row, note)) =
                     self.table.notes.iter_mut().find(|row| row.id == id).zip(session.graph().notes.get(&id))
@@ -78,12 +78,11 @@ impl Canvas {
         }
     }
 
-    fn go_on_moving(&mut self, ui: &Ui, step: Vec2, pointer: Pos2) {
+    fn go_on_moving(&mut self, ui: &Ui, pointer: Pos2) {
         let modifiers = ui.input(|input| input.modifiers);
         let Gesture::Move(drag) = &mut self.gesture else { return };
-        drag.pointer += step;
         let nodes = drag.nodes.clone();
-        let (by, wished) = (drag.by, drag.pointer);
+        let (by, wished) = (drag.by, pointer - drag.from);
         // Where the nodes would be without snapping.
         let moved = edits::around(nodes.iter().map(|&index| self.table.nodes[index].rect)).translate(wished - by);
         let is_free = modifiers.command || modifiers.ctrl;
@@ -181,7 +180,7 @@ impl Canvas {
             Gesture::Move(drag) if drag.by != Vec2::ZERO || drag.joins.is_some() => {
                 self.finish_move(drag, session, out)
             }
-            Gesture::Note { id, by, is_resize } if by != Vec2::ZERO => {
+            Gesture::Note { id, by, is_resize, .. } if by != Vec2::ZERO => {
                 let edit = edits::set_note(session, &id, |note| {
                     if is_resize {
                         note.width = (note.width + f64::from(by.x)).round().clamp(60.0, 2000.0);

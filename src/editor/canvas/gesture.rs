@@ -32,7 +32,7 @@ pub(super) enum Gesture {
     /// Nodes follow the pointer.
     Move(Move),
     /// A note follows the pointer, or its right edge does.
-    Note { id: NoteId, by: Vec2, is_resize: bool },
+    Note { id: NoteId, from: Pos2, by: Vec2, is_resize: bool },
     /// A wire's loose end follows the pointer.
     Wire(WireDrag),
 }
@@ -41,8 +41,8 @@ pub(super) enum Gesture {
 #[derive(Default)]
 pub(super) struct Move {
     pub(super) nodes: HashSet<usize>,
-    /// How far the pointer went, and how far the nodes did.
-    pub(super) pointer: Vec2,
+    /// Where the pointer took hold, in points of the graph, and how far the nodes went.
+    pub(super) from: Pos2,
     pub(super) by: Vec2,
     /// Lines that edges lie on: across or not, where, from where to where.
     pub(super) guides: Vec<(bool, f32, [f32; 2])>,
@@ -105,7 +105,7 @@ impl Canvas {
             self.start_drag(origin, modifiers, session, out);
         }
         if response.dragged() {
-            self.go_on(ui, response.drag_delta(), session, out);
+            self.go_on(ui, session, out);
         }
         if response.drag_stopped() {
             let at = ui.input(|input| input.pointer.latest_pos());
@@ -214,18 +214,23 @@ impl Canvas {
                     HashSet::from([index])
                 };
                 self.item = None;
-                Gesture::Move(Move { nodes, ..Move::default() })
+                Gesture::Move(Move { nodes, from, ..Move::default() })
             }
             Some(Hit::Frame(index)) => {
                 let frame = &self.table.frames[index];
                 self.item = Some(Item::Frame(frame.id.clone()));
-                Gesture::Move(Move { nodes: frame.nodes.iter().copied().collect(), is_frame: true, ..Move::default() })
+                Gesture::Move(Move {
+                    from,
+                    nodes: frame.nodes.iter().copied().collect(),
+                    is_frame: true,
+                    ..Move::default()
+                })
             }
             Some(Hit::Note(index)) => {
                 let note = &self.table.notes[index];
                 self.item = Some(Item::Note(note.id.clone()));
                 let is_resize = note.rect.max.x - from.x < 8.0 / self.view.zoom;
-                Gesture::Note { id: note.id.clone(), by: Vec2::ZERO, is_resize }
+                Gesture::Note { id: note.id.clone(), from, by: Vec2::ZERO, is_resize }
             }
             _ if modifiers.alt => Gesture::Lasso { path: vec![from], before: before() },
             _ => Gesture::Box { from, before: before() },
