@@ -385,18 +385,19 @@ fn wires_are_cut_with_a_stroke() {
 #[test]
 fn nodes_are_wired_by_key_and_by_coming_near() {
     let mut hand = sums();
-    hand.add("clamp_range", pos2(540.0, 460.0));
+    hand.add("clamp_range", pos2(300.0, 200.0));
     select(&mut hand, &["sum", "clamp_range"]);
     hand.key(Key::F);
     assert_eq!(wire_into(&hand, "clamp_range", "value").unwrap(), "sum.sum");
     hand.undo();
     assert_eq!(wire_into(&hand, "clamp_range", "value"), None);
+    select(&mut hand, &["clamp_range"]);
     let grab = node_center(&hand, "clamp_range");
     let corner = hand.app().canvas().node_rect("clamp_range").unwrap().min;
-    let half = hand.app().canvas().node_rect("half").unwrap();
-    let to = grab + (half.left_bottom() + vec2(half.width() + 25.0, 10.0) - corner);
+    let b = hand.app().canvas().node_rect("b").unwrap();
+    let to = grab + (b.left_bottom() + vec2(25.0, 15.0) - corner);
     drag_with(&mut hand, PointerButton::Primary, Modifiers::ALT, &[grab, to]);
-    assert_eq!(wire_into(&hand, "clamp_range", "value").unwrap(), "half.product");
+    assert_eq!(wire_into(&hand, "clamp_range", "value").unwrap(), "b.value");
 }
 
 #[test]

@@ -46,10 +46,10 @@ impl Sheet {
     pub(crate) fn show(&mut self, ui: &Ui) -> Option<Action> {
         let shown = self.shown.as_mut()?;
         let (mut chosen, is_new) = (None, shown.is_new());
-        let pivot = Align2::CENTER_TOP;
         let screen = ui.ctx().content_rect();
-        let area = egui::Area::new(egui::Id::unique("sheet")).order(egui::Order::Foreground).pivot(pivot);
-        let area = area.fixed_pos(screen.center_top() + vec2(0.0, 70.0)).constrain_to(screen);
+        let width = if matches!(shown, Shown::Shortcuts { .. }) { 2.0 * WIDTH } else { WIDTH };
+        let area = egui::Area::new(egui::Id::unique("sheet")).order(egui::Order::Foreground);
+        let area = area.fixed_pos(screen.center_top() + vec2(-width / 2.0, 70.0));
         let response = area.show(ui.ctx(), |ui| {
             egui::Frame::popup(ui.style()).show(ui, |ui| match shown {
                 Shown::Shortcuts { .. } => show_shortcuts(ui, screen.height() - 180.0),
@@ -145,28 +145,31 @@ fn show_commands(ui: &mut Ui, query: &mut String, index: &mut usize, is_new: &mu
     *index = (*index).min(found.len().saturating_sub(1));
     let mut chosen = found.get(*index).filter(|_| enter).map(|row| row.action);
     ui.spacing_mut().item_spacing.y = 0.0;
-    ScrollArea::vertical().max_height(ROW * 14.0).auto_shrink([false, true]).show(ui, |ui| {
-        for (place, row) in found.iter().enumerate() {
-            let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), egui::Sense::click());
-            let name = format!("Command: {}", row.label);
-            response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, &name));
-            let colors = theme::of(ui);
-            if place == *index || response.hovered() {
-                let fill = if place == *index { colors.accent_dim } else { colors.field };
-                ui.painter().rect_filled(rect, 4.0, fill);
+    ScrollArea::vertical().max_height(ROW * 14.0).min_scrolled_height(ROW * 14.0).auto_shrink([false, true]).show(
+        ui,
+        |ui| {
+            for (place, row) in found.iter().enumerate() {
+                let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), egui::Sense::click());
+                let name = format!("Command: {}", row.label);
+                response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, &name));
+                let colors = theme::of(ui);
+                if place == *index || response.hovered() {
+                    let fill = if place == *index { colors.accent_dim } else { colors.field };
+                    ui.painter().rect_filled(rect, 4.0, fill);
+                }
+                let font = egui::FontId::proportional(theme::TEXT_SIZE);
+                let text = |at, align, text: String, color| ui.painter().text(at, align, text, font.clone(), color);
+                text(rect.left_center() + vec2(8.0, 0.0), Align2::LEFT_CENTER, row.label.to_owned(), colors.text);
+                text(rect.right_center() - vec2(8.0, 0.0), Align2::RIGHT_CENTER, row.text(), colors.dim);
+                if response.clicked() {
+                    chosen = Some(row.action);
+                }
             }
-            let font = egui::FontId::proportional(theme::TEXT_SIZE);
-            let text = |at, align, text: String, color| ui.painter().text(at, align, text, font.clone(), color);
-            text(rect.left_center() + vec2(8.0, 0.0), Align2::LEFT_CENTER, row.label.to_owned(), colors.text);
-            text(rect.right_center() - vec2(8.0, 0.0), Align2::RIGHT_CENTER, row.text(), colors.dim);
-            if response.clicked() {
-                chosen = Some(row.action);
+            if found.is_empty() {
+                ui.label(RichText::new("No command of that name").color(theme::of(ui).dim));
             }
-        }
-        if found.is_empty() {
-            ui.label(RichText::new("No command of that name").color(theme::of(ui).dim));
-        }
-    });
+        },
+    );
     chosen
 }
 

@@ -153,23 +153,28 @@ impl Palette {
         }
         let mut chosen = None;
         ui.spacing_mut().item_spacing.y = 0.0;
-        ScrollArea::vertical().max_height(ROW * ROWS).auto_shrink([false, true]).show(ui, |ui| {
-            for (index, kind) in found.iter().enumerate() {
-                let is_current = index == self.index;
-                let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), egui::Sense::click());
-                response
-                    .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Add {}", kind.label)));
-                if is_current && ui.input(|input| input.keys_down.len()) > 0 {
-                    response.scroll_to_me(None);
+        ScrollArea::vertical().max_height(ROW * ROWS).min_scrolled_height(ROW * ROWS).auto_shrink([false, true]).show(
+            ui,
+            |ui| {
+                for (index, kind) in found.iter().enumerate() {
+                    let is_current = index == self.index;
+                    let (rect, response) =
+                        ui.allocate_exact_size(vec2(ui.available_width(), ROW), egui::Sense::click());
+                    response.widget_info(|| {
+                        egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Add {}", kind.label))
+                    });
+                    if is_current && ui.input(|input| input.keys_down.len()) > 0 {
+                        response.scroll_to_me(None);
+                    }
+                    if ui.is_rect_visible(rect) {
+                        paint_row(ui, rect, kind, is_current, response.hovered());
+                    }
+                    if response.on_hover_text(first_sentence(&kind.help)).clicked() {
+                        chosen = Some(kind.clone());
+                    }
                 }
-                if ui.is_rect_visible(rect) {
-                    paint_row(ui, rect, kind, is_current, response.hovered());
-                }
-                if response.on_hover_text(first_sentence(&kind.help)).clicked() {
-                    chosen = Some(kind.clone());
-                }
-            }
-        });
+            },
+        );
         chosen
     }
 
