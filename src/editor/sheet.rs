@@ -7,6 +7,8 @@ use super::shortcuts::{self, Action, POINTER, Place, Shortcut};
 use super::theme;
 
 const WIDTH: f32 = 420.0;
+/// The width of the sheet of shortcuts.
+const SHEET: f32 = 1080.0;
 const ROW: f32 = 24.0;
 
 /// What is open of both.
@@ -47,7 +49,8 @@ impl Sheet {
         let shown = self.shown.as_mut()?;
         let (mut chosen, is_new) = (None, shown.is_new());
         let screen = ui.ctx().content_rect();
-        let width = if matches!(shown, Shown::Shortcuts { .. }) { 2.0 * WIDTH } else { WIDTH };
+        // A window may be narrower than the sheet.
+        let width = if matches!(shown, Shown::Shortcuts { .. }) { SHEET } else { WIDTH };
         let area = egui::Area::new(egui::Id::unique("sheet")).order(egui::Order::Foreground);
         let area = area.fixed_pos(screen.center_top() + vec2(-width / 2.0, 70.0));
         let response = area.show(ui.ctx(), |ui| {
@@ -77,20 +80,21 @@ impl Shown {
 }
 
 fn show_shortcuts(ui: &mut Ui, height: f32) {
-    ui.set_width(2.0 * WIDTH);
+    ui.set_width(SHEET);
     ui.heading("Shortcuts");
-    ScrollArea::vertical().max_height(height).show(ui, |ui| {
-        ui.columns(2, |columns| {
-            let [left, right] = columns else { return };
+    ui.spacing_mut().item_spacing.y = 1.0;
+    ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
+        ui.columns(3, |columns| {
+            let [left, middle, right] = columns else { return };
             let graph: Vec<(String, &str)> = rows(Place::Graph).collect();
-            let (first, second) = graph.split_at(graph.len().div_ceil(2) + 6);
+            let (first, second) = graph.split_at(graph.len().div_ceil(2));
             list(left, Place::Graph.label(), first);
-            list(right, "", second);
+            list(middle, " ", second);
             for place in Place::ALL.into_iter().filter(|place| *place != Place::Graph) {
                 list(right, place.label(), &rows(place).collect::<Vec<_>>());
             }
             let pointer: Vec<(String, &str)> = POINTER.iter().map(|(key, what)| ((*key).to_owned(), *what)).collect();
-            list(right, "With the pointer", &pointer);
+            list(right, "With the pointer, in the graph", &pointer);
         });
     });
 }
@@ -107,7 +111,7 @@ fn rows(place: Place) -> impl Iterator<Item = (String, &'static str)> {
 }
 
 fn list(ui: &mut Ui, title: &str, rows: &[(String, &str)]) {
-    ui.add_space(4.0);
+    ui.add_space(6.0);
     if !title.is_empty() {
         ui.label(RichText::new(title).strong().color(theme::of(ui).accent));
     }
@@ -116,7 +120,7 @@ fn list(ui: &mut Ui, title: &str, rows: &[(String, &str)]) {
             ui.label(*what);
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 ui.add_space(10.0);
-                ui.label(RichText::new(key).monospace().color(theme::of(ui).dim));
+                ui.label(RichText::new(key).color(theme::of(ui).dim));
             });
         });
     }

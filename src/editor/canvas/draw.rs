@@ -183,11 +183,13 @@ impl Canvas {
         rounded(mesh, head, round, (true, is_head), if is_hovered { lighter(title) } else { title });
         let is_dim = row.is_muted || self.idle_of(row).is_some();
         if pen.zoom > SOCKETS {
-            self.draw_sockets(mesh, pen, index);
             self.draw_text(mesh, pen, index);
         }
         if is_dim {
             rounded(mesh, r, round, (true, true), pen.colors.canvas.gamma_multiply(0.55));
+        }
+        if pen.zoom > SOCKETS {
+            self.draw_sockets(mesh, pen, index, is_dim);
         }
         if pen.zoom > SOCKETS
             && let Some((offset, tag)) = &self.table.nodes[index].text.tag
@@ -199,7 +201,7 @@ impl Canvas {
         }
     }
 
-    fn draw_sockets(&self, mesh: &mut Mesh, pen: &Pen<'_>, index: usize) {
+    fn draw_sockets(&self, mesh: &mut Mesh, pen: &Pen<'_>, index: usize, is_dim: bool) {
         // Those of a collapsed node lie on one another: the first of each side is seen, and whatever fits a wire.
         let row = &self.table.nodes[index];
         let is_first = |at: &Socket| {
@@ -212,8 +214,11 @@ impl Canvas {
             let is_hovered = self.hovered == Some(Hit::Socket(at));
             let is_out = pen.fits.is_some_and(|fits| !fits(at));
             let radius = theme::SOCKET * pen.zoom * if is_hovered && !is_out { 1.4 } else { 1.0 };
-            let color =
-                if is_out { mixed(pen.colors.of_type(ty), pen.colors.node, 0.8) } else { pen.colors.of_type(ty) };
+            let color = match (is_out, is_dim) {
+                (true, _) => mixed(pen.colors.of_type(ty), pen.colors.node, 0.8),
+                (_, true) => mixed(pen.colors.of_type(ty), pen.colors.canvas, 0.55),
+                _ => pen.colors.of_type(ty),
+            };
             if pen.zoom > ALL_TEXT {
                 socket(mesh, type_shape(ty), center, radius + 1.5, pen.colors.node_edge);
             }

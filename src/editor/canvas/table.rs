@@ -154,6 +154,7 @@ impl Table {
         }
         self.by_id = self.nodes.iter().enumerate().map(|(index, row)| (row.id.clone(), index)).collect();
         self.sync_wires(graph);
+        self.level_ends();
         self.find_unused();
         self.sync_frames(graph);
         true
@@ -161,7 +162,7 @@ impl Table {
 
     /// The ends of a group lie left and right of all that is in it.
     fn add_ends(&mut self, ends: [Kind; 2]) {
-        let bounds = self.bounds();
+        let bounds = self.nodes.iter().fold(Rect::NOTHING, |bounds, row| bounds.union(row.rect));
         let bounds = if bounds.is_positive() { bounds } else { Rect::from_min_size(Pos2::ZERO, vec2(60.0, 80.0)) };
         for (index, kind) in ends.into_iter().enumerate() {
             let size = vec2(NODE_WIDTH, height(&kind));
@@ -180,6 +181,25 @@ impl Table {
                 is_unused: false,
                 text: NodeText::default(),
             });
+        }
+    }
+
+    /// Moves the ends of a group up or down so that their wires run level, on the whole.
+    fn level_ends(&mut self) {
+        for end in (0..self.nodes.len()).filter(|&index| self.nodes[index].is_end).collect::<Vec<_>>() {
+            let rise = |wire: &WireRow| self.place(wire.to).y - self.place(wire.from).y;
+            let way = |wire: &WireRow| if wire.from.node == end { rise(wire) } else { -rise(wire) };
+            let own = self.wires.iter().filter(|wire| wire.from.node == end || wire.to.node == end);
+            let ways: Vec<f32> = own.map(way).collect();
+            if !ways.is_empty() {
+                let mean = (ways.iter().sum::<f32>() / ways.len() as f32).round();
+                self.nodes[end].rect = self.nodes[end].rect.translate(vec2(0.0, mean));
+            }
+        }
+        for index in 0..self.wires.len() {
+            if self.nodes[self.wires[index].from.node].is_end || self.nodes[self.wires[index].to.node].is_end {
+                self.wires[index].bounds = self.wire_bounds(index);
+            }
         }
     }
 

@@ -53,7 +53,7 @@ pub(crate) fn lay_out(
 
     let mut room = (NODE_WIDTH - 18.0) * zoom;
     if !tag.is_empty() {
-        let tag = one_line(painter, tag, size * 0.85, room * 0.5, colors.dim);
+        let tag = one_line(painter, tag, (size * 0.85).max(LEAST_TITLE - 1.0), room * 0.6, colors.dim);
         let width = tag.size().x;
         room -= width + 6.0 * zoom;
         text.tag = Some((vec2(NODE_WIDTH - 10.0 - width / zoom, centered(&tag, TITLE_HEIGHT / 2.0)), tag));
