@@ -623,3 +623,24 @@ fn a_script_may_edit_inside_a_group() {
     hand.drag(hand.output("sum", "sum"), hand.input("clamp_range", "value"));
     assert_eq!(wire_into(&hand, "clamp_range", "value"), Some(Endpoint::new("sum", "sum").to_string()));
 }
+
+/// 1 - 0.25 and 1 - 0.5 are 0.75 and 0.5; their sum and its half are worked out by hand.
+#[test]
+fn nodes_tell_what_they_give() {
+    let mut hand = sums();
+    hand.app_mut().canvas_mut().set_zoom_and_center(0.6, pos2(420.0, 120.0));
+    for _ in 0..8 {
+        hand.harness.run_steps(6);
+        hand.settle();
+    }
+    let value = |id: &str| hand.app().canvas().value_text(hand.app().session(), id).map(str::to_owned);
+    assert_eq!(value("a").as_deref(), Some("0.75"));
+    assert_eq!(value("sum").as_deref(), Some("1.25"));
+    assert_eq!(value("half").as_deref(), Some("0.625"));
+    let mut hand = Hand::new();
+    for _ in 0..8 {
+        hand.harness.run_steps(6);
+        hand.settle();
+    }
+    assert!(hand.app().canvas().has_ball(hand.app().session(), "diffuse"));
+}

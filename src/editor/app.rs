@@ -155,12 +155,18 @@ impl App {
     /// Whether shaders, pictures or values are being made.
     pub fn is_busy(&self) -> bool {
         let is_drawing = self.picture.as_ref().is_some_and(Picture::is_busy);
-        is_drawing || self.session.is_compiling() || self.probe.is_busy() || self.wipe.is_busy() || self.cost.is_busy()
+        is_drawing
+            || self.session.is_compiling()
+            || self.canvas.is_busy()
+            || self.probe.is_busy()
+            || self.wipe.is_busy()
+            || self.cost.is_busy()
     }
 
     /// Waits for them; for tests.
     pub fn wait(&self) {
         self.session.wait();
+        self.canvas.wait();
         self.probe.wait();
         self.wipe.wait();
         self.cost.wait();

@@ -230,6 +230,8 @@ impl Canvas {
         let look = pen.session.look();
         let row = &self.table.nodes[index];
         let tag = if row.is_muted { "muted" } else { self.idle_of(row).map_or("", |idle| idle.word) };
+        let id = row.id.clone();
+        let value = if tag.is_empty() { self.value_of(pen.session, &id).map(str::to_owned) } else { None };
         let row = &mut self.table.nodes[index];
         let end = Node::default();
         let node = match pen.session.graph().nodes.get(&row.id) {
@@ -238,7 +240,16 @@ impl Canvas {
             None => return,
         };
         let has_rows = pen.zoom > ALL_TEXT;
-        lay_out(row, pen.painter, pen.colors, (pen.zoom, has_rows), pen.session.revision(), look, node, tag);
+        lay_out(
+            row,
+            pen.painter,
+            pen.colors,
+            (pen.zoom, has_rows),
+            pen.session.revision(),
+            look,
+            node,
+            (tag, value.as_deref()),
+        );
         let corner = self.view.to_screen(row.rect.min);
         for (offset, galley) in &row.text.lines {
             glyphs(mesh, corner + *offset * pen.zoom, galley, pen.uv, pen.pixels);

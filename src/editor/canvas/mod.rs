@@ -16,6 +16,7 @@ mod marks;
 mod mesh;
 mod overlay;
 mod palette;
+mod preview;
 mod table;
 mod text;
 mod view;
@@ -72,6 +73,7 @@ pub struct Canvas {
     edit_when_there: Option<Item>,
     menu_at: Option<Pos2>,
     menu_hit: Option<Hit>,
+    previews: preview::Previews,
     /// What the command palette asked for.
     asked: Option<Action>,
     snaps_to_grid: bool,
@@ -99,10 +101,11 @@ impl Canvas {
         self.keys(ui, pointer, session, &mut commands);
         let latest = ui.input(|input| input.pointer.latest_pos());
         self.draw(ui, session, latest);
+        self.draw_previews(ui, session);
         self.name_nodes(ui, session);
         self.minimap(ui);
         self.crumbs(ui, session, &mut commands);
-        self.tell(ui, &response);
+        self.tell(ui, &response, session);
         self.menu(ui, &response, session, &mut commands);
         self.show_palette(ui, session, &mut commands);
         self.edit_in_place(ui, session, &mut commands);
@@ -230,7 +233,7 @@ impl Canvas {
     }
 
     /// Says what is under the pointer, and what may be done with it.
-    fn tell(&mut self, ui: &Ui, response: &Response) {
+    fn tell(&mut self, ui: &Ui, response: &Response, session: &Session) {
         self.hint = self.hint_text().to_owned();
         if self.palette.is_some() || !matches!(self.gesture, Gesture::Idle) || ui.input(|i| i.pointer.any_down()) {
             return;
@@ -241,10 +244,19 @@ impl Canvas {
             Some(Hit::Wire(index)) => self.wire_text(index),
             _ => None,
         };
+        let ball = match self.hovered {
+            Some(Hit::Socket(Socket { node, is_output: true, port: 0 })) => {
+                self.ball_of(session, &self.table.nodes[node].id)
+            }
+            _ => None,
+        };
         if let Some(text) = text {
             response.clone().on_hover_ui_at_pointer(|ui| {
                 ui.set_max_width(340.0);
                 ui.label(text);
+                if let Some(ball) = ball {
+                    preview::large(ui, ball);
+                }
             });
         }
     }
@@ -320,6 +332,16 @@ impl Canvas {
     /// Does what the command palette chose, in the next frame.
     pub(crate) fn ask(&mut self, action: Action) {
         self.asked = Some(action);
+    }
+
+    /// What a node's first output gives, where it is the same everywhere; for tests.
+    pub fn value_text(&self, session: &Session, id: &str) -> Option<&str> {
+        self.value_of(session, &id.into())
+    }
+
+    /// Whether a node has a picture of what it gives; for tests.
+    pub fn has_ball(&self, session: &Session, id: &str) -> bool {
+        self.ball_of(session, &id.into()).is_some()
     }
 
     /// Where the title of a frame is on the screen; for tests.

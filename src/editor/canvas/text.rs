@@ -16,7 +16,7 @@ use crate::library::{Fallback, Type};
 #[derive(Default)]
 pub(crate) struct NodeText {
     /// The size in half points, the revision, and whether there is more than a title.
-    key: Option<(i32, u64, bool, &'static str)>,
+    key: Option<(i32, u64, bool, &'static str, Option<String>)>,
     /// The title comes first. Where, from the node's corner, in points of the graph; and what.
     pub(crate) lines: Vec<(Vec2, Arc<Galley>)>,
     /// What is said of the node beside its title.
@@ -37,12 +37,12 @@ pub(crate) fn lay_out(
     revision: u64,
     look: &Look,
     node: &Node,
-    tag: &'static str,
+    (tag, value): (&'static str, Option<&str>),
 ) {
     // Half points, or zooming would fill the font image.
     let half_points = (theme::TEXT_SIZE * zoom * 2.0).round() as i32;
     let has_rows = has_rows && !row.is_collapsed;
-    let key = Some((half_points, revision, has_rows, tag));
+    let key = Some((half_points, revision, has_rows, tag, value.map(str::to_owned)));
     if row.text.key == key {
         return;
     }
@@ -67,6 +67,10 @@ pub(crate) fn lay_out(
     for (index, port) in row.kind.outputs.iter().enumerate() {
         let label = line(&port.label, NODE_WIDTH - 24.0, colors.text);
         let x = NODE_WIDTH - 12.0 - label.size().x / zoom;
+        if let Some(value) = value.filter(|_| index == 0) {
+            let value = line(value, (x - 20.0).max(1.0), colors.second);
+            text.lines.push((vec2(12.0, centered(&value, row_center(index))), value));
+        }
         text.lines.push((vec2(x, centered(&label, row_center(index))), label));
     }
     for (index, port) in row.kind.inputs.iter().enumerate() {
