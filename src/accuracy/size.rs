@@ -99,12 +99,16 @@ fn attribute_bytes(attribute: Attribute) -> u64 {
 /// Bytes a pixel that a pass keeps, and that it moves.
 fn target_bytes(kind: &PassKind, samples: u64) -> (u64, u64) {
     const COLOR: u64 = 8;
+    const NORMAL: u64 = 16;
     const NUMBER: u64 = 4;
     match kind {
         // Normals, distance and a depth buffer, written.
-        PassKind::Normals | PassKind::DetailNormals => (COLOR + 2 * NUMBER, COLOR + 2 * NUMBER),
+        PassKind::Normals | PassKind::DetailNormals => (NORMAL + 2 * NUMBER, NORMAL + 2 * NUMBER),
         // Normals and distances read, curvature written, and read again by the look.
-        PassKind::Curvature | PassKind::DetailCurvature => (NUMBER, COLOR + NUMBER + 2 * NUMBER),
+        PassKind::Curvature
+        | PassKind::SparseCurvature
+        | PassKind::DetailCurvature
+        | PassKind::SparseDetailCurvature => (NUMBER, NORMAL + NUMBER + 2 * NUMBER),
         PassKind::Look if samples > 1 => (COLOR + samples * (COLOR + NUMBER), COLOR + 2 * samples * (COLOR + NUMBER)),
         PassKind::Look => (COLOR + NUMBER, COLOR + NUMBER),
     }
