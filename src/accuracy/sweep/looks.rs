@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use glam::DVec3;
 use serde::Serialize;
 
-use crate::accuracy::tune::stations;
+use crate::accuracy::station::stations;
 use crate::accuracy::{ErrorFigures, Progress, Stopped, truth::Truth};
 use crate::compile::Live;
 use crate::diag::Diagnostic;
