@@ -73,8 +73,12 @@ fn per_vertex(scale: f64, slanted: bool) -> Json {
         json!({"id": "kappa", "kind": "multiply"}),
     ];
     let wire = |from: &str, to: &str| json!({"from": from, "to": to});
-    let mut wires =
-        vec![wire("color", "parts.color"), wire("depth", "far.a"), wire("parts.red", "kappa.a"), wire("far", "kappa.b")];
+    let mut wires = vec![
+        wire("color", "parts.color"),
+        wire("depth", "far.a"),
+        wire("parts.red", "kappa.a"),
+        wire("far", "kappa.b"),
+    ];
     if slanted {
         nodes.extend([
             json!({"id": "normal", "kind": "camera_normal"}),
