@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use super::dock::Panel;
 use super::orbit::Orbit;
+use super::shortcuts::Action;
 use super::wire::ShownWire;
 use crate::document::Edit;
 use crate::ids::{NodeId, NodePath};
@@ -42,6 +43,10 @@ pub(crate) enum Command {
     LeaveProbe,
     /// Shows a wire in place of the picture, or the picture again.
     ShowWire(Option<ShownWire>),
+    /// Tells something in the status line.
+    Tell(String),
+    /// Does what a key, a menu or the command palette asks for.
+    Act(Action),
     /// Copies text to the clipboard.
     Copy(String),
     /// Brings a panel to the front.

@@ -20,6 +20,8 @@ mod picture;
 mod probe;
 mod problems;
 pub mod session;
+mod sheet;
+mod shortcuts;
 mod still;
 mod theme;
 mod values;

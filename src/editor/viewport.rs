@@ -9,10 +9,11 @@ use std::path::Path;
 
 use super::command::Command;
 use super::picture::Picture;
-use super::probe::{Probe, picture_size};
+use super::probe::{Probe, picture_size, wire_name};
 use super::session::Session;
 use super::theme;
 use super::wipe::Wipe;
+use super::wire::node_at;
 use crate::geometry::SHAPES;
 
 /// What a drag that is going on does.
@@ -197,9 +198,9 @@ impl Viewport {
 /// Says that a wire is shown in place of the picture, and leads back.
 fn wire_bar(ui: &mut Ui, session: &Session) -> Option<Command> {
     let wire = session.wire()?;
-    let node = session.look().graph.nodes.get(&wire.node)?;
+    let node = node_at(session.look(), &session.library, wire.node.ids())?;
     let kind = session.catalog.of(node);
-    let name = if node.name.is_empty() { kind.map_or("", |kind| &kind.label) } else { &node.name };
+    let name = wire_name(session, &wire.node);
     let port = kind.and_then(|kind| Some(&*kind.outputs[kind.output(wire.port.as_str())?].label)).unwrap_or_default();
     let mut command = None;
     ui.horizontal(|ui| {

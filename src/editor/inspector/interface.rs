@@ -80,7 +80,7 @@ fn ports(
         ui.push_id((is_output, &port.name), |ui| {
             ui.horizontal(|ui| {
                 let mut label = port.label.clone().unwrap_or_default();
-                let width = (ui.available_width() - 104.0).max(60.0);
+                let width = (ui.available_width() - 136.0).max(60.0);
                 let edit = TextEdit::singleline(&mut label).hint_text(port.name.as_str()).desired_width(width);
                 let response = ui.add(edit).on_hover_text(format!("The label of {}", port.name));
                 response.widget_info(|| {
@@ -91,21 +91,21 @@ fn ports(
                     let edit = set(id, definition, |changed| list(changed, is_output)[index].label = label);
                     out.push(Command::EditHeld(response.id, edit));
                 }
-                let mut button = |ui: &mut Ui, text: &str, verb: &str, is_on: bool| {
+                let button = |ui: &mut Ui, text: &str, verb: &str, is_on: bool| {
                     let response = ui.add_enabled(is_on, egui::Button::new(text).small());
                     let name = format!("{verb} {what} {}", port.name);
                     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, is_on, &name));
                     response.on_hover_text(name).clicked()
                 };
-                if button(ui, "⏶", "Move up", index > 0) {
+                if button(ui, "Up", "Move up", index > 0) {
                     let edit = set(id, definition, |changed| list(changed, is_output).swap(index, index - 1));
                     out.push(Command::Edit(edit));
                 }
-                if button(ui, "⏷", "Move down", index + 1 < ports.len()) {
+                if button(ui, "Down", "Move down", index + 1 < ports.len()) {
                     let edit = set(id, definition, |changed| list(changed, is_output).swap(index, index + 1));
                     out.push(Command::Edit(edit));
                 }
-                if button(ui, "✕", "Remove", true) {
+                if button(ui, "×", "Remove", true) {
                     out.push(Command::Edit(remove(id, definition, is_output, index)));
                 }
             });

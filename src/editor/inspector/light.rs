@@ -125,7 +125,7 @@ fn edit(ui: &mut Ui, session: &Session, id: &LightId, light: &Light, out: &mut V
         });
         out.append(&mut asked);
         if let Some(hand) = hand.filter(|_| new != *light) {
-            out.push(Command::EditHeld(hand, changed(session, id, light, new)));
+            out.push(Command::EditHeld(hand, changed(session, id, light, &new)));
         }
     });
 }
@@ -145,12 +145,12 @@ fn as_set(session: &Session, id: &LightId, light: &Light) -> Light {
 }
 
 /// The edit from one state of a light to another: what is keyed is set at its key, all else in the light.
-fn changed(session: &Session, id: &LightId, old: &Light, new: Light) -> Edit {
+fn changed(session: &Session, id: &LightId, old: &Light, new: &Light) -> Edit {
     let target = |field: &str| Target::Light { light: id.clone(), field: field.to_owned() };
-    let differs = |field: &&str| light_field(old, field) != light_field(&new, field);
+    let differs = |field: &&str| light_field(old, field) != light_field(new, field);
     let fields: Vec<&str> = Target::LIGHT_FIELDS.into_iter().filter(differs).collect();
     if (new.kind, new.space) == (old.kind, old.space) && !fields.is_empty() {
-        let values = fields.iter().filter_map(|field| Some((target(field), light_field(&new, field)?)));
+        let values = fields.iter().filter_map(|field| Some((target(field), light_field(new, field)?)));
         return session.set_all_at(values);
     }
     let own = session.look().lights.get(id).cloned().unwrap_or_default();

@@ -9,6 +9,8 @@ mod ramp;
 mod row;
 pub(crate) mod value;
 
+pub(crate) use interface::{free_port, set as set_interface};
+
 use eframe::egui;
 use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
 
@@ -183,11 +185,10 @@ fn error_of(session: &Session, kind: &Kind, tier: Option<Tier>) -> String {
 
 /// Which output is shown in place of the picture, and how.
 fn shown_row(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: &mut Vec<Command>) {
-    // What is shown is a node of the look's own graph.
-    if kind.outputs.is_empty() || session.definition().is_some() {
+    if kind.outputs.is_empty() {
         return;
     }
-    let shown = session.wire().filter(|wire| wire.node == **id);
+    let shown = session.wire().filter(|wire| wire.node == session.path_of(id));
     row::labelled(ui, "View wire", "Shows an output of this node in place of the picture", |ui, label| {
         let name = |port: &super::catalog::Port| port.label.to_string();
         let port = shown.and_then(|wire| kind.outputs.iter().find(|port| port.name == wire.port));
@@ -201,7 +202,7 @@ fn shown_row(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: 
                 if ui.selectable_label(is_it, &*port.label).clicked() {
                     let style = shown.map(|wire| wire.style).unwrap_or_default();
                     out.push(Command::ShowWire(Some(ShownWire {
-                        node: (*id).clone(),
+                        node: session.path_of(id),
                         port: port.name.clone(),
                         style,
                     })));

@@ -113,7 +113,7 @@ fn add_value(ui: &mut Ui, shown: &Shown<'_>, known: &[Target], out: &mut Vec<Com
                 for port in ports.iter().filter(|port| has_between(&port.ty)) {
                     let is_free = session.graph().wire_into(id, &port.name).is_none();
                     let target = session.target(id, &port.name);
-                    entry(ui, shown, target, is_free && !known.contains(&session.target(id, &port.name)), out);
+                    entry(ui, shown, &target, is_free && !known.contains(&target), out);
                 }
             }
             if session.selection.is_empty() {
@@ -123,7 +123,7 @@ fn add_value(ui: &mut Ui, shown: &Shown<'_>, known: &[Target], out: &mut Vec<Com
                 for field in ["color", "intensity"] {
                     let target = Target::Light { light: light.clone(), field: field.to_owned() };
                     let is_new = !known.contains(&target);
-                    entry(ui, shown, target, is_new, out);
+                    entry(ui, shown, &target, is_new, out);
                 }
             }
         });
@@ -132,9 +132,9 @@ fn add_value(ui: &mut Ui, shown: &Shown<'_>, known: &[Target], out: &mut Vec<Com
     .on_hover_text("Keys another value: it has its present one at every key until you change it");
 }
 
-fn entry(ui: &mut Ui, shown: &Shown<'_>, target: Target, is_new: bool, out: &mut Vec<Command>) {
-    let [owner, what] = shown.session.names_of(&target);
-    if is_new && shown.session.value_now(&target).is_some() && ui.button(format!("{owner}: {what}")).clicked() {
-        out.extend(shown.session.key_in_set(shown.set, &target).map(Command::Edit));
+fn entry(ui: &mut Ui, shown: &Shown<'_>, target: &Target, is_new: bool, out: &mut Vec<Command>) {
+    let [owner, what] = shown.session.names_of(target);
+    if is_new && shown.session.value_now(target).is_some() && ui.button(format!("{owner}: {what}")).clicked() {
+        out.extend(shown.session.key_in_set(shown.set, target).map(Command::Edit));
     }
 }

@@ -163,14 +163,13 @@ fn handles(ui: &Ui, layer: &Layer<'_>, axes: Axes, curves: &Curves, can_edit: bo
     let is_step = Bend::of(layer.shape) == Bend::Step;
     let middle = if is_step { 0.5 } else { tone_at(&curves.own, shape.falloff).clamp(0.16, 0.84) };
     let places = [(shape.offset, 1.0), (shape.falloff, middle), (shape.cutoff, 0.0)];
-    let shown = [0, 1, 2].map(|index| {
+    [0, 1, 2].map(|index| {
         let (u, tone) = places[index];
         let at = axes.at(u, tone);
         let id = ui.scope_id().with(("handle", PARTS[index].port));
         let label = format!("{} of the profile", PARTS[index].label);
         (at, handle(ui, id, at, &label, u.to_degrees(), can_edit && !layer.wired[index]))
-    });
-    shown
+    })
 }
 
 /// What lies around a part: no less than the first, no more than the second.
