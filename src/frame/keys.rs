@@ -424,6 +424,40 @@ mod tests {
     }
 
     #[test]
+    fn a_rig_that_is_renewed_is_a_new_one() {
+        let target = Target::Input { node: NodePath::parse("a"), port: "x".into() };
+        let look_with = |places: &[[f64; 3]], scale: f64| {
+            let key = |(i, &direction): (usize, &[f64; 3])| crate::document::DirectionKey {
+                direction,
+                values: [(target.clone(), Value::Number(scale * i as f64))].into_iter().collect(),
+                unknown: Unknown::new(),
+            };
+            let keys = places.iter().enumerate().map(key).collect();
+            let (by, scheme) = (KeyDirection::View, Default::default());
+            let set = DirectionKeys { name: String::new(), by, scheme, keys, unknown: Unknown::new() };
+            Look { direction_keys: vec![set], ..Look::default() }
+        };
+        let moment = Moment {
+            time: 0.0,
+            illumination: DQuat::IDENTITY,
+            camera_from_world: DMat3::IDENTITY,
+            view: DVec3::new(0.6, 0.0, 0.8),
+            center: DVec3::ZERO,
+            exposed: &Values::new(),
+            lights: &IndexMap::new(),
+        };
+        let of = |rig: &Rig| rig.keyed_values(&|_, _| None, &moment).values[&target].clone();
+        let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
+        let (first, _) = Rig::new(&look_with(&[x, z], 1.0));
+        // Other values, other places, one more key, one less: always as if it were made anew.
+        for look in [look_with(&[x, z], 3.0), look_with(&[z, x], 1.0), look_with(&[x, y, z], 1.0), look_with(&[x], 1.0)]
+        {
+            assert_eq!(of(&first.renewed(&look)), of(&Rig::new(&look).0));
+        }
+        assert_ne!(of(&first), of(&first.renewed(&look_with(&[x, z], 3.0))));
+    }
+
+    #[test]
     fn colours_of_three_and_four_numbers_blend() {
         let opaque = Value::Vector(vec![1.0, 0.0, 0.0]);
         let clear = Value::Vector(vec![0.0, 0.0, 0.0, 0.0]);
