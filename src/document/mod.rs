@@ -2,11 +2,14 @@
 //!
 //! [`Look::read`] and [`Scene::read`] take JSON and give a value, a [`SourceMap`] and every problem at once;
 //! [`Look::to_text`] writes the canonical form, and a document equal to what was read is written back byte for byte.
-//! [`History`] applies every [`Edit`], and undoes it. docs/format.md documents the files.
+//! [`History`] applies every [`Edit`], and undoes it; a [`journal`] keeps what is not saved. docs/format.md documents the
+//! files.
 
 mod check;
 mod color;
 mod edit;
+mod image;
+pub mod journal;
 mod json;
 mod look;
 mod problems;
