@@ -58,6 +58,13 @@ impl Safety {
                     ask(ui, "Keep mine", help, Wish::KeepMine, wishes);
                 });
             }
+            Conflict::Broken(_) => {
+                let text = format!("{name} was changed by another program and cannot be read now; your version stays");
+                row(ui, Tone::Warning, &text, |ui| {
+                    let help = "Saving then writes your version over the other one";
+                    ask(ui, "Keep mine", help, Wish::KeepMine, wishes);
+                });
+            }
             Conflict::Gone => {
                 let text = format!("{name} was removed or moved by another program; saving writes it again");
                 row(ui, Tone::Warning, &text, |ui| ask(ui, "Understood", "Hides this", Wish::Hide, wishes));

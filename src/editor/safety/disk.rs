@@ -23,6 +23,8 @@ type Stamp = Option<(SystemTime, u64)>;
 pub(crate) enum Conflict {
     /// Both sides have changed it; the text is theirs.
     Changed(String),
+    /// Another program wrote what cannot be read without an error.
+    Broken(String),
     /// It was removed or moved away.
     Gone,
 }
@@ -180,7 +182,9 @@ impl Disk {
         match session.on_disk() {
             OnDisk::Same => {
                 self.was_there |= self.look.is_some();
-                self.conflict = None;
+                if let Some(Conflict::Broken(_)) = self.conflict.take() {
+                    session.load_problems.clear();
+                }
                 None
             }
             OnDisk::Gone => {
@@ -193,13 +197,13 @@ impl Disk {
                 None
             }
             OnDisk::Changed(text) => {
+                if !session.reload(&text) {
+                    self.conflict = Some(Conflict::Broken(text));
+                    return None;
+                }
                 self.conflict = None;
                 let name = self.look.as_ref().and_then(|path| path.file_name()).map(|name| name.to_string_lossy());
-                let name = name.unwrap_or_default();
-                Some(match session.reload(&text) {
-                    true => format!("{name} was changed by another program and loaded again"),
-                    false => format!("{name} was changed by another program and cannot be read now"),
-                })
+                Some(format!("{} was changed by another program and loaded again", name.unwrap_or_default()))
             }
         }
     }

@@ -147,14 +147,14 @@ impl Safety {
             Wish::Throw(number, is_thrown) => self.offers.throw(number, is_thrown),
             Wish::Reload => {
                 if let Some(Conflict::Changed(text)) = self.disk.conflict.take() {
-                    return Some(match session.reload(&text) {
-                        true => "Loaded again; Undo brings your changes back".to_owned(),
-                        false => "The file cannot be read; your changes stay".to_owned(),
-                    });
+                    if session.reload(&text) {
+                        return Some("Loaded again; Undo brings your changes back".to_owned());
+                    }
+                    self.disk.conflict = Some(Conflict::Broken(text));
                 }
             }
             Wish::KeepMine => {
-                if let Some(Conflict::Changed(text)) = self.disk.conflict.take() {
+                if let Some(Conflict::Changed(text) | Conflict::Broken(text)) = self.disk.conflict.take() {
                     session.keep_mine(text);
                     return Some("Saving will write over the other version".to_owned());
                 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::super::catalog::Catalog;
 use super::super::safety::keeper::{Keeper, Standing};
 use super::Session;
-use crate::diag::{Diagnostic, has_errors};
+use crate::diag::Diagnostic;
 use crate::document::journal::{About, LookOp, Recovered, Slot};
 use crate::document::{Edit, Look, read_text};
 use crate::ids::NodePath;
@@ -173,14 +173,14 @@ impl Session {
     }
 
     /// Takes what another program made of the file, as one step that can be undone. View and selection stay. Returns
-    /// whether it could be read; else the look stays as it is, and the problems are told.
+    /// whether it could be read without an error; else the look stays as it is, and the problems are told.
     pub(crate) fn reload(&mut self, text: &str) -> bool {
         let file = self.path.as_ref().map(|path| path.display().to_string()).unwrap_or_default();
         let loaded = Look::read(text, &file);
         self.problems_number += 1;
-        let is_partial = has_errors(&loaded.diagnostics);
+        let has_errors = loaded.has_errors();
         self.load_problems = loaded.diagnostics;
-        let Some(look) = loaded.value else { return false };
+        let Some(look) = loaded.value.filter(|_| !has_errors) else { return false };
         if look.to_text() != self.look().to_text()
             && let Err(problem) = self.apply(Edit::Replace { look: Box::new(look) }, None)
         {
@@ -188,7 +188,7 @@ impl Session {
             return false;
         }
         self.source = Arc::new(loaded.source);
-        self.is_partial = is_partial;
+        self.is_partial = false;
         self.history.mark_saved();
         self.saved();
         true
