@@ -505,6 +505,15 @@ fn a_folder_that_cannot_be_written_is_told_once_and_editing_goes_on() {
     close(&mut hand);
     hand.harness.run_steps(3);
     assert!(sees(&hand, "Do not save"));
+    press(&mut hand, "Cancel");
+
+    // Once the folder can be written, the work is kept, without anything being done.
+    fs::remove_file(home.file("state")).unwrap();
+    wait_until(&mut hand, |_| home.journals() == 1);
+    let later = home.after_a_crash();
+    let mut hand = later.window(None);
+    press(&mut hand, "Take it back");
+    assert_eq!(offset(&hand), Some(0.75));
 }
 
 #[test]

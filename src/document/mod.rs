@@ -31,7 +31,7 @@ pub use read::Document;
 pub use scene::*;
 pub use shape::{field_tables, look_schema, scene_schema};
 pub use source::{Loaded, SourceMap};
-pub use store::{read_text, remove_unfinished, write_atomic};
+pub use store::{read_text, remove_abandoned, remove_unfinished, write_atomic};
 pub use structure::{GraphId, InnerNode};
 pub use value::*;
 

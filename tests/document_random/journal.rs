@@ -235,3 +235,73 @@ fn what_is_no_journal_is_told() {
     assert_eq!(recover::<Look>(slot.path()).unwrap_err().code, "damaged-journal");
     assert!(recover::<chiaro::document::Scene>(slot.path()).is_ok());
 }
+
+/// What the journal costs, printed: `cargo test --test document_random -- --ignored --nocapture what_a_journal_costs`.
+#[test]
+#[ignore = "measures"]
+fn what_a_journal_costs() {
+    use chiaro::clock::Clock;
+    use chiaro::document::{GraphId, Node, Value};
+    let timed = |what: &str, count: u32, mut work: Box<dyn FnMut(u32) + '_>| {
+        let mut each: Vec<f64> = (0..count)
+            .map(|index| {
+                let clock = Clock::start();
+                work(index);
+                clock.seconds() * 1e6
+            })
+            .collect();
+        each.sort_by(f64::total_cmp);
+        let at = |part: usize| each[(each.len() - 1) * part / 100];
+        println!("{what}: median {:.1}, p95 {:.1}, most {:.1} us", at(50), at(95), at(100));
+    };
+    for nodes in [200, 5000] {
+        println!("{nodes} nodes");
+        let folder = tempfile::tempdir().unwrap();
+        let slot = Slot::new(folder.path()).unwrap();
+        let mut look = Look::default();
+        for index in 0..nodes {
+            let mut node = Node { kind: "light_layer".into(), position: [f64::from(index), 7.5], ..Node::default() };
+            node.values.insert("offset".into(), Value::Number(0.1));
+            node.values.insert("convex".into(), Value::Vector(vec![0.1, 0.2, 0.3]));
+            look.graph.nodes.insert(format!("layer_{index}").as_str().into(), node);
+        }
+        let mut history = History::new(look);
+        let value = |index: u32| Edit::SetValue {
+            graph: GraphId::Look,
+            id: format!("layer_{}", index % nodes).as_str().into(),
+            port: "offset".into(),
+            value: Value::Number(f64::from(index) * 0.001 + 1.0),
+            index: None,
+        };
+        let mut journal = Journal::begin(&slot, &About::default(), None, &history).unwrap();
+        timed(
+            "append a value",
+            1000,
+            Box::new(|index| journal.append(&[Op::Edit { gesture: None, edit: value(index) }]).unwrap()),
+        );
+        for index in 0..1000 {
+            history.apply(value(index)).unwrap();
+        }
+        timed("the same with the disk waited for", 20, Box::new(|_| journal.sync().unwrap()));
+        let clock = Clock::start();
+        let found = recover::<Look>(slot.path()).unwrap();
+        println!("recover after 1000 edits: {:.1} ms", clock.seconds() * 1e3);
+        assert_eq!(found.history.document(), history.document());
+        timed("clone the history", 20, Box::new(|_| drop(history.clone())));
+        timed(
+            "begin anew with it",
+            20,
+            Box::new(|_| drop(Journal::begin(&slot, &About::default(), None, &history).unwrap())),
+        );
+        println!("{} bytes then", fs::metadata(slot.path()).unwrap().len());
+        let positions: indexmap::IndexMap<_, _> =
+            history.document().graph.nodes.keys().map(|id| (id.clone(), [1.25, 2.5])).collect();
+        let edit = Edit::MoveNodes { graph: GraphId::Look, positions };
+        let mut journal = Journal::begin(&slot, &About::default(), None, &history).unwrap();
+        timed(
+            "append a move of all nodes",
+            20,
+            Box::new(|_| journal.append(&[Op::Edit { gesture: None, edit: edit.clone() }]).unwrap()),
+        );
+    }
+}

@@ -21,12 +21,12 @@ const OFTEN: Duration = Duration::from_millis(100);
 /// After such a rest the disk is made to write.
 const REST: Duration = Duration::from_secs(1);
 /// After a failure, the next attempt is made when so many seconds have passed.
-const RETRY: f64 = 5.0;
+const RETRY: f64 = 3.0;
 
 /// A document as it stands, for a journal to begin with.
 pub(crate) struct Standing {
     pub(crate) about: About,
-    pub(crate) source: Option<String>,
+    pub(crate) source: Option<Arc<str>>,
     pub(crate) history: History<Look>,
     /// The slot that it was in, if it was taken back.
     pub(crate) slot: Option<Slot>,

@@ -99,6 +99,9 @@ impl Safety {
     }
 
     fn take_back(&mut self, number: usize, session: &mut Session) -> String {
+        if session.is_dirty() && !session.keeps_work() {
+            return "Save this look first: its changes cannot be put aside now".to_owned();
+        }
         session.leave_journal(false);
         let told = match self.offers.take_back(number, session) {
             Ok(name) => format!("{name} is as it was, with all its changes"),

@@ -102,7 +102,7 @@ impl Session {
             is_partial: self.is_partial,
             window: serde_json::json!({ "mesh": self.view.mesh }),
         };
-        let source = self.path.is_some().then(|| self.source.text().to_string());
+        let source = self.path.is_some().then(|| self.source.text().clone());
         let standing = Standing { about, source, history: self.history.clone(), slot };
         if let Some(keeper) = &mut self.keeping.keeper {
             keeper.begin(standing);

@@ -14,7 +14,7 @@ use super::orbit::Orbit;
 use super::wire::ShownWire;
 use crate::diag::Diagnostic;
 use crate::document::journal::Op;
-use crate::document::{Edit, History, Look, SourceMap, write_atomic};
+use crate::document::{Edit, History, Look, SourceMap, remove_abandoned, write_atomic};
 use crate::ids::NodeId;
 use crate::library::{Fallback, Library};
 use keeping::{Keeping, OnDisk};
@@ -148,7 +148,9 @@ impl Session {
     }
 
     fn use_project(&mut self, path: &Path) {
-        let folder = path.parent().unwrap_or(Path::new("")).join("nodes");
+        let folder = path.parent().unwrap_or(Path::new(""));
+        remove_abandoned(folder);
+        let folder = folder.join("nodes");
         let built_in = Library::built_in();
         let library = if folder.is_dir() { built_in.with_project(&folder) } else { built_in.clone() };
         self.use_library(library);
