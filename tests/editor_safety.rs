@@ -186,8 +186,8 @@ fn a_damaged_journal_gives_what_it_can_and_says_so() {
         set_offset(&mut hand, value);
     }
     let journal_of = |home: &Home| {
-        let entries = fs::read_dir(home.places().journals()).unwrap().flatten().map(|entry| entry.path());
-        entries.filter(|path| path.extension().is_some_and(|ending| ending == "journal")).next().unwrap()
+        let mut entries = fs::read_dir(home.places().journals()).unwrap().flatten().map(|entry| entry.path());
+        entries.find(|path| path.extension().is_some_and(|ending| ending == "journal")).unwrap()
     };
     let later = home.after_a_crash();
     let path = journal_of(&later);

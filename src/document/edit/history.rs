@@ -182,9 +182,14 @@ impl<D: Editable> History<D> {
         (self.done.len(), self.undone.len())
     }
 
-    /// What can be taken back, the newest last, and repeated, the next last.
-    pub(in crate::document) fn past(&self) -> (&[Step<D::Edit>], &[Step<D::Edit>]) {
-        (&self.done, &self.undone)
+    /// What can be taken back, the newest last.
+    pub(in crate::document) fn done(&self) -> &[Step<D::Edit>] {
+        &self.done
+    }
+
+    /// What can be repeated, the next one last.
+    pub(in crate::document) fn undone(&self) -> &[Step<D::Edit>] {
+        &self.undone
     }
 
     pub(in crate::document) fn numbers(&self) -> Numbers {

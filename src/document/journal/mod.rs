@@ -71,9 +71,8 @@ impl Journal {
             lines.write::<D::Edit>(&Record::Source { text: text.into() })?;
         }
         lines.write::<D::Edit>(&Record::Document { image: history.document().to_image()?.into() })?;
-        let (done, undone) = history.past();
-        lines.steps(done, |steps| Record::Done(Cow::Borrowed(steps)))?;
-        lines.steps(undone, |steps| Record::Undone(Cow::Borrowed(steps)))?;
+        lines.steps(history.done(), |steps| Record::Done(Cow::Borrowed(steps)))?;
+        lines.steps(history.undone(), |steps| Record::Undone(Cow::Borrowed(steps)))?;
         lines.write::<D::Edit>(&Record::Ready)?;
         let Lines { to, number, size, line } = lines;
         let unfinished = to.into_inner().map_err(io::IntoInnerError::into_error)?;

@@ -14,7 +14,7 @@ use super::super::worker::start;
 use crate::clock::Clock;
 use crate::diag::Diagnostic;
 use crate::document::journal::{About, Journal, LookOp, Op, Slot};
-use crate::document::{Edit, Editable, History, Look};
+use crate::document::{Editable, History, Look};
 
 /// As long as a gesture goes on, what was done is written so often.
 const OFTEN: Duration = Duration::from_millis(100);
@@ -72,8 +72,7 @@ impl Keeper {
             folder,
             slot: None,
             journal: None,
-            waiting: Vec::new(),
-            is_first: true,
+            waiting: Waiting::default(),
             is_synced: true,
             shared: shared.clone(),
             failed: None,
@@ -153,15 +152,43 @@ fn problem(why: impl std::fmt::Display) -> Diagnostic {
     Diagnostic::warning("not-kept", message).hint("editing goes on; save often, or make room on the disk")
 }
 
+/// What is about to be written.
+#[derive(Default)]
+struct Waiting {
+    ops: Vec<LookOp>,
+    /// Whether the last of them is the first of its gesture. Others of the same gesture never take its place: it is what
+    /// makes the undo step, and what takes away what could be redone.
+    is_first: bool,
+}
+
+impl Waiting {
+    /// Puts an edit after what waits, or in the place of the last that waits, if it sets the same anyway.
+    fn join(&mut self, op: LookOp) {
+        let last = self.ops.last_mut();
+        let (goes_on, sets_the_same) = match (&last, &op) {
+            (Some(Op::Edit { gesture: Some(old), edit: covered }), Op::Edit { gesture: Some(new), edit })
+                if old == new =>
+            {
+                (true, Look::covers(covered, edit))
+            }
+            _ => (false, false),
+        };
+        match last {
+            Some(last) if sets_the_same && !self.is_first => *last = op,
+            _ => {
+                self.is_first = !goes_on;
+                self.ops.push(op);
+            }
+        }
+    }
+}
+
 /// Lives on the thread.
 struct Writer {
     folder: PathBuf,
     slot: Option<Slot>,
     journal: Option<Journal>,
-    waiting: Vec<LookOp>,
-    /// Whether the last that waits is the first of its gesture. Others of the same gesture never take its place: it
-    /// is what makes the undo step.
-    is_first: bool,
+    waiting: Waiting,
     is_synced: bool,
     shared: Arc<Shared>,
     failed: Option<Clock>,
@@ -200,7 +227,7 @@ impl Writer {
                     return;
                 }
             }
-            since = if self.waiting.is_empty() { None } else { since.or_else(|| Some(Clock::start())) };
+            since = if self.waiting.ops.is_empty() { None } else { since.or_else(|| Some(Clock::start())) };
         }
     }
 
@@ -208,13 +235,12 @@ impl Writer {
         match message {
             Message::Begin(standing) => {
                 // It holds what waits.
-                self.waiting.clear();
-                self.is_first = true;
+                self.waiting.ops.clear();
                 let begun = self.begin(*standing);
                 self.is_synced = true;
                 self.take(begun);
             }
-            Message::Ops(ops, _) => ops.into_iter().for_each(|op| self.join(op)),
+            Message::Ops(ops, _) => ops.into_iter().for_each(|op| self.waiting.join(op)),
             Message::Leave(in_peace) => {
                 self.write();
                 let closed = match self.journal.as_mut() {
@@ -225,7 +251,7 @@ impl Writer {
                 (self.journal, self.slot) = (None, None);
             }
             Message::Discard => {
-                self.waiting.clear();
+                self.waiting.ops.clear();
                 self.journal = None;
                 if let Some(slot) = self.slot.take() {
                     slot.discard();
@@ -249,28 +275,11 @@ impl Writer {
         Ok(())
     }
 
-    /// Puts an edit after what waits, or in the place of the last that waits, if it undoes that anyway.
-    fn join(&mut self, op: LookOp) {
-        let same = match (self.waiting.last(), &op) {
-            (Some(Op::Edit { gesture: Some(old), edit: covered }), Op::Edit { gesture: Some(new), edit }) => {
-                (old == new, old == new && !self.is_first && sets_the_same(covered, edit))
-            }
-            _ => (false, false),
-        };
-        if let ((_, true), Some(last)) = (same, self.waiting.last_mut()) {
-            *last = op;
-            return;
-        }
-        self.is_first = !same.0;
-        self.waiting.push(op);
-    }
-
     fn write(&mut self) {
-        if self.waiting.is_empty() {
+        let ops = std::mem::take(&mut self.waiting.ops);
+        if ops.is_empty() {
             return;
         }
-        let ops = std::mem::take(&mut self.waiting);
-        self.is_first = true;
         let Some(journal) = &mut self.journal else {
             // It could not be begun; after a while that is tried again, by who has the document.
             if self.failed.as_ref().is_none_or(|failed| failed.seconds() > RETRY) {
@@ -318,11 +327,6 @@ impl Writer {
     }
 }
 
-/// Whether of two edits, one after the other, the second alone comes to the same.
-fn sets_the_same(older: &Edit, newer: &Edit) -> bool {
-    Look::covers(older, newer)
-}
-
 fn reason(error: &std::io::Error) -> String {
     match error.kind() {
         std::io::ErrorKind::StorageFull => "the disk is full".to_owned(),
@@ -330,5 +334,87 @@ fn reason(error: &std::io::Error) -> String {
             "the folder for unsaved work may not be written".to_owned()
         }
         _ => format!("the folder for unsaved work cannot be written ({error})"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::{Edit, GraphId, Node, Value};
+
+    /// The document, and all that undo and redo lead through.
+    fn all_of(mut history: History<Look>) -> Vec<String> {
+        let mut all = vec![history.document().to_text()];
+        while history.undo().is_some() {
+            all.push(history.document().to_text());
+        }
+        while history.redo().is_some() {
+            all.push(history.document().to_text());
+        }
+        all
+    }
+
+    fn done(ops: &[LookOp]) -> History<Look> {
+        let mut look = Look::default();
+        look.graph.nodes.insert("a".into(), Node::default());
+        let mut history = History::new(look);
+        ops.iter().for_each(|op| apply(&mut history, op));
+        history
+    }
+
+    fn apply(history: &mut History<Look>, op: &LookOp) {
+        match op.clone() {
+            Op::Edit { gesture: Some(gesture), edit } => history.apply_in(gesture, edit).unwrap(),
+            Op::Edit { gesture: None, edit } => history.apply(edit).unwrap(),
+            Op::Undo => drop(history.undo()),
+            Op::Redo => drop(history.redo()),
+        }
+    }
+
+    #[test]
+    fn joined_edits_come_to_the_same() {
+        let mut fewer = 0;
+        for seed in 0..400_u64 {
+            let mut bits = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1;
+            let mut below = |count: u64| {
+                bits ^= bits << 13;
+                bits ^= bits >> 7;
+                bits ^= bits << 17;
+                (bits >> 11) % count
+            };
+            let (mut ops, mut plain) = (Vec::new(), done(&[]));
+            let mut gesture = 0;
+            for _ in 0..12 {
+                gesture += u64::from(below(5) == 0);
+                let set = |port: &str, value: u64| Edit::SetValue {
+                    graph: GraphId::Look,
+                    id: "a".into(),
+                    port: port.into(),
+                    value: Value::Number(value as f64),
+                    index: None,
+                };
+                let op = match below(12) {
+                    0 => Op::Undo,
+                    1 => Op::Redo,
+                    2 => Op::Edit { gesture: Some(gesture), edit: Edit::SetLookName { name: below(3).to_string() } },
+                    3 => Op::Edit { gesture: None, edit: set("a", below(3)) },
+                    4..7 => Op::Edit { gesture: Some(gesture), edit: set("b", below(3)) },
+                    _ => Op::Edit { gesture: Some(gesture), edit: set("a", below(3)) },
+                };
+                // Only what did something is noted.
+                let before = plain.revision();
+                apply(&mut plain, &op);
+                if plain.revision() > before {
+                    ops.push(op);
+                }
+            }
+            let mut waiting = Waiting::default();
+            ops.iter().cloned().for_each(|op| waiting.join(op));
+            fewer += ops.len() - waiting.ops.len();
+            let joined = done(&waiting.ops);
+            assert_eq!(plain.steps(), joined.steps(), "{ops:?}");
+            assert_eq!(all_of(plain), all_of(joined), "{ops:?}");
+        }
+        assert!(fewer > 200, "edits are joined: {fewer}");
     }
 }

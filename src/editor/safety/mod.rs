@@ -23,7 +23,7 @@ use offers::Offers;
 use places::Places;
 
 /// What the bar asks for.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Wish {
     /// Opens what is offered under this number.
     TakeBack(usize),

@@ -125,10 +125,9 @@ impl Session {
         self.keeping.overridden = None;
         let is_dirty = self.is_dirty();
         if let Some(keeper) = &mut self.keeping.keeper {
-            if is_dirty {
-                keeper.leave(in_peace)
-            } else {
-                keeper.discard()
+            match is_dirty {
+                true => keeper.leave(in_peace),
+                false => keeper.discard(),
             }
             keeper.wait();
         }
