@@ -259,8 +259,6 @@ fn a_named_file_that_has_changed_since_is_opened_as_it_is() {
     // Taken back, both versions are there to choose from.
     press(&mut hand, "Take it back");
     assert_eq!(offset(&hand), Some(0.5));
-    hand.app_mut().look_at_files();
-    hand.settle();
     assert!(sees(&hand, "was changed by another program, and by you"));
 }
 

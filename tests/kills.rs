@@ -211,7 +211,7 @@ fn twenty_kills_lose_nothing() {
 }
 
 #[test]
-#[ignore = "three minutes"]
+#[ignore = "two hundred starts of a program"]
 fn soak_two_hundred_kills_lose_nothing() {
     kill(200, 1000);
 }

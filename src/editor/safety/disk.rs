@@ -93,8 +93,9 @@ impl Disk {
         now: f64,
         came_back: bool,
     ) -> (Option<String>, Option<Duration>) {
-        if self.is_new || !self.of.is(session) {
-            self.use_of(session);
+        if (self.is_new || !self.of.is(session)) && self.use_of(session) {
+            // Work that is taken back may be older than its file.
+            self.due = Some(now);
         }
         if self.watch.take() {
             self.due = Some(now + CALM);
@@ -112,8 +113,8 @@ impl Disk {
         }
     }
 
-    /// Finds out which files there are now.
-    fn use_of(&mut self, session: &Session) {
+    /// Finds out which files there are now. Returns whether they are another look's.
+    fn use_of(&mut self, session: &Session) -> bool {
         let is_other =
             self.is_new || self.of.document != session.document_number() || self.of.path.as_deref() != session.path();
         self.is_new = false;
@@ -142,6 +143,7 @@ impl Disk {
         let links = self.look.iter().filter_map(|path| path.canonicalize().ok());
         let files = self.assets.keys().cloned().chain(self.look.clone()).chain(links).collect();
         self.watch.set(Watched { files, folder: self.nodes.clone() });
+        is_other
     }
 
     /// The note that the file is gone was read.
