@@ -199,6 +199,7 @@ fn kill_once(seed: u64) -> u64 {
     last
 }
 
+#[allow(clippy::print_stdout, reason = "figures for those who ask with `--nocapture`")]
 fn kill(times: u64, first: u64) {
     let gestures: u64 = (0..times).map(|index| kill_once(first + index)).sum();
     assert!(gestures > times, "they were killed at work: {gestures} gestures");

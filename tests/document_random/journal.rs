@@ -239,6 +239,7 @@ fn what_is_no_journal_is_told() {
 /// What the journal costs, printed: `cargo test --test document_random -- --ignored --nocapture what_a_journal_costs`.
 #[test]
 #[ignore = "measures"]
+#[allow(clippy::print_stdout, reason = "figures for those who ask with `--nocapture`")]
 fn what_a_journal_costs() {
     use chiaro::clock::Clock;
     use chiaro::document::{GraphId, Node, Value};
