@@ -74,7 +74,8 @@ fn the_last_good_picture_stays_while_the_look_is_broken() {
     hand.settle();
     assert!(hand.app().canvas().has_error("output"));
     // The list of problems makes the viewport lower, so only what it shows is held, not where.
-    assert!(middle_row(&mut hand).iter().any(|color| *color == good[good.len() / 2]));
+    let is_near = |color: &[u8; 4]| color.iter().zip(good[good.len() / 2]).all(|(a, b)| a.abs_diff(b) <= 6);
+    assert!(middle_row(&mut hand).iter().any(is_near));
 }
 
 #[test]

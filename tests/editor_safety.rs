@@ -531,10 +531,32 @@ fn files_that_were_open_are_listed() {
     press(&mut hand, "one.json");
     assert_eq!(hand.app().session().path(), Some(home.file("one.json").as_path()));
     assert_eq!(hand.app().settings().recent[0], home.file("one.json"));
+}
 
-    hand.app_mut().change_settings(|settings| settings.theme = Theme::Light);
+#[test]
+fn theme_scale_and_panels_are_remembered() {
+    let home = Home::new();
+    let mut hand = home.window(None);
+    press(&mut hand, "View");
+    press(&mut hand, "Light");
+    press(&mut hand, "View");
+    press(&mut hand, "125%");
+    assert_eq!((hand.app().settings().theme, hand.app().settings().scale), (Theme::Light, 1.25));
     drop(hand);
-    assert_eq!(home.window(None).app().settings().theme, Theme::Light);
+    let mut hand = home.window(None);
+    assert_eq!(hand.harness.ctx.theme(), eframe::egui::Theme::Light);
+    assert_eq!(hand.harness.ctx.zoom_factor(), 1.25);
+    hand.harness.ctx.set_zoom_factor(1.0);
+    hand.settle();
+    assert!(hand.harness.query_by_label("WGSL").is_some());
+    press(&mut hand, "View");
+    let code = hand.harness.get_by_role_and_label(eframe::egui::accesskit::Role::CheckBox, "Code").rect().center();
+    hand.click(code);
+    hand.settle();
+    drop(hand);
+    let hand = home.window(None);
+    assert!(hand.app().settings().layout.is_some());
+    assert!(hand.harness.query_by_label("WGSL").is_none(), "the panel was closed");
 }
 
 #[test]

@@ -491,3 +491,41 @@ fn pictures_that_only_the_detail_normals_read_are_read() {
     flat.looks[0].look.graph.nodes["bump"].values.insert("scale".into(), Value::Number(0.0));
     assert_ne!(bumpy, pixels(&self::plan(&flat, Cull::All)));
 }
+
+/// Costs are counted in the shader itself: what is told of nodes adds up to what is told of their look.
+#[test]
+fn every_effect_has_its_cost() {
+    let (mesh, fitted) = shape("sphere");
+    let stack = look(&json!({"name": "stack", "lights": {"key": {}, "out": {"intensity": 0}}, "nodes": [
+        {"id": "base", "kind": "base"},
+        {"id": "one", "kind": "light_layer", "values": {"light": "key", "slope": 0.4, "amount": 0.5, "falloff": 0.6}},
+        {"id": "idle", "kind": "light_layer", "values": {"light": "key", "opacity": 0}},
+        {"id": "output", "kind": "output"}
+    ], "wires": [
+        {"from": "base", "to": "one.below"}, {"from": "one", "to": "idle.below"}, {"from": "idle", "to": "output.color"}
+    ]}));
+    let setup = scene_of(vec![(stack, mesh.clone(), fitted)], Scene::default());
+    let plan = plan(&setup, Cull::All);
+    let mut effects = effects(&plan, &HashMap::new());
+    let of = |kind| effects.iter().filter(move |effect| effect.kind == kind);
+    let runs = |effect: &&Effect| effect.state != EffectState::Dropped;
+    let nodes: u64 = of(EffectKind::Node).filter(runs).map(|effect| effect.cost.operations).sum();
+    let whole = of(EffectKind::Look).find(runs).unwrap().cost.operations;
+    assert!(nodes > 300 && nodes <= whole, "{nodes} of {whole}");
+    assert!(whole - nodes < 60, "what belongs to no node unpacks what came in: {nodes} of {whole}");
+    let profile = effect(&effects, "node `one/tone`").cost.operations;
+    assert!(2 * profile > nodes, "the profile is most of it");
+    // What is left out says what it saves: its whole function.
+    let saved: u64 = of(EffectKind::Node).filter(|effect| !runs(effect)).map(|effect| effect.cost.operations).sum();
+    assert!(saved >= profile, "{saved}");
+    let vertices = mesh.positions.len() as u64;
+    assert_eq!(effect(&effects, "vertex position").cost.bytes, 12 * vertices);
+    assert_eq!(effect(&effects, "vertex uv").cost.bytes, 8 * vertices);
+    assert_eq!(effect(&effects, "light `key`").cost.bytes, 48);
+    assert_eq!(effect(&effects, "curvature").cost.bytes, 4 * u64::from(SIZE[0] * SIZE[1]));
+    let times = block_on(renderer().measure(&plan)).unwrap();
+    chiaro::render::set_times(&mut effects, &times);
+    for effect in effects.iter().filter(|effect| effect.kind == EffectKind::Pass && runs(effect)) {
+        assert!(effect.cost.milliseconds.is_some_and(|time| time > 0.0), "{effect:?}");
+    }
+}

@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::compile::{Attribute, CompiledShader};
+use crate::compile::CompiledShader;
 use crate::export::spirv_words;
-use crate::frame::{FramePlan, PassKind};
+use crate::frame::{FramePlan, attribute_bytes};
 
 /// Sizes of one frame plan.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
@@ -56,7 +56,7 @@ impl Sizes {
         }
         let pixels = u64::from(plan.size[0]) * u64::from(plan.size[1]);
         for pass in &plan.passes {
-            let (kept, moved) = target_bytes(&pass.kind, u64::from(plan.samples));
+            let (kept, moved) = pass.kind.bytes_per_pixel(plan.samples);
             sizes.memory += kept * pixels;
             sizes.traffic += moved * pixels;
         }
@@ -86,28 +86,6 @@ fn count_in_functions(words: &[u32]) -> u64 {
         at += length.max(1);
     }
     count
-}
-
-fn attribute_bytes(attribute: Attribute) -> u64 {
-    match attribute {
-        Attribute::Uv => 8,
-        Attribute::Position | Attribute::Normal => 12,
-        Attribute::Tangent | Attribute::Color => 16,
-    }
-}
-
-/// Bytes a pixel that a pass keeps, and that it moves.
-fn target_bytes(kind: &PassKind, samples: u64) -> (u64, u64) {
-    const COLOR: u64 = 8;
-    const NUMBER: u64 = 4;
-    match kind {
-        // Normals, distance and a depth buffer, written.
-        PassKind::Normals | PassKind::DetailNormals => (COLOR + 2 * NUMBER, COLOR + 2 * NUMBER),
-        // Normals and distances read, curvature written, and read again by the look.
-        PassKind::Curvature | PassKind::DetailCurvature => (NUMBER, COLOR + NUMBER + 2 * NUMBER),
-        PassKind::Look if samples > 1 => (COLOR + samples * (COLOR + NUMBER), COLOR + 2 * samples * (COLOR + NUMBER)),
-        PassKind::Look => (COLOR + NUMBER, COLOR + NUMBER),
-    }
 }
 
 impl Sizes {

@@ -74,6 +74,8 @@ pub struct Removal {
     pub reason: String,
     /// What kind of reason it is.
     pub proof: Proof,
+    /// Operations at each fragment that are saved, counted in the node's function.
+    pub operations: u64,
 }
 
 fn path_text<S: serde::Serializer>(path: &NodePath, serializer: S) -> Result<S::Ok, S::Error> {

@@ -181,7 +181,7 @@ impl<'a> Builder<'a> {
             node.inputs.iter().map(|input| input.as_ref().and_then(|input| self.input(index, node, input))).collect();
         if let Some((value, reason, proof)) = self.bypass(index, node, &inputs) {
             self.outputs[index] = vec![value];
-            self.removed.push(Removal { path: node.path.clone(), reason, proof });
+            self.remove(node, reason, proof);
             return;
         }
         let variant = node.variant();
@@ -466,7 +466,7 @@ impl<'a> Builder<'a> {
         } else if self.values[id].node != index && part.is_none() {
             let other = &self.graph.nodes[self.values[id].node].path;
             let reason = format!("it is the same as `{other}`");
-            self.removed.push(Removal { path: node.path.clone(), reason, proof: Proof::Equal });
+            self.remove(node, reason, Proof::Equal);
         }
         id
     }
@@ -577,9 +577,10 @@ impl<'a> Builder<'a> {
         if self.options.unspecialized || least < most {
             return false;
         }
-        let path = self.graph.nodes[self.graph.root.0].path.clone();
         let reason = format!("its alpha cutoff cuts nothing, proved by ranges: alpha is {least} or more everywhere");
-        self.removed.push(Removal { path, reason, proof: Proof::Ranges });
+        // Of the Output only the comparison is saved.
+        let path = self.graph.nodes[self.graph.root.0].path.clone();
+        self.removed.push(Removal { path, reason, proof: Proof::Ranges, operations: 1 });
         true
     }
 
@@ -610,8 +611,13 @@ impl<'a> Builder<'a> {
             } else {
                 ("nothing that reaches the output uses it".to_owned(), Proof::Unreachable)
             };
-            self.removed.push(Removal { path: node.path.clone(), reason, proof });
+            self.remove(node, reason, proof);
         }
+    }
+
+    fn remove(&mut self, node: &TypedNode, reason: String, proof: Proof) {
+        let operations = node.def.module.operations(&node.variant().function);
+        self.removed.push(Removal { path: node.path.clone(), reason, proof, operations });
     }
 }
 

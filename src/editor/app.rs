@@ -12,8 +12,8 @@ use super::code::Code;
 use super::command::Command;
 use super::cost::Cost;
 use super::dialogs::{Dialogs, MESHES, Purpose};
+use super::dock::Dock;
 use super::dock::effects::Effects;
-use super::dock::{Dock, Tab};
 use super::picture::Picture;
 use super::probe::{Probe, picture_size};
 use super::safety::Safety;
@@ -22,7 +22,7 @@ use super::session::Session;
 use super::settings::Settings;
 use super::viewport::Viewport;
 use super::wipe::Wipe;
-use super::{inspector, problems, theme};
+use super::{dock, inspector, problems, theme};
 use crate::diag::Diagnostic;
 use crate::library::Library;
 
@@ -61,6 +61,7 @@ impl App {
     /// A window with a new look. `render_state` is the device to draw with, where there is one.
     pub fn new(ctx: &egui::Context, render_state: Option<eframe::egui_wgpu::RenderState>) -> Self {
         theme::apply(ctx);
+        ctx.set_theme(egui::ThemePreference::Dark);
         let waker = || {
             let ctx = ctx.clone();
             move || ctx.request_repaint()
@@ -98,8 +99,12 @@ impl App {
 
     /// Keeps unsaved work and settings in these folders, and offers what was left behind there.
     pub fn keep_in(&mut self, places: Places, ctx: &egui::Context) {
-        let ctx = ctx.clone();
-        self.safety.keep_in(places, &mut self.session, move || ctx.request_repaint());
+        let waker = ctx.clone();
+        self.safety.keep_in(places, &mut self.session, move || waker.request_repaint());
+        self.safety.settings.apply(ctx);
+        if let Some(layout) = self.safety.settings.layout.clone() {
+            self.dock.restore(&layout);
+        }
     }
 
     /// Goes on where the last window was closed, if anything was not saved then.
@@ -127,6 +132,13 @@ impl App {
     /// What was told last.
     pub fn message(&self) -> Option<&str> {
         self.message.as_deref()
+    }
+
+    /// Never opens a dialog of the system; for programs that drive the window.
+    #[must_use]
+    pub fn without_dialogs(mut self) -> Self {
+        self.dialogs.is_silent = true;
+        self
     }
 
     /// The open look.
@@ -167,6 +179,16 @@ impl App {
     /// What was measured.
     pub fn cost(&self) -> &Cost {
         &self.cost
+    }
+
+    /// How the panels share the window, where that changed since it was asked for last: to be remembered.
+    pub fn changed_arrangement(&mut self) -> Option<serde_json::Value> {
+        self.dock.changed()
+    }
+
+    /// Arranges the panels as they were; what cannot be read changes nothing.
+    pub fn arrange(&mut self, saved: &serde_json::Value) {
+        self.dock.restore(saved);
     }
 
     /// Whether shaders, pictures or values are being made.
@@ -256,19 +278,25 @@ impl App {
             // What was changed in this frame is seen in the next one.
             ui.ctx().request_repaint();
         }
-        self.session.commit(ui.input(|input| input.pointer.any_down()));
+        let is_held = ui.input(|input| input.pointer.any_down());
+        self.session.commit(is_held);
+        // A panel is resized in many steps; where it ends is remembered.
+        if !is_held {
+            let layout = self.safety.remembers().then(|| self.dock.changed()).flatten();
+            self.safety.remember(ui.ctx(), layout);
+        }
         self.close_or_stay(ui.ctx());
         self.set_title(ui.ctx());
     }
 
     fn panels(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
-        Panel::top("bar").frame(theme::panel()).resizable(false).show(ui, |ui| self.bar(ui, commands));
+        Panel::top("bar").frame(theme::panel(ui)).resizable(false).show(ui, |ui| self.bar(ui, commands));
         commands.extend(self.safety.show(ui, &self.session).into_iter().map(Command::Safety));
         if let Some(picture) = &self.picture {
             self.session.set_picture_problems(&picture.problems);
         }
         let problems: Vec<Diagnostic> = self.session.all_problems().cloned().collect();
-        Panel::bottom("status").frame(theme::panel()).resizable(false).show(ui, |ui| {
+        Panel::bottom("status").frame(theme::panel(ui)).resizable(false).show(ui, |ui| {
             let listed: Vec<&Diagnostic> = problems.iter().collect();
             if !listed.is_empty() {
                 commands.extend(problems::show(ui, &listed));
@@ -276,45 +304,32 @@ impl App {
             }
             self.status(ui);
         });
-        let right = Panel::right("inspector").frame(theme::panel()).default_size(310.0).size_range(240.0..=520.0);
-        right.show(ui, |ui| commands.extend(inspector::show(ui, &self.session)));
-        let left = Panel::left("picture").frame(theme::panel()).default_size(500.0).size_range(220.0..=1400.0);
-        left.show(ui, |ui| {
-            if self.dock.is_open {
-                const HEIGHT: f32 = 260.0;
-                let dock = Panel::bottom("dock")
-                    .frame(egui::Frame::new().inner_margin(egui::Margin { top: 8, ..Default::default() }));
-                dock.default_size(HEIGHT).size_range(90.0..=2000.0).show(ui, |ui| self.docked(ui, commands));
-            }
-            if let Some(picture) = &mut self.picture {
-                picture.tells_effects = self.dock.shows(Tab::Effects);
-            }
-            egui::CentralPanel::no_frame().show(ui, |ui| {
-                commands.extend(self.viewport.show(
-                    ui,
-                    &mut self.session,
-                    self.picture.as_mut(),
-                    &mut self.probe,
-                    &mut self.wipe,
-                ));
-            });
+        if let Some(picture) = &mut self.picture {
+            picture.tells_effects = self.dock.shows(dock::Panel::Effects);
+        }
+        let mut dock = std::mem::take(&mut self.dock);
+        let ground = egui::Frame::new().fill(theme::of(ui).node_edge);
+        egui::CentralPanel::default().frame(ground).show(ui, |ui| {
+            dock.show(ui, &mut |ui, panel| self.panel(ui, panel, commands));
         });
-        egui::CentralPanel::no_frame().show(ui, |ui| commands.extend(self.canvas.show(ui, &self.session)));
+        self.dock = dock;
     }
 
-    /// The panel below the picture.
-    fn docked(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
-        self.dock.strip(ui);
-        // It keeps its height while there is little to show.
-        ui.set_min_height(ui.available_height());
-        commands.extend(match self.dock.tab {
-            Tab::Code => self.code.show(ui, &self.session),
-            Tab::Effects => self.effects.show(ui, self.picture.as_ref().map(|picture| &picture.effects)),
-            Tab::Cost => {
+    fn panel(&mut self, ui: &mut Ui, panel: dock::Panel, commands: &mut Vec<Command>) {
+        commands.extend(match panel {
+            dock::Panel::Picture => {
+                let Self { viewport, session, picture, probe, wipe, .. } = self;
+                viewport.show(ui, session, picture.as_mut(), probe, wipe).into_iter().collect()
+            }
+            dock::Panel::Graph => self.canvas.show(ui, &self.session),
+            dock::Panel::Inspector => inspector::show(ui, &self.session),
+            dock::Panel::Code => self.code.show(ui, &self.session),
+            dock::Panel::Effects => self.effects.show(ui, self.picture.as_ref().map(|picture| &picture.effects)),
+            dock::Panel::Cost => {
                 let size = self.viewport.rect().map_or([0, 0], |rect| picture_size(rect, ui.pixels_per_point()));
                 self.cost.show(ui, &self.session, size)
             }
-            Tab::Probe => self.probe.show(ui, &self.session),
+            dock::Panel::Probe => self.probe.show(ui, &self.session),
         });
     }
 
@@ -340,12 +355,11 @@ impl App {
             button(ui, "Redo", &help, redo.is_some(), Command::Redo);
             ui.separator();
             commands.extend(recent.map(|path| Command::Open(Some(path))));
-            ui.toggle_value(&mut self.dock.is_open, "Panels")
-                .on_hover_text("Shows code, effects and the probe's values below the picture");
+            ui.menu_button("View", |ui| self.view_menu(ui)).response.on_hover_text("Panels, theme and scale");
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let name = self.document_name();
                 if self.session.is_dirty() {
-                    ui.label(RichText::new("changed").color(theme::ACCENT)).on_hover_text("Not saved yet");
+                    ui.label(RichText::new("changed").color(theme::of(ui).accent)).on_hover_text("Not saved yet");
                 }
                 let path = self.session.path().map(|path| path.display().to_string());
                 let label = ui.label(RichText::new(name).strong());
@@ -356,15 +370,47 @@ impl App {
         });
     }
 
+    fn view_menu(&mut self, ui: &mut Ui) {
+        for panel in dock::Panel::ALL {
+            let mut is_there = self.dock.has(panel);
+            if ui.checkbox(&mut is_there, panel.label()).on_hover_text(panel.help()).changed() {
+                if is_there { self.dock.open(panel) } else { self.dock.close(panel) }
+            }
+        }
+        if ui.button("Reset panels").on_hover_text("Puts all panels where a new window has them").clicked() {
+            self.dock.reset();
+        }
+        ui.separator();
+        let mut theme = ui.ctx().options(|options| options.theme_preference);
+        ui.horizontal(|ui| {
+            use egui::ThemePreference::{Dark, Light, System};
+            for (choice, label) in [(Dark, "Dark"), (Light, "Light"), (System, "As the system")] {
+                if ui.selectable_value(&mut theme, choice, label).changed() {
+                    ui.ctx().set_theme(theme);
+                }
+            }
+        });
+        ui.horizontal(|ui| {
+            let zoom = ui.ctx().zoom_factor();
+            for percent in [100, 125, 150, 200] {
+                let factor = percent as f32 / 100.0;
+                let is_it = (zoom - factor).abs() < 0.01;
+                if ui.selectable_label(is_it, format!("{percent}%")).on_hover_text("Scale of the window").clicked() {
+                    ui.ctx().set_zoom_factor(factor);
+                }
+            }
+        });
+    }
+
     fn status(&self, ui: &mut Ui) {
         let hint =
             [self.viewport.hint(), self.canvas.hint()].into_iter().find(|hint| !hint.is_empty()).unwrap_or_default();
         ui.horizontal(|ui| {
             if let Some(message) = &self.message {
-                ui.label(RichText::new(message).color(theme::ACCENT));
+                ui.label(RichText::new(message).color(theme::of(ui).accent));
                 ui.separator();
             }
-            ui.add(egui::Label::new(RichText::new(hint).color(theme::DIM)).truncate());
+            ui.add(egui::Label::new(RichText::new(hint).color(theme::of(ui).dim)).truncate());
         });
     }
 
@@ -446,7 +492,7 @@ impl App {
             Command::Probe(on) => {
                 self.probe.turn(on);
                 if on {
-                    self.dock.open(Tab::Probe);
+                    self.dock.open(dock::Panel::Probe);
                 }
             }
             Command::ShowWire(wire) => self.session.show_wire(wire),

@@ -9,7 +9,7 @@ use eframe::egui::{Color32, FontId, RichText, ScrollArea, Sense, TextStyle, Ui, 
 
 use super::command::Command;
 use super::session::Session;
-use super::theme;
+use super::theme::{self, Colors};
 use crate::compile::CompiledShader;
 use crate::ids::{NodeId, NodePath};
 
@@ -26,7 +26,7 @@ impl Code {
         self.sync(session.baked());
         let mut commands = Vec::new();
         let Some(shader) = self.shader.clone() else {
-            ui.label(RichText::new("The shader appears here once the look compiles").color(theme::DIM));
+            ui.label(RichText::new("The shader appears here once the look compiles").color(theme::of(ui).dim));
             return commands;
         };
         self.head(ui, &shader, &mut commands);
@@ -77,11 +77,11 @@ impl Code {
         ui.horizontal(|ui| {
             ui.label(RichText::new("WGSL").strong());
             let what = format!("{} lines", self.lines.len());
-            ui.label(RichText::new(what).color(theme::DIM));
+            ui.label(RichText::new(what).color(theme::of(ui).dim));
             if !shader.removed.is_empty() {
                 let removed: Vec<String> =
                     shader.removed.iter().take(20).map(|r| format!("{}: {}", r.path, r.reason)).collect();
-                ui.label(RichText::new(format!("{} left out", shader.removed.len())).color(theme::DIM))
+                ui.label(RichText::new(format!("{} left out", shader.removed.len())).color(theme::of(ui).dim))
                     .on_hover_text(removed.join("\n"));
             }
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -114,28 +114,33 @@ impl Code {
         is_marked: bool,
     ) -> Option<NodeId> {
         let range = self.lines[line].clone();
-        let galley = ui.fonts_mut(|fonts| fonts.layout_job(job(line + 1, &shader.wgsl[range.clone()])));
+        let galley = ui.fonts_mut(|fonts| fonts.layout_job(job(line + 1, &shader.wgsl[range.clone()], theme::of(ui))));
         let width = galley.size().x.max(ui.available_width());
         let (rect, response) = ui.allocate_exact_size(vec2(width, height), Sense::click());
         let node = || range.clone().find_map(|offset| shader.spans.node_at(offset));
         if is_marked {
-            ui.painter().rect_filled(rect, 0.0, theme::ACCENT_DIM.gamma_multiply(0.55));
+            ui.painter().rect_filled(rect, 0.0, theme::of(ui).accent_dim.gamma_multiply(0.55));
             let bar = egui::Rect::from_min_size(rect.min, vec2(3.0, height));
-            ui.painter().rect_filled(bar, 0.0, theme::ACCENT);
+            ui.painter().rect_filled(bar, 0.0, theme::of(ui).accent);
         } else if response.hovered() && node().is_some() {
-            ui.painter().rect_filled(rect, 0.0, theme::FIELD.gamma_multiply(0.6));
+            ui.painter().rect_filled(rect, 0.0, theme::of(ui).field.gamma_multiply(0.6));
         }
-        ui.painter().galley(rect.min + vec2(4.0, 1.0), galley, theme::TEXT);
+        ui.painter().galley(rect.min + vec2(4.0, 1.0), galley, theme::of(ui).text);
         if response.clicked() { node().and_then(|path| path.outermost().cloned()) } else { None }
     }
 }
 
-const KEYWORD: Color32 = Color32::from_rgb(214, 142, 178);
-const TYPE: Color32 = Color32::from_rgb(112, 188, 180);
-const NUMBER: Color32 = Color32::from_rgb(176, 196, 128);
-const COMMENT: Color32 = Color32::from_rgb(120, 124, 130);
-const FUNCTION: Color32 = Color32::from_rgb(232, 196, 132);
-const ATTRIBUTE: Color32 = Color32::from_rgb(160, 150, 210);
+/// What a word of WGSL is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Word {
+    Keyword,
+    Type,
+    Number,
+    Comment,
+    Function,
+    Attribute,
+    Other,
+}
 
 const KEYWORDS: &[&str] = &[
     "fn",
@@ -164,26 +169,26 @@ const KEYWORDS: &[&str] = &[
 ];
 
 /// A line with its number, coloured.
-fn job(number: usize, line: &str) -> LayoutJob {
+fn job(number: usize, line: &str, colors: &Colors) -> LayoutJob {
     let font = FontId::monospace(12.0);
     let mut job = LayoutJob::default();
     let mut add =
         |text: &str, color| job.append(text, 0.0, TextFormat { font_id: font.clone(), color, ..TextFormat::default() });
-    add(&format!("{number:>4}  "), COMMENT.gamma_multiply(0.7));
-    for (text, color) in pieces(line) {
-        add(text, color);
+    add(&format!("{number:>4}  "), colors.code.comment.gamma_multiply(0.7));
+    for (text, word) in pieces(line) {
+        add(text, color(word, colors));
     }
     job.wrap.max_width = f32::INFINITY;
     job
 }
 
-/// A line in pieces of one colour.
-fn pieces(line: &str) -> Vec<(&str, Color32)> {
+/// A line in pieces of one kind.
+fn pieces(line: &str) -> Vec<(&str, Word)> {
     let mut pieces = Vec::new();
     let mut rest = line;
     while let Some(first) = rest.chars().next() {
         if rest.starts_with("//") {
-            pieces.push((rest, COMMENT));
+            pieces.push((rest, Word::Comment));
             break;
         }
         let is_word = |c: char| c.is_alphanumeric() || c == '_';
@@ -196,28 +201,41 @@ fn pieces(line: &str) -> Vec<(&str, Color32)> {
             rest.find(|c| is_word(c) || c == '@' || c == '/').filter(|&at| at > 0).unwrap_or(first.len_utf8())
         };
         let (word, after) = rest.split_at(length);
-        pieces.push((word, color(word, first, after)));
+        pieces.push((word, kind(word, first, after)));
         rest = after;
     }
     pieces
 }
 
-fn color(word: &str, first: char, after: &str) -> Color32 {
+fn kind(word: &str, first: char, after: &str) -> Word {
     const TYPES: &[&str] = &[
         "f32", "i32", "u32", "bool", "vec2f", "vec3f", "vec4f", "mat3x3f", "mat4x4f", "array", "vec2", "vec3", "vec4",
     ];
     if first == '@' {
-        ATTRIBUTE
+        Word::Attribute
     } else if first.is_ascii_digit() {
-        NUMBER
+        Word::Number
     } else if KEYWORDS.contains(&word) {
-        KEYWORD
+        Word::Keyword
     } else if TYPES.contains(&word) || first.is_ascii_uppercase() {
-        TYPE
+        Word::Type
     } else if after.starts_with('(') {
-        FUNCTION
+        Word::Function
     } else {
-        theme::TEXT
+        Word::Other
+    }
+}
+
+fn color(word: Word, colors: &Colors) -> Color32 {
+    let code = &colors.code;
+    match word {
+        Word::Keyword => code.keyword,
+        Word::Type => code.ty,
+        Word::Number => code.number,
+        Word::Comment => code.comment,
+        Word::Function => code.function,
+        Word::Attribute => code.attribute,
+        Word::Other => colors.text,
     }
 }
 
@@ -234,9 +252,9 @@ mod tests {
             assert_eq!(joined, line);
         }
         let of = |line: &'static str, word: &str| pieces(line).iter().find(|(text, _)| *text == word).unwrap().1;
-        assert_eq!(of("let x = 1.0;", "let"), KEYWORD);
-        assert_eq!(of("let x = 1.0;", "1.0"), NUMBER);
-        assert_eq!(of("profile(a)", "profile"), FUNCTION);
-        assert_eq!(of("x // let", "// let"), COMMENT);
+        assert_eq!(of("let x = 1.0;", "let"), Word::Keyword);
+        assert_eq!(of("let x = 1.0;", "1.0"), Word::Number);
+        assert_eq!(of("profile(a)", "profile"), Word::Function);
+        assert_eq!(of("x // let", "// let"), Word::Comment);
     }
 }

@@ -30,6 +30,7 @@ mod worker;
 
 use eframe::egui;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 pub use app::App;
 pub use canvas::Canvas;
@@ -58,7 +59,10 @@ pub fn run(files: &[PathBuf], mesh: Option<&str>) -> Result<(), Box<Diagnostic>>
         .with_inner_size([1600.0, 960.0])
         .with_min_inner_size([760.0, 480.0])
         .with_drag_and_drop(true);
-    let options = eframe::NativeOptions { viewport, renderer: eframe::Renderer::Wgpu, ..Default::default() };
+    let mut setup = eframe::egui_wgpu::WgpuSetupCreateNew::without_display_handle();
+    setup.device_descriptor = Arc::new(crate::render::device_descriptor);
+    let mut options = eframe::NativeOptions { viewport, renderer: eframe::Renderer::Wgpu, ..Default::default() };
+    options.wgpu_options.wgpu_setup = setup.into();
     let create = move |context: &eframe::CreationContext<'_>| {
         let mut app = App::new(&context.egui_ctx, context.wgpu_render_state.clone());
         if let Some(places) = Places::of_user() {

@@ -15,7 +15,7 @@ use crate::compile::{CompiledShader, Live};
 use crate::diag::Diagnostic;
 use crate::frame::{Cull, Effect, PlanOptions, Planner, effects};
 use crate::library::Library;
-use crate::render::{Gpu, Renderer, block_on};
+use crate::render::{Gpu, Renderer, block_on, set_times};
 
 /// What is to be drawn.
 struct Wish {
@@ -177,8 +177,13 @@ impl Artist {
         let plan = self.planner.plan(&setup, &wish.still.library, &showing.live, &options)?;
         self.planner.warnings.extend(notes);
         let is_told = wish.tells_effects && showing.live == Live::Keyed;
-        let effects = is_told.then(|| effects(&plan, self.renderer.done()));
+        let mut effects = is_told.then(|| effects(&plan, self.renderer.done()));
         block_on(self.renderer.draw(&plan)).map_err(|error| vec![error.into()])?;
+        if let Some(effects) = &mut effects {
+            // Once more with a clock, everything anew: what was drawn just now may have been little, or the first time.
+            let times = block_on(self.renderer.measure(&plan)).map_err(|error| vec![error.into()])?;
+            set_times(effects, &times);
+        }
         Ok(effects)
     }
 }

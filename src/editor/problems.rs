@@ -28,9 +28,9 @@ pub(crate) fn show(ui: &mut Ui, problems: &[&Diagnostic]) -> Vec<Command> {
     ScrollArea::vertical().max_height(110.0).auto_shrink([false, true]).show(ui, |ui| {
         for problem in sorted.iter().take(MAX_LISTED) {
             let color = match problem.severity {
-                Severity::Error => theme::ERROR,
-                Severity::Warning => theme::WARNING,
-                Severity::Note => theme::DIM,
+                Severity::Error => theme::of(ui).error,
+                Severity::Warning => theme::of(ui).warning,
+                Severity::Note => theme::of(ui).dim,
             };
             ui.horizontal_wrapped(|ui| {
                 let (dot, _) = ui.allocate_exact_size(egui::vec2(8.0, 14.0), Sense::hover());
@@ -38,21 +38,25 @@ pub(crate) fn show(ui: &mut Ui, problems: &[&Diagnostic]) -> Vec<Command> {
                 let node = problem.place.node.as_ref().and_then(|path| path.outermost().cloned());
                 if let Some(node) = node {
                     let text = problem.place.node.as_ref().map(ToString::to_string).unwrap_or_default();
-                    if ui.link(RichText::new(text).color(theme::ACCENT)).on_hover_text("Shows this node").clicked() {
+                    if ui
+                        .link(RichText::new(text).color(theme::of(ui).accent))
+                        .on_hover_text("Shows this node")
+                        .clicked()
+                    {
                         commands.push(Command::Reveal(node));
                     }
                 }
                 if let Some(at) = problem.place.at {
-                    ui.label(RichText::new(format!("line {}", at.line)).color(theme::DIM));
+                    ui.label(RichText::new(format!("line {}", at.line)).color(theme::of(ui).dim));
                 }
                 ui.label(problem.message.as_str());
                 for hint in &problem.hints {
-                    ui.label(RichText::new(hint).color(theme::DIM));
+                    ui.label(RichText::new(hint).color(theme::of(ui).dim));
                 }
             });
         }
         if sorted.len() > MAX_LISTED {
-            ui.label(RichText::new(format!("and {} more", sorted.len() - MAX_LISTED)).color(theme::DIM));
+            ui.label(RichText::new(format!("and {} more", sorted.len() - MAX_LISTED)).color(theme::of(ui).dim));
         }
     });
     commands

@@ -3,6 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
+use eframe::egui;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
@@ -97,17 +98,36 @@ impl Settings {
     }
 
     /// Changes the settings in a file: what another window has changed meanwhile stays. Returns them as they are then.
-    ///
-    /// # Errors
-    /// As [`save`](Self::save).
-    pub fn change(path: &Path, change: impl FnOnce(&mut Self)) -> Result<Self, Box<Diagnostic>> {
-        let mut settings = Self::load(path);
-        let before = settings.clone();
+    /// Where they cannot be saved the change holds for this window, over what it knew: no work of anybody's is lost.
+    pub fn change(path: &Path, known: &Self, change: impl FnOnce(&mut Self)) -> Self {
+        let before = if path.exists() { Self::load(path) } else { known.clone() };
+        let mut settings = before.clone();
         change(&mut settings);
         if settings != before {
-            settings.save(path)?;
+            // Next time it is tried again.
+            let _ = settings.save(path);
         }
-        Ok(settings)
+        settings
+    }
+
+    /// Gives a window the theme and the scale.
+    pub(crate) fn apply(&self, ctx: &egui::Context) {
+        ctx.set_theme(match self.theme {
+            Theme::Dark => egui::ThemePreference::Dark,
+            Theme::Light => egui::ThemePreference::Light,
+            Theme::System => egui::ThemePreference::System,
+        });
+        ctx.set_zoom_factor(self.scale);
+    }
+
+    /// The theme and the scale of a window.
+    pub(crate) fn of_window(ctx: &egui::Context) -> (Theme, f32) {
+        let theme = match ctx.options(|options| options.theme_preference) {
+            egui::ThemePreference::Dark => Theme::Dark,
+            egui::ThemePreference::Light => Theme::Light,
+            egui::ThemePreference::System => Theme::System,
+        };
+        (theme, ctx.zoom_factor().clamp(*SCALE.start(), *SCALE.end()))
     }
 
     /// Puts a file first among those that were open.
@@ -163,8 +183,9 @@ mod tests {
     fn two_windows_do_not_undo_each_other() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("settings.json");
-        Settings::change(&path, |settings| settings.opened(Path::new("/a.json"))).unwrap();
-        Settings::change(&path, |settings| settings.theme = Theme::System).unwrap();
+        let nothing = Settings::default();
+        Settings::change(&path, &nothing, |settings| settings.opened(Path::new("/a.json")));
+        Settings::change(&path, &nothing, |settings| settings.theme = Theme::System);
         let settings = Settings::load(&path);
         assert_eq!((settings.recent.len(), settings.theme), (1, Theme::System));
     }

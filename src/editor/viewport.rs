@@ -9,10 +9,11 @@ use std::path::Path;
 
 use super::command::Command;
 use super::picture::Picture;
-use super::probe::{Probe, picture_size};
+use super::probe::{Probe, picture_size, wire_name};
 use super::session::Session;
 use super::theme;
 use super::wipe::Wipe;
+use super::wire::node_at;
 use crate::geometry::SHAPES;
 
 /// What a drag that is going on does.
@@ -55,7 +56,7 @@ impl Viewport {
         match picture {
             Some(picture) => show_picture(ui, rect, session, picture),
             None => {
-                ui.painter().rect_filled(rect, 0.0, theme::CANVAS);
+                ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
                 stand_in(ui, rect, session);
             }
         }
@@ -111,7 +112,7 @@ impl Viewport {
                 }
                 wipe.choice(ui);
                 if session.is_compiling() {
-                    ui.label(egui::RichText::new("compiling").color(theme::DIM));
+                    ui.label(egui::RichText::new("compiling").color(theme::of(ui).dim));
                 }
             });
         });
@@ -197,14 +198,14 @@ impl Viewport {
 /// Says that a wire is shown in place of the picture, and leads back.
 fn wire_bar(ui: &mut Ui, session: &Session) -> Option<Command> {
     let wire = session.wire()?;
-    let node = session.look().graph.nodes.get(&wire.node)?;
+    let node = node_at(session.look(), &session.library, wire.node.ids())?;
     let kind = session.catalog.of(node);
-    let name = if node.name.is_empty() { kind.map_or("", |kind| &kind.label) } else { &node.name };
+    let name = wire_name(session, &wire.node);
     let port = kind.and_then(|kind| Some(&*kind.outputs[kind.output(wire.port.as_str())?].label)).unwrap_or_default();
     let mut command = None;
     ui.horizontal(|ui| {
         let text = format!("Showing {port} of {name} as {}", wire.style.label().to_lowercase());
-        ui.label(egui::RichText::new(text).color(theme::ACCENT)).on_hover_text(wire.style.help());
+        ui.label(egui::RichText::new(text).color(theme::of(ui).accent)).on_hover_text(wire.style.help());
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             if ui.button("Show the look").clicked() {
                 command = Some(Command::ShowWire(None));
@@ -226,16 +227,16 @@ fn show_picture(ui: &Ui, rect: Rect, session: &mut Session, picture: &mut Pictur
     let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
     match picture.update(session, size) {
         Some(texture) => {
-            ui.painter().rect_filled(rect, 0.0, theme::CANVAS);
+            ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
             ui.painter().image(texture, rect, uv, Color32::WHITE);
         }
         None => {
-            ui.painter().rect_filled(rect, 0.0, theme::CANVAS);
+            ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
             let font = egui::FontId::proportional(theme::TEXT_SIZE);
             let is_broken = !picture.problems.is_empty() || crate::diag::has_errors(session.problems());
             let text =
                 if is_broken { "No picture until what is listed below is mended" } else { "Making the first picture" };
-            ui.painter().text(rect.center(), egui::Align2::CENTER_CENTER, text, font, theme::DIM);
+            ui.painter().text(rect.center(), egui::Align2::CENTER_CENTER, text, font, theme::of(ui).dim);
         }
     }
 }
@@ -243,11 +244,11 @@ fn show_picture(ui: &Ui, rect: Rect, session: &mut Session, picture: &mut Pictur
 /// Where there is no GPU: a ball, so that camera and lights can be turned all the same.
 fn stand_in(ui: &Ui, rect: Rect, session: &Session) {
     let radius = session.view.radius_in_picture() as f32 * rect.height();
-    ui.painter().circle(rect.center(), radius, theme::NODE, egui::Stroke::new(1.0, theme::GRID));
+    ui.painter().circle(rect.center(), radius, theme::of(ui).node, egui::Stroke::new(1.0, theme::of(ui).grid));
     let font = egui::FontId::proportional(theme::TEXT_SIZE);
     let at = rect.center_bottom() - vec2(0.0, 12.0);
     let text = "This window has no GPU to draw with";
-    ui.painter().text(at, egui::Align2::CENTER_BOTTOM, text, font, theme::DIM);
+    ui.painter().text(at, egui::Align2::CENTER_BOTTOM, text, font, theme::of(ui).dim);
 }
 
 /// Whether a point of the screen is on the object, or near enough: its bounding sphere has radius 1.

@@ -5,8 +5,10 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
+use super::cost::{EffectCost, attribute_bytes, node_operations, pass_operations, shader_operations};
 use super::plan::{Draw, FramePlan, PassKind};
-use crate::compile::{Attribute, BindingKind, CompiledShader, Proof};
+use crate::compile::{Attribute, BindingKind, CompiledShader, Proof, StructLayout};
+use crate::library::Type;
 
 /// What kind of thing an effect is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
@@ -51,6 +53,8 @@ pub struct Effect {
     pub kind: EffectKind,
     /// What becomes of it.
     pub state: EffectState,
+    /// What it costs; of what is dropped, what it would cost as far as that is known.
+    pub cost: EffectCost,
     /// Why: the end of a sentence that begins with it.
     pub reason: String,
     /// What proves that nothing is lost without it; `None` for what runs.
@@ -62,16 +66,24 @@ pub struct Effect {
     /// The node, as a path.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub node: Option<String>,
+    /// The pass that it is.
+    #[serde(skip)]
+    pub pass: Option<PassKind>,
 }
 
 impl Effect {
     fn runs(what: impl Into<String>, kind: EffectKind, reason: impl Into<String>) -> Self {
         let (what, reason) = (what.into(), reason.into());
-        Self { what, kind, state: EffectState::Runs, reason, proof: None, look: None, node: None }
+        let cost = EffectCost::default();
+        Self { what, kind, state: EffectState::Runs, cost, reason, proof: None, look: None, node: None, pass: None }
     }
 
     fn dropped(what: impl Into<String>, kind: EffectKind, reason: impl Into<String>, proof: Proof) -> Self {
         Self { state: EffectState::Dropped, proof: Some(proof), ..Self::runs(what, kind, reason) }
+    }
+
+    fn costs(self, cost: EffectCost) -> Self {
+        Self { cost, ..self }
     }
 
     fn of(self, look: &str) -> Self {
@@ -83,8 +95,12 @@ impl Effect {
 /// not run again shows as cached.
 pub fn effects(plan: &FramePlan, done: &HashMap<PassKind, u64>) -> Vec<Effect> {
     let mut effects: Vec<Effect> = Vec::new();
+    let pixels = u64::from(plan.size[0]) * u64::from(plan.size[1]);
     for pass in &plan.passes {
         let mut effect = Effect::runs(pass.kind.label(), EffectKind::Pass, &pass.reason);
+        effect.pass = Some(pass.kind.clone());
+        effect.cost.operations = pass_operations(&pass.kind, &plan.draws);
+        effect.cost.bytes = pass.kind.bytes_per_pixel(plan.samples).0 * pixels;
         if done.get(&pass.kind) == Some(&pass.input_hash) {
             effect.state = EffectState::Cached;
             effect.proof = Some(Proof::Unchanged);
@@ -92,15 +108,16 @@ pub fn effects(plan: &FramePlan, done: &HashMap<PassKind, u64>) -> Vec<Effect> {
         effects.push(effect);
     }
     for dropped in &plan.dropped {
-        let mut effect = Effect::dropped(&dropped.what, dropped.kind, &dropped.why, dropped.proof);
+        let mut effect = Effect::dropped(&dropped.what, dropped.kind, &dropped.why, dropped.proof).costs(dropped.cost);
         effect.look.clone_from(&dropped.look);
         effects.push(effect);
     }
     let mut seen = HashSet::new();
     for draw in &plan.draws {
         if seen.insert(draw.object.clone()) {
-            let reason = "some of it may be seen";
-            effects.push(Effect::runs(format!("object `{}`", draw.object), EffectKind::Object, reason));
+            let reason = format!("some of it may be seen: {} triangles", draw.mesh.indices.len() / 3);
+            let cost = EffectCost::bytes(4 * draw.mesh.indices.len() as u64 + draw.object_uniform.bytes.len() as u64);
+            effects.push(Effect::runs(format!("object `{}`", draw.object), EffectKind::Object, reason).costs(cost));
         }
     }
     let mut looks: Vec<(&Arc<CompiledShader>, &Draw)> = Vec::new();
@@ -119,19 +136,23 @@ fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
     let name = draw.look_name.as_str();
     let mut push = |effect: Effect| effects.push(effect.of(name));
     let modules = 1 + draw.normals.len();
-    push(Effect::runs(
-        if name.is_empty() { "a look" } else { name },
-        EffectKind::Look,
-        format!("object `{}` wears it; it is compiled to {modules} {}", draw.object, plural(modules, "module")),
-    ));
+    let what = if name.is_empty() { "a look" } else { name };
+    let reason =
+        format!("object `{}` wears it; it is compiled to {modules} {}", draw.object, plural(modules, "module"));
+    let cost = EffectCost::operations(shader_operations(shader));
+    push(Effect::runs(what, EffectKind::Look, reason).costs(cost));
+    push_lights(&mut push, shader);
     let read = read_attributes(shader, draw);
     for attribute in Attribute::ALL {
         let what = format!("vertex {}", attribute.name());
+        let cost = EffectCost::bytes(attribute_bytes(attribute) * draw.mesh.positions.len() as u64);
         push(match read.get(&attribute) {
-            Some(stage) => Effect::runs(what, EffectKind::Attribute, format!("the {stage} module reads it")),
+            Some(stage) => {
+                Effect::runs(what, EffectKind::Attribute, format!("the {stage} module reads it")).costs(cost)
+            }
             None => {
                 let reason = "no live node reads it, so that it is neither uploaded nor bound";
-                Effect::dropped(what, EffectKind::Attribute, reason, Proof::Unreachable)
+                Effect::dropped(what, EffectKind::Attribute, reason, Proof::Unreachable).costs(cost)
             }
         });
     }
@@ -142,7 +163,10 @@ fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
     for (index, image) in shader.named_images.iter().enumerate() {
         let what = if image.path.is_empty() { "an image that is not chosen" } else { &image.path };
         let mut effect = if is_bound(index) {
-            Effect::runs(what, EffectKind::Texture, format!("`{}` reads it", image.node))
+            let read =
+                draw.images.get(index).map_or(0, |image| 4 * u64::from(image.size[0]) * u64::from(image.size[1]));
+            let reason = format!("`{}` reads it", image.node);
+            Effect::runs(what, EffectKind::Texture, reason).costs(EffectCost::bytes(read))
         } else {
             let reason = format!("nothing that is seen reads `{}`, so that it is not even loaded", image.node);
             Effect::dropped(what, EffectKind::Texture, reason, Proof::Unreachable)
@@ -150,24 +174,37 @@ fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
         effect.node = Some(image.node.to_string());
         push(effect);
     }
-    let bytes = shader.host.size;
+    let bytes = u64::from(shader.host.size);
     push(if bytes > 0 {
-        let reason = format!("{bytes} bytes that are known before the fragment");
-        Effect::runs("uniforms of the look", EffectKind::Uniforms, reason)
+        let reason = "values that are known before the fragment";
+        Effect::runs("uniforms of the look", EffectKind::Uniforms, reason).costs(EffectCost::bytes(bytes))
     } else {
         let reason = "everything is known when the look is compiled, or at each fragment";
         Effect::dropped("uniforms of the look", EffectKind::Uniforms, reason, Proof::Constant)
     });
-    let emitted: std::collections::BTreeSet<String> = shader.spans.nodes().map(ToString::to_string).collect();
-    for path in emitted {
+    for (path, operations) in node_operations(shader) {
         let what = format!("node `{path}`");
         let effect = Effect::runs(what, EffectKind::Node, "it runs at each fragment");
+        let effect = effect.costs(EffectCost::operations(operations));
         push(Effect { node: Some(path), ..effect });
     }
     for removal in &shader.removed {
         let path = removal.path.to_string();
-        let effect = Effect::dropped(format!("node `{path}`"), EffectKind::Node, &removal.reason, removal.proof);
+        let effect = Effect::dropped(format!("node `{path}`"), EffectKind::Node, &removal.reason, removal.proof)
+            .costs(EffectCost::operations(removal.operations));
         push(Effect { node: Some(path), ..effect });
+    }
+}
+
+/// The lights that a module reads, each once.
+fn push_lights(push: &mut impl FnMut(Effect), shader: &CompiledShader) {
+    let has_uniforms = shader.host.members.iter().any(|member| member.ty == Type::Light);
+    let layout = StructLayout::of(&shader.valid.module, "Light").filter(|_| has_uniforms);
+    let cost = EffectCost::bytes(layout.map_or(0, |layout| u64::from(layout.size)));
+    let reason = if has_uniforms { "its uniforms are read at each fragment" } else { "uniforms are computed from it" };
+    let mut seen = HashSet::new();
+    for light in shader.host.lights().filter(|light| seen.insert(*light)) {
+        push(Effect::runs(format!("light `{light}`"), EffectKind::Light, reason).costs(cost));
     }
 }
 

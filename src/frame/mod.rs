@@ -6,6 +6,7 @@
 
 mod assets;
 mod camera;
+mod cost;
 mod effects;
 mod keys;
 mod picture;
@@ -19,6 +20,7 @@ mod visibility;
 pub use crate::compile::{Attribute, BindingKind, CompiledShader, ImageUse, SAMPLES_PER_ROW, Stage, Uniform};
 pub use assets::{Assets, Image, MAX_IMAGE_SIDE, SHAPE_PREFIX};
 pub use camera::View;
+pub use cost::{EffectCost, attribute_bytes};
 pub use effects::{Effect, EffectKind, EffectState, effects};
 pub use keys::{Moment, ObjectValues, ParamTable, Rig, set_light_field, structural_look};
 pub use picture::Picture;

@@ -9,6 +9,7 @@ use glam::{DQuat, DVec3};
 
 use super::assets::{Assets, Image};
 use super::camera::{View, object_uniform};
+use super::cost::{self, EffectCost};
 use super::effects::EffectKind;
 use super::keys::{Moment, ParamTable, Rig, structural_look};
 use super::setup::{Setup, SetupLook, SetupObject};
@@ -86,6 +87,8 @@ pub struct Dropped {
     /// The look that it belongs to, by name.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub look: Option<String>,
+    /// What it would cost, as far as that is known.
+    pub cost: EffectCost,
 }
 
 /// One part of an object, to be drawn.
@@ -313,6 +316,7 @@ impl Planner {
                     kind: EffectKind::Object,
                     proof,
                     look: None,
+                    cost: EffectCost::bytes(4 * object.mesh.indices.len() as u64),
                 }),
                 None => seen.push((number, object)),
             }
@@ -463,6 +467,7 @@ fn push_lights(dropped: &mut Vec<Dropped>, look: &Look, shaders: &LookShaders, d
             kind: EffectKind::Light,
             proof,
             look: Some(look.name.clone()),
+            cost: EffectCost::default(),
         };
         if !dropped.contains(&one) {
             dropped.push(one);
@@ -486,6 +491,7 @@ fn push_equal_looks(dropped: &mut Vec<Dropped>, setup: &Setup, keys: &Keys) {
                 kind: EffectKind::Look,
                 proof: Proof::Equal,
                 look: Some(name.clone()),
+                cost: EffectCost::default(),
             });
         }
     }
@@ -615,6 +621,7 @@ fn passes(
                 kind: EffectKind::Pass,
                 proof: Proof::Unreachable,
                 look: None,
+                cost: cost::of_passes(&[normals, curvature], options),
             }),
         }
     }

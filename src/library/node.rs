@@ -9,7 +9,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Tier, Value};
 use crate::ids::PortName;
 use crate::interp::{Derivatives, Options, Program};
-use crate::wgsl::{Declaration, Linked, Scan, Valid};
+use crate::wgsl::{Declaration, Linked, Operations, Scan, Valid};
 
 /// A kind of node.
 #[derive(Clone, Debug)]
@@ -283,6 +283,7 @@ pub struct NodeModule {
     pub scan: Scan,
     /// naga's view of it.
     pub valid: Valid,
+    operations: Operations,
     by_name: HashMap<String, usize>,
     programs: Mutex<HashMap<String, Result<Arc<Program>, Diagnostic>>>,
 }
@@ -291,7 +292,8 @@ impl NodeModule {
     /// Wraps validated text.
     pub fn new(linked: Linked, scan: Scan, valid: Valid) -> Self {
         let by_name = scan.declarations.iter().enumerate().map(|(i, d)| (d.name.clone(), i)).collect();
-        Self { linked, scan, valid, by_name, programs: Mutex::default() }
+        let operations = Operations::of(&valid.module);
+        Self { linked, scan, valid, operations, by_name, programs: Mutex::default() }
     }
 
     /// A top-level declaration by name.
@@ -299,8 +301,13 @@ impl NodeModule {
         self.by_name.get(name).map(|&index| &self.scan.declarations[index])
     }
 
-    /// A function, ready to run on the CPU; compiled on the first call. Derivatives are 0 in it, because whatever
-    /// runs before the fragment is the same in all of them.
+    /// The operations of a function, counted in the IR.
+    pub fn operations(&self, function: &str) -> u64 {
+        self.operations.of_function(&self.valid.module, function)
+    }
+
+    /// A function, ready to run on the CPU, with constants at f64; compiled on the first call. Derivatives are 0 in it,
+    /// because whatever runs before the fragment is the same in all of them.
     ///
     /// # Errors
     /// Names what of the function the interpreter cannot run.
@@ -309,7 +316,8 @@ impl NodeModule {
         if let Some(program) = programs.get(function) {
             return program.clone();
         }
-        let options = Options { derivatives: Derivatives::Zero, ..Options::default() };
+        let source = Some(self.linked.text.as_str());
+        let options = Options { derivatives: Derivatives::Zero, source, ..Options::default() };
         let program = Program::compile(&self.valid.module, function, options).map(Arc::new);
         programs.insert(function.to_owned(), program.clone());
         program

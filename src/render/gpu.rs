@@ -33,6 +33,16 @@ pub(super) struct Guard {
     problem: Arc<Mutex<Option<RenderError>>>,
 }
 
+/// What is asked of an adapter: all that it can hold, and the clocks that it has.
+pub fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
+    wgpu::DeviceDescriptor {
+        label: Some("chiaro"),
+        required_features: adapter.features() & (wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::FLOAT32_BLENDABLE),
+        required_limits: adapter.limits(),
+        ..wgpu::DeviceDescriptor::default()
+    }
+}
+
 impl Gpu {
     /// Opens the best adapter that there is, a software one if need be.
     ///
@@ -60,13 +70,7 @@ impl Gpu {
             }
         }
         let adapter = found.ok_or(RenderError::NoAdapter { message: failure })?;
-        let descriptor = wgpu::DeviceDescriptor {
-            label: Some("chiaro"),
-            required_features: adapter.features()
-                & (wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::FLOAT32_BLENDABLE),
-            required_limits: adapter.limits(),
-            ..wgpu::DeviceDescriptor::default()
-        };
+        let descriptor = device_descriptor(&adapter);
         let refused = |error: wgpu::RequestDeviceError| RenderError::NoAdapter { message: error.to_string() };
         let (device, queue) = adapter.request_device(&descriptor).await.map_err(refused)?;
         Ok(Self::new(device, queue, adapter.get_info()))

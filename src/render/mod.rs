@@ -22,8 +22,8 @@ use crate::frame::{FramePlan, PassKind};
 pub use crate::frame::Picture;
 
 pub use error::RenderError;
-pub use gpu::{Gpu, block_on};
-pub use timer::PassTime;
+pub use gpu::{Gpu, block_on, device_descriptor};
+pub use timer::{PassTime, set_times};
 
 /// Runs frame plans.
 #[derive(Debug)]

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::{RenderError, Renderer};
 use crate::clock::Clock;
-use crate::frame::{FramePlan, PassKind};
+use crate::frame::{Effect, FramePlan, PassKind};
 use crate::render::gpu::Gpu;
 
 /// How many passes can be timed in one frame.
@@ -109,5 +109,19 @@ impl Renderer {
             PassTime { kind, duration: Duration::from_nanos((ticks as f64 * period) as u64) }
         });
         Ok(times.collect())
+    }
+}
+
+/// Tells passes among the effects what they took; nothing where no clock told them apart.
+pub fn set_times(effects: &mut [Effect], times: &[PassTime]) {
+    let passes = effects.iter().filter(|effect| effect.pass.is_some()).count();
+    if times.len() < passes {
+        return;
+    }
+    for effect in effects {
+        let time = times.iter().find(|time| effect.pass.as_ref() == Some(&time.kind));
+        if let Some(time) = time {
+            effect.cost.milliseconds = Some(time.duration.as_secs_f64() * 1e3);
+        }
     }
 }

@@ -6,11 +6,13 @@
 
 mod embedded;
 mod link;
+mod operations;
 mod scan;
 mod validate;
 
 pub use embedded::{NODES, PASSES, SHADER_LIBRARY};
 pub use link::{Linked, Source, link};
+pub use operations::Operations;
 pub use scan::{Declaration, DeclarationKind, Field, Import, Scan, identifiers, rename_identifiers, scan};
 pub use validate::{Valid, WgslError, parse, validate};
 

@@ -12,14 +12,22 @@ use super::output::Output;
 use super::scene::check_values;
 use crate::compile::Live;
 use crate::diag::Diagnostic;
+#[cfg(feature = "gpu")]
+use crate::frame::FramePlan;
 use crate::frame::{Assets, PlanOptions, Planner, open};
+#[cfg(feature = "gpu")]
+use crate::render::{Gpu, PassTime, Renderer, block_on, set_times};
 
 const EXAMPLES: &str = "\
 Examples:
   chiaro explain look.json                 what is drawn, in which passes, and why
   chiaro explain scene.json --json         the same for a script
   chiaro explain look.json --wgsl > a.wgsl the generated WGSL
-  chiaro explain look.json --live          as while it is edited: every value is a uniform";
+  chiaro explain look.json --live          as while it is edited: every value is a uniform
+  chiaro explain look.json --measure       with what each pass takes on this machine
+
+Costs are counted without a GPU: operations at each fragment in naga's IR (both sides of branches, loops once), and
+bytes of memory. `chiaro bench` measures nodes.";
 
 /// What `chiaro explain` is given.
 #[derive(Debug, clap::Args)]
@@ -39,6 +47,10 @@ pub(super) struct Arguments {
     /// Explain the shader that is used while the look is edited, in which nothing is folded
     #[arg(long)]
     live: bool,
+    /// Draw it, and tell what each pass takes (the median of 7)
+    #[cfg(feature = "gpu")]
+    #[arg(long, conflicts_with = "wgsl")]
+    measure: bool,
     /// Print JSON
     #[arg(long, conflicts_with = "wgsl")]
     json: bool,
@@ -61,7 +73,12 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let mut planner = Planner::new(assets);
     let plan = planner.plan(&setup, &library, &live, &options)?;
     output.diagnostics(&planner.warnings);
-    let report = report::Report::new(&setup, &plan, &library)?;
+    #[cfg_attr(not(feature = "gpu"), expect(unused_mut, reason = "only a GPU adds times"))]
+    let mut report = report::Report::new(&setup, &plan, &library)?;
+    #[cfg(feature = "gpu")]
+    if arguments.measure {
+        measure(&mut report, &plan, output).map_err(|problem| vec![problem])?;
+    }
     if arguments.wgsl {
         output.result(report.wgsl().trim_end());
     } else if arguments.json {
@@ -69,5 +86,24 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     } else {
         output.result(&text::tell(&report, &arguments.document.display().to_string()));
     }
+    Ok(())
+}
+
+#[cfg(feature = "gpu")]
+fn measure(report: &mut report::Report, plan: &FramePlan, output: &Output) -> Result<(), Diagnostic> {
+    const ROUNDS: usize = 7;
+    let mut renderer = Renderer::new(block_on(Gpu::headless())?);
+    // The first picture also compiles pipelines.
+    block_on(renderer.draw(plan))?;
+    let rounds: Vec<Vec<PassTime>> = (0..ROUNDS).map(|_| block_on(renderer.measure(plan))).collect::<Result<_, _>>()?;
+    let medians: Vec<PassTime> = (0..rounds[0].len())
+        .map(|pass| {
+            let mut times: Vec<&PassTime> = rounds.iter().filter_map(|times| times.get(pass)).collect();
+            times.sort_by_key(|time| time.duration);
+            times[times.len() / 2].clone()
+        })
+        .collect();
+    set_times(&mut report.effects, &medians);
+    output.message(&format!("measured on {}", renderer.gpu().name()));
     Ok(())
 }

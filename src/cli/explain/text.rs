@@ -3,20 +3,22 @@
 use std::fmt::Write as _;
 
 use super::report::{LookReport, Report, names};
-use crate::frame::EffectKind;
+use crate::frame::{Effect, EffectCost, EffectKind, EffectState};
 use crate::library::Rate;
 
 pub(super) fn tell(report: &Report, document: &str) -> String {
     let mut text = format!("{document}\n\nPasses, in order\n");
-    for pass in &report.passes {
-        let _ = writeln!(text, "  {:16} {}", pass.kind.label(), pass.reason);
+    for pass in report.effects.iter().filter(|effect| effect.pass.is_some()) {
+        let _ = writeln!(text, "  {:16} {}\n  {:16} costs {}", pass.what, pass.reason, "", pass.cost);
     }
     if !report.dropped.is_empty() {
         text += "\nLeft out\n";
         for dropped in &report.dropped {
             let of = dropped.look.as_ref().filter(|name| !name.is_empty() && dropped.kind != EffectKind::Look);
             let of = of.map_or_else(String::new, |name| format!(" of \"{name}\""));
-            let _ = writeln!(text, "  {}{of}: {} ({})", dropped.what, dropped.why, dropped.proof.label());
+            let saved =
+                if dropped.cost == EffectCost::default() { String::new() } else { format!("; saves {}", dropped.cost) };
+            let _ = writeln!(text, "  {}{of}: {} ({}{saved})", dropped.what, dropped.why, dropped.proof.label());
         }
     }
     for look in &report.looks {
@@ -66,7 +68,7 @@ fn tell_look(look: &LookReport, report: &Report) -> String {
         let path = if image.path.is_empty() { "(no image chosen: white)" } else { &image.path };
         let _ = writeln!(text, "    {path}  for `{}`", image.node);
     }
-    text + &tell_uniforms(look) + &tell_nodes(look)
+    text + &tell_uniforms(look) + &tell_nodes(look, report)
 }
 
 fn tell_uniforms(look: &LookReport) -> String {
@@ -86,24 +88,42 @@ fn tell_uniforms(look: &LookReport) -> String {
     text
 }
 
-fn tell_nodes(look: &LookReport) -> String {
+/// A node with its operations, where it runs.
+fn with_cost(path: &str, look: &LookReport, report: &Report) -> String {
+    let is_it = |effect: &&Effect| {
+        effect.kind == EffectKind::Node
+            && effect.node.as_deref() == Some(path)
+            && effect.look.as_deref() == Some(&look.name)
+            && effect.state != EffectState::Dropped
+    };
+    match report.effects.iter().find(is_it) {
+        Some(effect) => format!("{path} ({})", effect.cost.operations),
+        None => path.to_owned(),
+    }
+}
+
+fn tell_nodes(look: &LookReport, report: &Report) -> String {
     let nodes = &look.nodes;
     let mut text = format!("\n  Nodes: {} once groups are opened\n", nodes.total);
     let kinds = [
-        ("run at each fragment", &nodes.fragment),
+        ("run at each fragment, with their operations", &nodes.fragment),
         ("run on the host before drawing", &nodes.host),
         ("folded into constants when the look was compiled", &nodes.folded),
     ];
     for (what, paths) in kinds.iter().filter(|(_, paths)| !paths.is_empty()) {
-        let _ = writeln!(text, "    {} {what}: {}", paths.len(), paths.join(", "));
+        let told: Vec<String> = paths.iter().map(|path| with_cost(path, look, report)).collect();
+        let _ = writeln!(text, "    {} {what}: {}", paths.len(), told.join(", "));
     }
     if !nodes.removed.is_empty() {
         let _ = writeln!(text, "    {} left out, without changing the picture:", nodes.removed.len());
         for removal in &nodes.removed {
             // Reasons by ranges say so themselves.
-            let label = removal.proof.label();
-            let proof = if removal.reason.contains(label) { String::new() } else { format!(" ({label})") };
-            let _ = writeln!(text, "      `{}`: {}{proof}", removal.path, removal.reason);
+            let label = Some(removal.proof.label()).filter(|label| !removal.reason.contains(label));
+            let saved = EffectCost::operations(removal.operations);
+            let saved = (removal.operations > 0).then(|| format!("saves {saved}"));
+            let more: Vec<&str> = label.into_iter().chain(saved.as_deref()).collect();
+            let more = if more.is_empty() { String::new() } else { format!(" ({})", more.join("; ")) };
+            let _ = writeln!(text, "      `{}`: {}{more}", removal.path, removal.reason);
         }
     }
     text

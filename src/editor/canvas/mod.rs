@@ -50,7 +50,8 @@ pub struct Canvas {
     palette: Option<Palette>,
     marks: HashMap<NodeId, Mark>,
     marks_number: Option<u64>,
-    fonts: (f32, f32),
+    /// How full the font image was, pixels a point, and whether the theme was dark.
+    fonts: (f32, f32, bool),
     document: Option<u64>,
     reveal: Option<NodeId>,
     wants_search: bool,
@@ -74,8 +75,7 @@ impl Canvas {
         self.gestures(ui, &response, session, &mut commands);
         self.keys(ui, pointer, session, &mut commands);
         let latest = ui.input(|input| input.pointer.latest_pos());
-        let painter = ui.painter_at(rect);
-        self.draw(&painter, session, latest);
+        self.draw(ui, session, latest);
         self.name_nodes(ui, session);
         self.tell(ui, &response);
         self.show_palette(ui, session, &mut commands);
@@ -99,8 +99,9 @@ impl Canvas {
             self.palette = None;
         }
         // Where the font image was made anew, galleys point at what is no longer there.
-        let fonts = ui.fonts(|fonts| (fonts.font_atlas_fill_ratio(), ui.pixels_per_point()));
-        if fonts.0 < self.fonts.0 || fonts.1 != self.fonts.1 {
+        let fill = ui.fonts(|fonts| fonts.font_atlas_fill_ratio());
+        let fonts = (fill, ui.pixels_per_point(), ui.visuals().dark_mode);
+        if fonts.0 < self.fonts.0 || (fonts.1, fonts.2) != (self.fonts.1, self.fonts.2) {
             self.table.forget_text();
         }
         self.fonts = fonts;

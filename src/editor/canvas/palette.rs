@@ -136,7 +136,7 @@ impl Palette {
     fn show_list(&self, ui: &mut Ui, found: &[Arc<Kind>]) -> Option<Arc<Kind>> {
         if found.is_empty() {
             ui.add_space(6.0);
-            ui.label(RichText::new("Nothing of that name").color(theme::DIM));
+            ui.label(RichText::new("Nothing of that name").color(theme::of(ui).dim));
             return None;
         }
         let mut chosen = None;
@@ -185,14 +185,20 @@ impl Palette {
 fn paint_row(ui: &Ui, rect: egui::Rect, kind: &Kind, is_current: bool, is_hovered: bool) {
     let painter = ui.painter();
     if is_current || is_hovered {
-        let fill = if is_current { theme::ACCENT_DIM } else { theme::FIELD };
+        let fill = if is_current { theme::of(ui).accent_dim } else { theme::of(ui).field };
         painter.rect_filled(rect, 4.0, fill);
     }
     let bar = egui::Rect::from_min_size(rect.min + vec2(4.0, 5.0), vec2(4.0, ROW - 10.0));
-    painter.rect_filled(bar, 2.0, theme::category_color(&kind.category).gamma_multiply(1.6));
+    painter.rect_filled(bar, 2.0, theme::of(ui).of_category(&kind.category).gamma_multiply(1.6));
     let font = egui::FontId::proportional(theme::TEXT_SIZE);
-    painter.text(rect.left_center() + vec2(16.0, 0.0), Align2::LEFT_CENTER, &kind.label, font.clone(), theme::TEXT);
-    painter.text(rect.right_center() - vec2(8.0, 0.0), Align2::RIGHT_CENTER, &kind.category, font, theme::DIM);
+    painter.text(
+        rect.left_center() + vec2(16.0, 0.0),
+        Align2::LEFT_CENTER,
+        &kind.label,
+        font.clone(),
+        theme::of(ui).text,
+    );
+    painter.text(rect.right_center() - vec2(8.0, 0.0), Align2::RIGHT_CENTER, &kind.category, font, theme::of(ui).dim);
 }
 
 /// The first sentence of a help text.

@@ -6,10 +6,10 @@
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-use eframe::egui::{Color32, Pos2, Rect, Vec2, pos2, vec2};
+use eframe::egui::{Pos2, Rect, Vec2, pos2, vec2};
 
 use super::super::catalog::{Catalog, Kind};
-use super::super::theme::{NODE_FOOT, NODE_WIDTH, ROW_HEIGHT, TITLE_HEIGHT, type_color};
+use super::super::theme::{NODE_FOOT, NODE_WIDTH, ROW_HEIGHT, TITLE_HEIGHT};
 use super::text::NodeText;
 use crate::document::Graph;
 use crate::ids::{NodeId, PortName};
@@ -54,7 +54,8 @@ pub(crate) struct WireRow {
     pub(crate) from: Socket,
     pub(crate) to: Socket,
     pub(crate) bounds: Rect,
-    pub(crate) color: Color32,
+    /// Of what comes out.
+    pub(crate) ty: Type,
 }
 
 /// Nodes and wires in document order.
@@ -123,7 +124,7 @@ impl Table {
             self.nodes[to].is_wired[input] = true;
             let from = Socket { node: from, port: output, is_output: true };
             let to = Socket { node: to, port: input, is_output: false };
-            self.wires.push(WireRow { index, from, to, bounds: Rect::NOTHING, color: Color32::GRAY });
+            self.wires.push(WireRow { index, from, to, bounds: Rect::NOTHING, ty: Type::Float });
         }
         let into: HashMap<usize, usize> = self.wires.iter().enumerate().map(|(i, wire)| (wire.to.node, i)).collect();
         for node in 0..self.nodes.len() {
@@ -133,8 +134,7 @@ impl Table {
             }
         }
         for index in 0..self.wires.len() {
-            let color = type_color(&self.socket_type(self.wires[index].from));
-            self.wires[index].color = color;
+            self.wires[index].ty = self.socket_type(self.wires[index].from);
             self.wires[index].bounds = self.wire_bounds(index);
         }
     }
@@ -348,11 +348,11 @@ mod tests {
     }
 
     #[test]
-    fn a_reroute_has_the_color_of_what_it_is_given() {
+    fn a_reroute_has_the_type_of_what_it_is_given() {
         let (_, table) = table(
             r#"{"nodes": [{"id": "a", "kind": "base"}, {"id": "r", "kind": "reroute"}, {"id": "b", "kind": "output"}],
                 "wires": [{"from": "r", "to": "b.color"}, {"from": "a", "to": "r.value"}]}"#,
         );
-        assert_eq!(table.wires[0].color, type_color(&Type::Composite));
+        assert_eq!(table.wires[0].ty, Type::Composite);
     }
 }

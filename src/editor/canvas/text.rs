@@ -6,7 +6,7 @@ use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{Color32, FontId, Galley, Painter, Vec2, vec2};
 
 use super::super::catalog::Port;
-use super::super::theme::{self, NODE_WIDTH, TITLE_HEIGHT};
+use super::super::theme::{self, Colors, NODE_WIDTH, TITLE_HEIGHT};
 use super::super::values;
 use super::table::{NodeRow, row_center};
 use crate::document::{Look, Node, Value};
@@ -30,6 +30,7 @@ const LEAST_TITLE: f32 = 10.0;
 pub(crate) fn lay_out(
     row: &mut NodeRow,
     painter: &Painter,
+    colors: &Colors,
     (zoom, has_rows): (f32, bool),
     revision: u64,
     look: &Look,
@@ -46,21 +47,21 @@ pub(crate) fn lay_out(
     let line = |text: &str, width: f32, color| one_line(painter, text, size, width * zoom, color);
     let centered = |galley: &Galley, y: f32| y - galley.size().y / zoom / 2.0;
 
-    let title = one_line(painter, &row.title, size.max(LEAST_TITLE), (NODE_WIDTH - 18.0) * zoom, theme::TEXT);
+    let title = one_line(painter, &row.title, size.max(LEAST_TITLE), (NODE_WIDTH - 18.0) * zoom, colors.text);
     text.lines.push((vec2(10.0, centered(&title, TITLE_HEIGHT / 2.0)), title));
     if !has_rows {
         row.text = text;
         return;
     }
     for (index, port) in row.kind.outputs.iter().enumerate() {
-        let label = line(&port.label, NODE_WIDTH - 24.0, theme::TEXT);
+        let label = line(&port.label, NODE_WIDTH - 24.0, colors.text);
         let x = NODE_WIDTH - 12.0 - label.size().x / zoom;
         text.lines.push((vec2(x, centered(&label, row_center(index))), label));
     }
     for (index, port) in row.kind.inputs.iter().enumerate() {
         let y = row_center(row.kind.outputs.len() + index);
         let is_wired = row.is_wired[index];
-        let shown = if is_wired { Shown::Nothing } else { shown_value(port, node, look) };
+        let shown = if is_wired { Shown::Nothing } else { shown_value(port, node, look, colors) };
         let mut room = NODE_WIDTH - 24.0;
         match shown {
             Shown::Nothing => {}
@@ -75,7 +76,7 @@ pub(crate) fn lay_out(
                 room -= width + 8.0;
             }
         }
-        let label = line(&port.label, room, if is_wired { theme::TEXT } else { theme::DIM });
+        let label = line(&port.label, room, if is_wired { colors.text } else { colors.dim });
         text.lines.push((vec2(12.0, centered(&label, y)), label));
     }
     row.text = text;
@@ -88,14 +89,14 @@ enum Shown {
 }
 
 /// What a row shows of an unwired input.
-fn shown_value(port: &Port, node: &Node, look: &Look) -> Shown {
+fn shown_value(port: &Port, node: &Node, look: &Look, colors: &Colors) -> Shown {
     let value = match (node.values.get(&port.name), &port.fallback) {
         (Some(value), _) | (None, Fallback::Value(value)) => value,
         (None, Fallback::Same(other)) => {
-            return Shown::Text(format!("as {}", values::words(other.as_str())), theme::DIM.gamma_multiply(0.7));
+            return Shown::Text(format!("as {}", values::words(other.as_str())), colors.dim.gamma_multiply(0.7));
         }
         (None, Fallback::Context(context)) => {
-            return Shown::Text(values::words(context.word()), theme::DIM.gamma_multiply(0.7));
+            return Shown::Text(values::words(context.word()), colors.dim.gamma_multiply(0.7));
         }
         (None, Fallback::Wire) => return Shown::Nothing,
     };
@@ -112,7 +113,7 @@ fn shown_value(port: &Port, node: &Node, look: &Look) -> Shown {
         (Type::Text, _) => return Shown::Nothing,
         _ => values::short(port, value),
     };
-    Shown::Text(text, theme::TEXT)
+    Shown::Text(text, colors.text)
 }
 
 /// One line, cut off with an ellipsis where it is longer than `width`.

@@ -3,7 +3,7 @@
 use std::sync::atomic::Ordering;
 
 use eframe::egui;
-use eframe::egui::{Color32, FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
+use eframe::egui::{FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 
 use super::super::command::Command;
 use super::super::dock::{cell, hint};
@@ -11,21 +11,10 @@ use super::super::session::Session;
 use super::super::{problems, theme};
 use super::{Cost, adopt, plot};
 use crate::accuracy::{Report, Row, Subject, report::tier_word};
-use crate::document::Tier;
 
 const ROW: f32 = 20.0;
 /// Where columns begin, in parts of the width.
 const COLUMNS: [f32; 5] = [0.0, 0.22, 0.56, 0.7, 0.84];
-
-/// The colour of a tier's points.
-pub(super) fn color(tier: Option<Tier>) -> Color32 {
-    match tier {
-        Some(Tier::Exact) => Color32::from_rgb(124, 146, 232),
-        Some(Tier::Balanced) => Color32::from_rgb(126, 188, 140),
-        Some(Tier::Fast) => theme::ACCENT,
-        None => theme::TEXT,
-    }
-}
 
 impl Cost {
     /// The button, the plot and the table. `size` is the picture's, in pixels.
@@ -44,7 +33,7 @@ impl Cost {
             Ok(report) => report,
             Err(found) => {
                 for problem in found.iter().take(3) {
-                    ui.label(RichText::new(problems::sentence(problem)).color(theme::ERROR));
+                    ui.label(RichText::new(problems::sentence(problem)).color(theme::of(ui).error));
                 }
                 return Vec::new();
             }
@@ -84,13 +73,13 @@ impl Cost {
             let Some(report) = self.report() else { return };
             if !self.is_current.1 {
                 let help = "The look was changed since, by more than its tiers";
-                ui.label(RichText::new("of before").color(theme::WARNING)).on_hover_text(help);
+                ui.label(RichText::new("of before").color(theme::of(ui).warning)).on_hover_text(help);
             }
             let [width, height] = report.size;
             let clock = if report.has_timestamps { "GPU timestamps" } else { "the clock on the wall" };
             let software = if report.is_software { "; software, not a GPU" } else { "" };
             let text = format!("{width}×{height} on {}", report.adapter);
-            ui.add(egui::Label::new(RichText::new(&text).color(theme::DIM)).truncate())
+            ui.add(egui::Label::new(RichText::new(&text).color(theme::of(ui).dim)).truncate())
                 .on_hover_text(format!("{text}\n{} rounds, {clock}{software}", report.rounds));
         });
         ui.add_space(2.0);
@@ -136,7 +125,7 @@ fn table(
 ) -> Option<Row> {
     let (head, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
     for (index, title) in ["Tier", "Milliseconds (95%)", "Max error", "RMS", "> 1/255"].into_iter().enumerate() {
-        cell(ui, column(head, index), title, FontId::proportional(11.0), theme::DIM);
+        cell(ui, column(head, index), title, FontId::proportional(theme::SMALL_TEXT), theme::of(ui).dim);
     }
     let mut chosen = None;
     let mut last: Option<&Subject> = None;
@@ -158,9 +147,9 @@ fn subject(ui: &mut Ui, subject: &Subject, is_plotted: bool) -> bool {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW + 2.0), Sense::click());
     let name = name(subject);
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Plot {name}")));
-    let color = if is_plotted || response.hovered() { theme::ACCENT } else { theme::TEXT };
+    let color = if is_plotted || response.hovered() { theme::of(ui).accent } else { theme::of(ui).text };
     cell(ui, rect, &name, FontId::proportional(theme::TEXT_SIZE), color);
-    ui.painter().hline(rect.x_range(), rect.bottom() - 1.0, egui::Stroke::new(1.0, theme::GRID));
+    ui.painter().hline(rect.x_range(), rect.bottom() - 1.0, egui::Stroke::new(1.0, theme::of(ui).grid));
     response.on_hover_text("A click plots this one").clicked()
 }
 
@@ -171,23 +160,31 @@ fn figures(ui: &mut Ui, session: &Session, row: &Row) -> bool {
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, label.clone()));
     let is_used = in_use(session, row);
     if is_used {
-        ui.painter().rect_filled(rect, 2.0, theme::ACCENT_DIM.gamma_multiply(0.4));
+        ui.painter().rect_filled(rect, 2.0, theme::of(ui).accent_dim.gamma_multiply(0.4));
     } else if response.hovered() && row.tier.is_some() {
-        ui.painter().rect_filled(rect, 2.0, theme::FIELD.gamma_multiply(0.6));
+        ui.painter().rect_filled(rect, 2.0, theme::of(ui).field.gamma_multiply(0.6));
     }
-    ui.painter().circle_filled(pos2(rect.left() + 7.0, rect.center().y), 3.5, color(row.tier));
+    ui.painter().circle_filled(pos2(rect.left() + 7.0, rect.center().y), 3.5, theme::of(ui).of_tier(row.tier));
     let mut first = column(rect, 0);
     first.min.x += 16.0;
-    cell(ui, first, word, FontId::proportional(theme::TEXT_SIZE), theme::TEXT);
+    cell(ui, first, word, FontId::proportional(theme::TEXT_SIZE), theme::of(ui).text);
     let time = &row.time;
     let is_noise = matches!(row.subject, Subject::Node { .. }) && time.is_noise();
-    let text = format!("{:.3}  ({:.3} to {:.3})", time.median, time.low, time.high);
+    // As many places as the interval is sure of.
+    let places = if time.high - time.low > 1.0 {
+        0
+    } else if time.high - time.low > 0.1 {
+        1
+    } else {
+        2
+    };
+    let text = format!("{:.places$}  ({:.places$} to {:.places$})", time.median, time.low, time.high);
     let mono = FontId::monospace(11.0);
-    cell(ui, column(rect, 1), &text, mono.clone(), if is_noise { theme::DIM } else { theme::TEXT });
+    cell(ui, column(rect, 1), &text, mono.clone(), if is_noise { theme::of(ui).dim } else { theme::of(ui).text });
     if let Some(error) = &row.error {
-        let ink = |bad: bool| if bad { theme::WARNING } else { theme::TEXT };
+        let ink = |bad: bool| if bad { theme::of(ui).warning } else { theme::of(ui).text };
         cell(ui, column(rect, 2), &small(error.max), mono.clone(), ink(error.max > 1.0 / 255.0));
-        cell(ui, column(rect, 3), &small(error.rms), mono.clone(), theme::TEXT);
+        cell(ui, column(rect, 3), &small(error.rms), mono.clone(), theme::of(ui).text);
         cell(ui, column(rect, 4), &error.visible.to_string(), mono, ink(error.visible > 0));
     }
     let clicked = response.clicked() && row.tier.is_some();

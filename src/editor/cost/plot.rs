@@ -4,7 +4,7 @@ use eframe::egui;
 use eframe::egui::{Align2, FontId, Pos2, Rect, Sense, Shape, Stroke, Ui, pos2, vec2};
 
 use super::super::theme;
-use super::panel::{color, told};
+use super::panel::told;
 use crate::accuracy::Row;
 use crate::accuracy::report::{pareto_front, tier_word};
 
@@ -52,7 +52,7 @@ impl Axis {
 /// Plots the rows of one subject, and returns the one that was clicked.
 pub(super) fn show(ui: &mut Ui, rows: &[&Row], title: String, in_use: impl Fn(&Row) -> bool) -> Option<Row> {
     let height = (ui.clip_rect().height() * 0.62).clamp(*HEIGHT.start(), *HEIGHT.end());
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::click());
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, "Error against time"));
     let inner = Rect::from_min_max(rect.min + vec2(46.0, 20.0), rect.max - vec2(10.0, 20.0));
     let time = |row: &Row| row.time.median.max(LEAST_TIME);
@@ -60,72 +60,99 @@ pub(super) fn show(ui: &mut Ui, rows: &[&Row], title: String, in_use: impl Fn(&R
     let x = Axis::new(rows.iter().map(|row| time(row)), inner.left(), inner.right());
     let y = Axis::new(rows.iter().map(|row| error(row)).chain([VISIBLE]), inner.bottom(), inner.top());
     grid(ui, rect, inner, &x, &y);
-    ui.painter().text(rect.left_top(), Align2::LEFT_TOP, title, FontId::proportional(11.0), theme::TEXT);
+    ui.painter().text(
+        rect.left_top(),
+        Align2::LEFT_TOP,
+        title,
+        FontId::proportional(theme::SMALL_TEXT),
+        theme::of(ui).text,
+    );
     let place = |row: &Row| pos2(x.at(time(row)), y.at(error(row)));
     let front: Vec<Pos2> = pareto_front(rows).into_iter().map(|index| place(rows[index])).collect();
-    ui.painter().add(Shape::line(front, Stroke::new(1.0, theme::DIM)));
-    let pointer = response.hover_pos();
-    let near = |row: &&&Row| pointer.is_some_and(|at| place(row).distance(at) < 12.0);
-    let distance = |row: &&Row| pointer.map_or(f32::INFINITY, |at| place(row).distance(at));
-    let hovered = rows.iter().filter(near).min_by(|a, b| distance(a).total_cmp(&distance(b)));
-    for row in rows {
-        let at = place(row);
+    ui.painter().add(Shape::line(front, Stroke::new(1.0, theme::of(ui).dim)));
+    // Points are widgets of their own, so that keys and screen readers come to them; where they overlap, the nearest.
+    let points: Vec<(Pos2, &Row)> = rows.iter().map(|row| (place(row), *row)).collect();
+    let touch = |(index, (at, row)): (usize, &(Pos2, &Row))| {
+        let reach = Rect::from_center_size(*at, vec2(20.0, 20.0));
+        let point = ui.interact(reach, response.id.with(index), Sense::click());
+        let label = format!("Point {}", tier_word(row.tier));
+        point.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, row.tier.is_some(), label.clone()));
+        point
+    };
+    let touched: Vec<egui::Response> = points.iter().enumerate().map(touch).collect();
+    for ((at, row), point) in points.iter().zip(&touched) {
+        let at = *at;
         let span = [row.time.low, row.time.high].map(|time| x.at(time.max(LEAST_TIME)).clamp(x.from, x.to));
-        let ink = color(row.tier);
+        let ink = theme::of(ui).of_tier(row.tier);
         ui.painter().hline(span[0]..=span[1], at.y, Stroke::new(1.0, ink.gamma_multiply(0.6)));
-        let is_hovered = hovered.is_some_and(|other| std::ptr::eq(*other, *row));
-        ui.painter().circle_filled(at, if is_hovered { 6.5 } else { 5.0 }, ink);
+        let is_near = point.hovered() || point.has_focus();
+        ui.painter().circle_filled(at, if is_near { 6.5 } else { 5.0 }, ink);
         if in_use(row) {
-            ui.painter().circle_stroke(at, 8.5, Stroke::new(1.5, theme::TEXT));
+            ui.painter().circle_stroke(at, 8.5, Stroke::new(1.5, theme::of(ui).text));
         }
-        name_point(ui, inner, at, row);
     }
-    let clicked = response.clicked();
-    let row = *hovered?;
-    let response = response.on_hover_text_at_pointer(told(row, in_use(row)));
-    if row.tier.is_some() {
-        response.on_hover_cursor(egui::CursorIcon::PointingHand);
+    name_points(ui, inner, &points);
+    let mut clicked = None;
+    for ((_, row), point) in points.iter().zip(touched) {
+        if point.clicked() && row.tier.is_some() {
+            clicked = Some((*row).clone());
+        }
+        let point = point.on_hover_text(told(row, in_use(row)));
+        if row.tier.is_some() {
+            point.on_hover_cursor(egui::CursorIcon::PointingHand);
+        }
     }
-    (clicked && row.tier.is_some()).then(|| row.clone())
+    clicked
 }
 
-/// The tier beside its point; exact and balanced, which often lie together, on different sides.
-fn name_point(ui: &Ui, inner: Rect, at: Pos2, row: &Row) {
-    use crate::document::Tier;
-    let is_right = at.x > inner.center().x;
-    let is_below = at.y < inner.top() + 14.0 || row.tier == Some(Tier::Balanced) && at.y < inner.bottom() - 16.0;
-    let align = match (is_right, is_below) {
-        (true, true) => Align2::RIGHT_TOP,
-        (true, false) => Align2::RIGHT_BOTTOM,
-        (false, true) => Align2::LEFT_TOP,
-        (false, false) => Align2::LEFT_BOTTOM,
-    };
-    let offset = vec2(if is_right { -9.0 } else { 9.0 }, if is_below { 3.0 } else { -3.0 });
-    ui.painter().text(at + offset, align, tier_word(row.tier), FontId::proportional(11.0), color(row.tier));
+/// The tiers beside their points, each where it covers neither a point nor another name.
+fn name_points(ui: &Ui, inner: Rect, points: &[(Pos2, &Row)]) {
+    let mut taken: Vec<Rect> = points.iter().map(|(at, _)| Rect::from_center_size(*at, vec2(14.0, 14.0))).collect();
+    for (at, row) in points {
+        let ink = theme::of(ui).of_tier(row.tier);
+        let font = FontId::proportional(theme::SMALL_TEXT);
+        let galley = ui.painter().layout_no_wrap(tier_word(row.tier).to_owned(), font, ink);
+        let (right, above) = (9.0 + galley.size().x / 2.0, 9.0 + galley.size().y / 2.0);
+        let sides = [vec2(right, 0.0), vec2(-right, 0.0), vec2(0.0, -above), vec2(0.0, above)];
+        let corners = [vec2(right, -above), vec2(-right, -above), vec2(right, above), vec2(-right, above)];
+        let places = sides.into_iter().chain(corners).map(|offset| Rect::from_center_size(*at + offset, galley.size()));
+        let is_free = |place: &Rect| inner.contains_rect(*place) && !taken.iter().any(|other| other.intersects(*place));
+        let place = places.clone().find(is_free).or_else(|| places.clone().find(|place| inner.contains_rect(*place)));
+        if let Some(place) = place {
+            ui.painter().galley(place.min, galley, ink);
+            taken.push(place);
+        }
+    }
 }
 
 fn grid(ui: &Ui, rect: Rect, inner: Rect, x: &Axis, y: &Axis) {
     let painter = ui.painter();
     let font = FontId::proportional(10.0);
-    painter.rect_filled(inner, 2.0, theme::CANVAS);
+    painter.rect_filled(inner, 2.0, theme::of(ui).canvas);
     for time in x.ticks() {
-        painter.vline(x.at(time), inner.y_range(), Stroke::new(1.0, theme::GRID));
+        painter.vline(x.at(time), inner.y_range(), Stroke::new(1.0, theme::of(ui).grid));
         let text = super::super::values::number_text(time, 4);
-        painter.text(pos2(x.at(time), inner.bottom() + 3.0), Align2::CENTER_TOP, text, font.clone(), theme::DIM);
+        painter.text(pos2(x.at(time), inner.bottom() + 3.0), Align2::CENTER_TOP, text, font.clone(), theme::of(ui).dim);
     }
     for error in y.ticks() {
-        painter.hline(inner.x_range(), y.at(error), Stroke::new(1.0, theme::GRID));
+        painter.hline(inner.x_range(), y.at(error), Stroke::new(1.0, theme::of(ui).grid));
         let text = format!("{error:.0e}");
-        painter.text(pos2(inner.left() - 5.0, y.at(error)), Align2::RIGHT_CENTER, text, font.clone(), theme::DIM);
+        painter.text(
+            pos2(inner.left() - 5.0, y.at(error)),
+            Align2::RIGHT_CENTER,
+            text,
+            font.clone(),
+            theme::of(ui).dim,
+        );
     }
     let visible = y.at(VISIBLE);
     painter.extend(Shape::dashed_line(
         &[pos2(inner.left(), visible), pos2(inner.right(), visible)],
-        Stroke::new(1.0, theme::WARNING.gamma_multiply(0.7)),
+        Stroke::new(1.0, theme::of(ui).warning.gamma_multiply(0.7)),
         4.0,
         4.0,
     ));
-    let at = pos2(inner.right() - 3.0, visible - 1.0);
-    painter.text(at, Align2::RIGHT_BOTTOM, "1/255", font.clone(), theme::WARNING);
-    painter.text(rect.right_top(), Align2::RIGHT_TOP, "max error over milliseconds", font, theme::DIM);
+    let at = pos2(inner.left() + 3.0, visible - 1.0);
+    painter.text(at, Align2::LEFT_BOTTOM, "1/255", font.clone(), theme::of(ui).warning);
+    painter.text(rect.right_top(), Align2::RIGHT_TOP, "max error over milliseconds", font, theme::of(ui).dim);
 }

@@ -5,14 +5,11 @@ use eframe::egui::{Color32, FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2,
 use std::sync::Arc;
 
 use super::super::command::Command;
-use super::super::theme;
+use super::super::theme::{self, Colors};
 use super::{cell, hint};
-use crate::frame::{Effect, EffectKind, EffectState};
+use crate::frame::{Effect, EffectCost, EffectKind, EffectState};
 use crate::ids::NodePath;
 
-const CACHED: Color32 = Color32::from_rgb(124, 146, 232);
-const RUNS: Color32 = theme::ACCENT;
-const DROPPED: Color32 = Color32::from_rgb(96, 98, 104);
 const ROW: f32 = 20.0;
 const STATES: [EffectState; 3] = [EffectState::Runs, EffectState::Cached, EffectState::Dropped];
 
@@ -71,7 +68,7 @@ impl Effects {
         ui.horizontal(|ui| {
             for (state, is_listed) in STATES.into_iter().zip(&mut self.is_listed) {
                 let count = self.of.iter().filter(|effect| effect.state == state).count();
-                let color = if *is_listed { color(state) } else { theme::DIM };
+                let color = if *is_listed { color(state, theme::of(ui)) } else { theme::of(ui).dim };
                 let text = RichText::new(format!("{count} {}", word(state, count))).color(color);
                 let help = if *is_listed { "Listed; a click hides them" } else { "Hidden; a click lists them" };
                 let button = egui::Button::new(text).small().selected(*is_listed);
@@ -109,11 +106,11 @@ fn word(state: EffectState, count: usize) -> &'static str {
     }
 }
 
-fn color(state: EffectState) -> Color32 {
+fn color(state: EffectState, colors: &Colors) -> Color32 {
     match state {
-        EffectState::Runs => RUNS,
-        EffectState::Cached => CACHED,
-        EffectState::Dropped => theme::TEXT,
+        EffectState::Runs => colors.accent,
+        EffectState::Cached => colors.second,
+        EffectState::Dropped => colors.text,
     }
 }
 
@@ -132,10 +129,10 @@ fn plural(kind: EffectKind) -> &'static str {
 
 fn head(ui: &mut Ui, kind: EffectKind, count: usize) {
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
-    let font = FontId::proportional(11.0);
-    cell(ui, rect, &format!("{}  {count}", plural(kind)), font, theme::DIM);
+    let font = FontId::proportional(theme::SMALL_TEXT);
+    cell(ui, rect, &format!("{}  {count}", plural(kind)), font, theme::of(ui).dim);
     let y = rect.bottom() - 1.0;
-    ui.painter().hline(rect.x_range(), y, egui::Stroke::new(1.0, theme::GRID));
+    ui.painter().hline(rect.x_range(), y, egui::Stroke::new(1.0, theme::of(ui).grid));
 }
 
 fn row(ui: &mut Ui, effect: &Effect) -> Option<Command> {
@@ -146,9 +143,9 @@ fn row(ui: &mut Ui, effect: &Effect) -> Option<Command> {
     let is_dropped = effect.state == EffectState::Dropped;
     let node = effect.node.as_deref().map(NodePath::parse).and_then(|path| path.outermost().cloned());
     if response.hovered() && node.is_some() {
-        ui.painter().rect_filled(rect, 2.0, theme::FIELD.gamma_multiply(0.6));
+        ui.painter().rect_filled(rect, 2.0, theme::of(ui).field.gamma_multiply(0.6));
     }
-    let dot = if is_dropped { DROPPED } else { color(effect.state) };
+    let dot = if is_dropped { theme::of(ui).dim } else { color(effect.state, theme::of(ui)) };
     let center = pos2(rect.left() + 7.0, rect.center().y);
     match effect.state {
         EffectState::Dropped => ui.painter().circle_stroke(center, 3.5, egui::Stroke::new(1.5, dot)),
@@ -158,12 +155,17 @@ fn row(ui: &mut Ui, effect: &Effect) -> Option<Command> {
     let (left, width) = (rect.left() + 18.0, rect.width() - 18.0);
     let name_width = (width * 0.3).clamp(70.0, 220.0);
     let proof = effect.proof.map(|proof| proof.label());
-    let proof_width = if proof.is_some() { (width * 0.24).min(150.0) } else { 0.0 };
+    let proof_width = if proof.is_some() { (width * 0.22).min(140.0) } else { 0.0 };
+    let cost_width = (width * 0.24).min(130.0);
     let column = |from: f32, width: f32| Rect::from_min_size(pos2(from, rect.top()), vec2(width, rect.height()));
-    let ink = if is_dropped { theme::DIM } else { theme::TEXT };
+    let ink = if is_dropped { theme::of(ui).dim } else { theme::of(ui).text };
     cell(ui, column(left, name_width - 8.0), name, font.clone(), ink);
+    let cost = short_cost(effect);
+    cell(ui, column(left + name_width, cost_width - 8.0), &cost, font.clone(), ink);
     let reason = effect.reason.replace('`', "");
-    cell(ui, column(left + name_width, width - name_width - proof_width - 8.0), &reason, font.clone(), theme::DIM);
+    let reason_left = left + name_width + cost_width;
+    let reason_width = (rect.right() - proof_width - 8.0 - reason_left).max(0.0);
+    cell(ui, column(reason_left, reason_width), &reason, font.clone(), theme::of(ui).dim);
     if let Some(proof) = proof {
         cell(ui, column(rect.right() - proof_width, proof_width), proof, font, dot.gamma_multiply(1.3));
     }
@@ -175,6 +177,19 @@ fn row(ui: &mut Ui, effect: &Effect) -> Option<Command> {
     let proof = proof.map(|proof| format!("\nProof: {proof}")).unwrap_or_default();
     let lead = if node.is_some() { "\nA click shows the node" } else { "" };
     let clicked = response.clicked();
-    response.on_hover_text(format!("{name}: {state}\n{reason}{proof}{lead}"));
+    let verb = if is_dropped { "Saves" } else { "Costs" };
+    response.on_hover_text(format!("{name}: {state}\n{verb} {}\n{reason}{proof}{lead}", effect.cost));
     node.filter(|_| clicked).map(Command::Reveal)
+}
+
+/// The weightiest part of what an effect costs, in few letters; what would be saved stands after a minus.
+fn short_cost(effect: &Effect) -> String {
+    let cost = &effect.cost;
+    let short = match (cost.milliseconds, cost.operations) {
+        (Some(milliseconds), _) => EffectCost { milliseconds: Some(milliseconds), ..EffectCost::default() }.to_string(),
+        (None, 1..) if effect.kind != EffectKind::Pass => format!("{} ops", cost.operations),
+        _ if cost.bytes > 0 => EffectCost::bytes(cost.bytes).to_string(),
+        _ => return String::new(),
+    };
+    if effect.state == EffectState::Dropped { format!("\u{2212}{short}") } else { short }
 }

@@ -1,26 +1,41 @@
-//! The panels below the picture, one at a time: a strip of tabs, and what the chosen one shows.
+//! The panels of the window: which there are, and how they share it. They can be dragged by their tabs, stacked, split,
+//! closed and brought back; the arrangement is remembered.
 
 pub(crate) mod effects;
 
 use eframe::egui;
-use eframe::egui::{Sense, Ui, vec2};
+use eframe::egui::{Color32, Response, Sense, Stroke, TextStyle, Ui, Visuals, WidgetInfo, WidgetText, vec2};
+use egui_tiles::{
+    Behavior, Container, Linear, LinearDir, SimplificationOptions, TabState, Tile, TileId, Tiles, Tree, UiResponse,
+};
+use serde::{Deserialize, Serialize};
 
 use super::theme;
 
-/// What can be seen there.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Tab {
+/// A part of the window.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum Panel {
+    Picture,
+    Graph,
+    Inspector,
     Code,
     Effects,
     Cost,
     Probe,
 }
 
-impl Tab {
-    const ALL: [Self; 4] = [Self::Code, Self::Effects, Self::Cost, Self::Probe];
+impl Panel {
+    /// All, in the order of menus.
+    pub(crate) const ALL: [Self; 7] =
+        [Self::Picture, Self::Graph, Self::Inspector, Self::Code, Self::Effects, Self::Cost, Self::Probe];
 
-    fn label(self) -> &'static str {
+    /// What its tab says.
+    pub(crate) fn label(self) -> &'static str {
         match self {
+            Self::Picture => "Picture",
+            Self::Graph => "Graph",
+            Self::Inspector => "Inspector",
             Self::Code => "Code",
             Self::Effects => "Effects",
             Self::Cost => "Cost and accuracy",
@@ -28,67 +43,231 @@ impl Tab {
         }
     }
 
-    fn help(self) -> &'static str {
+    /// What it is for.
+    pub(crate) fn help(self) -> &'static str {
         match self {
+            Self::Picture => "The look on a mesh: drag the lights and the camera",
+            Self::Graph => "The nodes of the look and their wires",
+            Self::Inspector => "The values of what is selected",
             Self::Code => "The generated WGSL",
             Self::Effects => "Everything that the picture costs, what was left out, and the proof",
             Self::Cost => "What each tier costs in time, and how far it is from the truth",
             Self::Probe => "The value on every wire at a pixel, f32 beside f64 (I)",
         }
     }
+
+    /// Where it comes back to when it was closed: beside the first of these that is there.
+    fn neighbours(self) -> &'static [Self] {
+        match self {
+            Self::Picture | Self::Graph | Self::Inspector => &[],
+            Self::Code | Self::Effects | Self::Cost | Self::Probe => {
+                &[Self::Code, Self::Effects, Self::Cost, Self::Probe]
+            }
+        }
+    }
 }
 
-/// Which panel is shown.
-#[derive(Debug)]
+/// How the panels share the window.
 pub(crate) struct Dock {
-    pub(crate) is_open: bool,
-    pub(crate) tab: Tab,
+    tree: Tree<Panel>,
+    /// What [`saved`](Self::saved) was made of is another now.
+    is_changed: bool,
 }
 
 impl Default for Dock {
     fn default() -> Self {
-        Self { is_open: true, tab: Tab::Code }
+        Self { tree: arrangement(), is_changed: false }
     }
 }
 
+/// Picture and graph side by side, what they are made of below and beside them.
+fn arrangement() -> Tree<Panel> {
+    let mut tiles = Tiles::default();
+    let mut tabs = |panels: &[Panel]| {
+        let panes = panels.iter().map(|panel| tiles.insert_pane(*panel)).collect();
+        tiles.insert_tab_tile(panes)
+    };
+    let picture = tabs(&[Panel::Picture]);
+    let below = tabs(&[Panel::Code, Panel::Effects, Panel::Cost, Panel::Probe]);
+    let graph = tabs(&[Panel::Graph]);
+    let inspector = tabs(&[Panel::Inspector]);
+    let mut shared = |dir, parts: &[(TileId, f32)]| {
+        let mut linear = Linear::new(dir, parts.iter().map(|(tile, _)| *tile).collect());
+        parts.iter().for_each(|(tile, share)| linear.shares.set_share(*tile, *share));
+        tiles.insert_container(Container::Linear(linear))
+    };
+    let left = shared(LinearDir::Vertical, &[(picture, 0.68), (below, 0.32)]);
+    let root = shared(LinearDir::Horizontal, &[(left, 0.33), (graph, 0.46), (inspector, 0.21)]);
+    Tree::new(egui::Id::unique("dock"), root, tiles)
+}
+
 impl Dock {
+    /// Shows every panel where it lies; `content` fills one.
+    pub(crate) fn show(&mut self, ui: &mut Ui, content: &mut dyn FnMut(&mut Ui, Panel)) {
+        let mut shown = Shown { content, is_changed: false };
+        self.tree.ui(&mut shown, ui);
+        self.is_changed |= shown.is_changed;
+    }
+
     /// Whether this panel is seen.
-    pub(crate) fn shows(&self, tab: Tab) -> bool {
-        self.is_open && self.tab == tab
+    pub(crate) fn shows(&self, panel: Panel) -> bool {
+        self.tree.tiles.find_pane(&panel).is_some_and(|tile| self.tree.active_tiles().contains(&tile))
     }
 
-    /// Brings a panel to the front.
-    pub(crate) fn open(&mut self, tab: Tab) {
-        *self = Self { is_open: true, tab };
+    /// Whether this panel is there, seen or behind another's tab.
+    pub(crate) fn has(&self, panel: Panel) -> bool {
+        self.tree.tiles.find_pane(&panel).is_some()
     }
 
-    /// The tabs, the chosen one underlined.
-    pub(crate) fn strip(&mut self, ui: &mut Ui) {
-        ui.horizontal(|ui| {
-            ui.spacing_mut().item_spacing.x = 14.0;
-            for tab in Tab::ALL {
-                let is_it = self.tab == tab;
-                let color = if is_it { theme::TEXT } else { theme::DIM };
-                let text = egui::RichText::new(tab.label()).color(color);
-                let button = egui::Button::new(text).frame(false).sense(Sense::click());
-                let response = ui.add(button).on_hover_text(tab.help());
-                if is_it {
-                    let line = response.rect.translate(vec2(0.0, 2.0));
-                    let stroke = egui::Stroke::new(2.0, theme::ACCENT);
-                    ui.painter().line_segment([line.left_bottom(), line.right_bottom()], stroke);
-                }
-                if response.clicked() {
-                    self.tab = tab;
-                }
+    /// Brings a panel to the front; one that was closed comes back.
+    pub(crate) fn open(&mut self, panel: Panel) {
+        if !self.has(panel) {
+            self.bring_back(panel);
+        }
+        self.tree.make_active(|_, tile| matches!(tile, Tile::Pane(found) if *found == panel));
+        self.is_changed = true;
+    }
+
+    /// Takes a panel away.
+    pub(crate) fn close(&mut self, panel: Panel) {
+        if let Some(tile) = self.tree.tiles.find_pane(&panel) {
+            self.tree.remove_recursively(tile);
+            self.is_changed = true;
+        }
+    }
+
+    /// The arrangement that a new window has.
+    pub(crate) fn reset(&mut self) {
+        *self = Self { is_changed: true, ..Self::default() };
+    }
+
+    fn bring_back(&mut self, panel: Panel) {
+        let tiles = &mut self.tree.tiles;
+        let pane = tiles.insert_pane(panel);
+        let beside = panel.neighbours().iter().filter(|other| **other != panel);
+        let beside = beside.filter_map(|other| tiles.find_pane(other)).find_map(|tile| tiles.parent_of(tile));
+        if let Some(Tile::Container(container)) = beside.and_then(|tabs| tiles.get_mut(tabs)) {
+            container.add_child(pane);
+            return;
+        }
+        let tabs = tiles.insert_tab_tile(vec![pane]);
+        match self.tree.root.map(|root| (root, self.tree.tiles.get_mut(root))) {
+            Some((_, Some(Tile::Container(Container::Linear(linear))))) if linear.dir == LinearDir::Horizontal => {
+                linear.add_child(tabs);
             }
+            Some((root, _)) => {
+                self.tree.root = Some(self.tree.tiles.insert_horizontal_tile(vec![root, tabs]));
+            }
+            None => self.tree.root = Some(tabs),
+        }
+    }
+
+    /// The arrangement, where it changed since it was asked for last.
+    pub(crate) fn changed(&mut self) -> Option<serde_json::Value> {
+        let is_changed = std::mem::take(&mut self.is_changed);
+        is_changed.then(|| serde_json::to_value(&self.tree).ok()).flatten()
+    }
+
+    /// Takes on an arrangement of before. One that cannot be read, or in which a panel is twice, changes nothing.
+    pub(crate) fn restore(&mut self, saved: &serde_json::Value) {
+        let Ok(tree) = serde_json::from_value::<Tree<Panel>>(saved.clone()) else { return };
+        let count =
+            |panel| tree.tiles.tiles().filter(|tile| matches!(tile, Tile::Pane(found) if *found == panel)).count();
+        let is_sound =
+            Panel::ALL.into_iter().all(|panel| count(panel) < 2) && count(Panel::Picture) + count(Panel::Graph) > 0;
+        if is_sound && tree.root.is_some() {
+            self.tree = tree;
+        }
+    }
+}
+
+/// What the tree asks while it is shown.
+struct Shown<'a> {
+    content: &'a mut dyn FnMut(&mut Ui, Panel),
+    is_changed: bool,
+}
+
+impl Behavior<Panel> for Shown<'_> {
+    fn pane_ui(&mut self, ui: &mut Ui, _: TileId, panel: &mut Panel) -> UiResponse {
+        let frame = match panel {
+            Panel::Graph => egui::Frame::new(),
+            _ => theme::panel(ui),
+        };
+        frame.show(ui, |ui| {
+            ui.set_min_size(ui.available_size());
+            (self.content)(ui, *panel);
         });
-        ui.add_space(4.0);
+        UiResponse::None
+    }
+
+    fn tab_title_for_pane(&mut self, panel: &Panel) -> WidgetText {
+        panel.label().into()
+    }
+
+    fn tab_ui(
+        &mut self,
+        tiles: &mut Tiles<Panel>,
+        ui: &mut Ui,
+        id: egui::Id,
+        tile: TileId,
+        state: &TabState,
+    ) -> Response {
+        let Some(&panel) = tiles.get_pane(&tile) else { return ui.allocate_response(vec2(0.0, 0.0), Sense::hover()) };
+        let colors = theme::of(ui);
+        let color = if state.active { colors.text } else { colors.dim };
+        let font = TextStyle::Body.resolve(ui.style());
+        let galley = ui.painter().layout_no_wrap(panel.label().to_owned(), font, color);
+        let (_, rect) = ui.allocate_space(vec2(galley.size().x + 20.0, ui.available_height()));
+        let response = ui.interact(rect, id, Sense::click_and_drag());
+        response.widget_info(|| WidgetInfo::selected(egui::Role::Tab, true, state.active, panel.label()));
+        if !state.is_being_dragged {
+            let color = if response.hovered() { colors.text } else { color };
+            ui.painter().galley_with_override_text_color(rect.center() - galley.size() / 2.0, galley, color);
+            if state.active {
+                ui.painter().hline(rect.shrink(10.0).x_range(), rect.bottom() - 2.0, Stroke::new(2.0, colors.accent));
+            }
+        }
+        if response.clicked_by(egui::PointerButton::Middle) {
+            tiles.remove(tile);
+            self.is_changed = true;
+        }
+        let mut wants_closed = false;
+        response.context_menu(|ui| wants_closed = ui.button("Close this panel").clicked());
+        if wants_closed {
+            tiles.remove(tile);
+            self.is_changed = true;
+        }
+        response.on_hover_text(panel.help())
+    }
+
+    fn tab_bar_height(&self, _: &egui::Style) -> f32 {
+        28.0
+    }
+
+    fn tab_bar_color(&self, visuals: &Visuals) -> Color32 {
+        visuals.panel_fill
+    }
+
+    fn gap_width(&self, _: &egui::Style) -> f32 {
+        3.0
+    }
+
+    fn min_size(&self) -> f32 {
+        90.0
+    }
+
+    fn simplification_options(&self) -> SimplificationOptions {
+        SimplificationOptions { all_panes_must_have_tabs: true, ..SimplificationOptions::default() }
+    }
+
+    fn on_edit(&mut self, _: egui_tiles::EditAction) {
+        self.is_changed = true;
     }
 }
 
 /// A line in place of what is not there yet.
 pub(crate) fn hint(ui: &mut Ui, text: &str) {
-    ui.label(egui::RichText::new(text).color(theme::DIM));
+    ui.label(egui::RichText::new(text).color(theme::of(ui).dim));
 }
 
 /// Text in a column of a row, cut where it is too long.

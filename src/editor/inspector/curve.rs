@@ -91,17 +91,17 @@ fn add_or_remove(curve: &mut Curve, near: Option<usize>, point: [f64; 2]) -> boo
 
 fn paint(ui: &Ui, rect: Rect, curve: &Curve, to_screen: &dyn Fn([f64; 2]) -> Pos2) {
     let painter = ui.painter_at(rect);
-    painter.rect_filled(rect, 4.0, theme::CANVAS);
+    painter.rect_filled(rect, 4.0, theme::of(ui).canvas);
     for i in 1..4 {
         let t = f64::from(i) / 4.0;
-        let stroke = Stroke::new(1.0, theme::GRID);
+        let stroke = Stroke::new(1.0, theme::of(ui).grid);
         painter.line_segment([to_screen([t, 0.0]), to_screen([t, 1.0])], stroke);
         painter.line_segment([to_screen([0.0, t]), to_screen([1.0, t])], stroke);
     }
     let line = outline(curve).into_iter().map(to_screen).collect();
-    painter.add(PathShape::line(line, Stroke::new(2.0, theme::ACCENT)));
+    painter.add(PathShape::line(line, Stroke::new(2.0, theme::of(ui).accent)));
     for &point in &curve.points {
-        painter.circle(to_screen(point), 4.5, theme::PANEL, Stroke::new(2.0, theme::ACCENT));
+        painter.circle(to_screen(point), 4.5, theme::of(ui).panel, Stroke::new(2.0, theme::of(ui).accent));
     }
 }
 

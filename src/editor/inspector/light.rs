@@ -176,11 +176,11 @@ fn ball(ui: &mut Ui, direction: &mut [f64; 3]) -> Option<Id> {
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Direction of the light"));
     let (center, radius) = (rect.center(), BALL / 2.0 - 3.0);
     let painter = ui.painter_at(rect);
-    painter.circle(center, radius, theme::CANVAS, Stroke::new(1.0, theme::GRID));
-    painter.circle_filled(center, radius / 2.0, theme::NODE);
+    painter.circle(center, radius, theme::of(ui).canvas, Stroke::new(1.0, theme::of(ui).grid));
+    painter.circle_filled(center, radius / 2.0, theme::of(ui).node);
     let at = to_disc(*direction, center, radius);
-    painter.line_segment([center, at], Stroke::new(1.5, theme::ACCENT.gamma_multiply(0.6)));
-    painter.circle_filled(at, 4.5, theme::ACCENT);
+    painter.line_segment([center, at], Stroke::new(1.5, theme::of(ui).accent.gamma_multiply(0.6)));
+    painter.circle_filled(at, 4.5, theme::of(ui).accent);
     let p = response.interact_pointer_pos().filter(|_| response.dragged() || response.clicked())?;
     *direction = from_disc(p, center, radius);
     Some(response.id)

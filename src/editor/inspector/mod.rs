@@ -15,7 +15,7 @@ use super::session::Session;
 use super::theme;
 use super::wire::{ShownWire, Style};
 use crate::document::{ColorSpace, Edit, GraphId, Node, Tier};
-use crate::ids::NodeId;
+use crate::ids::{NodeId, NodePath};
 
 /// What every part of the inspector works with.
 struct Subject<'a> {
@@ -53,16 +53,16 @@ fn show_node(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
         let label = ui.label(RichText::new(&*kind.label).heading());
         let count = session.selection.len();
         if count > 1 {
-            ui.label(RichText::new(format!("and {} more", count - 1)).color(theme::DIM));
+            ui.label(RichText::new(format!("and {} more", count - 1)).color(theme::of(ui).dim));
         }
         label.on_hover_text(format!("kind {}, id {id}", node.kind));
     });
     if !kind.help.is_empty() {
         let first = kind.help.split("\n\n").next().unwrap_or_default();
-        ui.label(RichText::new(first).color(theme::DIM)).on_hover_text(&kind.help);
+        ui.label(RichText::new(first).color(theme::of(ui).dim)).on_hover_text(&kind.help);
     }
     if !kind.sources.is_empty() {
-        ui.label(RichText::new(kind.sources.join(" · ")).small().color(theme::DIM));
+        ui.label(RichText::new(kind.sources.join(" · ")).small().color(theme::of(ui).dim));
     }
     ui.add_space(4.0);
     name_row(ui, subject, out);
@@ -130,7 +130,7 @@ fn shown_row(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: 
     if kind.outputs.is_empty() {
         return;
     }
-    let shown = session.wire().filter(|wire| wire.node == **id);
+    let shown = session.wire().filter(|wire| matches!(wire.node.ids(), [only] if only == *id));
     row::labelled(ui, "View wire", "Shows an output of this node in place of the picture", |ui, label| {
         let name = |port: &super::catalog::Port| port.label.to_string();
         let port = shown.and_then(|wire| kind.outputs.iter().find(|port| port.name == wire.port));
@@ -144,7 +144,7 @@ fn shown_row(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: 
                 if ui.selectable_label(is_it, &*port.label).clicked() {
                     let style = shown.map(|wire| wire.style).unwrap_or_default();
                     out.push(Command::ShowWire(Some(ShownWire {
-                        node: (*id).clone(),
+                        node: NodePath::root((*id).clone()),
                         port: port.name.clone(),
                         style,
                     })));
@@ -175,7 +175,7 @@ fn tier_name(tier: Tier) -> &'static str {
 fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     let look = session.look();
     ui.heading("Look");
-    ui.label(RichText::new("Select a node to set its values.").color(theme::DIM));
+    ui.label(RichText::new("Select a node to set its values.").color(theme::of(ui).dim));
     ui.add_space(4.0);
     row::labelled(ui, "Name", "What you call this look", |ui, label| {
         let mut name = look.name.clone();

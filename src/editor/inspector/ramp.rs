@@ -114,7 +114,7 @@ fn shown(color: [f64; 4]) -> Color32 {
 fn paint(ui: &Ui, rect: Rect, bar: Rect, ramp: &Ramp, selected: usize, to_screen: &dyn Fn(f64) -> f32) {
     const PIECES: usize = 96;
     let painter = ui.painter_at(rect);
-    painter.rect_filled(bar, 3.0, theme::CANVAS);
+    painter.rect_filled(bar, 3.0, theme::of(ui).canvas);
     let mut mesh = Mesh::default();
     let (low, high) = (to_screen(0.0), to_screen(1.0));
     for i in 0..=PIECES {
@@ -132,7 +132,7 @@ fn paint(ui: &Ui, rect: Rect, bar: Rect, ramp: &Ramp, selected: usize, to_screen
     painter.add(Shape::mesh(mesh));
     for (index, stop) in ramp.stops.iter().enumerate() {
         let x = to_screen(stop.at);
-        let color = if index == selected { theme::ACCENT } else { theme::DIM };
+        let color = if index == selected { theme::of(ui).accent } else { theme::of(ui).dim };
         let handle = Rect::from_center_size(pos2(x, bar.max.y + HANDLES / 2.0), vec2(11.0, 11.0));
         painter.line_segment([pos2(x, bar.max.y - 4.0), handle.center_top()], Stroke::new(1.5, color));
         let [r, g, b, _] = rgba(stop);

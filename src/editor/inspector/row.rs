@@ -16,7 +16,7 @@ const LABEL: f32 = 104.0;
 
 /// A label with help, and a widget that is named by it.
 pub(super) fn labelled(ui: &mut Ui, label: &str, help: &str, add: impl FnOnce(&mut Ui, Id)) {
-    labelled_in(ui, label, help, theme::TEXT, add);
+    labelled_in(ui, label, help, theme::of(ui).text, add);
 }
 
 fn labelled_in(ui: &mut Ui, label: &str, help: &str, color: egui::Color32, add: impl FnOnce(&mut Ui, Id)) {
@@ -48,7 +48,7 @@ pub(super) fn show(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Ve
             Type::Curve => wide(ui, subject, port, own, out, curve::show),
             Type::Ramp => wide(ui, subject, port, own, out, ramp::show),
             _ => {
-                let tone = if own.is_some() { theme::TEXT } else { theme::DIM };
+                let tone = if own.is_some() { theme::of(ui).text } else { theme::of(ui).dim };
                 labelled_in(ui, &port.label, &help, tone, |ui, label| {
                     reset(ui, subject, port, out);
                     if let Some((id, value)) = widget(ui, label, subject, port, own) {
@@ -135,7 +135,7 @@ fn widget(ui: &mut Ui, label: Id, subject: &Subject<'_>, port: &Port, own: Optio
         Type::Image => path(ui, label, value),
         Type::Float | Type::Int | Type::Angle => number(ui, label, port, value),
         _ => {
-            ui.label(RichText::new("by wire only").color(theme::DIM));
+            ui.label(RichText::new("by wire only").color(theme::of(ui).dim));
             None
         }
     }
@@ -158,11 +158,11 @@ fn unset(ui: &mut Ui, subject: &Subject<'_>, port: &Port) -> Option<(Id, Value)>
             (format!("as {}", values::words(other.as_str())), value.cloned().or_else(|| of_all(1.0)))
         }
         _ => {
-            ui.label(RichText::new("wire something here").color(theme::WARNING));
+            ui.label(RichText::new("wire something here").color(theme::of(ui).warning));
             return None;
         }
     };
-    ui.label(RichText::new(text).color(theme::DIM));
+    ui.label(RichText::new(text).color(theme::of(ui).dim));
     let response = ui.small_button("Set").on_hover_text("Gives it a value of its own");
     if response.clicked() { Some((response.id, first?)) } else { None }
 }

@@ -3,6 +3,8 @@
 
 mod panel;
 
+pub(crate) use panel::wire_name;
+
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -172,7 +174,7 @@ impl Probe {
     pub(crate) fn mark(&self, ui: &Ui, rect: Rect) {
         let Some(pixel) = self.pixel.filter(|_| self.is_on) else { return };
         let at = rect.min + vec2(pixel[0] as f32 + 0.5, pixel[1] as f32 + 0.5) / ui.pixels_per_point();
-        let color = if self.is_pinned { theme::ACCENT } else { egui::Color32::WHITE };
+        let color = if self.is_pinned { theme::of(ui).accent } else { egui::Color32::WHITE };
         let painter = ui.painter_at(rect);
         for (width, color) in [(3.0, egui::Color32::from_black_alpha(120)), (1.0, color)] {
             let stroke = Stroke::new(width, color);

@@ -7,6 +7,7 @@ use super::super::command::Command;
 use super::super::dock::{cell, hint};
 use super::super::session::Session;
 use super::super::values::number_text;
+use super::super::wire::{ShownWire, Style, node_at};
 use super::super::{problems, theme};
 use super::Probe;
 use crate::ids::NodePath;
@@ -35,7 +36,7 @@ impl Probe {
             Some(Ok(Some(wires))) => commands.extend(table(ui, session, wires, std::mem::take(&mut self.jump))),
             Some(Err(found)) => {
                 for problem in found.iter().filter(|problem| problem.code != "cancelled").take(3) {
-                    ui.label(RichText::new(problems::sentence(problem)).color(theme::ERROR));
+                    ui.label(RichText::new(problems::sentence(problem)).color(theme::of(ui).error));
                 }
             }
         }
@@ -54,18 +55,18 @@ impl Probe {
             }
             if let Some([x, y]) = self.pixel {
                 let kept = if self.is_pinned { " · kept" } else { "" };
-                ui.label(RichText::new(format!("pixel {x}, {y}{kept}")).color(theme::DIM));
+                ui.label(RichText::new(format!("pixel {x}, {y}{kept}")).color(theme::of(ui).dim));
             }
             if self.worker.is_busy() {
-                ui.label(RichText::new("computing").color(theme::ACCENT));
+                ui.label(RichText::new("computing").color(theme::of(ui).accent));
             } else if self.found.is_some() && !self.is_current() {
-                ui.label(RichText::new("of before").color(theme::DIM));
+                ui.label(RichText::new("of before").color(theme::of(ui).dim));
             }
             let broken = self.wires().iter().find(|wire| !wire.is_finite());
             let node = broken.and_then(|wire| wire.node.outermost().cloned());
             if let Some(node) = node {
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                    let text = RichText::new("Go to first broken wire").color(theme::ERROR);
+                    let text = RichText::new("Go to first broken wire").color(theme::of(ui).error);
                     let help = "Shows the node whose value is the first that is not a finite number";
                     if ui.button(text).on_hover_text(help).clicked() {
                         self.jump = true;
@@ -89,9 +90,9 @@ fn table(ui: &mut Ui, session: &Session, wires: &[WireValue], jump: bool) -> Vec
     ui.spacing_mut().item_spacing.y = 0.0;
     let (head, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
     for (index, title) in ["Node", "f32", "f64", "Difference"].into_iter().enumerate() {
-        cell(ui, column(head, index), title, FontId::proportional(11.0), theme::DIM);
+        cell(ui, column(head, index), title, FontId::proportional(theme::SMALL_TEXT), theme::of(ui).dim);
     }
-    ui.painter().hline(head.x_range(), head.bottom() - 1.0, egui::Stroke::new(1.0, theme::GRID));
+    ui.painter().hline(head.x_range(), head.bottom() - 1.0, egui::Stroke::new(1.0, theme::of(ui).grid));
     let first_broken = wires.iter().position(|wire| !wire.is_finite());
     let mut area = ScrollArea::vertical().auto_shrink([false, false]);
     if let Some(row) = first_broken.filter(|_| jump) {
@@ -111,23 +112,23 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Wire of {}", wire.node)));
     let is_selected = wire.node.outermost().is_some_and(|id| session.selection.contains(id));
     if is_first_broken {
-        ui.painter().rect_filled(rect, 2.0, theme::ERROR.gamma_multiply(0.25));
+        ui.painter().rect_filled(rect, 2.0, theme::of(ui).error.gamma_multiply(0.25));
     } else if is_selected {
-        ui.painter().rect_filled(rect, 2.0, theme::ACCENT_DIM.gamma_multiply(0.55));
+        ui.painter().rect_filled(rect, 2.0, theme::of(ui).accent_dim.gamma_multiply(0.55));
     } else if response.hovered() {
-        ui.painter().rect_filled(rect, 2.0, theme::FIELD.gamma_multiply(0.6));
+        ui.painter().rect_filled(rect, 2.0, theme::of(ui).field.gamma_multiply(0.6));
     }
     if !wire.is_finite() {
-        ui.painter().circle_filled(pos2(rect.left() + 4.0, rect.center().y), 3.0, theme::ERROR);
+        ui.painter().circle_filled(pos2(rect.left() + 4.0, rect.center().y), 3.0, theme::of(ui).error);
     }
-    let ink = if wire.is_finite() { theme::TEXT } else { theme::ERROR };
-    cell(ui, column(rect, 0), &name(session, &wire.node), FontId::proportional(theme::TEXT_SIZE), ink);
+    let ink = if wire.is_finite() { theme::of(ui).text } else { theme::of(ui).error };
+    cell(ui, column(rect, 0), &wire_name(session, &wire.node), FontId::proportional(theme::TEXT_SIZE), ink);
     for (index, numbers) in [(1, &wire.single), (2, &wire.double)] {
         let mut place = column(rect, index);
         if let Some(color) = color_of(numbers) {
             let swatch = Rect::from_min_size(pos2(place.left(), rect.center().y - 5.0), vec2(10.0, 10.0));
             ui.painter().rect_filled(swatch, 2.0, color);
-            let edge = egui::Stroke::new(1.0, theme::SWATCH_EDGE);
+            let edge = egui::Stroke::new(1.0, theme::of(ui).swatch_edge);
             ui.painter().rect_stroke(swatch, 2.0, edge, egui::StrokeKind::Inside);
             place.min.x += 16.0;
         }
@@ -136,21 +137,32 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
     let difference = wire.difference();
     let far = difference > 1.0 / 255.0;
     let ink = if !wire.is_finite() {
-        theme::ERROR
+        theme::of(ui).error
     } else if far {
-        theme::WARNING
+        theme::of(ui).warning
     } else {
-        theme::DIM
+        theme::of(ui).dim
     };
     let text = if difference == 0.0 { "0".to_owned() } else { format!("{difference:.1e}") };
     cell(ui, column(rect, 3), &text, FontId::monospace(11.0), ink);
-    let clicked = response.clicked();
+    let mut command = response.clicked().then(|| wire.node.outermost().cloned().map(Command::Reveal)).flatten();
+    response.context_menu(|ui| {
+        let node = node_at(session.look(), &session.library, wire.node.ids());
+        let Some(kind) = node.and_then(|node| session.catalog.of(node)) else { return };
+        for (port, style) in kind.outputs.iter().flat_map(|port| Style::ALL.map(|style| (port, style))) {
+            let text = format!("Show {} as {}", port.label, style.label().to_lowercase());
+            if ui.button(text).on_hover_text(style.help()).clicked() {
+                let shown = ShownWire { node: wire.node.clone(), port: port.name.clone(), style };
+                command = Some(Command::ShowWire(Some(shown)));
+            }
+        }
+    });
     response.on_hover_ui(|ui| in_full(ui, wire));
-    clicked.then(|| wire.node.outermost().cloned().map(Command::Reveal)).flatten()
+    command
 }
 
 /// What the artist calls a node, with the groups that it lies in.
-fn name(session: &Session, path: &NodePath) -> String {
+pub(crate) fn wire_name(session: &Session, path: &NodePath) -> String {
     let [outer, inner @ ..] = path.ids() else { return String::new() };
     let node = session.look().graph.nodes.get(outer);
     let kind = || Some(session.catalog.of(node?)?.label.to_string());
@@ -185,16 +197,21 @@ fn short(numbers: &[f64]) -> String {
 /// Every scalar with all its digits.
 fn in_full(ui: &mut Ui, wire: &WireValue) {
     ui.label(RichText::new(wire.node.to_string()).strong());
-    ui.label(RichText::new(format!("{} in the WGSL", wire.name)).color(theme::DIM));
+    ui.label(RichText::new(format!("{} in the WGSL", wire.name)).color(theme::of(ui).dim));
     egui::Grid::new("in full").num_columns(3).spacing([16.0, 2.0]).show(ui, |ui| {
         for (single, double) in wire.single.iter().zip(&wire.double) {
             let monospace = |text: String| RichText::new(text).monospace();
             ui.label(monospace(format!("{single:.9}")));
             ui.label(monospace(format!("{double:.15}")));
             let off = if single == double { 0.0 } else { (single - double).abs() };
-            ui.label(monospace(format!("{off:.1e}")).color(theme::DIM));
+            ui.label(monospace(format!("{off:.1e}")).color(theme::of(ui).dim));
             ui.end_row();
         }
     });
-    ui.label(RichText::new("f32, f64 and their difference; a click shows the node").color(theme::DIM));
+    ui.label(
+        RichText::new(
+            "f32, f64 and their difference; a click shows the node, a right click shows the wire in the picture",
+        )
+        .color(theme::of(ui).dim),
+    );
 }

@@ -16,7 +16,7 @@ use eframe::egui;
 use eframe::egui::Ui;
 
 use super::session::Session;
-use super::settings::Settings;
+use super::settings::{Settings, Theme};
 use crate::frame::SHAPE_PREFIX;
 use disk::{Conflict, Disk};
 use offers::Offers;
@@ -43,6 +43,8 @@ pub(crate) struct Safety {
     disk: Disk,
     offers: Offers,
     pub(crate) settings: Settings,
+    /// The theme and the scale that the window had in the last frame.
+    window: Option<(Theme, f32)>,
     /// Whether the note that nothing is kept was read.
     is_problem_read: bool,
 }
@@ -56,6 +58,7 @@ impl Safety {
             disk: Disk::new(wake),
             offers: Offers::default(),
             settings: Settings::default(),
+            window: None,
             is_problem_read: false,
         }
     }
@@ -123,11 +126,30 @@ impl Safety {
         self.change_settings(|settings| settings.mesh = Some(mesh));
     }
 
+    /// Whether anything is remembered from one time to the next.
+    pub(crate) fn remembers(&self) -> bool {
+        self.places.is_some()
+    }
+
+    /// Remembers theme and scale, and an arrangement of panels, where this window has changed them.
+    pub(crate) fn remember(&mut self, ctx: &egui::Context, layout: Option<serde_json::Value>) {
+        let now = Settings::of_window(ctx);
+        let is_other = self.window.replace(now).is_some_and(|before| before != now);
+        if self.remembers() && (is_other || layout.is_some()) {
+            self.change_settings(|settings| {
+                if is_other {
+                    (settings.theme, settings.scale) = now;
+                }
+                settings.layout = layout.or(settings.layout.take());
+            });
+        }
+    }
+
     /// Changes what is remembered, and saves it.
     pub(crate) fn change_settings(&mut self, change: impl FnOnce(&mut Settings)) {
         match self.places.as_ref().map(Places::settings) {
             // Where they cannot be saved, the window goes on with what it knew: nothing of anybody's work is lost.
-            Some(path) => self.settings = Settings::change(&path, change).unwrap_or_else(|_| self.settings.clone()),
+            Some(path) => self.settings = Settings::change(&path, &self.settings, change),
             None => change(&mut self.settings),
         }
     }

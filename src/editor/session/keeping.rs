@@ -187,6 +187,7 @@ impl Session {
             return false;
         }
         self.source = Arc::new(loaded.source);
+        self.opened = self.source.clone();
         self.is_partial = false;
         self.history.mark_saved();
         self.saved();

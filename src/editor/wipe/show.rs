@@ -52,7 +52,7 @@ impl Wipe {
             self.state(ui, session, against);
         });
         for problem in self.problems.iter().take(2) {
-            ui.label(RichText::new(problems::sentence(problem)).color(theme::ERROR));
+            ui.label(RichText::new(problems::sentence(problem)).color(theme::of(ui).error));
         }
     }
 
@@ -63,7 +63,7 @@ impl Wipe {
                 0.0 => "no difference".to_owned(),
                 max => format!("max {max:.1e} · {} px over 1/255", figures.visible),
             };
-            let ink = if figures.visible > 0 { theme::WARNING } else { theme::DIM };
+            let ink = if figures.visible > 0 { theme::of(ui).warning } else { theme::of(ui).dim };
             let [x, y] = figures.worst;
             let help = format!(
                 "Largest difference of a channel {:.3e} at pixel {x}, {y}; rms {:.1e}; {} pixels compared, and {} on edges \
@@ -82,7 +82,7 @@ impl Wipe {
                     self.stop();
                 }
             } else {
-                ui.label(RichText::new("drawing").color(theme::DIM));
+                ui.label(RichText::new("drawing").color(theme::of(ui).dim));
             }
             return;
         }
@@ -92,7 +92,7 @@ impl Wipe {
             {
                 self.ask(session, moment);
             }
-            ui.label(RichText::new("out of date").color(theme::WARNING));
+            ui.label(RichText::new("out of date").color(theme::of(ui).warning));
         }
     }
 
@@ -143,13 +143,13 @@ impl Wipe {
             (place, Rect::from_min_max(pos2(from, 0.0), pos2(to, 1.0)))
         };
         for (texture, (place, uv)) in shown.textures.iter().zip([half(0.0, self.split), half(self.split, 1.0)]) {
-            painter.rect_filled(place, 0.0, theme::CANVAS);
+            painter.rect_filled(place, 0.0, theme::of(ui).canvas);
             painter.image(texture.id(), place, uv, Color32::WHITE);
         }
-        let color = if response.hovered() || response.dragged() { theme::ACCENT } else { Color32::WHITE };
+        let color = if response.hovered() || response.dragged() { theme::of(ui).accent } else { Color32::WHITE };
         painter.vline(x, rect.y_range(), Stroke::new(3.0, Color32::from_black_alpha(110)));
         painter.vline(x, rect.y_range(), Stroke::new(1.0, color));
-        painter.circle(pos2(x, rect.center().y), 5.0, theme::PANEL, Stroke::new(1.5, color));
+        painter.circle(pos2(x, rect.center().y), 5.0, theme::of(ui).panel, Stroke::new(1.5, color));
         tag(ui, rect.left_top() + vec2(8.0, 8.0), Align2::LEFT_TOP, "As set");
         tag(ui, rect.right_top() + vec2(-8.0, 8.0), Align2::RIGHT_TOP, shown.moment.against.label());
     }
@@ -160,10 +160,11 @@ fn whole() -> Rect {
 }
 
 fn tag(ui: &Ui, at: Pos2, align: Align2, text: &str) {
-    let galley = ui.painter().layout_no_wrap(text.to_owned(), FontId::proportional(11.0), theme::TEXT);
+    let galley =
+        ui.painter().layout_no_wrap(text.to_owned(), FontId::proportional(theme::SMALL_TEXT), theme::of(ui).text);
     let place = align.anchor_size(at, galley.size());
     ui.painter().rect_filled(place.expand2(vec2(5.0, 2.0)), 3.0, Color32::from_black_alpha(150));
-    ui.painter().galley(place.min, galley, theme::TEXT);
+    ui.painter().galley(place.min, galley, theme::of(ui).text);
 }
 
 fn magnified(shown: &Shown, gain: u32) -> egui::ColorImage {

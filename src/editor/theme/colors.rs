@@ -1,0 +1,282 @@
+//! The two sets of colours, dark and light.
+
+use eframe::egui::Color32;
+
+use crate::document::Tier;
+use crate::library::Type;
+
+/// All colours of the window but those of pictures.
+#[derive(Debug)]
+pub(crate) struct Colors {
+    /// Panels.
+    pub(crate) panel: Color32,
+    /// Menus and what floats above panels.
+    pub(crate) window: Color32,
+    /// The edges of menus.
+    pub(crate) window_edge: Color32,
+    /// The canvas, and what is behind pictures, curves and plots.
+    pub(crate) canvas: Color32,
+    /// The dots of the canvas's grid; thin lines between parts of a panel.
+    pub(crate) grid: Color32,
+    /// A node's body.
+    pub(crate) node: Color32,
+    /// The edge of a node.
+    pub(crate) node_edge: Color32,
+    /// Around a colour, so that one like its ground is seen.
+    pub(crate) swatch_edge: Color32,
+    /// Plain text.
+    pub(crate) text: Color32,
+    /// Text of less weight: units, hints, line numbers.
+    pub(crate) dim: Color32,
+    /// What is selected or does something when pressed.
+    pub(crate) accent: Color32,
+    /// The accent behind text.
+    pub(crate) accent_dim: Color32,
+    /// What is another thing than the accent: cached, exact.
+    pub(crate) second: Color32,
+    /// A third.
+    pub(crate) third: Color32,
+    /// Errors.
+    pub(crate) error: Color32,
+    /// Warnings.
+    pub(crate) warning: Color32,
+    /// Fields that are typed or dragged.
+    pub(crate) field: Color32,
+    /// Fields under the pointer.
+    pub(crate) field_hovered: Color32,
+    /// Where text is typed.
+    pub(crate) well: Color32,
+    /// Keys, types, numbers, comments, functions and attributes of code.
+    pub(crate) code: CodeColors,
+    types: TypeColors,
+    categories: [Color32; 9],
+}
+
+/// Colours of WGSL.
+#[derive(Debug)]
+pub(crate) struct CodeColors {
+    pub(crate) keyword: Color32,
+    pub(crate) ty: Color32,
+    pub(crate) number: Color32,
+    pub(crate) comment: Color32,
+    pub(crate) function: Color32,
+    pub(crate) attribute: Color32,
+}
+
+#[derive(Debug)]
+struct TypeColors {
+    float: Color32,
+    int: Color32,
+    bool: Color32,
+    vector: Color32,
+    color: Color32,
+    composite: Color32,
+    angle: Color32,
+    light: Color32,
+    curve: Color32,
+    other: Color32,
+}
+
+/// In the order of [`Colors::categories`]; what is none of them comes last.
+const CATEGORIES: [&str; 8] = ["layer", "light", "curvature", "geometry", "color", "vector", "math", "input"];
+
+impl Colors {
+    /// The colour of a type's sockets and wires.
+    pub(crate) fn of_type(&self, ty: &Type) -> Color32 {
+        let types = &self.types;
+        match ty {
+            Type::Float => types.float,
+            Type::Int => types.int,
+            Type::Bool => types.bool,
+            Type::Vec2 | Type::Vec3 | Type::Vec4 | Type::Mat3 => types.vector,
+            Type::Color => types.color,
+            Type::Composite => types.composite,
+            Type::Angle => types.angle,
+            Type::Light => types.light,
+            Type::Curve | Type::Ramp => types.curve,
+            _ => types.other,
+        }
+    }
+
+    /// The colour of a category's titles.
+    pub(crate) fn of_category(&self, category: &str) -> Color32 {
+        let index = CATEGORIES.iter().position(|name| *name == category).unwrap_or(CATEGORIES.len());
+        self.categories[index]
+    }
+
+    /// The colour of a tier's marks; of a row that has none, plain text's.
+    pub(crate) fn of_tier(&self, tier: Option<Tier>) -> Color32 {
+        match tier {
+            Some(Tier::Exact) => self.second,
+            Some(Tier::Balanced) => self.third,
+            Some(Tier::Fast) => self.accent,
+            None => self.text,
+        }
+    }
+}
+
+const fn rgb(hex: u32) -> Color32 {
+    Color32::from_rgb((hex >> 16) as u8, (hex >> 8) as u8, hex as u8)
+}
+
+/// A calm dark ground with one warm accent.
+pub(super) static DARK: Colors = Colors {
+    panel: rgb(0x222327),
+    window: rgb(0x27282d),
+    window_edge: rgb(0x3e4046),
+    canvas: rgb(0x18191c),
+    grid: rgb(0x2d2f34),
+    node: rgb(0x2c2e33),
+    node_edge: rgb(0x101113),
+    swatch_edge: rgb(0x5c5e64),
+    text: rgb(0xdeddd9),
+    dim: rgb(0x919296),
+    accent: rgb(0xeca454),
+    accent_dim: rgb(0x5c442a),
+    second: rgb(0x7c92e8),
+    third: rgb(0x7ebc8c),
+    error: rgb(0xf06258),
+    warning: rgb(0xe9c45c),
+    field: rgb(0x323439),
+    field_hovered: rgb(0x3e4046),
+    well: rgb(0x1a1b1e),
+    code: CodeColors {
+        keyword: rgb(0xd68eb2),
+        ty: rgb(0x70bcb4),
+        number: rgb(0xb0c480),
+        comment: rgb(0x787c82),
+        function: rgb(0xe8c484),
+        attribute: rgb(0xa096d2),
+    },
+    types: TypeColors {
+        float: rgb(0xb0b4bc),
+        int: rgb(0x7eb296),
+        bool: rgb(0xd68cac),
+        vector: rgb(0x7c92e8),
+        color: rgb(0xe8c854),
+        composite: rgb(0xee9242),
+        angle: rgb(0x5cc2b6),
+        light: rgb(0xfaeec4),
+        curve: rgb(0xbe8ce0),
+        other: rgb(0x968a7e),
+    },
+    categories: [
+        rgb(0x744c2c),
+        rgb(0x6e6032),
+        rgb(0x3e5c3e),
+        rgb(0x30585c),
+        rgb(0x684252),
+        rgb(0x424874),
+        rgb(0x444c5a),
+        rgb(0x5c4040),
+        rgb(0x4a4a4e),
+    ],
+};
+
+/// Paper, with the same accent in a darker ink.
+pub(super) static LIGHT: Colors = Colors {
+    panel: rgb(0xf0eeea),
+    window: rgb(0xf8f7f4),
+    window_edge: rgb(0xc6c1b8),
+    canvas: rgb(0xe2dfd9),
+    grid: rgb(0xcfcbc3),
+    node: rgb(0xfaf9f7),
+    node_edge: rgb(0xb3aea4),
+    swatch_edge: rgb(0x9d988e),
+    text: rgb(0x24231f),
+    dim: rgb(0x66635c),
+    accent: rgb(0xa9530c),
+    accent_dim: rgb(0xf3d2ae),
+    second: rgb(0x3a53b8),
+    third: rgb(0x2f7443),
+    error: rgb(0xbb3024),
+    warning: rgb(0x7f5f00),
+    field: rgb(0xe1ded8),
+    field_hovered: rgb(0xd5d1c9),
+    well: rgb(0xfdfcfb),
+    code: CodeColors {
+        keyword: rgb(0x9c2c63),
+        ty: rgb(0x1d6f67),
+        number: rgb(0x50691a),
+        comment: rgb(0x77746c),
+        function: rgb(0x87560a),
+        attribute: rgb(0x5a4aa6),
+    },
+    types: TypeColors {
+        float: rgb(0x6d717a),
+        int: rgb(0x3a8560),
+        bool: rgb(0xb0507c),
+        vector: rgb(0x4760cc),
+        color: rgb(0xa67f00),
+        composite: rgb(0xd06a10),
+        angle: rgb(0x16897c),
+        light: rgb(0x9c8128),
+        curve: rgb(0x8e4fbe),
+        other: rgb(0x857868),
+    },
+    categories: [
+        rgb(0xe9c3a0),
+        rgb(0xe4d79f),
+        rgb(0xbcd8b8),
+        rgb(0xb0d6d9),
+        rgb(0xe6c1cf),
+        rgb(0xc5caec),
+        rgb(0xc9d0da),
+        rgb(0xe3c4c2),
+        rgb(0xd2cfca),
+    ],
+};
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn luminance(color: Color32) -> f64 {
+        let [r, g, b] =
+            [color.r(), color.g(), color.b()].map(|c| crate::document::srgb_to_linear(f64::from(c) / 255.0));
+        0.2126 * r + 0.7152 * g + 0.0722 * b
+    }
+
+    fn contrast(a: Color32, b: Color32) -> f64 {
+        let (a, b) = (luminance(a) + 0.05, luminance(b) + 0.05);
+        a.max(b) / a.min(b)
+    }
+
+    /// Text as WCAG asks it of small text; marks as it asks of parts of a picture.
+    #[test]
+    fn everything_is_legible_on_its_ground() {
+        for (name, colors) in [("dark", &DARK), ("light", &LIGHT)] {
+            let code = &colors.code;
+            let inks =
+                [colors.text, colors.dim, colors.accent, colors.second, colors.third, colors.error, colors.warning];
+            let code = [code.keyword, code.ty, code.number, code.function, code.attribute];
+            for (index, ink) in inks.into_iter().chain(code).enumerate() {
+                let found = contrast(ink, colors.panel);
+                assert!(found >= 4.5, "{name}, ink {index} on a panel: {found:.2}");
+            }
+            for (index, ground) in [colors.node, colors.field, colors.accent_dim, colors.well].into_iter().enumerate() {
+                assert!(contrast(colors.text, ground) >= 4.5, "{name}, text on ground {index}");
+            }
+            for ground in colors.categories {
+                assert!(contrast(colors.text, ground) >= 4.5, "{name}, a title on {ground:?}");
+            }
+            let types = &colors.types;
+            let types = [
+                types.float,
+                types.int,
+                types.bool,
+                types.vector,
+                types.color,
+                types.composite,
+                types.angle,
+                types.light,
+                types.curve,
+                types.other,
+            ];
+            for (index, ink) in types.into_iter().enumerate() {
+                let found = contrast(ink, colors.node).min(contrast(ink, colors.canvas));
+                assert!(found >= 2.6, "{name}, type {index}: {found:.2}");
+            }
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! What effects cost: counted here, and measured by whoever has a GPU.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, OnceLock};
+
+use serde::Serialize;
+
+use super::plan::{Draw, PassKind, PlanOptions};
+use crate::compile::{Attribute, CompiledShader};
+use crate::wgsl::{self, Operations};
+
+/// What an effect costs; of what is dropped, what it would cost.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct EffectCost {
+    /// Operations at each fragment that it is drawn at, counted in naga's IR (see [`Operations`]); 0 for what has none.
+    pub operations: u64,
+    /// Bytes of memory that it holds.
+    pub bytes: u64,
+    /// What the GPU took for it, where that was measured.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub milliseconds: Option<f64>,
+}
+
+impl EffectCost {
+    /// Operations alone.
+    pub fn operations(operations: u64) -> Self {
+        Self { operations, ..Self::default() }
+    }
+
+    /// Memory alone.
+    pub fn bytes(bytes: u64) -> Self {
+        Self { bytes, ..Self::default() }
+    }
+}
+
+impl std::fmt::Display for EffectCost {
+    /// `12.3 ms, 214 operations, 7.5 MiB`: what there is of it.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let milliseconds = self
+            .milliseconds
+            .map(|ms| format!("{} ms", if ms < 9.95 { format!("{ms:.2}") } else { format!("{ms:.0}") }));
+        let operations = (self.operations > 0)
+            .then(|| format!("{} operation{}", self.operations, if self.operations == 1 { "" } else { "s" }));
+        let bytes = (self.bytes > 0).then(|| bytes_text(self.bytes));
+        let parts: Vec<String> = [milliseconds, operations, bytes].into_iter().flatten().collect();
+        f.write_str(if parts.is_empty() { "nothing" } else { "" })?;
+        f.write_str(&parts.join(", "))
+    }
+}
+
+/// Bytes in a unit of a handy size.
+fn bytes_text(bytes: u64) -> String {
+    match bytes {
+        0..1024 => format!("{bytes} B"),
+        1024..0x10_0000 => format!("{:.1} KiB", bytes as f64 / 1024.0),
+        _ => format!("{:.1} MiB", bytes as f64 / f64::from(0x10_0000)),
+    }
+}
+
+impl PassKind {
+    /// Bytes a pixel that a pass keeps, and that it at least reads and writes once.
+    pub fn bytes_per_pixel(&self, samples: u32) -> (u64, u64) {
+        const COLOR: u64 = 8;
+        const NORMAL: u64 = 16;
+        const NUMBER: u64 = 4;
+        let samples = u64::from(samples);
+        match self {
+            // Normals, distance and a depth buffer, written.
+            Self::Normals | Self::DetailNormals => (NORMAL + 2 * NUMBER, NORMAL + 2 * NUMBER),
+            // Normals and distances read, curvature written, and read again by the look.
+            Self::Curvature | Self::DetailCurvature => (NUMBER, NORMAL + NUMBER + 2 * NUMBER),
+            Self::Look if samples > 1 => (COLOR + samples * (COLOR + NUMBER), COLOR + 2 * samples * (COLOR + NUMBER)),
+            Self::Look => (COLOR + NUMBER, COLOR + NUMBER),
+        }
+    }
+}
+
+/// Bytes that a vertex's attribute takes.
+pub fn attribute_bytes(attribute: Attribute) -> u64 {
+    match attribute {
+        Attribute::Uv => 8,
+        Attribute::Position | Attribute::Normal => 12,
+        Attribute::Tangent | Attribute::Color => 16,
+    }
+}
+
+/// What passes that are not in a plan would hold.
+pub(super) fn of_passes(kinds: &[&PassKind], options: &PlanOptions) -> EffectCost {
+    let pixels = u64::from(options.size[0]) * u64::from(options.size[1]);
+    let bytes: u64 = kinds.iter().map(|kind| kind.bytes_per_pixel(1).0).sum();
+    EffectCost::bytes(bytes * pixels)
+}
+
+/// The operations at each fragment of the modules that a pass runs; the most, where objects differ.
+pub(super) fn pass_operations(kind: &PassKind, draws: &[Draw]) -> u64 {
+    let most = |of: &dyn Fn(&Draw) -> Option<&Arc<CompiledShader>>| {
+        draws.iter().filter_map(of).map(|shader| shader_operations(shader)).max().unwrap_or_default()
+    };
+    match kind {
+        PassKind::Look => most(&|draw| Some(&draw.look)),
+        PassKind::Normals | PassKind::DetailNormals => most(&|draw| draw.normals.get(kind)),
+        PassKind::Curvature | PassKind::DetailCurvature => curvature_operations(),
+    }
+}
+
+fn curvature_operations() -> u64 {
+    static COUNTED: OnceLock<u64> = OnceLock::new();
+    *COUNTED.get_or_init(|| {
+        let valid = wgsl::pass("curvature").and_then(|(_, text)| wgsl::parse(text).ok());
+        valid.map_or(0, |valid| Operations::of(&valid.module).of_entry_points(&valid.module))
+    })
+}
+
+/// The operations of a whole module.
+pub(super) fn shader_operations(shader: &CompiledShader) -> u64 {
+    Operations::of(&shader.valid.module).of_entry_points(&shader.valid.module)
+}
+
+/// The operations at each fragment of every node that is in a module.
+pub(super) fn node_operations(shader: &CompiledShader) -> BTreeMap<String, u64> {
+    let mut counted: BTreeMap<String, u64> = shader.spans.nodes().map(|path| (path.to_string(), 0)).collect();
+    Operations::of(&shader.valid.module).for_each(&shader.valid.module, |span, operations| {
+        if let Some(path) = shader.spans.node_at(span.start) {
+            *counted.entry(path.to_string()).or_default() += operations;
+        }
+    });
+    counted
+}

@@ -1,0 +1,103 @@
+//! How many operations a function asks for, counted in naga's IR: what there is to do before any back end makes it less.
+
+use std::ops::Range;
+
+use naga::{Expression, Function, Handle, Module};
+
+/// Operations of every function of a module, those of what it calls included.
+///
+/// Each expression that computes or fetches counts once: so do both sides of a branch, and the body of a loop however
+/// often it runs. Literals, names and the taking apart of vectors and structs count nothing.
+#[derive(Clone, Debug, Default)]
+pub struct Operations {
+    /// In the order of the module's functions.
+    functions: Vec<u64>,
+}
+
+impl Operations {
+    /// Counts all functions of a module.
+    pub fn of(module: &Module) -> Self {
+        let mut counted = Self::default();
+        // naga has a function stand after all that it calls.
+        for (_, function) in module.functions.iter() {
+            let count = counted.within(function);
+            counted.functions.push(count);
+        }
+        counted
+    }
+
+    /// The operations of a function by its name; 0 where there is none.
+    pub fn of_function(&self, module: &Module, name: &str) -> u64 {
+        let found = module.functions.iter().find(|(_, function)| function.name.as_deref() == Some(name));
+        found.map_or(0, |(handle, _)| self.called(handle))
+    }
+
+    /// The operations of a module's entry points.
+    pub fn of_entry_points(&self, module: &Module) -> u64 {
+        module.entry_points.iter().map(|entry| self.within(&entry.function)).sum()
+    }
+
+    /// Gives every stretch of the source that an operation of a function or entry point was written in, with the
+    /// operations it asks for.
+    pub fn for_each(&self, module: &Module, mut tell: impl FnMut(Range<usize>, u64)) {
+        let entry_points = module.entry_points.iter().map(|entry| &entry.function);
+        for function in module.functions.iter().map(|(_, function)| function).chain(entry_points) {
+            for (handle, expression) in function.expressions.iter() {
+                let count = self.of_expression(expression);
+                if let Some(span) = function.expressions.get_span(handle).to_range().filter(|_| count > 0) {
+                    tell(span, count);
+                }
+            }
+        }
+    }
+
+    fn within(&self, function: &Function) -> u64 {
+        function.expressions.iter().map(|(_, expression)| self.of_expression(expression)).sum()
+    }
+
+    fn called(&self, function: Handle<Function>) -> u64 {
+        self.functions.get(function.index()).copied().unwrap_or_default()
+    }
+
+    fn of_expression(&self, expression: &Expression) -> u64 {
+        match expression {
+            Expression::CallResult(function) => self.called(*function),
+            Expression::Binary { .. }
+            | Expression::Unary { .. }
+            | Expression::Select { .. }
+            | Expression::Math { .. }
+            | Expression::As { convert: Some(_), .. }
+            | Expression::Derivative { .. }
+            | Expression::Relational { .. }
+            | Expression::ImageSample { .. }
+            | Expression::ImageLoad { .. }
+            | Expression::ImageQuery { .. } => 1,
+            _ => 0,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn calls_count_what_they_call_and_names_nothing() {
+        let source = "
+            fn inner(x: f32) -> f32 { let y = x; return y * y + 1.0; }
+            fn outer(v: vec2f) -> f32 { return inner(v.x) - inner(v.y); }
+            @fragment fn main() -> @location(0) vec4f { return vec4f(outer(vec2f(1.0, 2.0))); }";
+        let valid = crate::wgsl::parse(source).unwrap();
+        let operations = Operations::of(&valid.module);
+        assert_eq!(operations.of_function(&valid.module, "inner"), 2);
+        assert_eq!(operations.of_function(&valid.module, "outer"), 5);
+        assert_eq!(operations.of_function(&valid.module, "nothing"), 0);
+        assert_eq!(operations.of_entry_points(&valid.module), 5);
+        let mut of_outer = 0;
+        let line = source.find("fn outer").unwrap()..source.find("@fragment").unwrap();
+        operations.for_each(&valid.module, |span, count| {
+            of_outer += if line.contains(&span.start) { count } else { 0 };
+        });
+        assert_eq!(of_outer, 5);
+    }
+}
