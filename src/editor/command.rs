@@ -3,6 +3,7 @@
 use eframe::egui;
 use std::path::PathBuf;
 
+use super::safety::Wish;
 use super::wire::ShownWire;
 use crate::document::Edit;
 use crate::ids::NodeId;
@@ -38,4 +39,6 @@ pub(crate) enum Command {
     ShowWire(Option<ShownWire>),
     /// Copies text to the clipboard.
     Copy(String),
+    /// What the bar of unsaved work and changed files asks for.
+    Safety(Wish),
 }
