@@ -5,7 +5,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use eframe::egui::{Key, KeyboardShortcut, Modifiers, Panel, RichText, Ui, ViewportCommand};
+use eframe::egui::{Key, Modifiers, Panel, RichText, Ui, ViewportCommand};
 
 use super::canvas::Canvas;
 use super::code::Code;
@@ -20,6 +20,8 @@ use super::safety::Safety;
 use super::safety::places::Places;
 use super::session::Session;
 use super::settings::Settings;
+use super::sheet::Sheet;
+use super::shortcuts::{self, Action, Place};
 use super::viewport::Viewport;
 use super::wipe::Wipe;
 use super::{dock, inspector, problems, theme};
@@ -40,6 +42,7 @@ pub struct App {
     wipe: Wipe,
     cost: Cost,
     safety: Safety,
+    sheet: Sheet,
     /// What is done once unsaved changes are dealt with.
     pending: Option<Pending>,
     /// What went wrong with a file or an edit, until the next command.
@@ -83,6 +86,7 @@ impl App {
             wipe,
             cost,
             safety: Safety::new(waker()),
+            sheet: Sheet::default(),
             pending: None,
             message: None,
             presses: 0,
@@ -194,12 +198,18 @@ impl App {
     /// Whether shaders, pictures or values are being made.
     pub fn is_busy(&self) -> bool {
         let is_drawing = self.picture.as_ref().is_some_and(Picture::is_busy);
-        is_drawing || self.session.is_compiling() || self.probe.is_busy() || self.wipe.is_busy() || self.cost.is_busy()
+        is_drawing
+            || self.session.is_compiling()
+            || self.canvas.is_busy()
+            || self.probe.is_busy()
+            || self.wipe.is_busy()
+            || self.cost.is_busy()
     }
 
     /// Waits for them; for tests.
     pub fn wait(&self) {
         self.session.wait();
+        self.canvas.wait();
         self.probe.wait();
         self.wipe.wait();
         self.cost.wait();
@@ -250,6 +260,7 @@ impl App {
         if ui.input(|input| input.pointer.any_pressed()) {
             self.presses += 1;
         }
+        self.sheet.take_escape(ui);
         self.canvas.claim_tab(ui);
         let mut commands = Vec::new();
         self.shortcuts(ui, &mut commands);
@@ -273,6 +284,7 @@ impl App {
         }
         self.panels(ui, &mut commands);
         self.ask_about_changes(ui, &mut commands);
+        commands.extend(self.sheet.show(ui).map(Command::Act));
         for command in commands {
             self.apply(ui, command);
             // What was changed in this frame is seen in the next one.
@@ -433,32 +445,27 @@ impl App {
 
     fn shortcuts(&self, ui: &Ui, commands: &mut Vec<Command>) {
         let is_typing = ui.ctx().egui_wants_keyboard_input();
-        let shift = Modifiers::COMMAND | Modifiers::SHIFT;
-        let always = [
-            (shift, Key::S, Command::SaveAs),
-            (Modifiers::COMMAND, Key::S, Command::Save),
-            (Modifiers::COMMAND, Key::O, Command::Open(None)),
-            (Modifiers::COMMAND, Key::N, Command::New),
-        ];
-        // A field that is being typed in has an undo of its own.
-        let elsewhere = [
-            (shift, Key::Z, Command::Redo),
-            (Modifiers::COMMAND, Key::Y, Command::Redo),
-            (Modifiers::COMMAND, Key::Z, Command::Undo),
-        ];
-        let probe = (Modifiers::NONE, Key::I, Command::Probe(!self.probe.is_on()));
-        let leave = self.probe.is_on().then_some((Modifiers::NONE, Key::Escape, Command::LeaveProbe));
-        let elsewhere = elsewhere.into_iter().chain([probe]).chain(leave).filter(|_| !is_typing);
-        for (modifiers, key, command) in always.into_iter().chain(elsewhere) {
-            let shortcut = KeyboardShortcut::new(modifiers, key);
-            if ui.input_mut(|input| input.consume_shortcut(&shortcut)) {
-                commands.push(command);
+        // A field that is being typed in has an undo of its own, and question marks.
+        let is_text = |action| matches!(action, Action::Undo | Action::Redo | Action::Shortcuts);
+        for row in shortcuts::ALL.iter().filter(|row| row.place != Place::Graph) {
+            if is_typing && (is_text(row.action) || row.place == Place::Picture) {
+                continue;
             }
+            if row.keys.iter().any(|&key| shortcuts::take(ui, key)) {
+                commands.push(Command::Act(row.action));
+            }
+        }
+        let escape = (Modifiers::NONE, Key::Escape);
+        if self.probe.is_on() && !is_typing && shortcuts::take(ui, escape) {
+            commands.push(Command::LeaveProbe);
         }
     }
 
     fn apply(&mut self, ui: &Ui, command: Command) {
-        if !matches!(command, Command::Select(_) | Command::Reveal(_)) {
+        if !matches!(
+            command,
+            Command::Act(_) | Command::Select(_) | Command::Reveal(_) | Command::Show(_) | Command::OpenGraph(_)
+        ) {
             self.message = None;
         }
         match command {
@@ -475,6 +482,15 @@ impl App {
                 self.session.select(vec![id.clone()]);
                 self.canvas.reveal(id);
             }
+            Command::Show(path) => {
+                let ids = path.ids();
+                self.session.open_graph(&ids[..ids.len().saturating_sub(1)]);
+                if let Some(id) = self.session.step_here(&path).cloned() {
+                    self.session.select(vec![id.clone()]);
+                    self.canvas.reveal(id);
+                }
+            }
+            Command::OpenGraph(path) => self.session.open_graph(&path),
             Command::Undo => drop(self.session.undo()),
             Command::Redo => drop(self.session.redo()),
             Command::New => self.do_or_ask(Pending::New),
@@ -499,7 +515,25 @@ impl App {
             Command::LeaveProbe => self.probe.escape(),
             Command::Copy(text) => ui.ctx().copy_text(text),
             Command::Safety(wish) => self.message = self.safety.apply(wish, &mut self.session),
+            Command::Tell(text) => self.message = Some(text),
+            Command::Act(action) => self.act(ui, action),
         }
+    }
+
+    /// Does what the command palette chose.
+    fn act(&mut self, ui: &Ui, action: Action) {
+        let command = match action {
+            Action::New => Command::New,
+            Action::Open => Command::Open(None),
+            Action::Save => Command::Save,
+            Action::SaveAs => Command::SaveAs,
+            Action::Undo => Command::Undo,
+            Action::Redo => Command::Redo,
+            Action::Probe => Command::Probe(!self.probe.is_on()),
+            Action::Commands | Action::Shortcuts => return self.sheet.open(action),
+            action => return self.canvas.ask(action),
+        };
+        self.apply(ui, command);
     }
 
     fn tell(&mut self, edit: impl FnOnce(&mut Session) -> Result<(), Box<Diagnostic>>) {

@@ -4,9 +4,10 @@ use eframe::egui;
 use std::path::PathBuf;
 
 use super::safety::Wish;
+use super::shortcuts::Action;
 use super::wire::ShownWire;
 use crate::document::Edit;
-use crate::ids::NodeId;
+use crate::ids::{NodeId, NodePath};
 
 /// Something that a panel asks for.
 #[derive(Clone, Debug)]
@@ -19,6 +20,10 @@ pub(crate) enum Command {
     Select(Vec<NodeId>),
     /// Selects a node and brings it into view.
     Reveal(NodeId),
+    /// Selects a node in whichever group it lies, opens that, and brings it into view.
+    Show(NodePath),
+    /// Opens the graph that these nodes of groups lead to; none for the look's own.
+    OpenGraph(Vec<NodeId>),
     Undo,
     Redo,
     New,
@@ -37,6 +42,10 @@ pub(crate) enum Command {
     LeaveProbe,
     /// Shows a wire in place of the picture, or the picture again.
     ShowWire(Option<ShownWire>),
+    /// Tells something in the status line.
+    Tell(String),
+    /// Does what a key, a menu or the command palette asks for.
+    Act(Action),
     /// Copies text to the clipboard.
     Copy(String),
     /// What the bar of unsaved work and changed files asks for.

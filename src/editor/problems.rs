@@ -35,7 +35,7 @@ pub(crate) fn show(ui: &mut Ui, problems: &[&Diagnostic]) -> Vec<Command> {
             ui.horizontal_wrapped(|ui| {
                 let (dot, _) = ui.allocate_exact_size(egui::vec2(8.0, 14.0), Sense::hover());
                 ui.painter().circle_filled(dot.center(), 3.5, color);
-                let node = problem.place.node.as_ref().and_then(|path| path.outermost().cloned());
+                let node = problem.place.node.clone();
                 if let Some(node) = node {
                     let text = problem.place.node.as_ref().map(ToString::to_string).unwrap_or_default();
                     if ui
@@ -43,7 +43,7 @@ pub(crate) fn show(ui: &mut Ui, problems: &[&Diagnostic]) -> Vec<Command> {
                         .on_hover_text("Shows this node")
                         .clicked()
                     {
-                        commands.push(Command::Reveal(node));
+                        commands.push(Command::Show(node));
                     }
                 }
                 if let Some(at) = problem.place.at {

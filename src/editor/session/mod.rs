@@ -1,6 +1,7 @@
 //! One open look: the document and its past, the file, what is selected, and the shaders made of it.
 
 pub(super) mod keeping;
+mod place;
 mod shading;
 
 use std::path::{Path, PathBuf};
@@ -14,7 +15,7 @@ use super::orbit::Orbit;
 use super::wire::ShownWire;
 use crate::diag::Diagnostic;
 use crate::document::journal::Op;
-use crate::document::{Edit, History, Look, SourceMap, remove_abandoned, write_atomic};
+use crate::document::{Edit, GraphId, History, Look, SourceMap, remove_abandoned, write_atomic};
 use crate::ids::NodeId;
 use crate::library::{Fallback, Library};
 use keeping::{Keeping, OnDisk};
@@ -32,7 +33,7 @@ pub struct Session {
     is_partial: bool,
     pub(crate) library: Arc<Library>,
     pub(crate) catalog: Catalog,
-    /// Nodes of the look's own graph, the first one selected last.
+    /// Nodes of the graph that is open, the first one selected last.
     pub(crate) selection: IndexSet<NodeId>,
     pub(crate) view: Orbit,
     /// What reading the file told.
@@ -54,6 +55,7 @@ pub struct Session {
     /// How often files that the look uses have changed.
     files: u64,
     keeping: Keeping,
+    place: place::OpenGroups,
 }
 
 /// Consecutive edits by the same hand, as one step.
@@ -92,6 +94,7 @@ impl Session {
             wire: None,
             files: 0,
             keeping: Keeping::default(),
+            place: Default::default(),
         };
         session.start_new();
         session
@@ -180,6 +183,7 @@ impl Session {
         self.picture += 1;
         self.catalog.sync(self.history.document(), &self.library);
         self.place_library_problems();
+        self.reset_place();
     }
 
     /// The look as it is.
@@ -224,8 +228,7 @@ impl Session {
 
     /// Selects nodes and no others.
     pub fn select(&mut self, ids: Vec<NodeId>) {
-        let nodes = &self.history.document().graph.nodes;
-        self.selection = ids.into_iter().filter(|id| nodes.contains_key(id)).collect();
+        self.selection = ids.into_iter().filter(|id| self.is_here(id)).collect();
     }
 
     /// Lets unsaved changes go: they are no longer asked about.
@@ -309,8 +312,11 @@ impl Session {
             self.shaders.structure = self.history.revision();
             self.catalog.sync(self.history.document(), &self.library);
         }
+        self.check_place();
+        let mut selection = std::mem::take(&mut self.selection);
+        selection.retain(|id| self.is_here(id));
+        self.selection = selection;
         let nodes = &self.history.document().graph.nodes;
-        self.selection.retain(|id| nodes.contains_key(id));
         self.wire = self.wire.take().filter(|wire| wire.node.outermost().is_some_and(|id| nodes.contains_key(id)));
         self.picture += 1;
     }
@@ -319,7 +325,15 @@ impl Session {
     fn is_structural(&self, edit: &Edit) -> bool {
         match edit {
             Edit::Group { edits } => edits.iter().any(|edit| self.is_structural(edit)),
-            Edit::MoveNodes { .. } | Edit::SetLookName { .. } => false,
+            Edit::MoveNodes { .. }
+            | Edit::SetCollapsed { .. }
+            | Edit::AddNote { .. }
+            | Edit::SetNote { .. }
+            | Edit::RemoveNote { .. }
+            | Edit::SetBookmarks { .. }
+            | Edit::SetLookName { .. } => false,
+            // A long look's uniforms are told by paths, and a group's node lies at many of them.
+            Edit::SetValue { graph: GraphId::Definition(_), .. } if self.shaders.is_long() => true,
             Edit::SetLight { id, light } => {
                 self.look().lights.get(id).is_none_or(|old| (old.kind, &old.name) != (light.kind, &light.name))
             }
