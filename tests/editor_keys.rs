@@ -184,6 +184,25 @@ fn a_key_takes_the_values_that_are_seen() {
 }
 
 #[test]
+fn what_is_keyed_follows_without_compiling() {
+    let mut hand = directional();
+    let mut keys = hand.look().direction_keys[0].clone();
+    keys.keys[1].direction = [0.1, 0.4, -0.9];
+    keys.keys[1].values.insert(target("diffuse.cutoff"), Value::Number(2.0));
+    let edit = chiaro::document::Edit::SetDirectionKeys { index: 0, keys: keys.clone() };
+    hand.app_mut().session_mut().apply(edit, None).unwrap();
+    hand.harness.step();
+    assert!(!hand.app().session().is_compiling(), "uniforms show it");
+    // Another value is a parameter that the shader does not have yet.
+    keys.keys[1].values.insert(target("diffuse.kappa"), Value::Number(0.0));
+    let edit = chiaro::document::Edit::SetDirectionKeys { index: 0, keys };
+    hand.app_mut().session_mut().apply(edit, None).unwrap();
+    hand.settle();
+    let problems = hand.app().session().problems();
+    assert!(problems.iter().all(|problem| !problem.is_error()), "{problems:?}");
+}
+
+#[test]
 fn a_value_is_keyed_in_time_and_played() {
     let mut hand = Hand::new();
     let before = hand.look().clone();

@@ -268,3 +268,35 @@ fn timeline_shots() {
     hand.harness.ctx.set_theme(Theme::Light);
     save(&mut hand, "timeline-light");
 }
+
+#[test]
+#[ignore = "writes pictures to be looked at"]
+fn keyed_shots() {
+    use eframe::egui::{Event, Modifiers, PointerButton};
+    let mut hand = window();
+    hand.app_mut().open(Path::new("examples/looks/figure7-pastel.json"));
+    hand.settle();
+    let layers: Vec<_> = hand.look().graph.nodes.iter().filter(|(_, node)| node.kind == "light_layer").collect();
+    let ids: Vec<_> = layers.into_iter().take(2).map(|(id, _)| id.clone()).collect();
+    hand.app_mut().session_mut().select(ids);
+    hand.settle();
+    click(&mut hand, "Keys of Opacity");
+    click(&mut hand, "Expose");
+    click(&mut hand, "Keys of Opacity");
+    save(&mut hand, "keyed-menu");
+    click(&mut hand, "New keys by the view");
+    save(&mut hand, "keyed-by-view");
+    // A drag that goes too far.
+    click(&mut hand, "Profile");
+    click(&mut hand, "Profile preset Phong specular");
+    let from = hand.harness.get_by_label("Fall-off of the profile").rect().center();
+    hand.hover(from);
+    let (button, modifiers) = (PointerButton::Primary, Modifiers::NONE);
+    hand.harness.event(Event::PointerButton { pos: from, button, pressed: true, modifiers });
+    hand.harness.step();
+    for step in 1..=6 {
+        hand.harness.event(Event::PointerMoved(from + vec2(50.0 * step as f32, 0.0)));
+        hand.harness.step();
+    }
+    save(&mut hand, "profile-stops");
+}

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use super::dock::Panel;
 use super::orbit::Orbit;
+use super::safety::Wish;
 use super::shortcuts::Action;
 use super::wire::ShownWire;
 use crate::document::Edit;
@@ -57,4 +58,6 @@ pub(crate) enum Command {
     SetTime(f64),
     /// Looks from elsewhere, or under lights that are turned otherwise.
     TurnTo(Box<Orbit>),
+    /// What the bar of unsaved work and changed files asks for.
+    Safety(Wish),
 }

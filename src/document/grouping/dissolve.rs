@@ -97,7 +97,7 @@ impl Opened<'_> {
             for (port, from) in fed.get(id).into_iter().flatten() {
                 match self.value(from) {
                     Some(value) if self.source(from).is_none() => {
-                        drop(node.values.insert((*port).clone(), value.clone()))
+                        drop(node.values.insert((*port).clone(), value.clone()));
                     }
                     _ => drop(node.values.shift_remove(*port)),
                 }

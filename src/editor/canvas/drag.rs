@@ -178,7 +178,7 @@ impl Canvas {
     pub(super) fn finish(&mut self, at: Option<Pos2>, session: &Session, out: &mut Vec<Command>) {
         match std::mem::take(&mut self.gesture) {
             Gesture::Move(drag) if drag.by != Vec2::ZERO || drag.joins.is_some() => {
-                self.finish_move(drag, session, out)
+                self.finish_move(&drag, session, out);
             }
             Gesture::Note { id, by, is_resize, .. } if by != Vec2::ZERO => {
                 let edit = edits::set_note(session, &id, |note| {
@@ -198,7 +198,7 @@ impl Canvas {
         }
     }
 
-    fn finish_move(&mut self, drag: Move, session: &Session, out: &mut Vec<Command>) {
+    fn finish_move(&mut self, drag: &Move, session: &Session, out: &mut Vec<Command>) {
         let ids: Vec<NodeId> = drag.nodes.iter().map(|&index| self.table.nodes[index].id.clone()).collect();
         let mut all = vec![edits::translate(session, ids.iter(), drag.by)];
         if let (Some(wire), [id]) = (drag.into, ids.as_slice())

@@ -242,8 +242,7 @@ impl Canvas {
         let has_rows = pen.zoom > ALL_TEXT;
         lay_out(
             row,
-            pen.painter,
-            pen.colors,
+            (pen.painter, pen.colors),
             (pen.zoom, has_rows),
             pen.session.revision(),
             look,

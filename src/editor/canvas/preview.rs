@@ -30,7 +30,7 @@ const REST: f64 = 0.35;
 /// Longer looks take too long to compile for each of their nodes.
 const MAX_NODES: usize = 1500;
 /// Below this zoom nothing is seen of them.
-const MIN_ZOOM: f32 = 0.55;
+const MIN_ZOOM: f32 = 0.42;
 /// On a node, in points.
 const SIDE: f32 = 22.0;
 

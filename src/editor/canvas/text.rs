@@ -31,8 +31,7 @@ const LEAST_TITLE: f32 = 10.0;
 /// Lays a node's text out anew where the size or the document changed.
 pub(crate) fn lay_out(
     row: &mut NodeRow,
-    painter: &Painter,
-    colors: &Colors,
+    (painter, colors): (&Painter, &Colors),
     (zoom, has_rows): (f32, bool),
     revision: u64,
     look: &Look,
