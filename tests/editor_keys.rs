@@ -194,12 +194,31 @@ fn what_is_keyed_follows_without_compiling() {
     hand.harness.step();
     assert!(!hand.app().session().is_compiling(), "uniforms show it");
     // Another value is a parameter that the shader does not have yet.
-    keys.keys[1].values.insert(target("diffuse.kappa"), Value::Number(0.0));
+    keys.keys[1].values.insert(target("diffuse.opacity"), Value::Number(0.5));
     let edit = chiaro::document::Edit::SetDirectionKeys { index: 0, keys };
     hand.app_mut().session_mut().apply(edit, None).unwrap();
     hand.settle();
     let problems = hand.app().session().problems();
     assert!(problems.iter().all(|problem| !problem.is_error()), "{problems:?}");
+}
+
+/// The concave colour is as the convex one until it has its own, and only then can it be moved.
+#[test]
+fn what_has_no_value_of_its_own_gets_one_when_it_is_keyed() {
+    let mut hand = Hand::new();
+    select(&mut hand, &["diffuse"]);
+    click(&mut hand, "Default");
+    let before = hand.look().clone();
+    assert!(before.graph.nodes["diffuse"].values.get("concave").is_none());
+    for way in ["Key in time", "New keys by the view", "Expose"] {
+        click(&mut hand, "Keys of Concave color");
+        click(&mut hand, way);
+        let problems = hand.app().session().problems();
+        assert!(problems.iter().all(|problem| !problem.is_error()), "{way}: {problems:?}");
+        assert_ne!(*hand.look(), before, "{way}");
+        hand.undo();
+        assert_eq!(*hand.look(), before, "{way} is one step");
+    }
 }
 
 #[test]

@@ -26,7 +26,7 @@ pub(super) struct Marked<'a> {
 
 impl Marked<'_> {
     fn can_be_keyed(&self) -> bool {
-        changes_in_time(self.ty)
+        changes_in_time(self.ty) && self.session.own_value(&self.target).is_some()
     }
 
     /// The place of its exposed parameter.
@@ -75,6 +75,9 @@ pub(super) fn menu(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
         ui.separator();
     }
     match marked.exposed() {
+        None if marked.session.own_value(&marked.target).is_none() => {
+            ui.label(RichText::new("Set a value to key or expose it.").color(theme::of(ui).dim));
+        }
         None => {
             let help = "Scenes, scripts and exported shaders can set it by a name then";
             if ui.button("Expose").on_hover_text(help).clicked() {
@@ -134,7 +137,7 @@ fn expose(marked: &Marked<'_>) -> Edit {
     let is_taken = |slug: &str| session.look().exposed.iter().any(|exposed| exposed.name.as_str() == slug);
     let name = PortName::new(make_slug(&format!("{owner} {what}"), is_taken));
     let exposed = Exposed { name, target: marked.target.clone(), label: String::new() };
-    Edit::AddExposed { exposed, index: None }
+    session.grounded(Some(&marked.target), Edit::AddExposed { exposed, index: None })
 }
 
 /// The exposed parameters whose targets `is_shown` takes, with their names.

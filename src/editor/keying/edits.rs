@@ -10,6 +10,7 @@ use crate::document::{
 };
 use crate::frame::set_light_field;
 use crate::ids::NodeId;
+use crate::library::Fallback;
 
 impl Session {
     /// The edit by which a target has a value where it is looked at: at the playhead, at the direction key that is
@@ -104,16 +105,29 @@ impl Session {
         }
         let mut keys = TimeKeys { target: target.clone(), keys: Vec::new(), unknown: Unknown::new() };
         put(&mut keys, self.time, value);
-        Some(Edit::AddTimeKeys { keys, index: None })
+        Some(self.grounded(Some(target), Edit::AddTimeKeys { keys, index: None }))
     }
 
     /// The edit that keys a target in a set: at all of its keys with the value that it has now, so that nothing changes
     /// yet.
     pub(crate) fn key_in_set(&self, set: usize, target: &Target) -> Option<Edit> {
         let value = self.value_now(target)?;
-        Some(self.change_set(set, |keys| {
+        let edit = self.change_set(set, |keys| {
             keys.keys.iter_mut().for_each(|key| drop(key.values.insert(target.clone(), value.clone())));
-        }))
+        });
+        Some(self.grounded(Some(target), edit))
+    }
+
+    /// An edit that names a target in a list, after one that gives the target a value of its own where it has neither
+    /// that nor a default: what reads its surroundings, or is as another input, cannot be moved or exposed.
+    pub(crate) fn grounded(&self, target: Option<&Target>, edit: Edit) -> Edit {
+        let Some(target @ Target::Input { node, port }) = target else { return edit };
+        let has_own = self.node_at(node).is_some_and(|node| node.values.contains_key(port));
+        let has_default = self.port_at(target).is_some_and(|port| matches!(port.fallback, Fallback::Value(_)));
+        match self.own_value(target).filter(|_| !has_own && !has_default) {
+            Some(value) => Edit::Group { edits: vec![self.set_own(target, value), edit] },
+            None => edit,
+        }
     }
 
     /// The edit that begins a set with one key where the light or the view is now.
@@ -127,7 +141,7 @@ impl Session {
         let key = DirectionKey { direction: rounded(direction), values, unknown: Unknown::new() };
         let scheme = KeyScheme::default();
         let keys = DirectionKeys { name, by, scheme, keys: vec![key], unknown: Unknown::new() };
-        Edit::AddDirectionKeys { keys, index: None }
+        self.grounded(target, Edit::AddDirectionKeys { keys, index: None })
     }
 
     /// The edit that takes a target out of everything that moves it; it keeps the value that it has now.

@@ -114,7 +114,7 @@ pub(super) fn graticule(ui: &Ui, globe: Globe, is_front: bool) {
 /// What the axes mean, beside the ends of those that are seen from the side.
 pub(super) fn names_of_places(ui: &Ui, rect: Rect, globe: Globe, is_view: bool) {
     let names = if is_view {
-        ["from the right", "from above", "from the front", "from the left", "from below", "from behind"]
+        ["right", "above", "front", "left", "below", "back"]
     } else {
         ["right", "above", "toward you", "left", "below", "behind"]
     };

@@ -279,6 +279,9 @@ fn reach(ui: &Ui, layer: &Layer<'_>, axes: Axes, part: usize, handled: &Handled)
     let font = FontId::proportional(theme::TEXT_SIZE);
     let galley = painter.layout_no_wrap(text, font, colors.warning);
     let at = align.anchor_size(pos2(axes.x(limit) + dx, axes.y(0.72)), galley.size());
+    // Where it is longer than there is room, it lies over the limit.
+    let room = axes.0.left()..=(axes.0.right() - at.width()).max(axes.0.left());
+    let at = Rect::from_min_size(pos2(at.left().clamp(*room.start(), *room.end()), at.top()), at.size());
     painter.rect_filled(at.expand(3.0), 3.0, colors.canvas);
     painter.galley(at.min, galley, colors.warning);
 }

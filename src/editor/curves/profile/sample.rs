@@ -168,8 +168,9 @@ mod tests {
     #[test]
     fn the_presets_are_their_closed_forms() {
         let angles: Vec<f64> = (0..=180).map(|d| f64::from(d).to_radians()).collect();
-        let cases: [(&str, [f64; 3], fn(f64) -> f64); 3] = [
-            ("Lambert", [0.0, FRAC_PI_2, FRAC_PI_2], |u| u.cos().max(0.0)),
+        type Truth = fn(f64) -> f64;
+        let cases = [
+            ("Lambert", [0.0, FRAC_PI_2, FRAC_PI_2], (|u| u.cos().max(0.0)) as Truth),
             ("half-Lambert", [0.0, FRAC_PI_2, PI], |u| 0.5 + 0.5 * u.cos()),
             ("ambient", [PI, PI, PI], |_| 1.0),
         ];
