@@ -50,3 +50,39 @@ fn shots() {
     hand.click(tab);
     save(&mut hand, "light");
 }
+
+/// The viewport's handles on every mesh of a folder that `CHIARO_MODELS` names, and on own shapes.
+#[test]
+#[ignore = "writes pictures to be looked at"]
+fn viewport_shots() {
+    let mut hand = window();
+    hand.app_mut().open(Path::new("examples/looks/figure1-layers.json"));
+    let folder = std::env::var_os("CHIARO_MODELS").map(PathBuf::from);
+    let own = ["shape:sphere".to_owned(), "shape:creature".to_owned()];
+    let meshes = ["spot", "stanford-bunny", "nefertiti"];
+    let of_folder = folder
+        .iter()
+        .flat_map(|folder| meshes.map(|mesh| folder.join(mesh).with_extension("obj").display().to_string()));
+    let ids: Vec<_> = hand
+        .look()
+        .graph
+        .nodes
+        .iter()
+        .filter(|(_, node)| node.kind == "light_layer")
+        .map(|(id, _)| id.clone())
+        .collect();
+    for (number, mesh) in own.into_iter().chain(of_folder).enumerate() {
+        hand.app_mut().show_on(&mesh);
+        let id = ids[number % ids.len()].clone();
+        hand.app_mut().session_mut().select(vec![id.clone()]);
+        hand.settle();
+        let rect = hand.app().viewport().rect().unwrap();
+        hand.hover(rect.center() + vec2(30.0, 10.0));
+        save(&mut hand, &format!("view-{number}-{id}"));
+        if number % 2 == 1 {
+            hand.harness.ctx.set_theme(Theme::Light);
+        } else {
+            hand.harness.ctx.set_theme(Theme::Dark);
+        }
+    }
+}

@@ -69,7 +69,7 @@ impl App {
         Self {
             session: Session::new(library, waker()),
             canvas: Canvas::default(),
-            viewport: Viewport::default(),
+            viewport: Viewport::new(waker()),
             code: Code::default(),
             picture,
             dialogs: Dialogs::new(waker()),
@@ -143,7 +143,7 @@ impl App {
 
     /// Whether shaders, pictures or values are being made.
     pub fn is_busy(&self) -> bool {
-        let is_drawing = self.picture.as_ref().is_some_and(Picture::is_busy);
+        let is_drawing = self.picture.as_ref().is_some_and(Picture::is_busy) || self.viewport.is_busy();
         is_drawing || self.session.is_compiling() || self.probe.is_busy() || self.wipe.is_busy() || self.cost.is_busy()
     }
 
@@ -151,6 +151,7 @@ impl App {
     pub fn wait(&self) {
         self.session.wait();
         self.probe.wait();
+        self.viewport.wait();
         self.wipe.wait();
         self.cost.wait();
         if let Some(picture) = &self.picture {
@@ -243,7 +244,7 @@ impl App {
         commands.extend(match panel {
             dock::Panel::Picture => {
                 let Self { viewport, session, picture, probe, wipe, .. } = self;
-                viewport.show(ui, session, picture.as_mut(), probe, wipe).into_iter().collect()
+                viewport.show(ui, session, picture.as_mut(), probe, wipe)
             }
             dock::Panel::Graph => self.canvas.show(ui, &self.session),
             dock::Panel::Inspector => inspector::show(ui, &self.session),

@@ -1,0 +1,132 @@
+//! What is above the picture: the mesh that the look is seen on, and how it is seen.
+
+use eframe::egui;
+use eframe::egui::Ui;
+use std::path::Path;
+
+use super::super::command::Command;
+use super::super::probe::Probe;
+use super::super::session::Session;
+use super::super::theme;
+use super::super::wipe::Wipe;
+use super::Viewport;
+use crate::document::{Projection, Scene};
+use crate::frame::SHAPE_PREFIX;
+use crate::geometry::SHAPES;
+
+impl Viewport {
+    /// The mesh that the look is seen on, and how it stands.
+    pub(super) fn bar(
+        &mut self,
+        ui: &mut Ui,
+        session: &mut Session,
+        probe: &Probe,
+        wipe: &mut Wipe,
+        out: &mut Vec<Command>,
+    ) {
+        ui.horizontal(|ui| {
+            mesh_choice(ui, session, out);
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                ui.menu_button("Options", |ui| self.options(ui, session))
+                    .response
+                    .on_hover_text("Turntable, projection, backdrop, handles");
+                let mut is_on = probe.is_on();
+                let help = "Reads the value on every wire at a pixel, f32 beside f64 (I)";
+                if ui.toggle_value(&mut is_on, "Probe pixel").on_hover_text(help).changed() {
+                    out.push(Command::Probe(is_on));
+                }
+                wipe.choice(ui);
+                if session.is_compiling() {
+                    ui.label(egui::RichText::new("compiling").color(theme::of(ui).dim));
+                }
+            });
+        });
+    }
+
+    fn options(&mut self, ui: &mut Ui, session: &mut Session) {
+        ui.checkbox(&mut self.handles, "Handles on the object")
+            .on_hover_text("Lines and handles of the selected layer and its light (H)");
+        let help = "Turns the object before the camera, until it is switched off again (T)";
+        ui.checkbox(&mut self.turns, "Turntable").on_hover_text(help);
+        if session.view.mesh.starts_with(SHAPE_PREFIX) {
+            session.view.z_is_up = false;
+        } else {
+            ui.checkbox(&mut session.view.z_is_up, "Z is up").on_hover_text("Stands up a mesh whose z axis points up");
+        }
+        ui.separator();
+        for (projection, label, help) in [
+            (Projection::Perspective, "Perspective", "What is near is large (P)"),
+            (Projection::Orthographic, "Parallel", "All is as large at any distance, as in a technical drawing (P)"),
+        ] {
+            ui.radio_value(&mut session.view.projection, projection, label).on_hover_text(help);
+        }
+        if ui.button("Frame the object").on_hover_text("Brings the whole object into view (F)").clicked() {
+            session.view.frame_object();
+        }
+        if ui.button("Reset camera and lights").on_hover_text("Turns both back (R)").clicked() {
+            session.view.reset();
+        }
+        ui.separator();
+        let mut own = session.view.backdrop.is_some();
+        let backdrop = Scene::default().backdrop.unwrap_or([0.0, 0.0, 0.0, 1.0]);
+        ui.horizontal(|ui| {
+            if ui
+                .checkbox(&mut own, "Backdrop")
+                .on_hover_text("What is behind the object; for this window only")
+                .changed()
+            {
+                session.view.backdrop = own.then_some(backdrop);
+            }
+            if let Some(color) = &mut session.view.backdrop {
+                let mut rgb = [0, 1, 2].map(|channel| (color[channel].clamp(0.0, 1.0) * 255.0).round() as u8);
+                let response = ui.color_edit_button_srgb(&mut rgb);
+                if response.changed() {
+                    let [r, g, b] = rgb.map(|channel| f64::from(channel) / 255.0);
+                    *color = [r, g, b, 1.0];
+                }
+            }
+        });
+    }
+}
+
+fn mesh_choice(ui: &mut Ui, session: &mut Session, out: &mut Vec<Command>) {
+    let label = ui.label("On");
+    let mesh = session.view.mesh.clone();
+    let shape = SHAPES.iter().find(|shape| mesh.strip_prefix("shape:") == Some(shape.name));
+    let file = Path::new(&mesh).file_name().map_or(mesh.clone(), |name| name.to_string_lossy().into_owned());
+    let shown = shape.map_or(file.as_str(), |shape| shape.label);
+    let combo = egui::ComboBox::from_id_salt("mesh").selected_text(shown).show_ui(ui, |ui| {
+        for shape in SHAPES {
+            let is_it = mesh.strip_prefix("shape:") == Some(shape.name);
+            if ui.selectable_label(is_it, shape.label).on_hover_text(shape.help).clicked() {
+                session.view.mesh = format!("shape:{}", shape.name);
+                session.view.z_is_up = false;
+            }
+        }
+        ui.separator();
+        let help = "Shows the look on a mesh of yours (OBJ, PLY, STL, glTF); it can also be dropped on the window";
+        if ui.selectable_label(shape.is_none(), "From a file...").on_hover_text(help).clicked() {
+            out.push(Command::ShowOn(None));
+        }
+    });
+    combo.response.labelled_by(label.id);
+}
+
+/// Says that a wire is shown in place of the picture, and leads back.
+pub(super) fn wire_bar(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) -> Option<()> {
+    let wire = session.wire()?;
+    let node = session.look().graph.nodes.get(&wire.node)?;
+    let kind = session.catalog.of(node);
+    let name = if node.name.is_empty() { kind.map_or("", |kind| &kind.label) } else { &node.name };
+    let port = kind.and_then(|kind| Some(&*kind.outputs[kind.output(wire.port.as_str())?].label)).unwrap_or_default();
+    ui.horizontal(|ui| {
+        let text = format!("Showing {port} of {name} as {}", wire.style.label().to_lowercase());
+        ui.label(egui::RichText::new(text).color(theme::of(ui).accent)).on_hover_text(wire.style.help());
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            if ui.button("Show the look").clicked() {
+                out.push(Command::ShowWire(None));
+            }
+        });
+    });
+    Some(())
+}
