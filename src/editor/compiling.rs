@@ -60,7 +60,7 @@ pub(crate) fn start(wake: impl Fn() + Send + 'static) -> Compiler {
 }
 
 fn compile(request: &Request) -> Result<Shaders, Vec<Diagnostic>> {
-    let shown = request.wire.as_ref().map(|(wire, ty)| wire.of(&request.look, ty.as_ref()));
+    let shown = request.wire.as_ref().map(|(wire, ty)| wire.of(&request.look, &request.library, ty.as_ref()));
     let (look, root) = match &shown {
         Some((look, root)) => (look, Some(root)),
         None => (&*request.look, None),

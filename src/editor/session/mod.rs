@@ -276,7 +276,7 @@ impl Session {
         }
         let nodes = &self.history.document().graph.nodes;
         self.selection.retain(|id| nodes.contains_key(id));
-        self.wire = self.wire.take().filter(|wire| nodes.contains_key(&wire.node));
+        self.wire = self.wire.take().filter(|wire| wire.node.outermost().is_some_and(|id| nodes.contains_key(id)));
         self.picture += 1;
     }
 

@@ -113,7 +113,7 @@ impl Session {
             structure: self.shaders.structure,
             touched: self.shaders.touched.clone(),
             wire: self.wire.clone().map(|wire| {
-                let ty = wire.ty(self.look(), &self.catalog);
+                let ty = wire.ty(self.look(), &self.library, &self.catalog);
                 (wire, ty)
             }),
             library: self.library.clone(),

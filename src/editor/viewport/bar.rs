@@ -5,10 +5,11 @@ use eframe::egui::Ui;
 use std::path::Path;
 
 use super::super::command::Command;
-use super::super::probe::Probe;
+use super::super::probe::{Probe, wire_name};
 use super::super::session::Session;
 use super::super::theme;
 use super::super::wipe::Wipe;
+use super::super::wire::node_at;
 use super::Viewport;
 use crate::document::{Projection, Scene};
 use crate::frame::SHAPE_PREFIX;
@@ -115,9 +116,9 @@ fn mesh_choice(ui: &mut Ui, session: &mut Session, out: &mut Vec<Command>) {
 /// Says that a wire is shown in place of the picture, and leads back.
 pub(super) fn wire_bar(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) -> Option<()> {
     let wire = session.wire()?;
-    let node = session.look().graph.nodes.get(&wire.node)?;
+    let node = node_at(session.look(), &session.library, wire.node.ids())?;
     let kind = session.catalog.of(node);
-    let name = if node.name.is_empty() { kind.map_or("", |kind| &kind.label) } else { &node.name };
+    let name = wire_name(session, &wire.node);
     let port = kind.and_then(|kind| Some(&*kind.outputs[kind.output(wire.port.as_str())?].label)).unwrap_or_default();
     ui.horizontal(|ui| {
         let text = format!("Showing {port} of {name} as {}", wire.style.label().to_lowercase());
