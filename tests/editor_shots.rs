@@ -79,6 +79,11 @@ fn viewport_shots() {
         let rect = hand.app().viewport().rect().unwrap();
         hand.hover(rect.center() + vec2(30.0, 10.0));
         save(&mut hand, &format!("view-{number}-{id}"));
+        if number == 1 {
+            click_label(&mut hand, "Options");
+            save(&mut hand, "view-options");
+            hand.key(Key::Escape);
+        }
         if number % 2 == 1 {
             hand.harness.ctx.set_theme(Theme::Light);
         } else {

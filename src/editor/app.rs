@@ -17,7 +17,7 @@ use super::dock::effects::Effects;
 use super::picture::Picture;
 use super::probe::{Probe, picture_size};
 use super::session::Session;
-use super::viewport::Viewport;
+use super::viewport::{Export, Viewport};
 use super::wipe::Wipe;
 use super::{dock, inspector, problems, theme};
 use crate::diag::Diagnostic;
@@ -65,11 +65,12 @@ impl App {
         let library = Arc::new(Library::built_in().clone());
         let picture = render_state.map(|state| Picture::new(state, waker()));
         let wipe = Wipe::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
+        let viewport = Viewport::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         let cost = Cost::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         Self {
             session: Session::new(library, waker()),
             canvas: Canvas::default(),
-            viewport: Viewport::new(waker()),
+            viewport,
             code: Code::default(),
             picture,
             dialogs: Dialogs::new(waker()),
@@ -96,6 +97,16 @@ impl App {
     pub fn without_dialogs(mut self) -> Self {
         self.dialogs.is_silent = true;
         self
+    }
+
+    /// Writes the picture, in so many pixels, to a PNG file; what becomes of it is told in the status bar.
+    pub fn save_picture(&mut self, size: [u32; 2], path: &Path) {
+        self.viewport.export(&self.session, Export::Picture(size), path.to_owned());
+    }
+
+    /// Writes the look on a ball, so many pixels wide, to a PNG file, as an image for a LitSphere node.
+    pub fn bake_litsphere(&mut self, side: u32, path: &Path) {
+        self.viewport.export(&self.session, Export::LitSphere(side), path.to_owned());
     }
 
     /// The open look.
@@ -171,6 +182,11 @@ impl App {
         self.picture.as_ref().map_or(0, |picture| picture.wishes)
     }
 
+    /// How many times coarser than the screen the picture is; 1 at rest.
+    pub fn coarseness(&self) -> u32 {
+        self.picture.as_ref().map_or(1, Picture::coarseness)
+    }
+
     /// Opens a look and tells where that fails.
     pub fn open(&mut self, path: &Path) {
         self.message = (!self.session.open(path)).then(|| format!("{} could not be opened", path.display()));
@@ -207,6 +223,8 @@ impl App {
             Purpose::Open => Command::Open(Some(path)),
             Purpose::Save => Command::SaveTo(path),
             Purpose::Mesh => Command::ShowOn(Some(path)),
+            Purpose::Export(export) => Command::Export(export, Some(path)),
+            Purpose::Reference => Command::ShowReference(Some(path)),
         }));
         if let Some(again) = self.session.tick(ui.input(|input| input.time)) {
             ui.ctx().request_repaint_after(again);
@@ -217,6 +235,9 @@ impl App {
             self.apply(ui, command);
             // What was changed in this frame is seen in the next one.
             ui.ctx().request_repaint();
+        }
+        if let Some(picture) = self.picture.as_mut().filter(|_| ui.input(|input| input.pointer.any_down())) {
+            picture.hurry(&mut self.session);
         }
         self.close_or_stay(ui.ctx());
         self.set_title(ui.ctx());
@@ -426,6 +447,12 @@ impl App {
                 }
             }
             Command::ShowWire(wire) => self.session.show_wire(wire),
+            Command::Export(export, Some(path)) => self.viewport.export(&self.session, export, path),
+            Command::Export(export, None) => self.dialogs.ask(Purpose::Export(export), self.session.path()),
+            Command::CopyPicture => self.viewport.copy(&self.session, ui.pixels_per_point()),
+            Command::ShowReference(Some(path)) => self.viewport.show_reference(path),
+            Command::ShowReference(None) => self.dialogs.ask(Purpose::Reference, self.session.path()),
+            Command::Tell(message) => self.message = Some(message),
             Command::LeaveProbe => self.probe.escape(),
             Command::Copy(text) => ui.ctx().copy_text(text),
         }

@@ -3,6 +3,7 @@
 use eframe::egui;
 use std::path::PathBuf;
 
+use super::viewport::Export;
 use super::wire::ShownWire;
 use crate::document::Edit;
 use crate::ids::NodeId;
@@ -36,6 +37,14 @@ pub(crate) enum Command {
     LeaveProbe,
     /// Shows a wire in place of the picture, or the picture again.
     ShowWire(Option<ShownWire>),
+    /// Writes a picture to a file; asks for one where there is none.
+    Export(Export, Option<PathBuf>),
+    /// Copies the picture to the clipboard.
+    CopyPicture,
+    /// Shows an image with the picture; asks for one where there is none.
+    ShowReference(Option<PathBuf>),
+    /// Tells something in the status bar.
+    Tell(String),
     /// Copies text to the clipboard.
     Copy(String),
 }

@@ -123,6 +123,22 @@ impl Hand {
         self.drag_along(modifiers, &[from, to]);
     }
 
+    /// Presses and holds.
+    pub(crate) fn press(&mut self, at: Pos2) {
+        self.hover(at);
+        self.button(Modifiers::NONE, at, true);
+    }
+
+    /// Moves the pointer, in one frame.
+    pub(crate) fn move_to(&mut self, at: Pos2) {
+        self.event(Event::PointerMoved(at));
+    }
+
+    /// Lets go.
+    pub(crate) fn release(&mut self, at: Pos2) {
+        self.button(Modifiers::NONE, at, false);
+    }
+
     /// A drag through several points.
     pub(crate) fn drag_through(&mut self, points: &[Pos2]) {
         self.drag_along(Modifiers::NONE, points);

@@ -5,12 +5,14 @@ use eframe::egui::Ui;
 use std::path::Path;
 
 use super::super::command::Command;
-use super::super::probe::{Probe, wire_name};
+use super::super::probe::{Probe, picture_size, wire_name};
 use super::super::session::Session;
 use super::super::theme;
 use super::super::wipe::Wipe;
 use super::super::wire::node_at;
 use super::Viewport;
+use super::export::Export;
+use super::show::{self, Place};
 use crate::document::{Projection, Scene};
 use crate::frame::SHAPE_PREFIX;
 use crate::geometry::SHAPES;
@@ -28,7 +30,7 @@ impl Viewport {
         ui.horizontal(|ui| {
             mesh_choice(ui, session, out);
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                ui.menu_button("Options", |ui| self.options(ui, session))
+                ui.menu_button("Options", |ui| self.options(ui, session, out))
                     .response
                     .on_hover_text("Turntable, projection, backdrop, handles");
                 let mut is_on = probe.is_on();
@@ -44,7 +46,7 @@ impl Viewport {
         });
     }
 
-    fn options(&mut self, ui: &mut Ui, session: &mut Session) {
+    fn options(&mut self, ui: &mut Ui, session: &mut Session, out: &mut Vec<Command>) {
         ui.checkbox(&mut self.handles, "Handles on the object")
             .on_hover_text("Lines and handles of the selected layer and its light (H)");
         let help = "Turns the object before the camera, until it is switched off again (T)";
@@ -68,27 +70,102 @@ impl Viewport {
             session.view.reset();
         }
         ui.separator();
-        let mut own = session.view.backdrop.is_some();
+        self.display(ui, session);
+        self.reference_image(ui, out);
+        ui.separator();
+        self.exports(ui, out);
+    }
+
+    /// What changes how the picture is shown, in this window only.
+    fn display(&mut self, ui: &mut Ui, session: &mut Session) {
         let backdrop = Scene::default().backdrop.unwrap_or([0.0, 0.0, 0.0, 1.0]);
         ui.horizontal(|ui| {
-            if ui
-                .checkbox(&mut own, "Backdrop")
-                .on_hover_text("What is behind the object; for this window only")
-                .changed()
-            {
-                session.view.backdrop = own.then_some(backdrop);
+            let mut is_own = session.view.backdrop.is_some();
+            let help = "What is behind the object; for this window only";
+            let label = ui.checkbox(&mut is_own, "Backdrop").on_hover_text(help);
+            if label.changed() {
+                session.view.backdrop = is_own.then_some(backdrop);
             }
             if let Some(color) = &mut session.view.backdrop {
                 let mut rgb = [0, 1, 2].map(|channel| (color[channel].clamp(0.0, 1.0) * 255.0).round() as u8);
-                let response = ui.color_edit_button_srgb(&mut rgb);
-                if response.changed() {
+                if ui.color_edit_button_srgb(&mut rgb).labelled_by(label.id).changed() {
                     let [r, g, b] = rgb.map(|channel| f64::from(channel) / 255.0);
                     *color = [r, g, b, 1.0];
                 }
             }
         });
+        ui.horizontal(|ui| {
+            let label = ui.label("Exposure");
+            let range = -show::MOST_STOPS..=show::MOST_STOPS;
+            let help = "Shows the picture brighter or darker, in stops; for this window only, the look stays as it is";
+            let slider = egui::Slider::new(&mut self.exposure, range).max_decimals(2).step_by(0.05);
+            ui.add(slider).labelled_by(label.id).on_hover_text(help);
+            if self.exposure != 0.0 && ui.small_button("0").on_hover_text("As it is").clicked() {
+                self.exposure = 0.0;
+            }
+        });
+    }
+
+    fn reference_image(&mut self, ui: &mut Ui, out: &mut Vec<Command>) {
+        let Some(reference) = &mut self.reference else {
+            let help = "Shows an image to work from, beside the picture or over it";
+            if ui.button("Reference image...").on_hover_text(help).clicked() {
+                out.push(Command::ShowReference(None));
+            }
+            return;
+        };
+        let mut is_over = false;
+        ui.horizontal(|ui| {
+            ui.label(&reference.name);
+            ui.selectable_value(&mut reference.place, Place::Beside, "Beside");
+            ui.selectable_value(&mut reference.place, Place::Over, "Over");
+            is_over = ui.button("Take away").clicked();
+        });
+        if reference.place == Place::Over {
+            ui.horizontal(|ui| {
+                let label = ui.label("Opacity of the image");
+                ui.add(egui::Slider::new(&mut reference.opacity, 0.0..=1.0)).labelled_by(label.id);
+            });
+        }
+        if is_over {
+            self.reference = None;
+        }
+    }
+
+    fn exports(&mut self, ui: &mut Ui, out: &mut Vec<Command>) {
+        if ui.button("Copy picture").on_hover_text("To the clipboard, as large as it is here").clicked() {
+            out.push(Command::CopyPicture);
+            ui.close();
+        }
+        ui.horizontal(|ui| {
+            let own = self.rect.map_or([800, 800], |rect| picture_size(rect, ui.pixels_per_point()));
+            let height = ui.label("Save picture");
+            for (label, factor) in [("1×", 1), ("2×", 2), ("4×", 4)] {
+                let size = own.map(|side| (side * factor).clamp(1, MOST_SIDE));
+                let help = format!("As PNG, {} by {} pixels", size[0], size[1]);
+                let button = ui.button(label).labelled_by(height.id).on_hover_text(help);
+                if button.clicked() {
+                    out.push(Command::Export(Export::Picture(size), None));
+                    ui.close();
+                }
+            }
+        });
+        ui.horizontal(|ui| {
+            let help = "Draws the look on a ball, from here and lit as here, as an image for the LitSphere node and for \
+                        other programs (a matcap). Curvature is then the ball's.";
+            if ui.button("Bake to LitSphere...").on_hover_text(help).clicked() {
+                out.push(Command::Export(Export::LitSphere(self.bake_side), None));
+                ui.close();
+            }
+            for side in [256, 512, 1024, 2048] {
+                ui.selectable_value(&mut self.bake_side, side, side.to_string()).on_hover_text("Pixels along a side");
+            }
+        });
     }
 }
+
+/// The largest picture that is saved, in pixels along a side.
+const MOST_SIDE: u32 = 8192;
 
 fn mesh_choice(ui: &mut Ui, session: &mut Session, out: &mut Vec<Command>) {
     let label = ui.label("On");

@@ -4,18 +4,21 @@
 //! there, `lights` the handles of lights, and `strip` the values that have no place on the object.
 
 mod bar;
+mod export;
 mod field;
 mod isocurves;
 mod layer;
 mod lights;
+mod show;
 mod strip;
 mod surface;
 
 use eframe::egui;
 use eframe::egui::{
-    Color32, CursorIcon, Key, Modifiers, PointerButton, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo, pos2, vec2,
+    CursorIcon, Key, Modifiers, PointerButton, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2,
 };
 use glam::DVec3;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::command::Command;
@@ -25,8 +28,12 @@ use super::session::Session;
 use super::theme;
 use super::wipe::Wipe;
 use crate::document::Projection;
+use crate::render::Gpu;
+pub(crate) use export::Export;
+use export::{Destination, Done, Exports};
 use isocurves::Isocurves;
 use layer::{Curve, Layer};
+use show::{Place, Reference};
 use surface::{Key as SurfaceKey, Surface, Surfaces};
 
 /// How fast the turntable turns, in turns of the picture's height a second.
@@ -52,6 +59,12 @@ pub struct Viewport {
     /// Whether lines and handles are shown.
     handles: bool,
     turns: bool,
+    /// In stops; for this window only.
+    exposure: f32,
+    exports: Exports,
+    reference: Option<Reference>,
+    /// The side of baked images, in pixels.
+    bake_side: u32,
 }
 
 /// What is shown on the object this time.
@@ -62,15 +75,19 @@ struct Handles {
 
 impl Viewport {
     /// `wake` is called from another thread when there is something new to show.
-    pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
+    pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Clone + Send + 'static) -> Self {
         Self {
             drag: None,
             rect: None,
             hint: String::new(),
-            surfaces: Surfaces::new(wake),
+            surfaces: Surfaces::new(wake.clone()),
             isocurves: Isocurves::default(),
             handles: true,
             turns: false,
+            exposure: 0.0,
+            exports: Exports::new(gpu, wake),
+            reference: None,
+            bake_side: 512,
         }
     }
 
@@ -88,7 +105,10 @@ impl Viewport {
         self.bar(ui, session, probe, wipe, &mut out);
         bar::wire_bar(ui, session, &mut out);
         wipe.bar(ui, session);
-        let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
+        self.take_exports(ui, &mut out);
+        let (room, _) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
+        let (rect, beside) = self.reference.as_ref().map_or((room, None), |reference| reference.split(room));
+        let response = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Picture"));
         self.rect = Some(rect);
         let pointer = response.contains_pointer().then(|| ui.input(|input| input.pointer.hover_pos())).flatten();
@@ -97,11 +117,16 @@ impl Viewport {
         self.wheel_and_keys(ui, pointer, session);
         self.turn(ui, session);
         match picture {
-            Some(picture) => show_picture(ui, rect, session, picture),
+            Some(picture) => show_picture(ui, rect, session, picture, self.turns, self.exposure),
             None => {
                 ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
                 stand_in(ui, rect, session);
             }
+        }
+        match (&self.reference, beside) {
+            (Some(reference), Some(beside)) => reference.paint_beside(ui, beside),
+            (Some(reference), None) => reference.paint(ui, rect),
+            (None, _) => {}
         }
         wipe.update(ui, session, picture_size(rect, ui.pixels_per_point()));
         wipe.over(ui, rect);
@@ -323,12 +348,51 @@ impl Viewport {
         self.isocurves.middle(self.rect?)
     }
 
+    /// Writes a picture of what is shown.
+    pub(crate) fn export(&mut self, session: &Session, export: Export, path: PathBuf) {
+        self.exports.draw(export, session.still(), Destination::File(path));
+    }
+
+    /// Copies the picture to the clipboard, as large as it is on the screen.
+    pub(crate) fn copy(&mut self, session: &Session, scale: f32) {
+        let size = self.rect.map_or([1, 1], |rect| picture_size(rect, scale)).map(|side| side.max(1));
+        self.exports.draw(Export::Picture(size), session.still(), Destination::Clipboard);
+    }
+
+    /// Shows an image with the picture.
+    pub(crate) fn show_reference(&mut self, path: PathBuf) {
+        self.exports.read(path);
+    }
+
+    fn take_exports(&mut self, ui: &Ui, out: &mut Vec<Command>) {
+        for done in self.exports.answers() {
+            out.push(Command::Tell(match done {
+                Done::Saved(path) => format!("Saved {}", path.display()),
+                Done::Copied(image) => {
+                    ui.ctx().copy_image(image);
+                    "The picture is in the clipboard".to_owned()
+                }
+                Done::Read(path, image) => {
+                    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+                    let texture = ui.ctx().load_texture("reference", image, egui::TextureOptions::LINEAR);
+                    let (place, opacity) =
+                        self.reference.as_ref().map_or((Place::Beside, 0.5), |old| (old.place, old.opacity));
+                    let message = format!("{name} is shown with the picture; Options takes it away");
+                    self.reference = Some(Reference { name, texture, place, opacity });
+                    message
+                }
+                Done::Failed(problem) => problem.message,
+            }));
+        }
+    }
+
     pub(crate) fn is_busy(&self) -> bool {
-        self.surfaces.is_busy()
+        self.surfaces.is_busy() || self.exports.is_busy()
     }
 
     pub(crate) fn wait(&self) {
         self.surfaces.wait();
+        self.exports.wait();
     }
 }
 
@@ -344,13 +408,13 @@ fn probe_hint(probe: &Probe) -> &'static str {
     }
 }
 
-fn show_picture(ui: &Ui, rect: Rect, session: &mut Session, picture: &mut Picture) {
+fn show_picture(ui: &Ui, rect: Rect, session: &mut Session, picture: &mut Picture, turns: bool, stops: f32) {
     let size = picture_size(rect, ui.pixels_per_point());
-    let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-    match picture.update(session, size) {
+    let (is_held, dt) = ui.input(|input| (input.pointer.any_down(), input.unstable_dt));
+    match picture.update(session, size, is_held || turns, dt) {
         Some(texture) => {
             ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
-            ui.painter().image(texture, rect, uv, Color32::WHITE);
+            show::paint_exposed(ui, texture, rect, stops);
         }
         None => {
             ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
