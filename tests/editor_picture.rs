@@ -196,6 +196,54 @@ fn what_a_hand_does_is_in_the_frame_that_follows() {
     assert_eq!(hand.app().coarseness(), 1, "at rest the picture is whole");
 }
 
+#[test]
+fn an_image_is_held_beside_the_picture_and_over_it() {
+    let mut hand = window();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("paint.png");
+    image::RgbaImage::from_pixel(8, 8, image::Rgba([250, 20, 10, 255])).save(&path).unwrap();
+    let room = hand.app().viewport().rect().unwrap();
+    hand.app_mut().show_reference(&path);
+    hand.settle();
+    let rect = hand.app().viewport().rect().unwrap();
+    assert!((rect.width() - room.width() / 2.0).abs() < 1.0, "the picture has the right half");
+    let at = room.left_center() + vec2(room.width() / 4.0, 0.0);
+    let color = |hand: &mut Hand| hand.harness.render().unwrap().get_pixel(at.x as u32, at.y as u32).0;
+    assert_eq!(color(&mut hand), [250, 20, 10, 255]);
+    let options = hand.harness.get_by_label("Options").rect().center();
+    hand.click(options);
+    let over = hand.harness.get_by_label("Over").rect().center();
+    hand.click(over);
+    assert!(hand.harness.query_by_label("Opacity of the image").is_some(), "the menu stays open");
+    hand.settle();
+    assert_eq!(hand.app().viewport().rect().unwrap().width(), room.width());
+    let away = hand.harness.get_by_label("Take away").rect().center();
+    hand.click(away);
+    hand.settle();
+    assert!(color(&mut hand)[0] < 200);
+}
+
+#[test]
+fn exposure_changes_what_is_shown_and_not_the_look() {
+    let mut hand = window();
+    hand.app_mut().show_on("shape:sphere");
+    hand.settle();
+    let dim = middle_row(&mut hand);
+    let options = hand.harness.get_by_label("Options").rect().center();
+    hand.click(options);
+    let sliders = hand.harness.get_all_by_label("Exposure").map(|node| node.rect());
+    let slider = sliders.max_by(|a, b| a.width().total_cmp(&b.width())).unwrap();
+    hand.click(slider.left_center() + vec2(slider.width() * 0.625, 0.0));
+    hand.click(options);
+    hand.settle();
+    let bright = middle_row(&mut hand);
+    let middle = dim.len() / 2;
+    // Half of the way from 0 to 4 stops on the right is 1 stop: about 2^(1 / 2.2) of what is shown.
+    let gain = f64::from(bright[middle][1]) / f64::from(dim[middle][1]);
+    assert!((1.25..1.5).contains(&gain), "{gain}");
+    assert!(!hand.app().session().is_dirty());
+}
+
 /// Times in milliseconds, in order.
 fn told(what: &str, mut times: Vec<f64>) {
     times.sort_by(f64::total_cmp);

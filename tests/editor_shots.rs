@@ -10,7 +10,7 @@ use std::sync::Arc;
 use chiaro::editor::App;
 use chiaro::render::device_descriptor;
 use editor_support::Hand;
-use eframe::egui::{Role, Theme, vec2};
+use eframe::egui::{Key, Role, Theme, vec2};
 use eframe::egui_wgpu::WgpuSetup;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;

@@ -11,7 +11,7 @@ use super::canvas::Canvas;
 use super::code::Code;
 use super::command::Command;
 use super::cost::Cost;
-use super::dialogs::{Dialogs, MESHES, Purpose};
+use super::dialogs::{Dialogs, IMAGES, MESHES, Purpose};
 use super::dock::Dock;
 use super::dock::effects::Effects;
 use super::picture::Picture;
@@ -107,6 +107,11 @@ impl App {
     /// Writes the look on a ball, so many pixels wide, to a PNG file, as an image for a LitSphere node.
     pub fn bake_litsphere(&mut self, side: u32, path: &Path) {
         self.viewport.export(&self.session, Export::LitSphere(side), path.to_owned());
+    }
+
+    /// Shows an image beside the picture, to work from.
+    pub fn show_reference(&mut self, path: &Path) {
+        self.viewport.show_reference(path.to_owned());
     }
 
     /// The open look.
@@ -217,7 +222,11 @@ impl App {
         let dropped = ui.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_path_buf()));
         commands.extend(dropped.map(|path| {
             let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_lowercase();
-            if MESHES.contains(&ending.as_str()) { Command::ShowOn(Some(path)) } else { Command::Open(Some(path)) }
+            match ending.as_str() {
+                mesh if MESHES.contains(&mesh) => Command::ShowOn(Some(path)),
+                image if IMAGES.contains(&image) => Command::ShowReference(Some(path)),
+                _ => Command::Open(Some(path)),
+            }
         }));
         commands.extend(self.dialogs.answers().map(|(purpose, path)| match purpose {
             Purpose::Open => Command::Open(Some(path)),

@@ -22,6 +22,9 @@ pub(crate) enum Purpose {
 /// The endings of meshes that can be read.
 pub(crate) const MESHES: [&str; 5] = ["obj", "ply", "stl", "gltf", "glb"];
 
+/// The endings of images that can be read.
+pub(crate) const IMAGES: [&str; 5] = ["png", "jpg", "jpeg", "exr", "hdr"];
+
 /// Dialogs that are open, and what became of them.
 pub(crate) struct Dialogs {
     answers: Arc<Mutex<Vec<(Purpose, PathBuf)>>>,
@@ -46,7 +49,7 @@ impl Dialogs {
             Purpose::Open | Purpose::Save => dialog.add_filter("Chiaro look", &["json"]),
             Purpose::Mesh => dialog.add_filter("Mesh", &MESHES),
             Purpose::Export(_) => dialog.add_filter("PNG", &["png"]),
-            Purpose::Reference => dialog.add_filter("Image", &["png", "jpg", "jpeg", "exr", "hdr"]),
+            Purpose::Reference => dialog.add_filter("Image", &IMAGES),
         };
         if let Some(folder) = near.and_then(Path::parent).filter(|folder| folder.is_dir()) {
             dialog = dialog.set_directory(folder);

@@ -1,7 +1,8 @@
 //! What is above the picture: the mesh that the look is seen on, and how it is seen.
 
 use eframe::egui;
-use eframe::egui::Ui;
+use eframe::egui::containers::menu::{MenuButton, MenuConfig};
+use eframe::egui::{PopupCloseBehavior, Ui};
 use std::path::Path;
 
 use super::super::command::Command;
@@ -30,9 +31,9 @@ impl Viewport {
         ui.horizontal(|ui| {
             mesh_choice(ui, session, out);
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                ui.menu_button("Options", |ui| self.options(ui, session, out))
-                    .response
-                    .on_hover_text("Turntable, projection, backdrop, handles");
+                let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+                let (menu, _) = MenuButton::new("Options").config(stays).ui(ui, |ui| self.options(ui, session, out));
+                menu.on_hover_text("Turntable, projection, backdrop, exposure, reference image, saving");
                 let mut is_on = probe.is_on();
                 let help = "Reads the value on every wire at a pixel, f32 beside f64 (I)";
                 if ui.toggle_value(&mut is_on, "Probe pixel").on_hover_text(help).changed() {
