@@ -265,7 +265,7 @@ fn kappa(surface: &Surface) -> Result<Vec<f32>, Diagnostic> {
         dropped: Vec::new(),
     };
     let modules = Modules::new(&plan, Precision::F64)?;
-    let shader = modules.curvature(&plan, &normals, &depths)?;
+    let shader = modules.curvature(&plan, &PassKind::Curvature, &normals, &depths)?;
     let texels = shade_all(size, 1, shader.as_ref(), &Options::default(), &Control::none())?;
     Ok(texels.values.iter().map(|&x| x as f32).collect())
 }
