@@ -11,7 +11,7 @@ use super::canvas::Canvas;
 use super::code::Code;
 use super::command::Command;
 use super::cost::Cost;
-use super::dialogs::{Dialogs, MESHES, Purpose};
+use super::dialogs::{Dialogs, IMAGES, MESHES, Purpose};
 use super::dock::Dock;
 use super::dock::effects::Effects;
 use super::picture::Picture;
@@ -22,7 +22,7 @@ use super::session::Session;
 use super::settings::Settings;
 use super::sheet::Sheet;
 use super::shortcuts::{self, Action, Place};
-use super::viewport::Viewport;
+use super::viewport::{Export, Viewport};
 use super::wipe::Wipe;
 use super::{dock, inspector, problems, theme};
 use crate::diag::Diagnostic;
@@ -72,11 +72,12 @@ impl App {
         let library = Arc::new(Library::built_in().clone());
         let picture = render_state.map(|state| Picture::new(state, waker()));
         let wipe = Wipe::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
+        let viewport = Viewport::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         let cost = Cost::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         Self {
             session: Session::new(library, waker()),
             canvas: Canvas::default(),
-            viewport: Viewport::default(),
+            viewport,
             code: Code::default(),
             picture,
             dialogs: Dialogs::new(waker()),
@@ -145,6 +146,21 @@ impl App {
         self
     }
 
+    /// Writes the picture, in so many pixels, to a PNG file; what becomes of it is told in the status bar.
+    pub fn save_picture(&mut self, size: [u32; 2], path: &Path) {
+        self.viewport.export(&self.session, Export::Picture(size), path.to_owned());
+    }
+
+    /// Writes the look on a ball, so many pixels wide, to a PNG file, as an image for a LitSphere node.
+    pub fn bake_litsphere(&mut self, side: u32, path: &Path) {
+        self.viewport.export(&self.session, Export::LitSphere(side), path.to_owned());
+    }
+
+    /// Shows an image beside the picture, to work from.
+    pub fn show_reference(&mut self, path: &Path) {
+        self.viewport.show_reference(path.to_owned());
+    }
+
     /// The open look.
     pub fn session(&self) -> &Session {
         &self.session
@@ -197,7 +213,7 @@ impl App {
 
     /// Whether shaders, pictures or values are being made.
     pub fn is_busy(&self) -> bool {
-        let is_drawing = self.picture.as_ref().is_some_and(Picture::is_busy);
+        let is_drawing = self.picture.as_ref().is_some_and(Picture::is_busy) || self.viewport.is_busy();
         is_drawing
             || self.session.is_compiling()
             || self.canvas.is_busy()
@@ -211,6 +227,7 @@ impl App {
         self.session.wait();
         self.canvas.wait();
         self.probe.wait();
+        self.viewport.wait();
         self.wipe.wait();
         self.cost.wait();
         if let Some(picture) = &self.picture {
@@ -221,6 +238,11 @@ impl App {
     /// How many pictures were asked for.
     pub fn pictures(&self) -> u64 {
         self.picture.as_ref().map_or(0, |picture| picture.wishes)
+    }
+
+    /// How many times coarser than the screen the picture is; 1 at rest.
+    pub fn coarseness(&self) -> u32 {
+        self.picture.as_ref().map_or(1, Picture::coarseness)
     }
 
     /// Opens a look and tells where that fails.
@@ -267,12 +289,18 @@ impl App {
         let dropped = ui.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_path_buf()));
         commands.extend(dropped.map(|path| {
             let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_lowercase();
-            if MESHES.contains(&ending.as_str()) { Command::ShowOn(Some(path)) } else { Command::Open(Some(path)) }
+            match ending.as_str() {
+                mesh if MESHES.contains(&mesh) => Command::ShowOn(Some(path)),
+                image if IMAGES.contains(&image) => Command::ShowReference(Some(path)),
+                _ => Command::Open(Some(path)),
+            }
         }));
         commands.extend(self.dialogs.answers().map(|(purpose, path)| match purpose {
             Purpose::Open => Command::Open(Some(path)),
             Purpose::Save => Command::SaveTo(path),
             Purpose::Mesh => Command::ShowOn(Some(path)),
+            Purpose::Export(export) => Command::Export(export, Some(path)),
+            Purpose::Reference => Command::ShowReference(Some(path)),
         }));
         if let Some(again) = self.session.tick(ui.input(|input| input.time)) {
             ui.ctx().request_repaint_after(again);
@@ -296,6 +324,8 @@ impl App {
         if !is_held {
             let layout = self.safety.remembers().then(|| self.dock.changed()).flatten();
             self.safety.remember(ui.ctx(), layout);
+        } else if let Some(picture) = &mut self.picture {
+            picture.hurry(&mut self.session);
         }
         self.close_or_stay(ui.ctx());
         self.set_title(ui.ctx());
@@ -331,7 +361,7 @@ impl App {
         commands.extend(match panel {
             dock::Panel::Picture => {
                 let Self { viewport, session, picture, probe, wipe, .. } = self;
-                viewport.show(ui, session, picture.as_mut(), probe, wipe).into_iter().collect()
+                viewport.show(ui, session, picture.as_mut(), probe, wipe)
             }
             dock::Panel::Graph => self.canvas.show(ui, &self.session),
             dock::Panel::Inspector => inspector::show(ui, &self.session),
@@ -512,6 +542,11 @@ impl App {
                 }
             }
             Command::ShowWire(wire) => self.session.show_wire(wire),
+            Command::Export(export, Some(path)) => self.viewport.export(&self.session, export, path),
+            Command::Export(export, None) => self.dialogs.ask(Purpose::Export(export), self.session.path()),
+            Command::CopyPicture => self.viewport.copy(&self.session, ui.pixels_per_point()),
+            Command::ShowReference(Some(path)) => self.viewport.show_reference(path),
+            Command::ShowReference(None) => self.dialogs.ask(Purpose::Reference, self.session.path()),
             Command::LeaveProbe => self.probe.escape(),
             Command::Copy(text) => ui.ctx().copy_text(text),
             Command::Safety(wish) => self.message = self.safety.apply(wish, &mut self.session),

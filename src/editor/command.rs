@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use super::safety::Wish;
 use super::shortcuts::Action;
+use super::viewport::Export;
 use super::wire::ShownWire;
 use crate::document::Edit;
 use crate::ids::{NodeId, NodePath};
@@ -46,6 +47,12 @@ pub(crate) enum Command {
     Tell(String),
     /// Does what a key, a menu or the command palette asks for.
     Act(Action),
+    /// Writes a picture to a file; asks for one where there is none.
+    Export(Export, Option<PathBuf>),
+    /// Copies the picture to the clipboard.
+    CopyPicture,
+    /// Shows an image with the picture; asks for one where there is none.
+    ShowReference(Option<PathBuf>),
     /// Copies text to the clipboard.
     Copy(String),
     /// What the bar of unsaved work and changed files asks for.

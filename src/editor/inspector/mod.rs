@@ -1,6 +1,6 @@
 //! The inspector: everything of the selected node that can be set, with names, units and help.
 
-mod color;
+pub(super) mod color;
 mod curve;
 mod interface;
 mod light;
