@@ -314,3 +314,51 @@ fn any_wire_is_shown_in_place_of_the_picture() {
     click_label(&mut hand, "Show the look");
     assert_eq!(middle(&mut hand), grey);
 }
+
+/// The wires inside of groups too: the probe lists them, and a right click shows one.
+#[test]
+fn a_wire_inside_a_group_is_shown_in_place_of_the_picture() {
+    let mut hand = window();
+    hand.app_mut().show_on("shape:sphere");
+    hand.settle();
+    hand.key(Key::I);
+    // The shaded side, down to the right, also where a line above the picture makes it smaller.
+    let place = |hand: &Hand| picture(hand).center() + vec2(0.12, 0.1) * picture(hand).height();
+    let at = place(&hand);
+    hand.click(at);
+    hand.settle();
+    let path = "diffuse/tone";
+    let tone =
+        hand.app().probe().wires().iter().rfind(|wire| wire.node.to_string() == path).expect("the tone").double[0];
+    assert!(tone > 0.05 && tone < 0.95, "{tone}");
+    hand.harness.get_all_by_label(&format!("Wire of {path}")).last().unwrap().click_secondary();
+    hand.settle();
+    click_label(&mut hand, "Show Tone as color");
+    hand.key(Key::Escape);
+    hand.key(Key::Escape);
+    hand.harness.remove_cursor();
+    let at = place(&hand);
+    let grey = color_at(&mut hand, at);
+    let expected = (tone * 255.0).round() as u8;
+    assert!(grey[..3].iter().all(|c| c.abs_diff(expected) <= 8), "{grey:?} for {tone}");
+    assert!(hand.harness.query_by_label("Showing Tone of Diffuse / tone as color").is_some());
+    assert!(!hand.app().session().is_dirty() && hand.app().session().problems().is_empty());
+    for style in ["heat", "isolines"] {
+        hand.key(Key::I);
+        hand.click(at);
+        hand.settle();
+        hand.harness.get_all_by_label(&format!("Wire of {path}")).last().unwrap().click_secondary();
+        hand.settle();
+        click_label(&mut hand, &format!("Show Tone as {style}"));
+        hand.settle();
+        assert!(hand.app().session().problems().is_empty(), "{:?}", hand.app().session().problems());
+        assert_ne!(color_at(&mut hand, at), grey, "{style}");
+        hand.key(Key::Escape);
+        hand.key(Key::Escape);
+    }
+}
+
+fn color_at(hand: &mut Hand, at: eframe::egui::Pos2) -> [u8; 4] {
+    hand.settle();
+    hand.harness.render().unwrap().get_pixel(at.x as u32, at.y as u32).0
+}

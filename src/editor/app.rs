@@ -7,20 +7,22 @@ use std::sync::Arc;
 
 use eframe::egui::{Key, KeyboardShortcut, Modifiers, Panel, RichText, Ui, ViewportCommand};
 
-use super::canvas::Canvas;
+use super::canvas::{Canvas, edits};
 use super::code::Code;
 use super::command::Command;
 use super::cost::Cost;
 use super::dialogs::{Dialogs, MESHES, Purpose};
 use super::dock::Dock;
 use super::dock::effects::Effects;
+use super::panels::{Panels, library, problems};
 use super::picture::Picture;
 use super::probe::{Probe, picture_size};
 use super::session::Session;
 use super::viewport::Viewport;
 use super::wipe::Wipe;
-use super::{dock, inspector, problems, theme};
+use super::{dock, inspector, theme};
 use crate::diag::Diagnostic;
+use crate::document::Edit;
 use crate::library::Library;
 
 /// The window's state.
@@ -36,6 +38,7 @@ pub struct App {
     probe: Probe,
     wipe: Wipe,
     cost: Cost,
+    panels: Panels,
     /// What is done once unsaved changes are dealt with.
     pending: Option<Pending>,
     /// What went wrong with a file or an edit, until the next command.
@@ -50,6 +53,7 @@ pub struct App {
 enum Pending {
     New,
     Open(PathBuf),
+    Example(usize),
     Close,
 }
 
@@ -66,6 +70,7 @@ impl App {
         let picture = render_state.map(|state| Picture::new(state, waker()));
         let wipe = Wipe::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         let cost = Cost::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
+        let panels = Panels::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         Self {
             session: Session::new(library, waker()),
             canvas: Canvas::default(),
@@ -78,6 +83,7 @@ impl App {
             probe: Probe::new(waker()),
             wipe,
             cost,
+            panels,
             pending: None,
             message: None,
             presses: 0,
@@ -144,7 +150,8 @@ impl App {
     /// Whether shaders, pictures or values are being made.
     pub fn is_busy(&self) -> bool {
         let is_drawing = self.picture.as_ref().is_some_and(Picture::is_busy);
-        is_drawing || self.session.is_compiling() || self.probe.is_busy() || self.wipe.is_busy() || self.cost.is_busy()
+        let others = self.probe.is_busy() || self.wipe.is_busy() || self.cost.is_busy() || self.panels.is_busy();
+        is_drawing || self.session.is_compiling() || others
     }
 
     /// Waits for them; for tests.
@@ -153,6 +160,7 @@ impl App {
         self.probe.wait();
         self.wipe.wait();
         self.cost.wait();
+        self.panels.wait();
         if let Some(picture) = &self.picture {
             picture.wait();
         }
@@ -219,15 +227,10 @@ impl App {
         if let Some(picture) = &self.picture {
             self.session.set_picture_problems(&picture.problems);
         }
-        let problems: Vec<Diagnostic> = self.session.all_problems().cloned().collect();
         Panel::bottom("status").frame(theme::panel(ui)).resizable(false).show(ui, |ui| {
-            let listed: Vec<&Diagnostic> = problems.iter().collect();
-            if !listed.is_empty() {
-                commands.extend(problems::show(ui, &listed));
-                ui.add_space(2.0);
-            }
-            self.status(ui);
+            commands.extend(self.status(ui));
         });
+        self.panels.update(ui, &self.session);
         if let Some(picture) = &mut self.picture {
             picture.tells_effects = self.dock.shows(dock::Panel::Effects);
         }
@@ -245,7 +248,13 @@ impl App {
                 let Self { viewport, session, picture, probe, wipe, .. } = self;
                 viewport.show(ui, session, picture.as_mut(), probe, wipe).into_iter().collect()
             }
-            dock::Panel::Graph => self.canvas.show(ui, &self.session),
+            dock::Panel::Graph => {
+                let rect = ui.max_rect();
+                let mut commands = self.canvas.show(ui, &self.session);
+                let dropped = library::dropped(ui, rect);
+                commands.extend(dropped.map(|(kind, at)| Command::AddNode { kind, at: Some(at) }));
+                commands
+            }
             dock::Panel::Inspector => inspector::show(ui, &self.session),
             dock::Panel::Code => self.code.show(ui, &self.session),
             dock::Panel::Effects => self.effects.show(ui, self.picture.as_ref().map(|picture| &picture.effects)),
@@ -254,6 +263,7 @@ impl App {
                 self.cost.show(ui, &self.session, size)
             }
             dock::Panel::Probe => self.probe.show(ui, &self.session),
+            other => self.panels.show(ui, other, &self.session),
         });
     }
 
@@ -324,16 +334,19 @@ impl App {
         });
     }
 
-    fn status(&self, ui: &mut Ui) {
+    fn status(&self, ui: &mut Ui) -> Option<Command> {
         let hint =
             [self.viewport.hint(), self.canvas.hint()].into_iter().find(|hint| !hint.is_empty()).unwrap_or_default();
         ui.horizontal(|ui| {
+            let command = problems::status(ui, &self.session);
             if let Some(message) = &self.message {
                 ui.label(RichText::new(message).color(theme::of(ui).accent));
                 ui.separator();
             }
             ui.add(egui::Label::new(RichText::new(hint).color(theme::of(ui).dim)).truncate());
-        });
+            command
+        })
+        .inner
     }
 
     fn document_name(&self) -> String {
@@ -419,8 +432,21 @@ impl App {
             }
             Command::ShowWire(wire) => self.session.show_wire(wire),
             Command::LeaveProbe => self.probe.escape(),
+            Command::Solo(solo) => self.session.set_solo(solo),
+            Command::ShowPanel(panel) => self.dock.open(panel),
+            Command::GoTo(place) => self.session.go_to(place),
+            Command::AddNode { kind, at } => self.add_node(&kind, at),
+            Command::OpenExample(index) => self.do_or_ask(Pending::Example(index)),
             Command::Copy(text) => ui.ctx().copy_text(text),
         }
+    }
+
+    fn add_node(&mut self, kind: &str, at: Option<egui::Pos2>) {
+        let Some(kind) = self.session.catalog.all().find(|known| known.id == kind).cloned() else { return };
+        let at = self.canvas.place_for(at);
+        let (id, edits) = edits::add(self.session.look(), &kind, at);
+        self.tell(|session| session.apply(Edit::Group { edits }, None));
+        self.session.select(vec![id]);
     }
 
     fn tell(&mut self, edit: impl FnOnce(&mut Session) -> Result<(), Box<Diagnostic>>) {
@@ -452,6 +478,10 @@ impl App {
         match self.pending.take() {
             Some(Pending::New) => self.session.start_new(),
             Some(Pending::Open(path)) => self.open(&path),
+            Some(Pending::Example(index)) => {
+                let (name, text) = library::EXAMPLES[index];
+                self.session.start_from(text, name);
+            }
             Some(Pending::Close) => self.closes = true,
             None => {}
         }

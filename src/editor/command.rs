@@ -3,6 +3,8 @@
 use eframe::egui;
 use std::path::PathBuf;
 
+use super::dock::Panel;
+use super::panels::solo::Solo;
 use super::wire::ShownWire;
 use crate::document::Edit;
 use crate::ids::NodeId;
@@ -36,6 +38,19 @@ pub(crate) enum Command {
     LeaveProbe,
     /// Shows a wire in place of the picture, or the picture again.
     ShowWire(Option<ShownWire>),
+    /// Shows layers or lights alone, or leaves lights out; the document stays as it is.
+    Solo(Solo),
+    /// Brings a panel to the front.
+    ShowPanel(Panel),
+    /// Takes steps back, or repeats them, until so many are done.
+    GoTo(usize),
+    /// Adds a node of a kind at a place of the screen, or in the middle of the canvas.
+    AddNode {
+        kind: String,
+        at: Option<egui::Pos2>,
+    },
+    /// Begins a new look with an example of the library, by its number.
+    OpenExample(usize),
     /// Copies text to the clipboard.
     Copy(String),
 }

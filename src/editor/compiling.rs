@@ -30,6 +30,8 @@ pub(crate) struct Request {
     pub(crate) library: Arc<Library>,
     /// Whether only the baked shader is wanted, because the live one still serves.
     pub(crate) only_baked: bool,
+    /// Which solo it is shown in.
+    pub(crate) solo: u64,
 }
 
 /// What became of a request.
@@ -60,7 +62,7 @@ pub(crate) fn start(wake: impl Fn() + Send + 'static) -> Compiler {
 }
 
 fn compile(request: &Request) -> Result<Shaders, Vec<Diagnostic>> {
-    let shown = request.wire.as_ref().map(|(wire, ty)| wire.of(&request.look, ty.as_ref()));
+    let shown = request.wire.as_ref().map(|(wire, ty)| wire.of(&request.look, &request.library, ty.as_ref()));
     let (look, root) = match &shown {
         Some((look, root)) => (look, Some(root)),
         None => (&*request.look, None),

@@ -14,9 +14,9 @@ mod dialogs;
 mod dock;
 mod inspector;
 mod orbit;
+mod panels;
 mod picture;
 mod probe;
-mod problems;
 pub mod session;
 mod still;
 mod theme;
@@ -38,6 +38,8 @@ pub use probe::Probe;
 pub use session::Session;
 pub use viewport::Viewport;
 pub use wipe::Wipe;
+
+use panels::problems;
 
 use crate::diag::Diagnostic;
 

@@ -8,11 +8,13 @@ use glam::DVec3;
 use std::path::Path;
 
 use super::command::Command;
+use super::panels::solo;
 use super::picture::Picture;
-use super::probe::{Probe, picture_size};
+use super::probe::{Probe, picture_size, wire_name};
 use super::session::Session;
 use super::theme;
 use super::wipe::Wipe;
+use super::wire::node_at;
 use crate::geometry::SHAPES;
 
 /// What a drag that is going on does.
@@ -43,7 +45,7 @@ impl Viewport {
         wipe: &mut Wipe,
     ) -> Option<Command> {
         let command = self.bar(ui, session, probe, wipe);
-        let command = command.or(wire_bar(ui, session));
+        let command = command.or(wire_bar(ui, session)).or(solo::bar(ui, session));
         wipe.bar(ui, session);
         let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Picture"));
@@ -197,9 +199,9 @@ impl Viewport {
 /// Says that a wire is shown in place of the picture, and leads back.
 fn wire_bar(ui: &mut Ui, session: &Session) -> Option<Command> {
     let wire = session.wire()?;
-    let node = session.look().graph.nodes.get(&wire.node)?;
+    let node = node_at(session.look(), &session.library, wire.node.ids())?;
     let kind = session.catalog.of(node);
-    let name = if node.name.is_empty() { kind.map_or("", |kind| &kind.label) } else { &node.name };
+    let name = wire_name(session, &wire.node);
     let port = kind.and_then(|kind| Some(&*kind.outputs[kind.output(wire.port.as_str())?].label)).unwrap_or_default();
     let mut command = None;
     ui.horizontal(|ui| {

@@ -4,9 +4,9 @@
 //! node of the window's own behind that output, in a copy of the look.
 
 use super::catalog::Catalog;
-use crate::document::{Endpoint, Look, Node, Value, Wire};
-use crate::ids::{NodeId, NodePath, PortName};
-use crate::library::Type;
+use crate::document::{Definition, Endpoint, InterfacePort, Look, Node, Value, Wire};
+use crate::ids::{GROUP_OUTPUTS, NodeId, NodePath, PortName};
+use crate::library::{Library, Type};
 
 /// The node that colours what is shown; no slug of a name begins so.
 const SHOWN: &str = "chiaro-shown";
@@ -44,30 +44,68 @@ impl Style {
 /// A wire that is shown in place of the picture.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ShownWire {
-    pub(crate) node: NodeId,
+    pub(crate) node: NodePath,
     pub(crate) port: PortName,
     pub(crate) style: Style,
 }
 
 impl ShownWire {
     /// A look in which there is such an output, and that output.
-    pub(crate) fn of(&self, look: &Look, ty: Option<&Type>) -> (Look, (NodePath, PortName)) {
+    pub(crate) fn of(&self, look: &Look, library: &Library, ty: Option<&Type>) -> (Look, (NodePath, PortName)) {
         let mut look = look.clone();
-        let own = (NodePath::root(self.node.clone()), self.port.clone());
+        let own = (self.node.clone(), self.port.clone());
         let Some(code) = ty.and_then(|ty| code(self.style, ty)) else { return (look, own) };
+        let Some(from) = led_out(&mut look, library, self.node.ids(), &self.port) else { return (look, own) };
         let mut node = Node { kind: "wgsl".to_owned(), ..Node::default() };
         node.values.insert("code".into(), Value::Text(code));
         look.graph.nodes.insert(SHOWN.into(), node);
-        let from = Endpoint::new(self.node.clone(), self.port.clone());
         look.graph.wires.push(Wire { from, to: Endpoint::new(SHOWN, "value") });
         (look, (NodePath::root(SHOWN.into()), "value".into()))
     }
 
     /// The type of what is shown.
-    pub(crate) fn ty(&self, look: &Look, catalog: &Catalog) -> Option<Type> {
-        let kind = catalog.of(look.graph.nodes.get(&self.node)?)?;
+    pub(crate) fn ty(&self, look: &Look, library: &Library, catalog: &Catalog) -> Option<Type> {
+        let kind = catalog.of(node_at(look, library, self.node.ids())?)?;
         Some(kind.outputs[kind.output(self.port.as_str())?].ty.clone())
     }
+}
+
+/// The definition of a group.
+fn group<'a>(look: &'a Look, library: &'a Library, kind: &str) -> Option<&'a Definition> {
+    let of_library = || library.groups.get(kind).map(|group| &group.definition);
+    look.definitions.get(kind).or_else(of_library)
+}
+
+/// The node that a path leads to, through groups.
+pub(crate) fn node_at<'a>(look: &'a Look, library: &'a Library, path: &[NodeId]) -> Option<&'a Node> {
+    let (first, inner) = path.split_first()?;
+    inner
+        .iter()
+        .try_fold(look.graph.nodes.get(first)?, |node, id| group(look, library, &node.kind)?.graph.nodes.get(id))
+}
+
+/// Leads an output of an inner node out to the look's own graph: each group on the way becomes, in this look, one of its
+/// own with an output more.
+fn led_out(look: &mut Look, library: &Library, path: &[NodeId], port: &PortName) -> Option<Endpoint> {
+    let mut from = Endpoint::new(path.last()?.clone(), port.clone());
+    let mut inner_kind: Option<String> = None;
+    for depth in (1..path.len()).rev() {
+        let holder = node_at(look, library, &path[..depth])?;
+        let mut definition = group(look, library, &holder.kind)?.clone();
+        if let Some(kind) = inner_kind.take() {
+            definition.graph.nodes.get_mut(&path[depth])?.kind = kind;
+        }
+        definition.outputs.push(InterfacePort { name: SHOWN.into(), ..InterfacePort::default() });
+        definition.graph.wires.push(Wire { from, to: Endpoint::new(GROUP_OUTPUTS, SHOWN) });
+        let kind = format!("{SHOWN}-{depth}");
+        look.definitions.insert(kind.as_str().into(), definition);
+        inner_kind = Some(kind);
+        from = Endpoint::new(path[depth - 1].clone(), SHOWN);
+    }
+    if let Some(kind) = inner_kind {
+        look.graph.nodes.get_mut(&path[0])?.kind = kind;
+    }
+    Some(from)
 }
 
 /// The colouring node's WGSL; `None` where a value is shown as it is.

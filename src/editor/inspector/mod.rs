@@ -10,12 +10,12 @@ use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
 
 use super::catalog::Kind;
 use super::command::Command;
-use super::session::Session;
 use super::panels::lights;
-use super::{theme, values};
+use super::session::Session;
 use super::wire::{ShownWire, Style};
+use super::{theme, values};
 use crate::document::{ColorSpace, Edit, GraphId, Node, Tier, Value};
-use crate::ids::NodeId;
+use crate::ids::{NodeId, NodePath};
 use crate::library::Type;
 
 /// What every part of the inspector works with.
@@ -131,7 +131,7 @@ fn shown_row(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: 
     if kind.outputs.is_empty() {
         return;
     }
-    let shown = session.wire().filter(|wire| wire.node == **id);
+    let shown = session.wire().filter(|wire| matches!(wire.node.ids(), [only] if only == *id));
     row::labelled(ui, "View wire", "Shows an output of this node in place of the picture", |ui, label| {
         let name = |port: &super::catalog::Port| port.label.to_string();
         let port = shown.and_then(|wire| kind.outputs.iter().find(|port| port.name == wire.port));
@@ -145,7 +145,7 @@ fn shown_row(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: 
                 if ui.selectable_label(is_it, &*port.label).clicked() {
                     let style = shown.map(|wire| wire.style).unwrap_or_default();
                     out.push(Command::ShowWire(Some(ShownWire {
-                        node: (*id).clone(),
+                        node: NodePath::root((*id).clone()),
                         port: port.name.clone(),
                         style,
                     })));

@@ -49,7 +49,7 @@ fn row(ui: &mut Ui, index: usize, place: usize, label: &str, last: usize, out: &
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width() - 8.0, ROW), Sense::click());
     let (is_here, is_undone) = (index == place, index > place);
     let name = format!("Step {index}: {label}");
-    response.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_here, name));
+    response.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_here, &name));
     row_ground(ui, rect, &response, is_here);
     let colors = theme::of(ui);
     let dot = pos2(rect.left() + 9.0, rect.center().y);
@@ -83,7 +83,9 @@ fn row(ui: &mut Ui, index: usize, place: usize, label: &str, last: usize, out: &
     }
     let help = match (is_here, is_undone) {
         (true, _) => "The look is as it was after this step".to_owned(),
-        (false, true) => format!("Repeats {} steps, up to this one. They are lost when something else is done.", index - place),
+        (false, true) => {
+            format!("Repeats {} steps, up to this one. They are lost when something else is done.", index - place)
+        }
         (false, false) => format!("Takes back {} steps, to what was after this one", place - index),
     };
     response.on_hover_text(help);

@@ -2,6 +2,7 @@
 //! the document: it is neither saved nor exported nor undone, and a bar over the picture says so for as long as it lasts.
 
 use std::borrow::Cow;
+use std::sync::Arc;
 
 use eframe::egui;
 use eframe::egui::{RichText, Ui};
@@ -43,6 +44,23 @@ impl Solo {
 
     /// The look as it is shown.
     pub(crate) fn of<'l>(&self, look: &'l Look, catalog: &Catalog) -> Cow<'l, Look> {
+        let mut shown = self.alone(look, catalog);
+        self.put_out(&mut shown);
+        shown
+    }
+
+    /// The same look, without the lights that are dark.
+    pub(crate) fn lit(&self, look: &Arc<Look>) -> Arc<Look> {
+        let mut lit = Cow::Borrowed(&**look);
+        self.put_out(&mut lit);
+        match lit {
+            Cow::Borrowed(_) => look.clone(),
+            Cow::Owned(lit) => Arc::new(lit),
+        }
+    }
+
+    /// The look with nothing but the layers that are shown alone.
+    pub(crate) fn alone<'l>(&self, look: &'l Look, catalog: &Catalog) -> Cow<'l, Look> {
         let mut shown = Cow::Borrowed(look);
         if !self.layers.is_empty() {
             let stack = Stack::of(look, catalog);
@@ -55,12 +73,11 @@ impl Solo {
                 }
             }
         }
-        self.put_out(&mut shown);
         shown
     }
 
     /// Puts the lights out that are dark.
-    pub(crate) fn put_out(&self, look: &mut Cow<'_, Look>) {
+    fn put_out(&self, look: &mut Cow<'_, Look>) {
         let dark: Vec<LightId> = look.lights.keys().filter(|id| self.is_dark(id)).cloned().collect();
         if dark.is_empty() {
             return;
@@ -120,7 +137,10 @@ fn toggled<T: Clone + Eq + std::hash::Hash>(set: &IndexSet<T>, item: &T, adds: b
 pub(crate) fn bar(ui: &mut Ui, session: &Session) -> Option<Command> {
     let text = sentence(session)?;
     let mut command = None;
-    let frame = egui::Frame::new().fill(theme::of(ui).accent_dim).corner_radius(4.0).inner_margin(egui::Margin::symmetric(8, 3));
+    let frame = egui::Frame::new()
+        .fill(theme::of(ui).accent_dim)
+        .corner_radius(4.0)
+        .inner_margin(egui::Margin::symmetric(8, 3));
     frame.show(ui, |ui| {
         ui.horizontal(|ui| {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -144,7 +164,9 @@ fn sentence(session: &Session) -> Option<String> {
         return None;
     }
     let layer = |id: &NodeId| session.title(id);
-    let light = |id: &LightId| look.lights.get(id).map_or_else(|| id.to_string(), |light| super::lights::name(id, light).to_owned());
+    let light = |id: &LightId| {
+        look.lights.get(id).map_or_else(|| id.to_string(), |light| super::lights::name(id, light).to_owned())
+    };
     let list = |names: Vec<String>| names.join(", ");
     let mut parts = Vec::new();
     if !solo.layers.is_empty() {

@@ -54,7 +54,10 @@ impl Stack {
             let kind = found.and_then(|(_, (_, node))| catalog.of(node));
             if let (Some((wire, (id, _))), Some(kind)) = (found, kind) {
                 let is_new = seen.insert(id);
-                if kind.is_reroute && is_new && let Some(input) = kind.inputs.first() {
+                if kind.is_reroute
+                    && is_new
+                    && let Some(input) = kind.inputs.first()
+                {
                     at = Endpoint { node: id.clone(), port: input.name.clone() };
                     continue;
                 }

@@ -13,9 +13,8 @@ use super::super::session::Session;
 use super::super::still::{Reused, Still};
 use super::super::worker::Worker;
 use crate::compile::Live;
-use crate::document::{Look, SourceMap};
+use crate::document::Look;
 use crate::frame::{Cull, PlanOptions, Planner};
-use crate::library::Library;
 use crate::render::{Gpu, Renderer, block_on};
 
 /// The side of a picture, in pixels: enough for a row at twice the usual scale.
@@ -96,6 +95,11 @@ impl Thumbs {
         self.rests && self.worker.is_some()
     }
 
+    /// Whether there is something to draw with.
+    pub(crate) fn can_draw(&self) -> bool {
+        self.worker.is_some()
+    }
+
     /// A picture that was drawn before.
     pub(crate) fn known(&self, key: u64) -> Option<TextureId> {
         self.pictures.get(&key)?.as_ref().map(TextureHandle::id)
@@ -115,10 +119,10 @@ impl Thumbs {
     }
 
     /// Asks for a picture of a look if nothing else is being drawn; the thread wakes the window when it is there.
-    pub(crate) fn ask(&self, key: u64, look: Arc<Look>, folder: PathBuf, library: Arc<Library>) {
+    pub(crate) fn ask(&self, key: u64, look: Arc<Look>, folder: PathBuf, session: &Session) {
         let Some(worker) = self.worker.as_ref().filter(|worker| self.rests && !worker.is_busy()) else { return };
         let orbit = Orbit { distance: DISTANCE, ..Orbit::default() };
-        let still = Still { look, source: Arc::new(SourceMap::default()), folder, library, orbit };
+        let still = Still { folder, orbit, ..session.still_of(look) };
         worker.request(|_| Job { key, still });
     }
 }
@@ -126,7 +130,8 @@ impl Thumbs {
 /// What tells a picture of a look from another: everything that it is made of, but for names and places on the canvas.
 pub(crate) fn key_of(look: &Look) -> u64 {
     let mut hasher = DefaultHasher::new();
-    format!("{:?}", (look.color_space, look.tier, &look.lights, &look.definitions, &look.graph.wires)).hash(&mut hasher);
+    format!("{:?}", (look.color_space, look.tier, &look.lights, &look.definitions, &look.graph.wires))
+        .hash(&mut hasher);
     for (id, node) in &look.graph.nodes {
         format!("{:?}", (id, &node.kind, &node.values, node.tier, node.muted)).hash(&mut hasher);
     }

@@ -3,6 +3,8 @@
 
 mod panel;
 
+pub(crate) use panel::wire_name;
+
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 

@@ -7,6 +7,7 @@ use super::super::command::Command;
 use super::super::dock::{cell, hint};
 use super::super::session::Session;
 use super::super::values::number_text;
+use super::super::wire::{ShownWire, Style, node_at};
 use super::super::{problems, theme};
 use super::Probe;
 use crate::ids::NodePath;
@@ -121,7 +122,7 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
         ui.painter().circle_filled(pos2(rect.left() + 4.0, rect.center().y), 3.0, theme::of(ui).error);
     }
     let ink = if wire.is_finite() { theme::of(ui).text } else { theme::of(ui).error };
-    cell(ui, column(rect, 0), &name(session, &wire.node), FontId::proportional(theme::TEXT_SIZE), ink);
+    cell(ui, column(rect, 0), &wire_name(session, &wire.node), FontId::proportional(theme::TEXT_SIZE), ink);
     for (index, numbers) in [(1, &wire.single), (2, &wire.double)] {
         let mut place = column(rect, index);
         if let Some(color) = color_of(numbers) {
@@ -144,13 +145,24 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
     };
     let text = if difference == 0.0 { "0".to_owned() } else { format!("{difference:.1e}") };
     cell(ui, column(rect, 3), &text, FontId::monospace(11.0), ink);
-    let clicked = response.clicked();
+    let mut command = response.clicked().then(|| wire.node.outermost().cloned().map(Command::Reveal)).flatten();
+    response.context_menu(|ui| {
+        let node = node_at(session.look(), &session.library, wire.node.ids());
+        let Some(kind) = node.and_then(|node| session.catalog.of(node)) else { return };
+        for (port, style) in kind.outputs.iter().flat_map(|port| Style::ALL.map(|style| (port, style))) {
+            let text = format!("Show {} as {}", port.label, style.label().to_lowercase());
+            if ui.button(text).on_hover_text(style.help()).clicked() {
+                let shown = ShownWire { node: wire.node.clone(), port: port.name.clone(), style };
+                command = Some(Command::ShowWire(Some(shown)));
+            }
+        }
+    });
     response.on_hover_ui(|ui| in_full(ui, wire));
-    clicked.then(|| wire.node.outermost().cloned().map(Command::Reveal)).flatten()
+    command
 }
 
 /// What the artist calls a node, with the groups that it lies in.
-fn name(session: &Session, path: &NodePath) -> String {
+pub(crate) fn wire_name(session: &Session, path: &NodePath) -> String {
     let [outer, inner @ ..] = path.ids() else { return String::new() };
     let node = session.look().graph.nodes.get(outer);
     let kind = || Some(session.catalog.of(node?)?.label.to_string());
@@ -196,5 +208,10 @@ fn in_full(ui: &mut Ui, wire: &WireValue) {
             ui.end_row();
         }
     });
-    ui.label(RichText::new("f32, f64 and their difference; a click shows the node").color(theme::of(ui).dim));
+    ui.label(
+        RichText::new(
+            "f32, f64 and their difference; a click shows the node, a right click shows the wire in the picture",
+        )
+        .color(theme::of(ui).dim),
+    );
 }

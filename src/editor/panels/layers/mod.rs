@@ -15,10 +15,10 @@ use super::super::command::Command;
 use super::super::dock::hint;
 use super::super::session::Session;
 use super::super::theme;
+use super::solo;
 use super::stack::{BELOW, Stack};
 use super::thumbs::{Thumbs, key_of};
 use super::widgets::{Renaming, undo_keys};
-use super::solo;
 use crate::document::{Edit, Endpoint, GraphId, Node, Value, Wire};
 use crate::ids::{NodeId, make_slug};
 use presets::PRESETS;
@@ -177,7 +177,8 @@ impl Layers {
         id: &NodeId,
         out: &mut Vec<Command>,
     ) -> Response {
-        let Some((node, kind)) = session.look().graph.nodes.get(id).and_then(|node| Some((node, session.catalog.of(node)?)))
+        let Some((node, kind)) =
+            session.look().graph.nodes.get(id).and_then(|node| Some((node, session.catalog.of(node)?)))
         else {
             return ui.allocate_rect(rect, egui::Sense::hover());
         };
@@ -195,7 +196,7 @@ impl Layers {
     /// What can be done with a layer.
     fn menu(&mut self, ui: &mut Ui, session: &Session, id: &NodeId, out: &mut Vec<Command>) {
         let Some(index) = self.stack.index_of(id) else { return };
-        let mut entry = |ui: &mut Ui, label: &str, help: &str, is_on: bool| {
+        let entry = |ui: &mut Ui, label: &str, help: &str, is_on: bool| {
             ui.add_enabled(is_on, egui::Button::new(label)).on_hover_text(help).clicked()
         };
         if entry(ui, "Rename layer", "F2, or a double click on the name", true) {
@@ -262,7 +263,8 @@ impl Layers {
         }
         if pressed(Modifiers::NONE, Key::Delete) || pressed(Modifiers::NONE, Key::Backspace) {
             // All that are selected, if it is one of them.
-            let selected: Vec<NodeId> = session.selected().filter(|id| self.stack.index_of(id).is_some()).cloned().collect();
+            let selected: Vec<NodeId> =
+                session.selected().filter(|id| self.stack.index_of(id).is_some()).cloned().collect();
             let ids = if selected.contains(&id) { selected } else { vec![id] };
             out.push(Command::Edit(self.stack.remove(session.look(), &ids)));
         }
@@ -270,7 +272,15 @@ impl Layers {
     }
 
     /// The hand that moves a row; a line says where it would come to lie.
-    fn drag(&mut self, ui: &Ui, top: f32, pitch: f32, rows: &[(usize, Response)], session: &Session, out: &mut Vec<Command>) {
+    fn drag(
+        &mut self,
+        ui: &Ui,
+        top: f32,
+        pitch: f32,
+        rows: &[(usize, Response)],
+        session: &Session,
+        out: &mut Vec<Command>,
+    ) {
         if let Some((index, _)) = rows.iter().find(|(_, response)| response.drag_started()) {
             self.dragged = Some(self.stack.layers[*index].id.clone());
         }
@@ -298,7 +308,9 @@ impl Layers {
     /// What the lowest layer lies on.
     fn ground(&mut self, ui: &mut Ui, rect: Rect, session: &Session, thumbs: &Thumbs, out: &mut Vec<Command>) {
         let Some(ground) = self.stack.ground.clone() else {
-            let mut child = ui.new_child(egui::UiBuilder::new().max_rect(rect).layout(egui::Layout::left_to_right(egui::Align::Center)));
+            let mut child = ui.new_child(
+                egui::UiBuilder::new().max_rect(rect).layout(egui::Layout::left_to_right(egui::Align::Center)),
+            );
             child.label(RichText::new("Nothing lies below").color(theme::of(ui).warning));
             let help = "Adds a Base node: the color under the first layer";
             if child.button("Add a base").on_hover_text(help).clicked()
@@ -315,7 +327,14 @@ impl Layers {
     }
 
     /// The picture of a layer, if there is one; asks for it once the window rests.
-    fn texture(&mut self, ui: &Ui, session: &Session, thumbs: &Thumbs, id: &NodeId, mode: Option<&str>) -> Option<egui::TextureId> {
+    fn texture(
+        &mut self,
+        ui: &Ui,
+        session: &Session,
+        thumbs: &Thumbs,
+        id: &NodeId,
+        mode: Option<&str>,
+    ) -> Option<egui::TextureId> {
         let now = (session.document_number(), session.revision());
         let is_known = self.pictures.get(id).is_some_and(|seen| seen.of == now && thumbs.is_done(seen.key));
         if !is_known {
@@ -327,7 +346,7 @@ impl Layers {
             let shown = self.pictures.get(id).and_then(|seen| seen.shown);
             self.pictures.insert(id.clone(), Seen { of: now, key, shown });
             if !thumbs.is_done(key) {
-                thumbs.ask(key, Arc::new(look), session.folder(), session.library.clone());
+                thumbs.ask(key, Arc::new(look), session.folder(), session);
             }
         }
         let seen = self.pictures.get_mut(id)?;

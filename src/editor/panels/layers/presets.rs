@@ -128,7 +128,9 @@ impl LayerPreset {
 /// The values of one of the Profile node's presets.
 fn profile(catalog: &Catalog, label: &str) -> Vec<(crate::ids::PortName, Value)> {
     let preset = catalog.get("profile").and_then(|kind| kind.presets.iter().find(|preset| preset.label == label));
-    preset.map(|preset| preset.values.iter().map(|(port, value)| (port.clone(), value.clone())).collect()).unwrap_or_default()
+    preset
+        .map(|preset| preset.values.iter().map(|(port, value)| (port.clone(), value.clone())).collect())
+        .unwrap_or_default()
 }
 
 /// A name that no layer has yet: `Diffuse`, `Diffuse 2`.

@@ -90,7 +90,8 @@ impl Row<'_> {
         let half = middle.height() / 2.0;
         let upper = Rect::from_min_size(middle.min, vec2(middle.width() - right - 4.0, half));
         let lower = Rect::from_min_max(pos2(middle.left(), middle.top() + half), middle.max);
-        let buttons = Rect::from_min_max(pos2(middle.right() - right, middle.top()), pos2(middle.right(), middle.top() + half));
+        let buttons =
+            Rect::from_min_max(pos2(middle.right() - right, middle.top()), pos2(middle.right(), middle.top() + half));
         self.name(&mut row_in(ui, upper, "name"), &title, is_faint, renaming, out);
         let mut ends = row_in(ui, buttons, "ends");
         self.solo(&mut ends, &title, out);
@@ -109,7 +110,7 @@ impl Row<'_> {
         let is_selected = self.session.selection.contains(self.id);
         let whole = ui.interact(rect, focus_id(self.id), Sense::click());
         let name = if is_base { format!("Base {title}") } else { format!("Branch {title}") };
-        whole.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_selected, name));
+        whole.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_selected, &name));
         row_ground(ui, rect, &whole, is_selected);
         self.select(ui, &whole, out);
         let builder = UiBuilder::new().id_salt(self.id).max_rect(rect.shrink2(vec2(4.0, 3.0)));
@@ -121,7 +122,8 @@ impl Row<'_> {
             ui.add_space(5.0);
             ui.spacing_mut().item_spacing.y = 1.0;
             ui.add(Label::new(title).selectable(false).truncate());
-            let text = if is_base { "what is seen where no layer paints" } else { "a branch of the graph, not a layer" };
+            let text =
+                if is_base { "what is seen where no layer paints" } else { "a branch of the graph, not a layer" };
             ui.add(Label::new(RichText::new(text).small().color(theme::of(ui).dim)).selectable(false).truncate());
         });
         whole.on_hover_text("What the lowest layer lies on. A click selects its node.");
@@ -235,7 +237,8 @@ impl Row<'_> {
     fn blending(&self, ui: &mut Ui, title: &str, out: &mut Vec<Command>) {
         let Some(port) = self.mode_port() else { return };
         let word = self.mode().unwrap_or_default();
-        let label = |word: &str| port.options.iter().find(|(known, _)| known == word).map_or(word.to_owned(), |o| o.1.clone());
+        let label =
+            |word: &str| port.options.iter().find(|(known, _)| known == word).map_or(word.to_owned(), |o| o.1.clone());
         let combo = ComboBox::from_id_salt("mode").width(72.0).selected_text(label(&word)).show_ui(ui, |ui| {
             for (known, label) in &port.options {
                 if ui.selectable_label(*known == word, label).clicked() && *known != word {

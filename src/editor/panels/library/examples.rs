@@ -23,7 +23,8 @@ mod tests {
     fn every_example_is_there_and_can_be_read() {
         let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");
         let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-        let mut found: Vec<String> = files.map(|path| path.file_stem().unwrap().to_string_lossy().into_owned()).collect();
+        let mut found: Vec<String> =
+            files.map(|path| path.file_stem().unwrap().to_string_lossy().into_owned()).collect();
         let mut known: Vec<&str> = EXAMPLES.iter().map(|(name, _)| *name).collect();
         found.sort();
         known.sort_unstable();

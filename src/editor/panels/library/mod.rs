@@ -60,7 +60,8 @@ impl Library {
 
     fn looks(&mut self, ui: &mut Ui, session: &Session, thumbs: &Thumbs) -> Vec<Command> {
         if self.looks.is_empty() {
-            self.looks = EXAMPLES.iter().enumerate().filter_map(|(index, (name, text))| card(index, name, text)).collect();
+            self.looks =
+                EXAMPLES.iter().enumerate().filter_map(|(index, (name, text))| card(index, name, text)).collect();
         }
         let words = self.query.to_lowercase();
         let is_found = |card: &&Card| words.split_whitespace().all(|word| card.name.to_lowercase().contains(word));
@@ -114,7 +115,7 @@ fn show_card(ui: &mut Ui, card: &Card, side: f32, session: &Session, thumbs: &Th
         }
         None => {
             thumbs.look_again(ui);
-            thumbs.ask(card.key, card.look.clone(), PathBuf::new(), session.library.clone());
+            thumbs.ask(card.key, card.look.clone(), PathBuf::new(), session);
         }
     }
     picture_frame(ui, picture);

@@ -50,7 +50,9 @@ pub(super) fn show(ui: &mut Ui, session: &Session, query: &str) -> Vec<Command> 
         });
         for category in categories {
             let title = capital(category);
-            let header = CollapsingHeader::new(&title).id_salt(category).default_open(matches!(category, "layer" | "light" | "group"));
+            let header = CollapsingHeader::new(&title)
+                .id_salt(category)
+                .default_open(matches!(category, "layer" | "light" | "group"));
             header.show_unindented(ui, |ui| {
                 for kind in kinds().filter(|kind| kind.category == category) {
                     row(ui, kind, &mut out);
@@ -125,7 +127,10 @@ fn paint(ui: &Ui, rect: Rect, kind: &Kind) {
 fn ghost(ui: &Ui, kind: &Kind) {
     let Some(at) = ui.input(|input| input.pointer.latest_pos()) else { return };
     ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
-    let area = Area::new(Id::unique("library ghost")).order(Order::Tooltip).fixed_pos(at + vec2(10.0, 6.0)).interactable(false);
+    let area = Area::new(Id::unique("library ghost"))
+        .order(Order::Tooltip)
+        .fixed_pos(at + vec2(10.0, 6.0))
+        .interactable(false);
     area.show(ui.ctx(), |ui| {
         let size = vec2(theme::NODE_WIDTH, theme::TITLE_HEIGHT);
         let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
@@ -144,6 +149,10 @@ fn tell(response: Response, kind: &Kind) {
         if !first.is_empty() {
             ui.label(first);
         }
-        ui.label(egui::RichText::new("Drag it onto the canvas, or click to add it in the middle").small().color(theme::of(ui).dim));
+        ui.label(
+            egui::RichText::new("Drag it onto the canvas, or click to add it in the middle")
+                .small()
+                .color(theme::of(ui).dim),
+        );
     });
 }

@@ -106,7 +106,8 @@ impl Lights {
             let more = icon(ui, Icon::More, true, &format!("More of {title}"), "Rename, duplicate, remove");
             Popup::menu(&more).show(|ui| self.menu(ui, session, id, light, out));
             let is_alone = solo.lights.contains(id);
-            let help = "Lets this light shine alone; Ctrl-click adds to others.\nOnly in this window: nothing of it is saved.";
+            let help =
+                "Lets this light shine alone; Ctrl-click adds to others.\nOnly in this window: nothing of it is saved.";
             if icon(ui, Icon::Solo, is_alone, &format!("Solo {title}"), help).clicked() {
                 let adds = ui.input(|input| input.modifiers.command || input.modifiers.shift);
                 out.push(Command::Solo(solo.toggle_light(id, adds)));

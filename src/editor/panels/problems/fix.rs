@@ -58,7 +58,12 @@ pub(super) fn of(session: &Session, problem: &Diagnostic) -> Option<Fix> {
         "unknown-light" => spot.known_light(),
         "broken-wire" | "not-wirable" => spot.unwire(),
         "wrong-type" => spot.unwire().or_else(|| spot.use_default()),
-        "missing-code" => Some(spot.set(CODE, Value::Text(CUSTOM_CODE.to_owned()), "Give it code", "Writes a small function to begin with")),
+        "missing-code" => Some(spot.set(
+            CODE,
+            Value::Text(CUSTOM_CODE.to_owned()),
+            "Give it code",
+            "Writes a small function to begin with",
+        )),
         "many-outputs" => Some(Fix::new(
             "Remove this one",
             "Removes this Output and keeps the first",
@@ -110,7 +115,11 @@ impl Spot<'_> {
                 Some(near) => {
                     let label = format!("Use {near}");
                     let set = Edit::SetValue { graph, id, port: near, value: value.clone(), index: None };
-                    Fix::new(label, "Gives the value to the input of the nearest name", Edit::Group { edits: vec![clear, set] })
+                    Fix::new(
+                        label,
+                        "Gives the value to the input of the nearest name",
+                        Edit::Group { edits: vec![clear, set] },
+                    )
                 }
                 None => Fix::new("Remove the value", "The node has nothing of a name like this", clear),
             });
@@ -128,7 +137,11 @@ impl Spot<'_> {
                 let end = if is_input { &mut wire.to } else { &mut wire.from };
                 end.port = near.clone();
                 let add = Edit::AddWire { graph, wire, index: None };
-                Fix::new(format!("Wire {near}"), "Moves the wire to the port of the nearest name", Edit::Group { edits: vec![remove, add] })
+                Fix::new(
+                    format!("Wire {near}"),
+                    "Moves the wire to the port of the nearest name",
+                    Edit::Group { edits: vec![remove, add] },
+                )
             }
             None => Fix::new("Remove the wire", "The node has nothing of a name like this", remove),
         })
@@ -137,13 +150,13 @@ impl Spot<'_> {
     /// A node for an input that must be wired.
     fn feed(&self) -> Option<Fix> {
         let (port, ty) = (self.port.as_ref()?, self.input()?.ty.clone());
-        let kind = match ty {
+        let kind = match &ty {
             Type::Composite => "base",
             Type::Color => "color_value",
             Type::Angle => "parametrization",
             Type::Light => "light",
             Type::Vec2 | Type::Vec3 | Type::Vec4 => "vector_value",
-            ty if Type::Float.convert_to(&ty).is_some() => "number",
+            _ if Type::Float.convert_to(&ty).is_some() => "number",
             _ => return None,
         };
         // An Output takes what was made for it, if that is there and feeds nothing yet.
@@ -218,7 +231,11 @@ impl Spot<'_> {
         let id = LightId::new(if is_slug(wrong) { wrong } else { "key" });
         let light = Light { direction: [-0.5, 0.7, 0.6], ..Light::default() };
         let label = format!("Add light {id}");
-        Some(Fix::new(label, "Adds a light of this name, from the upper left", Edit::AddLight { id, light, index: None }))
+        Some(Fix::new(
+            label,
+            "Adds a light of this name, from the upper left",
+            Edit::AddLight { id, light, index: None },
+        ))
     }
 
     fn unwire(&self) -> Option<Fix> {
@@ -242,7 +259,11 @@ fn loose_end(session: &Session, graph: &Graph, except: &NodeId) -> Option<NodeId
     };
     let of = |wanted: &Type| graph.nodes.iter().rev().find(|(id, node)| is_loose(id) && makes(node, wanted));
     // Bottom-most last: a Base that nothing takes is no finished stack, unless there is nothing else.
-    let stack = graph.nodes.iter().rev().find(|(id, node)| is_loose(id) && makes(node, &Type::Composite) && node.kind != "base");
+    let stack = graph
+        .nodes
+        .iter()
+        .rev()
+        .find(|(id, node)| is_loose(id) && makes(node, &Type::Composite) && node.kind != "base");
     stack.or_else(|| of(&Type::Color)).or_else(|| of(&Type::Composite)).map(|(id, _)| id.clone())
 }
 

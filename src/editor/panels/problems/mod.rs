@@ -4,7 +4,9 @@
 mod fix;
 
 use eframe::egui;
-use eframe::egui::{Label, Pos2, Response, RichText, Role, ScrollArea, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
+use eframe::egui::{
+    Label, Pos2, Response, RichText, Role, ScrollArea, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+};
 
 use super::super::command::Command;
 use super::super::dock::{self, hint};
@@ -156,7 +158,8 @@ fn counts(ui: &mut Ui, problems: &[&Diagnostic]) {
         let count = problems.iter().filter(|problem| problem.severity == severity).count();
         if count > 0 {
             mark(ui, severity);
-            let text = RichText::new(format!("{count} {}", word(severity, count))).color(color(severity, theme::of(ui)));
+            let text =
+                RichText::new(format!("{count} {}", word(severity, count))).color(color(severity, theme::of(ui)));
             ui.add(Label::new(text).selectable(false));
         }
     }
