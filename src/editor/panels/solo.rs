@@ -170,13 +170,13 @@ fn sentence(session: &Session) -> Option<String> {
     let list = |names: Vec<String>| names.join(", ");
     let mut parts = Vec::new();
     if !solo.layers.is_empty() {
-        parts.push(format!("only {}", list(solo.layers.iter().map(layer).collect())));
+        parts.push(format!("Solo: {}", list(solo.layers.iter().map(layer).collect())));
     }
     if !solo.lights.is_empty() {
-        parts.push(format!("only the light {}", list(solo.lights.iter().map(light).collect())));
+        parts.push(format!("Solo: light {}", list(solo.lights.iter().map(light).collect())));
     }
     if !solo.muted.is_empty() {
-        parts.push(format!("without the light {}", list(solo.muted.iter().map(light).collect())));
+        parts.push(format!("Muted: light {}", list(solo.muted.iter().map(light).collect())));
     }
-    Some(format!("This window shows {}", parts.join(" · ")))
+    Some(format!("{} · in this window only", parts.join(" · ")))
 }

@@ -6,6 +6,8 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use glam::DVec3;
+
 use eframe::egui::{self, ColorImage, TextureHandle, TextureId, Ui};
 
 use super::super::orbit::Orbit;
@@ -14,21 +16,47 @@ use super::super::still::{Reused, Still};
 use super::super::worker::Worker;
 use crate::compile::Live;
 use crate::document::Look;
-use crate::frame::{Cull, PlanOptions, Planner};
+use crate::frame::{Cull, Picture, PlanOptions, Planner};
 use crate::render::{Gpu, Renderer, block_on};
 
-/// The side of a picture, in pixels: enough for a row at twice the usual scale.
-const SIDE: u32 = 112;
+/// Each pixel is the mean of so many by so many: highlights are finer than a small picture's pixels.
+const FINER: u32 = 2;
+/// The greatest side of a picture, in pixels.
+const MAX_SIDE: u32 = 320;
 /// As many pictures are kept; then all begin anew.
 const MOST: usize = 400;
 /// The window rests after so many seconds.
 const REST: f64 = 0.35;
-/// From the eye to the middle of the mesh: nearer than the viewport's, as there is less room.
-const DISTANCE: f64 = 3.1;
+/// How bright the brightest pixel of a lifted picture is at least, and how much it is lifted at most.
+const LIFTED: f32 = 0.85;
+const MOST_LIFT: f32 = 8.0;
+
+/// How a small picture is taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Shot {
+    /// The whole object.
+    Whole,
+    /// What is in the middle, from near.
+    Near,
+    /// The same, brightened until it is plain where anything is, as what adds little is near black.
+    Lifted,
+}
+
+impl Shot {
+    /// From the eye to what it looks at, and how high that is.
+    fn distance_and_height(self) -> (f64, f64) {
+        match self {
+            Self::Whole => (3.1, 0.0),
+            Self::Near | Self::Lifted => (2.0, 0.36),
+        }
+    }
+}
 
 struct Job {
     key: u64,
     still: Still,
+    shot: Shot,
+    side: u32,
 }
 
 struct Done {
@@ -55,7 +83,7 @@ impl Thumbs {
                 renderer: Renderer::new(gpu),
                 planner: Reused::new(|assets| Planner::new(assets).culling(Cull::Objects)),
             };
-            Worker::new("thumbs", wake, move |job: Job| Done { key: job.key, image: artist.draw(&job.still) })
+            Worker::new("thumbs", wake, move |job: Job| Done { key: job.key, image: artist.draw(&job) })
         };
         Self { worker: gpu.map(start), pictures: HashMap::new(), seen: (0, 0), seen_at: 0.0, rests: false }
     }
@@ -118,18 +146,21 @@ impl Thumbs {
         }
     }
 
-    /// Asks for a picture of a look if nothing else is being drawn; the thread wakes the window when it is there.
-    pub(crate) fn ask(&self, key: u64, look: Arc<Look>, folder: PathBuf, session: &Session) {
+    /// Asks for a picture of a look, `side` pixels wide, if nothing else is being drawn; the thread wakes the window when it is there.
+    pub(crate) fn ask(&self, key: u64, look: Arc<Look>, folder: PathBuf, session: &Session, shot: Shot, side: f32) {
         let Some(worker) = self.worker.as_ref().filter(|worker| self.rests && !worker.is_busy()) else { return };
-        let orbit = Orbit { distance: DISTANCE, ..Orbit::default() };
+        let (distance, height) = shot.distance_and_height();
+        let orbit = Orbit { distance, target: DVec3::new(0.0, height, 0.0), ..Orbit::default() };
+        let side = (side.round() as u32).clamp(8, MAX_SIDE);
         let still = Still { folder, orbit, ..session.still_of(look) };
-        worker.request(|_| Job { key, still });
+        worker.request(|_| Job { key, still, shot, side });
     }
 }
 
 /// What tells a picture of a look from another: everything that it is made of, but for names and places on the canvas.
-pub(crate) fn key_of(look: &Look) -> u64 {
+pub(crate) fn key_of(look: &Look, shot: Shot, side: f32) -> u64 {
     let mut hasher = DefaultHasher::new();
+    (shot, side.round() as u32).hash(&mut hasher);
     format!("{:?}", (look.color_space, look.tier, &look.lights, &look.definitions, &look.graph.wires))
         .hash(&mut hasher);
     for (id, node) in &look.graph.nodes {
@@ -145,12 +176,56 @@ struct Artist {
 }
 
 impl Artist {
-    fn draw(&mut self, still: &Still) -> Option<ColorImage> {
+    fn draw(&mut self, Job { still, shot, side, .. }: &Job) -> Option<ColorImage> {
         let planner = self.planner.of(&still.look);
-        let (setup, _) = still.setup(&mut planner.assets).ok()?;
-        let options = PlanOptions { size: [SIDE; 2], samples: 4, time: 0.0 };
+        let (mut setup, _) = still.setup(&mut planner.assets).ok()?;
+        setup.scene.backdrop = None;
+        let options = PlanOptions { size: [side * FINER; 2], samples: 4, time: 0.0 };
         let plan = planner.plan(&setup, &still.library, &Live::Keyed, &options).ok()?;
         let picture = block_on(self.renderer.picture(&plan)).ok()?;
-        Some(ColorImage::from_rgba_unmultiplied(picture.size.map(|side| side as usize), &picture.to_rgba8()))
+        Some(smaller(&picture, *shot == Shot::Lifted))
+    }
+}
+
+/// The picture at the size that it is shown at, lifted or as it is.
+fn smaller(picture: &Picture, lifts: bool) -> ColorImage {
+    let side = picture.size[0] / FINER;
+    let pixels = (0..side * side).map(|index| {
+        let (x, y) = (index % side * FINER, index / side * FINER);
+        // Premultiplied, so that an edge takes no colour from what is not there.
+        let mut sum = [0.0_f32; 4];
+        for (dx, dy) in (0..FINER * FINER).map(|part| (part % FINER, part / FINER)) {
+            let [r, g, b, a] = picture.pixel(x + dx, y + dy);
+            for (sum, part) in sum.iter_mut().zip([r * a, g * a, b * a, a]) {
+                *sum += part.clamp(0.0, 1.0) / (FINER * FINER) as f32;
+            }
+        }
+        sum
+    });
+    let pixels: Vec<[f32; 4]> = pixels.collect();
+    let brightest = pixels.iter().flat_map(|pixel| &pixel[..3]).fold(0.0_f32, |most, part| most.max(*part));
+    let gain = if lifts && brightest > 1e-3 { (LIFTED / brightest).clamp(1.0, MOST_LIFT) } else { 1.0 };
+    let byte = |x: f32| (x.clamp(0.0, 1.0) * 255.0).round() as u8;
+    let color = |[r, g, b, a]: [f32; 4]| {
+        egui::Color32::from_rgba_premultiplied(byte(r * gain), byte(g * gain), byte(b * gain), byte(a))
+    };
+    ColorImage::new([side as usize; 2], pixels.into_iter().map(color).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_smaller_picture_is_the_mean_and_its_brightest_pixel_is_bright() {
+        let mut picture = Picture { size: [4, 4], rgba: vec![[0.0, 0.0, 0.0, 1.0]; 16] };
+        // One of the four pixels of the first is 0.8 red, and one of the last is not there.
+        picture.rgba[0] = [0.8, 0.0, 0.0, 1.0];
+        picture.rgba[15] = [1.0, 1.0, 1.0, 0.0];
+        let plain = smaller(&picture, false);
+        assert_eq!((plain.size, plain.pixels[0].r(), plain.pixels[3].a()), ([2, 2], 51, 191));
+        assert_eq!(smaller(&picture, true).pixels[0].r(), 217, "0.85");
+        let black = Picture { size: [4, 4], rgba: vec![[0.0, 0.0, 0.0, 1.0]; 16] };
+        assert_eq!(smaller(&black, true).pixels[0].r(), 0);
     }
 }

@@ -147,6 +147,20 @@ pub(crate) fn row_ground(ui: &Ui, rect: Rect, response: &Response, is_selected: 
     }
 }
 
+/// The same for a row that has fields of its own, which are to be seen on it: with a bar at its left in place of a fill.
+pub(crate) fn card_ground(ui: &Ui, rect: Rect, response: &Response, is_selected: bool) {
+    let colors = theme::of(ui);
+    if is_selected || response.hovered() {
+        ui.painter().rect_filled(rect, 4.0, colors.node);
+    }
+    if is_selected {
+        ui.painter().rect_filled(Rect::from_min_size(rect.min, vec2(3.0, rect.height())), 1.5, colors.accent);
+    }
+    if response.has_focus() {
+        ui.painter().rect_stroke(rect, 4.0, Stroke::new(1.0, colors.accent_dim), egui::StrokeKind::Inside);
+    }
+}
+
 /// Room for a picture of a row, framed.
 pub(crate) fn picture_frame(ui: &Ui, rect: Rect) {
     ui.painter().rect_stroke(rect, 3.0, Stroke::new(1.0, theme::of(ui).swatch_edge), egui::StrokeKind::Inside);

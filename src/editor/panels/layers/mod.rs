@@ -17,7 +17,7 @@ use super::super::session::Session;
 use super::super::theme;
 use super::solo;
 use super::stack::{BELOW, Stack};
-use super::thumbs::{Thumbs, key_of};
+use super::thumbs::{Shot, Thumbs, key_of};
 use super::widgets::{Renaming, undo_keys};
 use crate::document::{Edit, Endpoint, GraphId, Node, Value, Wire};
 use crate::ids::{NodeId, make_slug};
@@ -320,8 +320,20 @@ impl Layers {
             }
             return;
         };
-        let node = session.look().graph.nodes.get(&ground.node);
-        let Some((node, kind)) = node.and_then(|node| Some((node, session.catalog.of(node)?))) else { return };
+        let Some(node) = session.look().graph.nodes.get(&ground.node) else { return };
+        let Some(kind) = session.catalog.of(node) else {
+            let mut child = ui.new_child(egui::UiBuilder::new().max_rect(rect));
+            let text = format!("The stack ends here: there is no node of kind \"{}\".", node.kind);
+            child.label(RichText::new(text).color(theme::of(ui).error));
+            if child
+                .link(format!("Show {}", ground.node))
+                .on_hover_text("Selects the node and brings it into view")
+                .clicked()
+            {
+                out.push(Command::Reveal(ground.node));
+            }
+            return;
+        };
         let texture = self.texture(ui, session, thumbs, &ground.node, None);
         Row { session, id: &ground.node, node, kind }.show_ground(ui, rect, texture, out);
     }
@@ -342,11 +354,14 @@ impl Layers {
         }
         if !is_known && thumbs.rests() {
             let look = picture::of(session.look(), id, mode);
-            let key = key_of(&look);
+            let shot =
+                if mode.is_some_and(|mode| mode == "add" || mode.is_empty()) { Shot::Lifted } else { Shot::Near };
+            let side = (row::PICTURE - 2.0) * ui.pixels_per_point();
+            let key = key_of(&look, shot, side);
             let shown = self.pictures.get(id).and_then(|seen| seen.shown);
             self.pictures.insert(id.clone(), Seen { of: now, key, shown });
             if !thumbs.is_done(key) {
-                thumbs.ask(key, Arc::new(look), session.folder(), session);
+                thumbs.ask(key, Arc::new(look), session.folder(), session, shot, side);
             }
         }
         let seen = self.pictures.get_mut(id)?;

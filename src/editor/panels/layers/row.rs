@@ -10,7 +10,7 @@ use super::super::super::catalog::{Kind, Port};
 use super::super::super::command::Command;
 use super::super::super::session::Session;
 use super::super::super::{theme, values};
-use super::super::widgets::{ICON, Icon, Renaming, icon, picture_frame, row_ground, whole};
+use super::super::widgets::{ICON, Icon, Renaming, card_ground, icon, picture_frame, whole};
 use super::{MODES, OPACITY, set};
 use crate::document::{Edit, GraphId, Node, Value};
 use crate::ids::NodeId;
@@ -19,7 +19,7 @@ use crate::library::Type;
 /// The height of a row, in points.
 pub(super) const ROW: f32 = 52.0;
 /// The side of its picture.
-const PICTURE: f32 = 46.0;
+pub(super) const PICTURE: f32 = 46.0;
 
 /// A node as a row.
 pub(super) struct Row<'a> {
@@ -76,7 +76,7 @@ impl Row<'_> {
         let is_selected = self.session.selection.contains(self.id);
         let whole = ui.interact(rect, focus_id(self.id), Sense::click_and_drag());
         whole.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_selected, format!("Layer {title}")));
-        row_ground(ui, rect, &whole, is_selected || is_dragged);
+        card_ground(ui, rect, &whole, is_selected || is_dragged);
         self.select(ui, &whole, out);
         let builder = UiBuilder::new().id_salt(self.id).max_rect(rect.shrink2(vec2(4.0, 3.0)));
         let mut child = ui.new_child(builder.layout(Layout::left_to_right(Align::Center)));
@@ -111,7 +111,7 @@ impl Row<'_> {
         let whole = ui.interact(rect, focus_id(self.id), Sense::click());
         let name = if is_base { format!("Base {title}") } else { format!("Branch {title}") };
         whole.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_selected, &name));
-        row_ground(ui, rect, &whole, is_selected);
+        card_ground(ui, rect, &whole, is_selected);
         self.select(ui, &whole, out);
         let builder = UiBuilder::new().id_salt(self.id).max_rect(rect.shrink2(vec2(4.0, 3.0)));
         let mut child = ui.new_child(builder.layout(Layout::left_to_right(Align::Center)));

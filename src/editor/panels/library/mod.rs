@@ -14,7 +14,7 @@ use super::super::command::Command;
 use super::super::dock::{cell, hint};
 use super::super::session::Session;
 use super::super::theme;
-use super::thumbs::{Thumbs, key_of};
+use super::thumbs::{Shot, Thumbs, key_of};
 use super::widgets::{picture_frame, row_ground, whole};
 use crate::document::Look;
 pub(crate) use examples::EXAMPLES;
@@ -26,6 +26,8 @@ pub(crate) struct DraggedKind(pub(crate) String);
 /// The least width of a look's picture, and the height of its name.
 const CARD: f32 = 96.0;
 const NAME: f32 = 20.0;
+/// The side of a picture that is drawn, in pixels: cards grow with the panel, and their pictures are not drawn anew.
+const SIDE: f32 = 200.0;
 
 /// The panel.
 #[derive(Default)]
@@ -91,7 +93,7 @@ impl Library {
 
 fn card(index: usize, name: &str, text: &str) -> Option<Card> {
     let look = Look::read(text, name).value?;
-    let key = key_of(&look);
+    let key = key_of(&look, Shot::Whole, SIDE);
     // "figure1-layers" is shown as what the look calls itself, which people search for too.
     let figure = name.split_once('-').map_or(name, |(figure, _)| figure).replace("figure", "Figure ");
     let name = if look.name.is_empty() { name.to_owned() } else { format!("{} · {figure}", look.name) };
@@ -115,7 +117,7 @@ fn show_card(ui: &mut Ui, card: &Card, side: f32, session: &Session, thumbs: &Th
         }
         None => {
             thumbs.look_again(ui);
-            thumbs.ask(card.key, card.look.clone(), PathBuf::new(), session);
+            thumbs.ask(card.key, card.look.clone(), PathBuf::new(), session, Shot::Whole, SIDE);
         }
     }
     picture_frame(ui, picture);

@@ -49,7 +49,7 @@ impl Lights {
         ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
             // Room for the scroll bar.
             ui.set_max_width(ui.available_width() - 8.0);
-            let is_short = lights.len() <= 2;
+            let is_short = lights.len() == 1;
             for (id, light) in lights {
                 let state = Id::unique("light").with(id.as_str());
                 let state = CollapsingState::load_with_default_open(ui.ctx(), state, is_short);

@@ -69,10 +69,12 @@ fn row(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Comma
             ui.horizontal_wrapped(|ui| {
                 ui.spacing_mut().item_spacing.x = 5.0;
                 place(ui, session, problem, out);
-                ui.label(problem.message.as_str()).on_hover_text(format!("Code {}", problem.code));
+                ui.label(plain(&problem.message)).on_hover_text(format!("Code {}", problem.code));
             });
-            for hint in &problem.hints {
-                ui.label(RichText::new(hint).small().color(theme::of(ui).dim));
+            // What the button does need not be asked.
+            let is_asked = |hint: &&String| mended.is_none() || !hint.starts_with("did you mean");
+            for hint in problem.hints.iter().filter(is_asked) {
+                ui.label(RichText::new(plain(hint)).small().color(theme::of(ui).dim));
             }
         });
         if let Some(fix) = mended {
@@ -86,6 +88,11 @@ fn row(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Comma
         }
     });
     ui.add_space(4.0);
+}
+
+/// A text without the marks of code, which are for terminals.
+fn plain(text: &str) -> String {
+    text.replace('`', "\"")
 }
 
 /// Where the problem is: a node that a click leads to, a line of a file.
@@ -177,7 +184,7 @@ pub(crate) fn status(ui: &mut Ui, session: &Session) -> Option<Command> {
         counts(ui, &problems);
         let node = first.place.node.as_ref().and_then(|path| path.outermost());
         let node = node.map(|id| format!("{}: ", session.title(id))).unwrap_or_default();
-        ui.add(Label::new(format!("{node}{}", first.message)).selectable(false).truncate());
+        ui.add(Label::new(format!("{node}{}", plain(&first.message))).selectable(false).truncate());
     });
     let rect = shown.response.rect.union(egui::Rect::from_min_size(pos2(start.x, start.y), vec2(1.0, 1.0)));
     let response = ui.interact(rect, ui.scope_id().with("problems"), Sense::click());
