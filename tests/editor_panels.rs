@@ -308,7 +308,8 @@ fn any_wire_is_shown_in_place_of_the_picture() {
     assert!(red[0] > 200 && red[1] < 80 && red[2] < 80, "{red:?}");
     // Every style is a shader that compiles, and the look is untouched.
     click_label(&mut hand, "Isolines");
-    assert_eq!(middle(&mut hand), [255; 4], "a whole number has a strong line");
+    let level = middle(&mut hand);
+    assert!(level[..3].iter().all(|c| c.abs_diff(191) <= 1), "2 everywhere crosses nothing: {level:?}");
     assert!(hand.app().session().problems().is_empty(), "{:?}", hand.app().session().problems());
     assert!(!hand.app().session().is_dirty());
     click_label(&mut hand, "Show the look");

@@ -97,6 +97,13 @@ impl App {
         mesh.clone_into(&mut self.session.view.mesh);
     }
 
+    /// Never opens a dialog of the system; for programs that drive the window.
+    #[must_use]
+    pub fn without_dialogs(mut self) -> Self {
+        self.dialogs.is_silent = true;
+        self
+    }
+
     /// The open look.
     pub fn session(&self) -> &Session {
         &self.session

@@ -21,16 +21,21 @@ pub(crate) const MESHES: [&str; 5] = ["obj", "ply", "stl", "gltf", "glb"];
 pub(crate) struct Dialogs {
     answers: Arc<Mutex<Vec<(Purpose, PathBuf)>>>,
     wake: Arc<dyn Fn() + Send + Sync>,
+    /// Whether nobody is there to answer one.
+    pub(crate) is_silent: bool,
 }
 
 impl Dialogs {
     /// `wake` is called from another thread when a file was chosen.
     pub(crate) fn new(wake: impl Fn() + Send + Sync + 'static) -> Self {
-        Self { answers: Arc::default(), wake: Arc::new(wake) }
+        Self { answers: Arc::default(), wake: Arc::new(wake), is_silent: false }
     }
 
     /// Asks for a file, beginning in the folder of `near`.
     pub(crate) fn ask(&self, purpose: Purpose, near: Option<&Path>) {
+        if self.is_silent {
+            return;
+        }
         let dialog = rfd::AsyncFileDialog::new();
         let mut dialog = match purpose {
             Purpose::Open | Purpose::Save => dialog.add_filter("Chiaro look", &["json"]),

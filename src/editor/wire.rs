@@ -36,7 +36,9 @@ impl Style {
         match self {
             Self::Color => "The numbers as red, green and blue; a single one as grey, an angle from 0 to 180°",
             Self::Heat => "Blue below 0, then black to yellow from 0 to 1, red above; not a number is magenta",
-            Self::Isolines => "Grey, with a line at every tenth, a strong one at 0 and at every whole number",
+            Self::Isolines => {
+                "Grey, with a line where it crosses a tenth, a white one where it crosses a whole number; none where it is level"
+            }
         }
     }
 }
@@ -137,10 +139,12 @@ const HEAT: &str = "    \
 ";
 
 const ISOLINES: &str = "    \
-    let width = max(fwidth(x), 1e-7);
+    let slope = fwidth(x);
+    let width = max(slope, 1e-7);
     let tenth = abs(fract(x * 10.0 - 0.5) - 0.5) / (10.0 * width);
     let whole = abs(fract(x - 0.5) - 0.5) / width;
     let grey = vec3f(0.15 + 0.6 * clamp(x, 0.0, 1.0));
     let fine = mix(vec3f(0.93, 0.64, 0.33), grey, clamp(max(tenth, 10.0 * width * 2.0 - 1.0), 0.0, 1.0));
-    return mix(vec3f(1.0, 1.0, 1.0), fine, clamp(whole - 0.5, 0.0, 1.0));
+    let lined = mix(vec3f(1.0, 1.0, 1.0), fine, clamp(whole - 0.5, 0.0, 1.0));
+    return select(grey, lined, slope > 1e-6);
 ";

@@ -170,7 +170,15 @@ fn figures(ui: &mut Ui, session: &Session, row: &Row) -> bool {
     cell(ui, first, word, FontId::proportional(theme::TEXT_SIZE), theme::of(ui).text);
     let time = &row.time;
     let is_noise = matches!(row.subject, Subject::Node { .. }) && time.is_noise();
-    let text = format!("{:.3}  ({:.3} to {:.3})", time.median, time.low, time.high);
+    // As many places as the interval is sure of.
+    let places = if time.high - time.low > 1.0 {
+        0
+    } else if time.high - time.low > 0.1 {
+        1
+    } else {
+        2
+    };
+    let text = format!("{:.places$}  ({:.places$} to {:.places$})", time.median, time.low, time.high);
     let mono = FontId::monospace(11.0);
     cell(ui, column(rect, 1), &text, mono.clone(), if is_noise { theme::of(ui).dim } else { theme::of(ui).text });
     if let Some(error) = &row.error {

@@ -84,8 +84,9 @@ pub(super) fn show(ui: &mut Ui, rows: &[&Row], title: String, in_use: impl Fn(&R
         if in_use(row) {
             ui.painter().circle_stroke(at, 8.5, Stroke::new(1.5, theme::of(ui).text));
         }
-        name_point(ui, inner, at, row);
     }
+    let points: Vec<(Pos2, &Row)> = rows.iter().map(|row| (place(row), *row)).collect();
+    name_points(ui, inner, &points);
     let clicked = response.clicked();
     let row = *hovered?;
     let response = response.on_hover_text_at_pointer(told(row, in_use(row)));
@@ -95,25 +96,24 @@ pub(super) fn show(ui: &mut Ui, rows: &[&Row], title: String, in_use: impl Fn(&R
     (clicked && row.tier.is_some()).then(|| row.clone())
 }
 
-/// The tier beside its point; exact and balanced, which often lie together, on different sides.
-fn name_point(ui: &Ui, inner: Rect, at: Pos2, row: &Row) {
-    use crate::document::Tier;
-    let is_right = at.x > inner.center().x;
-    let is_below = at.y < inner.top() + 14.0 || row.tier == Some(Tier::Balanced) && at.y < inner.bottom() - 16.0;
-    let align = match (is_right, is_below) {
-        (true, true) => Align2::RIGHT_TOP,
-        (true, false) => Align2::RIGHT_BOTTOM,
-        (false, true) => Align2::LEFT_TOP,
-        (false, false) => Align2::LEFT_BOTTOM,
-    };
-    let offset = vec2(if is_right { -9.0 } else { 9.0 }, if is_below { 3.0 } else { -3.0 });
-    ui.painter().text(
-        at + offset,
-        align,
-        tier_word(row.tier),
-        FontId::proportional(theme::SMALL_TEXT),
-        theme::of(ui).of_tier(row.tier),
-    );
+/// The tiers beside their points, each where it covers neither a point nor another name.
+fn name_points(ui: &Ui, inner: Rect, points: &[(Pos2, &Row)]) {
+    let mut taken: Vec<Rect> = points.iter().map(|(at, _)| Rect::from_center_size(*at, vec2(14.0, 14.0))).collect();
+    for (at, row) in points {
+        let ink = theme::of(ui).of_tier(row.tier);
+        let font = FontId::proportional(theme::SMALL_TEXT);
+        let galley = ui.painter().layout_no_wrap(tier_word(row.tier).to_owned(), font, ink);
+        let (right, above) = (9.0 + galley.size().x / 2.0, 9.0 + galley.size().y / 2.0);
+        let sides = [vec2(right, 0.0), vec2(-right, 0.0), vec2(0.0, -above), vec2(0.0, above)];
+        let corners = [vec2(right, -above), vec2(-right, -above), vec2(right, above), vec2(-right, above)];
+        let places = sides.into_iter().chain(corners).map(|offset| Rect::from_center_size(*at + offset, galley.size()));
+        let is_free = |place: &Rect| inner.contains_rect(*place) && !taken.iter().any(|other| other.intersects(*place));
+        let place = places.clone().find(is_free).or_else(|| places.clone().find(|place| inner.contains_rect(*place)));
+        if let Some(place) = place {
+            ui.painter().galley(place.min, galley, ink);
+            taken.push(place);
+        }
+    }
 }
 
 fn grid(ui: &Ui, rect: Rect, inner: Rect, x: &Axis, y: &Axis) {
@@ -143,7 +143,7 @@ fn grid(ui: &Ui, rect: Rect, inner: Rect, x: &Axis, y: &Axis) {
         4.0,
         4.0,
     ));
-    let at = pos2(inner.right() - 3.0, visible - 1.0);
-    painter.text(at, Align2::RIGHT_BOTTOM, "1/255", font.clone(), theme::of(ui).warning);
+    let at = pos2(inner.left() + 3.0, visible - 1.0);
+    painter.text(at, Align2::LEFT_BOTTOM, "1/255", font.clone(), theme::of(ui).warning);
     painter.text(rect.right_top(), Align2::RIGHT_TOP, "max error over milliseconds", font, theme::of(ui).dim);
 }
