@@ -4,9 +4,13 @@
 mod editor_support;
 
 use chiaro::document::{Endpoint, Look, Value};
+use chiaro::editor::App;
+use chiaro::render::{Gpu, block_on};
 use editor_support::{Hand, node_center};
 use eframe::egui::{Key, Modifiers, Pos2, Rect, Role, accesskit::Toggled, vec2};
+use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
 
 fn tab(hand: &mut Hand, label: &str) {
     let at = hand.harness.get_by_role_and_label(Role::Tab, label).rect().center();
@@ -256,6 +260,13 @@ fn what_is_no_stack_is_a_branch() {
 fn lights_are_muted_in_the_window_and_edited_in_the_look() {
     let mut hand = figure1();
     tab(&mut hand, "Lights");
+    let drag = rect(&hand, "Intensity of key").center();
+    hand.drag(drag, drag + vec2(30.0, 0.0));
+    hand.settle();
+    assert!(hand.look().lights["key"].intensity > 1.1, "{}", hand.look().lights["key"].intensity);
+    assert_eq!(hand.app().session().steps().count(), 1, "one gesture");
+    hand.undo();
+    hand.settle();
     press(&mut hand, "Light key shines");
     assert!(!hand.app().session().shines("key") && hand.app().session().shines("back"));
     assert!(!hand.app().session().is_dirty() && says(&hand, "Muted: light key"));
@@ -401,4 +412,37 @@ fn a_look_of_the_library_opens_as_a_new_one() {
     press(&mut hand, &name);
     assert_eq!(hand.look().name, "Layers");
     assert!(hand.app().session().path().is_none() && !hand.app().session().is_dirty());
+}
+
+/// A window that draws.
+fn drawing() -> Hand {
+    block_on(Gpu::headless()).expect("an adapter; software Vulkan does");
+    let state = create_render_state(default_wgpu_setup(), eframe::egui_wgpu::RendererOptions::PREDICTABLE);
+    let builder = Harness::builder().renderer(WgpuTestRenderer::from_render_state(state.clone()));
+    Hand::with_builder(builder, move |ctx| App::new(ctx, Some(state.clone())))
+}
+
+#[test]
+fn small_pictures_are_drawn_at_rest_and_kept_by_what_they_show() {
+    let mut hand = drawing();
+    hand.app_mut().open(std::path::Path::new("examples/looks/figure1-layers.json"));
+    let rest = |hand: &mut Hand| {
+        hand.settle();
+        hand.settle();
+        assert!(hand.repaint_delay() > std::time::Duration::from_secs(60), "at rest nothing is drawn");
+        hand.app().small_pictures()
+    };
+    let first = rest(&mut hand);
+    assert!(first >= 5, "four layers and the base: {first}");
+    // A name, a place and another order are no other pictures; a colour is one.
+    press(&mut hand, "Layer Specular");
+    hand.key_with(Modifiers::ALT, Key::ArrowDown);
+    assert_eq!(rest(&mut hand), first);
+    let graph = chiaro::document::GraphId::Look;
+    let value = Value::Vector(vec![0.1, 0.9, 0.3]);
+    let edit = chiaro::document::Edit::SetValue { graph, id: "fill".into(), port: "convex".into(), value, index: None };
+    hand.app_mut().session_mut().apply(edit, None).unwrap();
+    assert_eq!(rest(&mut hand), first + 1);
+    hand.undo();
+    assert_eq!(rest(&mut hand), first + 1, "the old one is still there");
 }

@@ -178,6 +178,11 @@ impl App {
         self.picture.as_ref().map_or(0, |picture| picture.wishes)
     }
 
+    /// How many small pictures of layers and looks there are.
+    pub fn small_pictures(&self) -> usize {
+        self.panels.pictures()
+    }
+
     /// Opens a look and tells where that fails.
     pub fn open(&mut self, path: &Path) {
         self.message = (!self.session.open(path)).then(|| format!("{} could not be opened", path.display()));

@@ -280,7 +280,8 @@ fn light_needles(ui: &Ui, rect: Rect, session: &Session, is_turning: bool) {
     let (right, up) = session.view.right_and_up();
     let camera = glam::DMat3::from_cols(right, up, session.view.direction()).transpose();
     let painter = ui.painter_at(rect);
-    for light in session.look().lights.values().filter(|light| light.kind == LightKind::Directional) {
+    let shining = session.look().lights.iter().filter(|(id, _)| !session.solo().is_dark(id)).map(|(_, light)| light);
+    for light in shining.filter(|light| light.kind == LightKind::Directional) {
         let toward = LightValues::new(light, session.view.illumination, camera).direction;
         let (Some(from), Some(to)) = (project(toward * 1.06, rect, session), project(toward * 1.25, rect, session))
         else {

@@ -56,6 +56,11 @@ impl Panels {
         self.thumbs.update(ui, session);
     }
 
+    /// How many small pictures there are.
+    pub(crate) fn pictures(&self) -> usize {
+        self.thumbs.count()
+    }
+
     pub(crate) fn is_busy(&self) -> bool {
         self.thumbs.is_busy()
     }

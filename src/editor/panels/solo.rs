@@ -180,3 +180,55 @@ fn sentence(session: &Session) -> Option<String> {
     }
     Some(format!("{} · in this window only", parts.join(" · ")))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::library::Library;
+
+    const LOOK: &str = r#"{"lights": {"key": {"intensity": 2}, "back": {}},
+      "nodes": [{"id": "base", "kind": "base"}, {"id": "a", "kind": "light_layer"},
+        {"id": "b", "kind": "light_layer", "muted": true}, {"id": "output", "kind": "output"}],
+      "wires": [{"from": "base", "to": "a.below"}, {"from": "a", "to": "b.below"}, {"from": "b", "to": "output.color"}],
+      "time_keys": [{"target": "lights.key.intensity", "keys": [{"time": 0, "value": 1}]},
+        {"target": "lights.key.color", "keys": [{"time": 0, "value": [1, 0, 0]}]}]}"#;
+
+    fn setup() -> (Look, Catalog) {
+        let loaded = Look::read(LOOK, "test");
+        assert!(!loaded.has_errors(), "{:?}", loaded.diagnostics);
+        (loaded.value.unwrap_or_default(), Catalog::new(Library::built_in()))
+    }
+
+    #[test]
+    fn a_soloed_layer_is_shown_even_where_the_look_mutes_it() {
+        let (look, catalog) = setup();
+        let solo = Solo::default().toggle_layer(&"b".into(), false);
+        let shown = solo.of(&look, &catalog);
+        assert!(shown.graph.nodes["a"].muted && !shown.graph.nodes["b"].muted);
+        assert!(matches!(Solo::default().of(&look, &catalog), Cow::Borrowed(_)), "nothing is copied for nothing");
+        // What is no longer a layer of the stack leaves all others as they are.
+        let solo = Solo::default().toggle_layer(&"base".into(), false);
+        assert_eq!(*solo.of(&look, &catalog), look);
+    }
+
+    #[test]
+    fn a_muted_light_is_dark_whatever_its_keys_say() {
+        let (look, catalog) = setup();
+        let solo = Solo::default().toggle_mute(&"key".into());
+        let shown = solo.of(&look, &catalog);
+        assert_eq!((shown.lights["key"].intensity, shown.lights["back"].intensity), (0.0, 1.0));
+        assert_eq!(shown.time_keys.len(), 1, "only its intensity is no longer keyed");
+        assert!(solo.is_structural(&Solo::default(), &look), "a keyed light needs another shader's rig");
+    }
+
+    #[test]
+    fn solo_and_mute_go_together() {
+        let [key, back] = ["key", "back"].map(LightId::from);
+        let solo = Solo::default().toggle_light(&key, false);
+        assert!(!solo.is_dark(&key) && solo.is_dark(&back));
+        assert!(!solo.toggle_light(&back, true).is_dark(&back), "both");
+        assert!(solo.toggle_light(&back, false).is_dark(&key), "the other one alone");
+        assert!(solo.toggle_mute(&key).is_dark(&key), "muted is dark, also when alone");
+        assert!(solo.toggle_light(&key, false).is_empty());
+    }
+}

@@ -111,7 +111,12 @@ impl Stack {
             let (from, to) = (place(&new.id), place(&old.id));
             self.carry(look, &new.id, [to[0] - from[0], to[1] - from[1]], &mut positions);
         }
-        let mut edits = vec![Edit::MoveNodes { graph: GraphId::Look, positions }];
+        // The layer itself first, as undo calls the step by it.
+        let own = positions.shift_remove(&self.layers[from].id).map(|place| (self.layers[from].id.clone(), place));
+        let mut edits = vec![
+            Edit::MoveNodes { graph: GraphId::Look, positions: own.into_iter().collect() },
+            Edit::MoveNodes { graph: GraphId::Look, positions },
+        ];
         edits.extend(self.rewire(look, &order));
         Some(Edit::Group { edits })
     }

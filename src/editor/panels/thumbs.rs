@@ -123,6 +123,11 @@ impl Thumbs {
         self.rests && self.worker.is_some()
     }
 
+    /// How many there are.
+    pub(crate) fn count(&self) -> usize {
+        self.pictures.len()
+    }
+
     /// Whether there is something to draw with.
     pub(crate) fn can_draw(&self) -> bool {
         self.worker.is_some()

@@ -348,17 +348,19 @@ impl Layers {
         mode: Option<&str>,
     ) -> Option<egui::TextureId> {
         let now = (session.document_number(), session.revision());
-        let is_known = self.pictures.get(id).is_some_and(|seen| seen.of == now && thumbs.is_done(seen.key));
+        let seen = self.pictures.get(id);
+        let is_known = seen.is_some_and(|seen| seen.of == now && thumbs.is_done(seen.key));
         if !is_known {
             thumbs.look_again(ui);
         }
-        if !is_known && thumbs.rests() {
+        // One at a time: while one is being drawn, there is no use in preparing the next.
+        if !is_known && thumbs.rests() && !thumbs.is_busy() {
             let look = picture::of(session.look(), id, mode);
-            let shot =
-                if mode.is_some_and(|mode| mode == "add" || mode.is_empty()) { Shot::Lifted } else { Shot::Near };
+            let lifts = mode.is_some_and(|mode| mode == "add" || mode.is_empty());
+            let shot = if lifts { Shot::Lifted } else { Shot::Near };
             let side = (row::PICTURE - 2.0) * ui.pixels_per_point();
             let key = key_of(&look, shot, side);
-            let shown = self.pictures.get(id).and_then(|seen| seen.shown);
+            let shown = seen.and_then(|seen| seen.shown);
             self.pictures.insert(id.clone(), Seen { of: now, key, shown });
             if !thumbs.is_done(key) {
                 thumbs.ask(key, Arc::new(look), session.folder(), session, shot, side);

@@ -1,6 +1,6 @@
 //! What a layer's small picture shows: the layer alone, over a ground on which its blending is seen.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use crate::document::{Endpoint, Graph, Look, Node, Value, Wire};
 use crate::ids::{NodeId, PortName};
@@ -49,9 +49,13 @@ pub(super) fn of(look: &Look, id: &NodeId, mode: Option<&str>) -> Look {
 fn upstream(graph: &Graph, id: &NodeId, is_layer: bool) -> Graph {
     let mut kept: HashSet<&NodeId> = HashSet::from([id]);
     let mut open = vec![id];
+    let mut into: HashMap<&NodeId, Vec<&Wire>> = HashMap::new();
+    for wire in &graph.wires {
+        into.entry(&wire.to.node).or_default().push(wire);
+    }
     let is_wanted = |wire: &Wire| !(is_layer && wire.to.node == *id && wire.to.port.as_str() == BELOW);
     while let Some(node) = open.pop() {
-        for wire in graph.wires.iter().filter(|wire| wire.to.node == *node && is_wanted(wire)) {
+        for wire in into.get(node).into_iter().flatten().filter(|wire| is_wanted(wire)) {
             if kept.insert(&wire.from.node) {
                 open.push(&wire.from.node);
             }

@@ -18,6 +18,8 @@ use crate::library::Type;
 
 /// The height of a row, in points.
 pub(super) const ROW: f32 = 52.0;
+/// Below this width a row has no picture.
+const NARROW: f32 = 230.0;
 /// The side of its picture.
 pub(super) const PICTURE: f32 = 46.0;
 
@@ -84,7 +86,10 @@ impl Row<'_> {
         ui.spacing_mut().item_spacing.x = 4.0;
         self.eye(ui, &title, out);
         let is_faint = self.is_hidden();
-        self.picture(ui, texture, is_faint);
+        // In a narrow panel there is room for what is set, and else for the picture.
+        if rect.width() > NARROW {
+            self.picture(ui, texture, is_faint);
+        }
         let right = 2.0 * ICON + 4.0;
         let middle = Rect::from_min_max(ui.cursor().min, pos2(ui.max_rect().right(), ui.max_rect().bottom()));
         let half = middle.height() / 2.0;
@@ -239,7 +244,7 @@ impl Row<'_> {
         let word = self.mode().unwrap_or_default();
         let label =
             |word: &str| port.options.iter().find(|(known, _)| known == word).map_or(word.to_owned(), |o| o.1.clone());
-        let combo = ComboBox::from_id_salt("mode").width(72.0).selected_text(label(&word)).show_ui(ui, |ui| {
+        let combo = ComboBox::from_id_salt("mode").width(82.0).selected_text(label(&word)).show_ui(ui, |ui| {
             for (known, label) in &port.options {
                 if ui.selectable_label(*known == word, label).clicked() && *known != word {
                     out.push(Command::Edit(set(self.id, port.name.as_str(), Value::Text(known.clone()))));
@@ -266,13 +271,15 @@ impl Row<'_> {
         let mut percent = values::number(value) * 100.0;
         let number_width = 46.0;
         ui.spacing_mut().slider_width = (ui.available_width() - number_width - 6.0).max(20.0);
+        let has_slider = ui.available_width() > number_width + 36.0;
         let slider = Slider::new(&mut percent, 0.0..=100.0).clamping(egui::SliderClamping::Edits).show_value(false);
         let name = format!("Opacity of {title}");
-        let on_slider = ui.add(slider.trailing_fill(true)).on_hover_text(&port.help);
+        let on_slider = has_slider.then(|| ui.add(slider.trailing_fill(true)).on_hover_text(&port.help));
         let drag = DragValue::new(&mut percent).range(0.0..=100.0).clamp_existing_to_range(false);
         let drag = drag.max_decimals(0).suffix("%").speed(0.5);
         let on_number = ui.add_sized(vec2(number_width, 20.0), drag).on_hover_text(&port.help);
-        for (response, role) in [(&on_slider, Role::Slider), (&on_number, Role::SpinButton)] {
+        let slider = on_slider.iter().map(|response| (response, Role::Slider));
+        for (response, role) in slider.chain([(&on_number, Role::SpinButton)]) {
             response.widget_info(|| {
                 let mut info = WidgetInfo::labeled(role, true, &name);
                 info.value = Some(percent);

@@ -6,7 +6,9 @@ use std::collections::HashMap;
 
 use eframe::egui;
 use eframe::egui::collapsing_header::CollapsingState;
-use eframe::egui::{Button, Color32, Id, Label, Popup, RichText, ScrollArea, Sense, Ui, vec2};
+use eframe::egui::{
+    Button, Color32, DragValue, Id, Label, Popup, RichText, Role, ScrollArea, Sense, Ui, WidgetInfo, vec2,
+};
 
 use super::super::command::Command;
 use super::super::dock::hint;
@@ -113,6 +115,7 @@ impl Lights {
                 out.push(Command::Solo(solo.toggle_light(id, adds)));
             }
             self.users(ui, id);
+            intensity(ui, id, light, out);
             ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
                 ui.set_min_height(ICON);
                 self.title(ui, id, light, solo.is_dark(id), out);
@@ -175,6 +178,23 @@ impl Lights {
         if ui.add(Button::new("Remove light")).on_hover_text(help).clicked() {
             out.push(Command::Edit(Edit::RemoveLight { id: id.clone() }));
         }
+    }
+}
+
+/// How bright it is, at hand also while the rest is folded away.
+fn intensity(ui: &mut Ui, id: &LightId, light: &Light, out: &mut Vec<Command>) {
+    let mut value = light.intensity;
+    let drag = DragValue::new(&mut value).prefix("×").speed(0.01).range(0.0..=f64::MAX).clamp_existing_to_range(false);
+    let response =
+        ui.add(drag.max_decimals(2)).on_hover_text("Intensity: a factor on the color. Drag, or click to type.");
+    response.widget_info(|| {
+        let mut info = WidgetInfo::labeled(Role::SpinButton, true, format!("Intensity of {}", name(id, light)));
+        info.value = Some(value);
+        info
+    });
+    if response.changed() && value.is_finite() {
+        let light = Light { intensity: value, ..light.clone() };
+        out.push(Command::EditHeld(response.id, Edit::SetLight { id: id.clone(), light }));
     }
 }
 
