@@ -176,7 +176,7 @@ impl Monkey {
 
     fn text(&mut self) {
         let words =
-            ["noise", "mix", "1.5", "-", "1e9", "0", "#ff8800", "light", "ä光", "..", "\"", "layer", "nan", "a b"];
+            ["noise", "mix", "1.5", "-", "1e9", "0", "#ff8800", "light", "äé", "..", "\"", "layer", "nan", "a b"];
         let word = (*self.random.pick(&words)).to_owned();
         let event = if self.random.chance(0.2) { Event::Paste(word) } else { Event::Text(word) };
         self.event(event);
@@ -211,6 +211,8 @@ impl Monkey {
 
     /// Takes everything back, and does it again. Returns what the look began as.
     fn there_and_back(&mut self) -> String {
+        // The monkey may have stopped in the middle of its past.
+        while self.hand.app_mut().session_mut().redo() {}
         let last = self.check();
         let session = self.hand.app_mut().session_mut();
         while session.undo() {}
@@ -247,9 +249,9 @@ fn let_loose(seed: u64, file: Option<&str>, gestures: usize) {
             assert!(first == opened || first == fresh, "undo leads to the first file: {first}");
         }
     }
-    // Byte for byte, where the file is still the one that was opened.
+    // Byte for byte as it was opened, also where the monkey saved in between.
     if file.is_some() && monkey.hand.app().session().path() == Some(&path) {
-        let original = std::fs::read(&path).unwrap();
+        let original = std::fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join(file.unwrap())).unwrap();
         while monkey.hand.app_mut().session_mut().undo() {}
         assert!(monkey.hand.app_mut().save_as(&path));
         assert!(std::fs::read(&path).unwrap() == original, "the file as it was");

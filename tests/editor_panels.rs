@@ -267,6 +267,27 @@ fn tiers_are_measured_when_asked_and_adopted_by_a_click() {
     hand.undo();
     assert_eq!(hand.look().tier, Tier::Exact);
     assert!(!hand.app().session().is_dirty(), "one step");
+    // A point of the plot does the same, and tells of itself.
+    for _ in 0..20 {
+        hand.wheel(plot.center(), 60.0);
+    }
+    let point = hand.harness.get_by_label("Point fast").rect().center();
+    hand.hover(point);
+    hand.harness.run_steps(30);
+    assert!(hand.harness.query_by_label_contains("A click adopts it").is_some());
+    hand.click(point);
+    assert_eq!(hand.look().tier, Tier::Fast);
+    hand.undo();
+    // Measuring is stopped by hand; what was measured stays.
+    let rows = hand.app().cost().report().unwrap().rows.len();
+    let measure = hand.harness.get_by_label("Measure").rect().center();
+    hand.click(measure);
+    let stop = hand.harness.get_by_label("Stop").rect().center();
+    hand.click(stop);
+    let clock = std::time::Instant::now();
+    hand.settle();
+    assert!(clock.elapsed().as_secs() < 60 && !hand.app().is_busy());
+    assert_eq!(hand.app().cost().report().unwrap().rows.len(), rows);
 }
 
 /// A look whose output shows 0.5 everywhere, with a constant of 2 and a custom node that is wired to nothing.

@@ -301,7 +301,8 @@ fn evaluate(
     context: &dyn Fn(&Json) -> Json,
 ) -> Vec<Vec<f64>> {
     let valid = wgsl::parse(functions).expect("valid WGSL");
-    let options = Options { derivatives: Derivatives::Zero, ..Options::default() };
+    // Constants as they are written, at f64.
+    let options = Options { derivatives: Derivatives::Zero, source: Some(functions), ..Options::default() };
     let mut values: Vec<Evaluated> = Vec::new();
     let index = |json: &Json| json.as_u64().expect("an index") as usize;
     for step in host["steps"].as_array().expect("steps") {

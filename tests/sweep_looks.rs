@@ -28,24 +28,27 @@ fn hold_looks(effort: &LookEffort) {
     let mut broken = Vec::new();
     for path in looks() {
         let mut go_on = |_, _| true;
-        let measured =
-            flawless(measure_look(&path, Library::built_in(), &mut precise, effort, &mut Progress::new(&mut go_on)));
-        let e = &measured.error;
-        let line = format!(
-            "{:24} {:3} pictures, max {:.1e}, p999 {:.1e}, rms {:.1e}, visible {}, edges {} up to {:.1e}; {}",
-            measured.look,
-            measured.pictures,
-            e.max,
-            e.p999,
-            e.rms,
-            e.visible,
-            e.edges,
-            e.edge_max,
-            measured.worst_words
-        );
-        println!("{line}");
-        if !measured.holds() {
-            broken.push(line);
+        let mut progress = Progress::new(&mut go_on);
+        for measured in flawless(measure_look(&path, Library::built_in(), &mut precise, effort, &mut progress)) {
+            let e = &measured.error;
+            let line = format!(
+                "{:24} {:8} {:3} pictures, NaN {}, max {:.1e}, p999 {:.1e}, rms {:.1e}, edges {} of {} up to {:.1e}; {}",
+                measured.look,
+                format!("{:?}", measured.tier),
+                measured.pictures,
+                e.broken,
+                e.max,
+                e.p999,
+                e.rms,
+                e.edge_visible,
+                e.edges,
+                e.edge_max,
+                measured.worst_words
+            );
+            println!("{line}");
+            if !measured.holds() {
+                broken.push(line);
+            }
         }
     }
     assert!(broken.is_empty(), "beyond their bounds:\n{}", broken.join("\n"));
@@ -61,7 +64,8 @@ fn hold_stability(effort: &StabilityEffort) {
             let mut progress = Progress::new(&mut go_on);
             let measured =
                 flawless(measure_stability(&path, mesh, Library::built_in(), &mut precise, effort, &mut progress));
-            let told = |f: &stability::Flicker| format!("{:.1e} of {:.1e} over {}", f.max, f.truth, f.count);
+            let told =
+                |f: &stability::Flicker| format!("{:.1e} of {:.1e}, {} of {} seen", f.max, f.truth, f.visible, f.count);
             let line = format!(
                 "{:24} {:9} smooth {}, edges {}, silhouettes {}",
                 measured.look,
@@ -90,9 +94,16 @@ fn nothing_flickers_while_light_and_camera_turn() {
 }
 
 #[test]
-#[ignore = "an hour: scripts/soak"]
+#[ignore = "hours: scripts/soak"]
 fn soak_looks_are_true_from_everywhere() {
     hold_looks(&LookEffort::soak());
+}
+
+/// 4096 by 4096 pixels, in 4 GB of memory.
+#[test]
+#[ignore = "half an hour: scripts/soak"]
+fn soak_looks_are_true_in_the_largest_pictures() {
+    hold_looks(&LookEffort::large());
 }
 
 #[test]

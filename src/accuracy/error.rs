@@ -49,6 +49,8 @@ pub struct ErrorFigures {
     pub edges: u64,
     /// The largest difference there.
     pub edge_max: f64,
+    /// How many of them differ by more than 1/255.
+    pub edge_visible: u64,
 }
 
 impl ErrorFigures {
@@ -69,6 +71,7 @@ impl ErrorFigures {
             joined.broken += one.broken;
             joined.edges += one.edges;
             joined.edge_max = joined.edge_max.max(one.edge_max);
+            joined.edge_visible += one.edge_visible;
         }
         joined.rms = if joined.pixels > 0 { (squares / joined.pixels as f64).sqrt() } else { 0.0 };
         joined
@@ -95,6 +98,7 @@ pub fn compare(picture: &Colors<'_>, truth: &Colors<'_>, is_edge: impl Fn(usize)
         if is_edge(index) {
             figures.edges += 1;
             figures.edge_max = figures.edge_max.max(difference);
+            figures.edge_visible += u64::from(difference > VISIBLE);
             continue;
         }
         squares += got.iter().zip(wanted).map(|(a, b)| (a - b) * (a - b)).sum::<f64>();
@@ -156,7 +160,7 @@ mod tests {
         let figures = compare(&colors(&picture), &colors(&truth), |index| index == 13);
         assert_eq!((figures.pixels, figures.broken, figures.edges), (1998, 1, 1));
         assert_eq!((figures.max, figures.worst, figures.visible), (0.5, [9, 0], 2));
-        assert_eq!(figures.edge_max, 1.0);
+        assert_eq!((figures.edge_max, figures.edge_visible), (1.0, 1));
         let wanted = ((0.25_f64.powi(2) + 0.5_f64.powi(2)) / (4.0 * 1998.0)).sqrt();
         assert!((figures.rms - wanted).abs() < 1e-15);
         assert_eq!(figures.p999, 0.25, "one pixel in a thousand is above");

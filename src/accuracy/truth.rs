@@ -8,8 +8,8 @@ use crate::library::Library;
 use crate::reference::{self, Control, Modules, ReferencePicture, Snap};
 use crate::render::{Renderer, block_on};
 
-/// GPUs and software Vulkan round screen positions to this share of a pixel, 2^-8; coverage agrees where the truth does
-/// the same.
+/// GPUs and software Vulkan decide coverage where they have rounded vertices to, to 2^-8 of a pixel; it agrees where the
+/// truth does the same. What is interpolated lies between vertices as they are: a GPU that rounds it too is off by that.
 const GRID: Snap = Snap::Subpixel(8);
 
 /// A picture in f64: nothing folded, every value at f64, one sample a pixel.
@@ -74,31 +74,8 @@ impl Truth {
     /// # Errors
     /// What the GPU refuses.
     pub fn compare(&self, renderer: &mut Renderer, plan: &FramePlan) -> Result<ErrorFigures, Stopped> {
-        self.compare_beside(renderer, plan, &self.edges)
-    }
-
-    /// [`Self::compare`] with other pixels kept apart as edges.
-    ///
-    /// # Errors
-    /// What the GPU refuses.
-    pub fn compare_beside(
-        &self,
-        renderer: &mut Renderer,
-        plan: &FramePlan,
-        edges: &[bool],
-    ) -> Result<ErrorFigures, Stopped> {
         let got = Colors::from(&block_on(renderer.picture(plan))?);
-        Ok(compare(&got, &self.colors(), |index| edges[index]))
-    }
-
-    /// Pixels on edges and what is at most so many pixels away from them or from the picture's border: derivatives in
-    /// quads of pixels and the stencil of the curvature see what is on the other side, or that there is nothing.
-    pub fn near_edges(&self, pixels: usize) -> Vec<bool> {
-        let [width, height] = self.picture.size.map(|side| side as usize);
-        let is_inside = |at: usize, size: usize| at >= pixels && at + pixels < size;
-        let is_border = |index: usize| !(is_inside(index % width, width) && is_inside(index / width, height));
-        let near = widened(&self.edges, width, pixels);
-        near.into_iter().enumerate().map(|(index, is_near)| is_near || is_border(index)).collect()
+        Ok(compare(&got, &self.colors(), |index| self.is_edge(index)))
     }
 
     /// Its colours, premultiplied.

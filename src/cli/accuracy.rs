@@ -34,6 +34,9 @@ pub(super) struct Arguments {
     /// Fewer samples, views and frames, and no search for worse inputs
     #[arg(short, long)]
     quick: bool,
+    /// Each look at 4096 pixels too: half an hour, and 4 GB of memory
+    #[arg(long)]
+    large: bool,
     /// A folder to write the worst inputs into, which a test then holds
     #[arg(long)]
     worst: Option<PathBuf>,
@@ -53,7 +56,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         effort: if quick { Effort::QUICK } else { Effort::FULL },
         looks: arguments.nodes.is_empty().then(|| arguments.looks.clone()),
         look_effort: if quick { LookEffort::quick() } else { LookEffort::full() },
-        stability: StabilityEffort { frames: if quick { 6 } else { 60 }, side: 96 },
+        large: arguments.large.then(LookEffort::large),
+        stability: StabilityEffort { frames: if quick { 6 } else { 60 }, side: 160 },
     };
     let mut told = |done, total| {
         output.progress("measuring", done, total);
@@ -89,6 +93,9 @@ fn command_of(arguments: &Arguments) -> String {
     let mut command = "chiaro accuracy".to_owned();
     if arguments.quick {
         command += " --quick";
+    }
+    if arguments.large {
+        command += " --large";
     }
     if !arguments.nodes.is_empty() {
         command += &format!(" --nodes {}", arguments.nodes.join(" "));

@@ -283,10 +283,11 @@ static CONVERSIONS: LazyLock<Conversions> = LazyLock::new(|| {
             }
         }
     }
-    let linked = wgsl::link(&[Source { name: "conversions", text: &text }]);
-    let valid = linked.ok().and_then(|linked| wgsl::parse(&linked.text).ok());
+    let linked = wgsl::link(&[Source { name: "conversions", text: &text }]).ok();
+    let valid = linked.as_ref().and_then(|linked| wgsl::parse(&linked.text).ok());
     let compiled = |(from, to, name): (Type, Type, String)| {
-        let program = Program::compile(&valid.as_ref()?.module, &name, interp::Options::default()).ok()?;
+        let options = interp::Options { source: Some(&linked.as_ref()?.text), ..interp::Options::default() };
+        let program = Program::compile(&valid.as_ref()?.module, &name, options).ok()?;
         Some(((from, to), (name, Arc::new(program))))
     };
     let functions = pairs.into_iter().filter_map(compiled).collect();
@@ -323,5 +324,14 @@ mod tests {
                 assert_eq!(is_template, conversion_program(from, to).is_some(), "{from} to {to}");
             }
         }
+    }
+
+    #[test]
+    fn constants_of_the_library_are_read_at_f64() {
+        let module = &crate::library::Library::built_in().nodes["color_luminance"].module;
+        let program = module.program("color_luminance").unwrap();
+        let green = program.call(&[interp::Value::vec(&[0.0, 1.0, 0.0, 1.0])], Precision::F64).unwrap();
+        assert_eq!(green, interp::Value::Float(0.7152), "and not the nearest f32");
+        assert_ne!(f64::from(0.7152_f32), 0.7152);
     }
 }

@@ -306,8 +306,8 @@ impl NodeModule {
         self.operations.of_function(&self.valid.module, function)
     }
 
-    /// A function, ready to run on the CPU; compiled on the first call. Derivatives are 0 in it, because whatever
-    /// runs before the fragment is the same in all of them.
+    /// A function, ready to run on the CPU, with constants at f64; compiled on the first call. Derivatives are 0 in it,
+    /// because whatever runs before the fragment is the same in all of them.
     ///
     /// # Errors
     /// Names what of the function the interpreter cannot run.
@@ -316,7 +316,8 @@ impl NodeModule {
         if let Some(program) = programs.get(function) {
             return program.clone();
         }
-        let options = Options { derivatives: Derivatives::Zero, ..Options::default() };
+        let source = Some(self.linked.text.as_str());
+        let options = Options { derivatives: Derivatives::Zero, source, ..Options::default() };
         let program = Program::compile(&self.valid.module, function, options).map(Arc::new);
         programs.insert(function.to_owned(), program.clone());
         program

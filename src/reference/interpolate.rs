@@ -31,16 +31,14 @@ pub(super) struct Point {
 }
 
 impl Surface {
-    /// That of `triangle`, on a grid of 2 to `bits` steps a pixel.
+    /// That of `triangle`, whose coverage is decided on a grid of 2 to `bits` steps a pixel.
     pub(super) fn new(triangle: &Triangle, bits: u32) -> Self {
         let [a, b, c] = triangle.corners;
-        let pixel = 1.0 / (f64::from(1 << (bits / 2)) * f64::from(1 << bits.div_ceil(2)));
-        // The differences are exact before they are rounded once.
-        let from_first = |at: [i64; 2]| [0, 1].map(|i| (at[i] - a.at[i]) as f64 * pixel);
-        let (b_at, c_at) = (from_first(b.at), from_first(c.at));
-        let area = super::setup::doubled_area(&triangle.corners) as f64 * pixel * pixel;
+        let (places, area) = places(triangle, bits);
+        let from_first = |i: usize| [0, 1].map(|axis| places[i][axis] - places[0][axis]);
+        let (b_at, c_at) = (from_first(1), from_first(2));
         Self {
-            origin: a.at.map(|steps| steps as f64 * pixel),
+            origin: places[0],
             second: [c_at[1] / area, -c_at[0] / area],
             third: [-b_at[1] / area, b_at[0] / area],
             depth: [a.depth, b.depth - a.depth, c.depth - a.depth],
@@ -70,6 +68,23 @@ impl Surface {
         let inverse_w = over_w[0] + over_w[1] + over_w[2];
         let share = |corner: usize| (0..3).map(|i| over_w[i] * self.weights[i][corner]).sum::<f64>() / inverse_w;
         Point { depth: self.depth(x, y), inverse_w, shares: [share(1), share(2)] }
+    }
+}
+
+/// Where the corners are for what is interpolated, in pixels, and twice the area between them.
+///
+/// That is where they really are, as long as the grid makes neither twice nor half of the triangle: of a sliver that it
+/// widens or turns around, planes through the true corners are as steep as one likes, and those on the grid are not.
+fn places(triangle: &Triangle, bits: u32) -> ([[f64; 2]; 3], f64) {
+    let pixel = 1.0 / (f64::from(1 << (bits / 2)) * f64::from(1 << bits.div_ceil(2)));
+    let rounded = super::setup::doubled_area(&triangle.corners) as f64 * pixel * pixel;
+    let true_places = triangle.corners.map(|corner| corner.place);
+    let [a, b, c] = true_places;
+    let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    if (0.5 * rounded..=2.0 * rounded).contains(&area) {
+        (true_places, area)
+    } else {
+        (triangle.corners.map(|corner| corner.at.map(|steps| steps as f64 * pixel)), rounded)
     }
 }
 

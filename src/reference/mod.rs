@@ -12,8 +12,9 @@
 //! Clip space, viewport, culling, the top-left rule, sample positions, the depth test (less) and blending are WebGPU's.
 //! Fragments are shaded once, at the pixel's middle, for all samples that they cover; helpers of a quad lie on the
 //! triangle's plane. Positions, depths, varyings and images are f64 and are never rounded, but for the grid
-//! ([`Snap`]) that coverage is decided on, which varyings follow, and for images where [`ImageRounding`] asks for it. A fragment that its shader discards leaves no depth;
-//! those that are hidden already are not shaded, which nothing can tell, as depths only ever fall.
+//! ([`Snap`]) that coverage alone is decided on, and for images where [`ImageRounding`] asks for it. A fragment that its
+//! shader discards leaves no depth; those that are hidden already are not shaded, which nothing can tell, as depths only
+//! ever fall.
 #![allow(clippy::result_large_err, reason = "diagnostics are large, and made only when all is lost")]
 
 mod clip;

@@ -11,7 +11,8 @@ use crate::diag::Diagnostic;
 /// The grid that screen positions are rounded to before coverage is decided.
 ///
 /// Coverage is decided in whole numbers of grid steps, so that it is exact: triangles that share an edge cover each
-/// sample on it once, whatever the grid.
+/// sample on it once, whatever the grid. What is interpolated, depth too, lies on the plane through the corners as they
+/// are, which the grid does not move: pixels that a triangle covers by being rounded are beside its edge by up to a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Snap {
     /// 2^-32 of a pixel, which is finer than any error that f32 leaves: the truth.

@@ -22,8 +22,10 @@ pub struct Sides {
 /// A corner on the screen.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ScreenCorner {
-    /// Grid steps from the upper left, y down.
+    /// Grid steps from the upper left, y down: what coverage is decided by.
     pub(super) at: [i64; 2],
+    /// Pixels from the upper left, y down, where it really is: what is interpolated by.
+    pub(super) place: [f64; 2],
     /// 0 at the near plane, 1 at the far one.
     pub(super) depth: f64,
     pub(super) inverse_w: f64,
@@ -44,11 +46,11 @@ impl Screen {
         // Cuts leave nothing beyond either limit but for what rounding does, which is a lot only where w is next to 0.
         let w = w.max(LEAST_W);
         let steps = f64::from(1 << (self.bits / 2)) * f64::from(1 << self.bits.div_ceil(2));
-        let step = |ndc: f64, side: u32| {
-            (0.5 * (ndc.clamp(-2.0 * GUARD, 2.0 * GUARD) + 1.0) * f64::from(side) * steps).round() as i64
-        };
+        let pixels = |ndc: f64, side: u32| 0.5 * (ndc.clamp(-2.0 * GUARD, 2.0 * GUARD) + 1.0) * f64::from(side);
+        let place = [pixels(x / w, self.size[0]), pixels(-y / w, self.size[1])];
         ScreenCorner {
-            at: [step(x / w, self.size[0]), step(-y / w, self.size[1])],
+            at: place.map(|pixels| (pixels * steps).round() as i64),
+            place,
             depth: z / w,
             inverse_w: 1.0 / w,
             weights: corner.weights,

@@ -51,8 +51,13 @@ fn traced(triangle: [DVec3; 3]) -> Plain<'static> {
 
 /// Draws each triangle, and holds every pixel against the ray through its middle. Gives how many were covered.
 fn hold_against_rays(triangle: [DVec3; 3]) -> usize {
+    hold_against_rays_on(Snap::None, triangle)
+}
+
+fn hold_against_rays_on(snap: Snap, triangle: [DVec3; 3]) -> usize {
     let shader = traced(triangle);
-    let raster = draw(SIZE, 1, &Target::Numbers(8), &[0, 1, 2], &shader, &Options::default());
+    let options = Options { snap, ..Options::default() };
+    let raster = draw(SIZE, 1, &Target::Numbers(8), &[0, 1, 2], &shader, &options);
     let mut covered = 0;
     for y in 0..SIZE[1] {
         for x in 0..SIZE[0] {
@@ -64,9 +69,10 @@ fn hold_against_rays(triangle: [DVec3; 3]) -> usize {
             if within.min(depths).abs() < 1e-6 {
                 continue; // On an edge.
             }
-            let is_inside = within > 0.0 && depths > 0.0;
-            assert_eq!(pixel[7] == 1.0, is_inside, "({x}, {y}): {within}, {depths}");
-            if !is_inside {
+            let (is_covered, is_inside) = (pixel[7] == 1.0, within > 0.0 && depths > 0.0);
+            // A grid moves the edges, but nothing that is within them.
+            assert!(is_covered == is_inside || snap != Snap::None, "({x}, {y}): {within}, {depths}");
+            if !(is_covered && is_inside) {
                 continue;
             }
             covered += 1;
@@ -92,6 +98,45 @@ fn varyings_are_where_rays_meet_the_plane() {
         covered += hold_against_rays([corner(&mut random), corner(&mut random), corner(&mut random)]);
     }
     assert!(covered > 10_000, "{covered}");
+}
+
+#[test]
+fn a_grid_decides_coverage_and_moves_no_plane() {
+    let mut random = Random::new(15);
+    let mut covered = 0;
+    for _ in 0..400 {
+        // Of a few pixels, so that a step of the grid would be a hundredth of the whole.
+        let middle = [(); 2].map(|()| random.between(-4.0, 4.0));
+        let corner = |random: &mut Random| {
+            let [x, y] = middle.map(|x| x + random.between(-1.0, 1.0));
+            DVec3::new(x, y, random.between(-11.0, -9.0))
+        };
+        let triangle = [corner(&mut random), corner(&mut random), corner(&mut random)];
+        covered += hold_against_rays_on(Snap::Subpixel(8), triangle);
+    }
+    assert!(covered > 1000, "{covered}");
+}
+
+/// A sliver that the grid widens or turns around gives nothing beyond its corners, however steep its own plane is.
+#[test]
+fn slivers_on_a_grid_give_nothing_beyond_their_corners() {
+    let mut random = Random::new(16);
+    let mut covered = 0;
+    for _ in 0..4000 {
+        // Through the middle of a pixel almost, and narrower than a step.
+        let [x, y] = [20.5, 20.5].map(|x| x + random.between(-0.003, 0.003));
+        let corners = [[x - 9.0, y - 9.0], [x + 9.0, y + 9.0], [x, y + random.between(0.0, 0.004)]];
+        let clip = corners.map(|corner| at_pixel(SIZE, corner, 0.5)).to_vec();
+        let shader = Plain::new(clip, |batch, lane| Some(vec![batch.varying(0)[lane], 1.0]))
+            .with(Interpolation::Perspective, vec![vec![0.0], vec![0.0], vec![1.0]]);
+        let options = Options { snap: Snap::Subpixel(8), ..Options::default() };
+        let raster = draw(SIZE, 1, &Target::Numbers(2), &[0, 1, 2], &shader, &options);
+        for pixel in raster.texels.values.chunks_exact(2).filter(|pixel| pixel[1] == 1.0) {
+            assert!(pixel[0].abs() < 6.0, "{pixel:?} of {corners:?}");
+            covered += 1;
+        }
+    }
+    assert!(covered > 100, "{covered}");
 }
 
 #[test]

@@ -10,6 +10,7 @@ pub mod bounds;
 pub mod case;
 pub mod looks;
 pub mod measure;
+mod pictures;
 pub mod plot;
 pub mod random;
 pub mod report;
@@ -19,7 +20,7 @@ pub mod stability;
 
 pub use bounds::{Judging, bound, judging};
 pub use case::{Bench, Case};
-pub use looks::{LookEffort, LookMeasured, looks_in, measure_look};
+pub use looks::{LookBound, LookEffort, LookMeasured, looks_in, measure_look};
 pub use measure::{Effort, Finding, Lab, Measured};
 pub use report::{AccuracyReport, survey};
 pub use search::{Worst, climb};

@@ -7,14 +7,14 @@ use serde::Serialize;
 
 use super::bounds::{EXCEPTIONS, Judging, STEEP_FOOT};
 use super::case::Case;
-use super::looks::{INTERIOR, LookEffort, LookMeasured, VISIBLE_SHARE, looks_in, measure_look};
+use super::looks::{LookEffort, LookMeasured, looks_in, measure_look};
 use super::measure::{Effort, Lab, Measured};
 use super::search::Worst;
 use super::stability::{MESHES, StabilityEffort, StabilityMeasured, measure_stability};
-use super::{plot, stability};
+use super::{pictures, plot, stability};
 use crate::accuracy::{Progress, Stopped};
 use crate::diag::Diagnostic;
-use crate::document::write_atomic;
+use crate::document::{Tier, write_atomic};
 use crate::library::Library;
 use crate::render::Renderer;
 
@@ -29,6 +29,8 @@ pub struct Survey {
     pub looks: Option<std::path::PathBuf>,
     /// How much of each look.
     pub look_effort: LookEffort,
+    /// The largest pictures of each look.
+    pub large: Option<LookEffort>,
     /// How long looks are turned.
     pub stability: StabilityEffort,
 }
@@ -42,8 +44,10 @@ pub struct AccuracyReport {
     pub is_software: bool,
     /// Each case of each node.
     pub nodes: Vec<Measured>,
-    /// Each look.
+    /// Each look, in each tier.
     pub looks: Vec<LookMeasured>,
+    /// The same in the largest pictures, where they were wanted.
+    pub large: Vec<LookMeasured>,
     /// Each look on each mesh, turning.
     pub stability: Vec<StabilityMeasured>,
     /// The worst inputs, to be kept.
@@ -66,6 +70,7 @@ pub fn survey(
         is_software: renderer.gpu().is_software(),
         nodes: Vec::new(),
         looks: Vec::new(),
+        large: Vec::new(),
         stability: Vec::new(),
         worst: Vec::new(),
     };
@@ -75,7 +80,8 @@ pub fn survey(
     kinds.retain(|kind| survey.nodes.is_empty() || survey.nodes.contains(kind));
     kinds.sort_unstable();
     let cases: Vec<Case> = kinds.into_iter().flat_map(|kind| Case::of(&library.nodes[kind])).collect();
-    let truths = 3 * (survey.look_effort.stations + survey.look_effort.sides.len()) + 2 * survey.stability.frames;
+    let large = survey.large.as_ref().map_or(0, LookEffort::truths);
+    let truths = survey.look_effort.truths() + large + MESHES.len() * survey.stability.frames;
     progress.expect((cases.len() + looks.len() * truths) as u64);
     let mut lab = Lab::new(library, renderer)?;
     for case in cases {
@@ -86,7 +92,10 @@ pub fn survey(
         progress.step()?;
     }
     for path in &looks {
-        report.looks.push(measure_look(path, library, &mut precise, &survey.look_effort, progress)?);
+        report.looks.extend(measure_look(path, library, &mut precise, &survey.look_effort, progress)?);
+        if let Some(effort) = &survey.large {
+            report.large.extend(measure_look(path, library, &mut precise, effort, progress)?);
+        }
         for mesh in MESHES {
             let effort = &survey.stability;
             report.stability.push(measure_stability(path, mesh, library, &mut precise, effort, progress)?);
@@ -100,10 +109,18 @@ impl AccuracyReport {
     pub fn broken(&self) -> Vec<String> {
         let nodes = self.nodes.iter().filter(|one| !one.holds());
         let nodes = nodes.map(|one| format!("{} ({}): {}", one.case.name(), tier(one), one.worst_words));
-        let looks = self.looks.iter().filter(|one| !one.holds());
-        let looks = looks.map(|one| format!("{}: {:.1e} in {}", one.look, one.error.max, one.worst_words));
+        let looks = self.looks.iter().chain(&self.large).filter(|one| !one.holds());
+        let looks = looks.map(|one| {
+            let (e, tier) = (&one.error, word_of(one.tier));
+            let edges = format!("{} of {} edge pixels over 1/255", e.edge_visible, e.edges);
+            format!("{} ({tier}): {:.1e}, RMS {:.1e}, {edges}, in {}", one.look, e.max, e.rms, one.worst_words)
+        });
         let turning = self.stability.iter().filter(|one| !one.holds());
-        let turning = turning.map(|one| format!("{} on the {} flickers by {:.1e}", one.look, one.mesh, one.edges.max));
+        let turning = turning.map(|one| {
+            let most = one.smooth.max.max(one.edges.max);
+            let share = format!("{} of {} pixels of silhouettes", one.silhouettes.visible, one.silhouettes.count);
+            format!("{} on the {} flickers by {most:.1e}, and {share} by more than 1/255", one.look, one.mesh)
+        });
         nodes.chain(looks).chain(turning).collect()
     }
 
@@ -114,8 +131,8 @@ impl AccuracyReport {
         self.nodes_part(&mut text, plots);
         exceptions_part(&mut text);
         if !self.looks.is_empty() {
-            self.looks_part(&mut text, plots);
-            self.stability_part(&mut text, plots);
+            pictures::looks_part(self, &mut text, plots);
+            pictures::stability_part(self, &mut text, plots);
         }
         text
     }
@@ -198,71 +215,6 @@ impl AccuracyReport {
         groups
     }
 
-    fn looks_part(&self, text: &mut String, plots: &str) {
-        let _ = writeln!(
-            text,
-            "## Example looks\n\n\
-             Each look in its exact tier on a sphere, the creature and a plane, over the sphere of lights and views, near (0.45\n\
-             times the distance) and far (20 times). Colours are compared where coverage agrees; pixels at most two away from an\n\
-             edge are told apart, because derivatives and the curvature's stencil see across it. Inside, no channel is farther\n\
-             from the truth than {INTERIOR}, and at most {VISIBLE_SHARE} of the pixels by more than 1/255. The\n\
-             picture's border counts as an edge, so that in the smallest pictures all pixels do.\n\n\
-             ![The largest error of each look]({plots}/looks.svg)\n\n\
-             | look | pictures | pixels | NaN or inf | largest | RMS | over 1/255 | at edges | worst pixel |\n\
-             | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | --- |"
-        );
-        for one in &self.looks {
-            let e = &one.error;
-            let _ = writeln!(
-                text,
-                "| {} | {} | {} | {} | {} | {} | {} | {} | {} |",
-                one.look,
-                one.pictures,
-                e.pixels,
-                e.broken,
-                small(e.max),
-                small(e.rms),
-                e.visible,
-                small(e.edge_max),
-                one.worst_words
-            );
-        }
-        text.push('\n');
-    }
-
-    fn stability_part(&self, text: &mut String, plots: &str) {
-        let _ = writeln!(
-            text,
-            "## Temporal stability\n\n\
-             The camera turns by {} rad a frame and the lights by twice that the other way; each pixel's change from frame to\n\
-             frame, less the change of its truth, is flicker. *Smooth* is where the truth hardly changes from pixel to pixel\n\
-             (bound {} on the sphere, {} on the creature, whose folds are too shallow to be told from shading); *edges* are\n\
-             terminators, cartoon edges and the borders that direction keys make (bounds {} and {}); *silhouettes* are pixels\n\
-             at most two away from where coverage or depth changes: there one pixel more or less decides, and nothing is held.\n\
-             Beside each stands the largest change of the truth itself.\n\n\
-             ![Flicker of each look]({plots}/stability.svg)\n\n\
-             | look | mesh | direction keys | smooth | of | edges | of | silhouettes | of |\n\
-             | --- | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |",
-            stability::STEP,
-            stability::ON_SPHERE[0],
-            stability::ON_FOLDS[0],
-            stability::ON_SPHERE[1],
-            stability::ON_FOLDS[1]
-        );
-        for one in &self.stability {
-            let of = |flicker: &stability::Flicker| {
-                if flicker.count == 0 {
-                    "none |".to_owned()
-                } else {
-                    format!("{} | {}", small(flicker.max), small(flicker.truth))
-                }
-            };
-            let keys = if one.has_direction_keys { "yes" } else { "" };
-            let (smooth, edges, silhouettes) = (of(&one.smooth), of(&one.edges), of(&one.silhouettes));
-            let _ = writeln!(text, "| {} | {} | {keys} | {smooth} | {edges} | {silhouettes} |", one.look, one.mesh);
-        }
-    }
-
     /// Writes the document to `path`, and the plots into the folder of its stem beside it.
     ///
     /// # Errors
@@ -295,15 +247,16 @@ impl AccuracyReport {
         let look = |one: &LookMeasured| plot::Row {
             label: one.look.clone(),
             points: vec![(one.error.edge_max, "#b9b4a9"), (one.error.rms, "#4f8f5b"), (one.error.max, "#35618f")],
-            bound: Some(one.bound),
+            bound: one.bound.max,
         };
-        let looks: Vec<plot::Row> = self.looks.iter().map(look).collect();
+        let exact = self.looks.iter().filter(|one| one.tier == Tier::Exact);
+        let looks: Vec<plot::Row> = exact.map(look).collect();
         let turning = |one: &StabilityMeasured| {
             let kinds = [(one.silhouettes, "#b9b4a9"), (one.edges, "#c0583f"), (one.smooth, "#35618f")];
             let points =
                 kinds.iter().filter(|(flicker, _)| flicker.count > 0).map(|(flicker, color)| (flicker.max, *color));
             let label = format!("{}, {}", one.look, one.mesh);
-            plot::Row { label, points: points.collect(), bound: Some(one.edge_bound) }
+            plot::Row { label, points: points.collect(), bound: Some(stability::ON_EDGES) }
         };
         let stability: Vec<plot::Row> = self.stability.iter().map(turning).collect();
         let tiers = [("exact", "#35618f"), ("balanced", "#4f8f5b"), ("fast", "#c0583f")];
@@ -360,10 +313,15 @@ fn exceptions_part(text: &mut String) {
 }
 
 fn tier(one: &Measured) -> &'static str {
-    ["exact", "balanced", "fast"][one.case.tier as usize]
+    word_of(one.case.tier)
+}
+
+/// What a tier is called in a look's file.
+pub(super) fn word_of(tier: Tier) -> &'static str {
+    ["exact", "balanced", "fast"][tier as usize]
 }
 
 /// Two digits, whatever the size.
-fn small(number: f64) -> String {
+pub(super) fn small(number: f64) -> String {
     if number == 0.0 { "0".to_owned() } else { format!("{number:.1e}") }
 }

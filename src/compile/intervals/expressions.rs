@@ -383,9 +383,20 @@ fn matrix_product(shapes: (&TypeInner, &TypeInner), a: &[Range], b: &[Range]) ->
     Ok(Some(product))
 }
 
+/// What may have been written where naga read `x`: at f64 a constant is anything that rounds to it. Numbers of so few
+/// digits that their last bits are 0 are what they say.
+fn written(x: f32) -> Floats {
+    const PLAIN: u32 = 8;
+    if !x.is_normal() || x.to_bits().trailing_zeros() >= PLAIN {
+        return Floats::constant(x.into());
+    }
+    let middle = |other: f32| 0.5 * (f64::from(x) + f64::from(other));
+    Floats::between(middle(x.next_down()), middle(x.next_up()))
+}
+
 fn literal_range(literal: Literal) -> Outcome<Range> {
     Ok(match literal {
-        Literal::F32(x) => Range::Float(Floats::constant(x.into())),
+        Literal::F32(x) => Range::Float(written(x)),
         Literal::F64(x) | Literal::AbstractFloat(x) => Range::Float(Floats::constant(x)),
         Literal::U32(x) => Range::Int(Ints::between(x.into(), x.into())),
         Literal::I32(x) => Range::Int(Ints::between(x.into(), x.into())),

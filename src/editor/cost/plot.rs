@@ -52,7 +52,7 @@ impl Axis {
 /// Plots the rows of one subject, and returns the one that was clicked.
 pub(super) fn show(ui: &mut Ui, rows: &[&Row], title: String, in_use: impl Fn(&Row) -> bool) -> Option<Row> {
     let height = (ui.clip_rect().height() * 0.62).clamp(*HEIGHT.start(), *HEIGHT.end());
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::click());
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, "Error against time"));
     let inner = Rect::from_min_max(rect.min + vec2(46.0, 20.0), rect.max - vec2(10.0, 20.0));
     let time = |row: &Row| row.time.median.max(LEAST_TIME);
@@ -70,30 +70,39 @@ pub(super) fn show(ui: &mut Ui, rows: &[&Row], title: String, in_use: impl Fn(&R
     let place = |row: &Row| pos2(x.at(time(row)), y.at(error(row)));
     let front: Vec<Pos2> = pareto_front(rows).into_iter().map(|index| place(rows[index])).collect();
     ui.painter().add(Shape::line(front, Stroke::new(1.0, theme::of(ui).dim)));
-    let pointer = response.hover_pos();
-    let near = |row: &&&Row| pointer.is_some_and(|at| place(row).distance(at) < 12.0);
-    let distance = |row: &&Row| pointer.map_or(f32::INFINITY, |at| place(row).distance(at));
-    let hovered = rows.iter().filter(near).min_by(|a, b| distance(a).total_cmp(&distance(b)));
-    for row in rows {
-        let at = place(row);
+    // Points are widgets of their own, so that keys and screen readers come to them; where they overlap, the nearest.
+    let points: Vec<(Pos2, &Row)> = rows.iter().map(|row| (place(row), *row)).collect();
+    let touch = |(index, (at, row)): (usize, &(Pos2, &Row))| {
+        let reach = Rect::from_center_size(*at, vec2(20.0, 20.0));
+        let point = ui.interact(reach, response.id.with(index), Sense::click());
+        let label = format!("Point {}", tier_word(row.tier));
+        point.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, row.tier.is_some(), label.clone()));
+        point
+    };
+    let touched: Vec<egui::Response> = points.iter().enumerate().map(touch).collect();
+    for ((at, row), point) in points.iter().zip(&touched) {
+        let at = *at;
         let span = [row.time.low, row.time.high].map(|time| x.at(time.max(LEAST_TIME)).clamp(x.from, x.to));
         let ink = theme::of(ui).of_tier(row.tier);
         ui.painter().hline(span[0]..=span[1], at.y, Stroke::new(1.0, ink.gamma_multiply(0.6)));
-        let is_hovered = hovered.is_some_and(|other| std::ptr::eq(*other, *row));
-        ui.painter().circle_filled(at, if is_hovered { 6.5 } else { 5.0 }, ink);
+        let is_near = point.hovered() || point.has_focus();
+        ui.painter().circle_filled(at, if is_near { 6.5 } else { 5.0 }, ink);
         if in_use(row) {
             ui.painter().circle_stroke(at, 8.5, Stroke::new(1.5, theme::of(ui).text));
         }
     }
-    let points: Vec<(Pos2, &Row)> = rows.iter().map(|row| (place(row), *row)).collect();
     name_points(ui, inner, &points);
-    let clicked = response.clicked();
-    let row = *hovered?;
-    let response = response.on_hover_text_at_pointer(told(row, in_use(row)));
-    if row.tier.is_some() {
-        response.on_hover_cursor(egui::CursorIcon::PointingHand);
+    let mut clicked = None;
+    for ((_, row), point) in points.iter().zip(touched) {
+        if point.clicked() && row.tier.is_some() {
+            clicked = Some((*row).clone());
+        }
+        let point = point.on_hover_text(told(row, in_use(row)));
+        if row.tier.is_some() {
+            point.on_hover_cursor(egui::CursorIcon::PointingHand);
+        }
     }
-    (clicked && row.tier.is_some()).then(|| row.clone())
+    clicked
 }
 
 /// The tiers beside their points, each where it covers neither a point nor another name.

@@ -24,6 +24,8 @@ use shading::Shown;
 pub struct Session {
     history: History<Look>,
     source: Arc<SourceMap>,
+    /// As it was opened: what says the same again after a save is written as it was.
+    opened: Arc<SourceMap>,
     path: Option<PathBuf>,
     /// Whether the file holds more than could be read, so that saving over it would lose that.
     is_partial: bool,
@@ -63,10 +65,11 @@ impl Session {
     /// An empty look, with what every look needs. `wake` is called from another thread when there is something new.
     pub fn new(library: Arc<Library>, wake: impl Fn() + Send + 'static) -> Self {
         let catalog = Catalog::new(&library);
-        let loaded = Look::read(NEW_LOOK, "new look");
+        let source = Arc::new(Look::read(NEW_LOOK, "new look").source);
         let mut session = Self {
             history: History::new(Look::default()),
-            source: Arc::new(loaded.source),
+            opened: source.clone(),
+            source,
             path: None,
             is_partial: false,
             library,
@@ -133,7 +136,7 @@ impl Session {
             let message = "this file holds things that could not be read, and saving over it would lose them";
             return Err(Box::new(Diagnostic::error("partly-read", message).hint("save under another name")));
         }
-        let text = if is_own { self.look().to_text_like(&self.source) } else { self.look().to_text() };
+        let text = if is_own { self.text() } else { self.look().to_text() };
         write_atomic(path, text.as_bytes())?;
         self.source = Arc::new(Look::read(&text, &path.display().to_string()).source);
         self.history.mark_saved();
@@ -142,6 +145,12 @@ impl Session {
         self.load_problems.clear();
         self.problems_number += 1;
         Ok(())
+    }
+
+    /// As the file says it, or said it when it was opened, where that is the same; else the canonical form.
+    fn text(&self) -> String {
+        let text = self.look().to_text_like(&self.source);
+        if text == **self.source.text() { text } else { self.look().to_text_like(&self.opened) }
     }
 
     fn use_project(&mut self, path: &Path) {
@@ -156,6 +165,7 @@ impl Session {
         self.document_number += 1;
         self.history = History::new(look);
         self.source = Arc::new(source);
+        self.opened = self.source.clone();
         self.path = path;
         self.selection.clear();
         self.view = Orbit { mesh: self.view.mesh.clone(), ..Orbit::default() };
