@@ -5,6 +5,11 @@
 //! as medians with their 95% confidence interval, measured in turns. docs/performance.md holds the figures. With
 //! arguments after `--` only the parts so named run: `looks`, `layers`, `lights`, `pixels`, `objects`.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
+#![allow(missing_docs, reason = "a program")]
+#![allow(clippy::disallowed_methods, reason = "it asks another program to optimise, and the clock")]
+
+#[path = "support/spirv.rs"]
+mod spirv;
 
 use std::path::Path;
 
@@ -13,10 +18,12 @@ use chiaro::accuracy::size::Sizes;
 use chiaro::accuracy::{Progress, Variant};
 use chiaro::compile::Live;
 use chiaro::document::{Look, Tier};
-use chiaro::frame::{Assets, FramePlan, PlanOptions, Planner, Setup, SetupLook, default_setup, open};
+use chiaro::export::spirv_words;
+use chiaro::frame::{self, Assets, FramePlan, PassKind, PlanOptions, Planner, Setup, SetupLook, default_setup, open};
 use chiaro::library::Library;
 use chiaro::reference::{self, Control, Modules, execute};
 use chiaro::render::{Gpu, Renderer, block_on};
+use chiaro::wgsl;
 use glam::{DMat4, DVec3};
 use serde_json::{Value as Json, json};
 
@@ -69,10 +76,10 @@ fn layers(count: usize, lights: usize, kind: &str) -> Json {
 
 fn told(series: &Series) -> String {
     let time = series.estimate();
-    format!("{:9.2} ({:.2} to {:.2})", time.median, time.low, time.high)
+    format!("{:.1} ({:.1} to {:.1})", time.median, time.low, time.high)
 }
 
-/// Nanoseconds that one SPIR-V instruction takes in one fragment where nothing but arithmetic is done: a long chain of
+/// Nanoseconds that one instruction takes in one fragment where nothing but arithmetic is done: a long chain of
 /// products and sums over all pixels of a quad.
 fn instruction_price(renderer: &mut Renderer) -> f64 {
     let chain = |count: usize| {
@@ -92,8 +99,8 @@ fn instruction_price(renderer: &mut Renderer) -> f64 {
     };
     let plans = [chain(20), chain(420)];
     let series = measure(renderer, &plans, 9);
-    let more = Sizes::of(&plans[1]).instructions - Sizes::of(&plans[0]).instructions;
-    series[1].over(&series[0]).median * 1e6 / (more as f64 * covered(&plans[0]))
+    let more = instructions_of(&plans[1]) - instructions_of(&plans[0]);
+    series[1].over(&series[0]).median * 1e6 / (more * covered(&plans[0]))
 }
 
 /// How many pixels of a plan show an object.
@@ -103,13 +110,70 @@ fn covered(plan: &FramePlan) -> f64 {
     picture.coverage.iter().filter(|pixel| pixel.draw.is_some()).count() as f64
 }
 
+/// Bytes a second that the adapter moves where it does nothing else: reading and writing a large buffer.
+fn bandwidth(renderer: &Renderer) -> f64 {
+    const BYTES: u64 = 256 << 20;
+    let gpu = renderer.gpu();
+    let buffer = |usage| {
+        let label = Some("bandwidth");
+        gpu.device.create_buffer(&wgpu::BufferDescriptor { label, size: BYTES, usage, mapped_at_creation: false })
+    };
+    let (from, to) = (buffer(wgpu::BufferUsages::COPY_SRC), buffer(wgpu::BufferUsages::COPY_DST));
+    let mut times: Vec<f64> = (0..15).map(|_| copy_time(gpu, &from, &to, BYTES)).collect();
+    times.sort_by(f64::total_cmp);
+    // The fastest is what the machine can do; the others were disturbed.
+    2.0 * BYTES as f64 / times[0]
+}
+
+/// Seconds.
+fn copy_time(gpu: &Gpu, from: &wgpu::Buffer, to: &wgpu::Buffer, bytes: u64) -> f64 {
+    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    encoder.copy_buffer_to_buffer(from, 0, to, 0, bytes);
+    let commands = encoder.finish();
+    let start = std::time::Instant::now();
+    gpu.queue.submit([commands]);
+    gpu.device.poll(wgpu::PollType::wait_indefinitely()).expect("a device that answers");
+    start.elapsed().as_secs_f64()
+}
+
+/// Instructions of a module after `spirv-opt -O`, or as naga writes them where that is not installed.
+fn instructions(valid: &wgsl::Valid) -> f64 {
+    let words = spirv_words(valid).expect("SPIR-V can express it");
+    spirv::instructions(spirv::optimised(&words).as_ref().unwrap_or(&words)) as f64
+}
+
+/// Instructions that a plan's passes run for a pixel that shows an object, as far as those of the first draw tell.
+fn instructions_of(plan: &FramePlan) -> f64 {
+    let of = |pass: &frame::Pass| match (pass.kind.shader(), &pass.kind) {
+        (Some(name), _) => {
+            let linked = wgsl::pass(name).expect("a pass that is shipped");
+            let valid = wgsl::parse(&linked.text).expect("a pass that is valid");
+            // Nearly all of it is the loop over rings of neighbours: three of them, or one.
+            if name == "curvature" { 3.0 * instructions(&valid) } else { instructions(&valid) }
+        }
+        (None, PassKind::Look) => instructions(&plan.draws[0].look.valid),
+        (None, kind) => instructions(&plan.draws[0].normals[kind].valid),
+    };
+    plan.passes.iter().map(of).sum()
+}
+
+/// What the machine would take at least for a frame: for its instructions, and for the bytes that it must move, in
+/// milliseconds.
+fn limits(plan: &FramePlan, fragments: f64, price: f64, bandwidth: f64) -> [f64; 2] {
+    [price * 1e-6 * instructions_of(plan) * fragments, 1e3 * Sizes::of(plan).traffic as f64 / bandwidth]
+}
+
 fn looks(renderer: &mut Renderer) {
     let price = instruction_price(renderer);
+    let bandwidth = bandwidth(renderer);
     println!("\nExample looks on the creature at 1600x1200, one sample a pixel, ms a frame");
     println!(
-        "(arithmetic alone: {price:.4} ns an instruction and fragment; `limit`: that times instructions and fragments)"
+        "(the machine: {price:.4} ns an instruction and fragment in a chain of products and sums, {:.2} GB/s in copies)",
+        bandwidth * 1e-9
     );
-    println!("{:<22} {:>28} {:>28} {:>28} {:>8} {:>8}", "look", "exact", "balanced", "fast", "limit", "MiB");
+    let beside = "instructions alone, ms (times as long) | bytes alone, ms (times as long)";
+    println!("\n| look | exact | balanced | fast | exact: {beside} | fast: {beside} |");
+    println!("| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |");
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");
     let mut files: Vec<_> = std::fs::read_dir(folder).expect("examples").flatten().map(|entry| entry.path()).collect();
     files.retain(|path| path.extension().is_some_and(|extension| extension == "json"));
@@ -118,14 +182,16 @@ fn looks(renderer: &mut Renderer) {
         let (setup, _) = open(&file, None, &mut Assets::default()).unwrap_or_else(|problems| panic!("{problems:?}"));
         let plans = TIERS.map(|tier| plan(&Variant::Looks(tier).of(&setup), PAPER));
         let series = measure(renderer, &plans, 7);
-        let sizes = Sizes::of(&plans[0]);
         // What is drawn in a quarter of the size covers a sixteenth of the pixels.
         let fragments = 16.0 * covered(&plan(&setup, PAPER.map(|side| side / 4)));
-        let limit = price * 1e-6 * sizes.instructions as f64 * fragments;
         let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let [exact, balanced, fast] = [0, 1, 2].map(|tier| told(&series[tier]));
-        let traffic = sizes.traffic as f64 / f64::from(1 << 20);
-        println!("{name:<22} {exact:>28} {balanced:>28} {fast:>28} {limit:>8.2} {traffic:>8.1}");
+        let far = |tier: usize| {
+            let time = series[tier].estimate().median;
+            let ends = limits(&plans[tier], fragments, price, bandwidth);
+            ends.map(|limit| format!("{limit:.1} ({:.1}x)", time / limit)).join(" | ")
+        };
+        println!("| {name} | {exact} | {balanced} | {fast} | {} | {} |", far(0), far(2));
     }
 }
 

@@ -11,8 +11,8 @@
 
 #[path = "../tests/support/handwritten.rs"]
 mod handwritten;
-
-use std::process::Command;
+#[path = "support/spirv.rs"]
+mod spirv;
 
 use chiaro::accuracy::cost::{Series, alternate};
 use chiaro::accuracy::{Estimate, Progress};
@@ -20,38 +20,15 @@ use chiaro::document::Tier;
 use chiaro::export::spirv_words;
 use chiaro::frame::{CompiledShader, FramePlan, PassKind};
 use chiaro::render::{Gpu, Renderer, block_on};
+use spirv::{instructions, optimised};
 
 const SIZE: [u32; 2] = [800, 600];
 const ROUNDS: usize = 41;
-
-/// Instructions of a SPIR-V module from its first function on.
-fn instructions(words: &[u32]) -> usize {
-    const OP_FUNCTION: u32 = 54;
-    let (mut at, mut count) = (5, 0);
-    while let Some(word) = words.get(at) {
-        if count > 0 || word & 0xffff == OP_FUNCTION {
-            count += 1;
-        }
-        at += ((word >> 16) as usize).max(1);
-    }
-    count
-}
 
 /// A module as naga writes it, and as `spirv-opt -O` leaves it.
 fn sizes(shader: &CompiledShader) -> [Option<usize>; 2] {
     let words = spirv_words(&shader.valid).expect("SPIR-V can express it");
     [Some(instructions(&words)), optimised(&words).map(|words| instructions(&words))]
-}
-
-fn optimised(words: &[u32]) -> Option<Vec<u32>> {
-    let folder = tempfile::tempdir().ok()?;
-    let [before, after] = ["before.spv", "after.spv"].map(|name| folder.path().join(name));
-    let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
-    std::fs::write(&before, bytes).ok()?;
-    let ran = Command::new("spirv-opt").arg("-O").arg(&before).arg("-o").arg(&after).status().ok()?;
-    let bytes = ran.success().then(|| std::fs::read(after).ok()).flatten()?;
-    let word = |bytes: &[u8]| Some(u32::from_le_bytes(bytes.try_into().ok()?));
-    bytes.chunks_exact(4).map(word).collect()
 }
 
 /// Lines that hold more than a comment.

@@ -1,13 +1,17 @@
 //! What a cheaper form of a node wins: each candidate against the exact form, on the GPU.
 //!
 //! `cargo bench --no-default-features --features gpu --bench tiers [-- FILTER]` prints a table for each file of
-//! `benches/tiers/` (`-- looks` or `-- looks/figure6`: of the example looks, as whole frames); docs/performance.md holds the figures. Such a file is WGSL with functions
+//! `benches/tiers/` (`-- looks` or `-- looks/figure6`: of the example looks, as whole frames; `-- curvature`: of its tiers
+//! and per vertex, with errors); docs/performance.md holds the figures. Such a file is WGSL with functions
 //! `fn name(n: vec3f, l: vec3f, s: f32) -> f32`, of which `exact` is what the others are held against, and `nothing` what
 //! all of them cost before they begin. Each is drawn over the whole target, many times in each pixel, with unit
 //! vectors n and l that change smoothly over the screen and s in [-1, 1]. All of a file take turns, round by round; a
 //! ratio is the median over the rounds of (candidate - nothing) / (exact - nothing), with its 95% confidence interval.
 #![allow(clippy::print_stdout, reason = "what it is for")]
 #![allow(missing_docs, reason = "a program")]
+
+#[path = "tiers/curvature.rs"]
+mod curvature;
 
 use std::path::{Path, PathBuf};
 
@@ -349,6 +353,10 @@ fn main() {
     let mut files: Vec<PathBuf> =
         std::fs::read_dir(folder).expect("the folder").map(|entry| entry.expect("an entry").path()).collect();
     files.sort();
+    if filter == "curvature" {
+        curvature::check();
+        return curvature::run(gpu());
+    }
     if let Some(filter) = filter.strip_prefix("looks") {
         return looks(filter.trim_start_matches('/'));
     }

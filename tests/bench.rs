@@ -4,7 +4,7 @@
 mod support;
 
 use chiaro::accuracy::tune::{Goal, TuneOptions, tune};
-use chiaro::accuracy::{BenchOptions, Progress, Stopped, Subject, Variant, bench};
+use chiaro::accuracy::{BenchOptions, Measure, Progress, Stopped, Subject, Variant, bench};
 use chiaro::document::Tier;
 use chiaro::frame::{Assets, PlanOptions, Setup, default_setup};
 use chiaro::library::Library;
@@ -71,8 +71,11 @@ fn a_report_has_the_look_and_its_nodes_in_each_tier_with_errors_and_sizes() {
     // The table and the plot say what the rows say.
     let table = report.table();
     assert!(table.contains("Shine") && table.contains("whole look"), "{table}");
-    let svg = chiaro::accuracy::plot::svg(&report, whole, "Two <layers>");
+    let svg = chiaro::accuracy::plot::svg(&report, whole, "Two <layers>", Measure::Max);
     assert!(svg.contains("Two &lt;layers&gt;") && svg.matches("<circle").count() == 3, "{svg}");
+    let verdict = report.verdict(Measure::P999, 1.0 / 255.0);
+    assert!(verdict.lines().count() == 3 && verdict.contains("exact: within 3.92e-3 by p99.9"), "{verdict}");
+    assert!(report.verdict(Measure::Max, 1e-12).contains("fast: beyond"), "{verdict}");
     let described = json!(report);
     assert_eq!(described["rows"][0]["tier"], "exact");
     assert!(described["rows"][0]["error"]["max"].as_f64().unwrap() < 2e-4);
@@ -93,7 +96,8 @@ fn measuring_can_be_stopped() {
 
 #[test]
 fn tuning_keeps_the_error_and_an_impossible_goal_is_said_to_be_missed() {
-    let options = |goal| TuneOptions { goal, plan: PLAN, error_side: 48, rounds: 3, stations: 3 };
+    let options =
+        |goal| TuneOptions { goal, measure: Measure::Max, plan: PLAN, error_side: 48, rounds: 3, stations: 3 };
     let mut go = |_, _| true;
     let (library, setups) = (Library::built_in(), [setup()]);
     let goal = Goal::MaxError(1.0 / 255.0);
@@ -113,4 +117,36 @@ fn tuning_keeps_the_error_and_an_impossible_goal_is_said_to_be_missed() {
     let goal = Goal::MaxError(1e-12);
     let missed = tune(&setups, library, &mut renderer(), &options(goal), &mut Progress::new(&mut go)).unwrap();
     assert!(!missed.is_met && missed.chosen.is_empty());
+    assert!(missed.is_exact_beyond(), "f32 errs by more than that whatever the tier");
+    assert!(missed.worst_exact.error == missed.error_exact.max && missed.worst_exact.side == 48);
+    assert_eq!(missed.worst_exact, missed.worst, "nothing was chosen");
+}
+
+/// The same error is allowed by one measure and not by another, and times are kept as well as errors.
+#[test]
+fn tuning_by_measures_and_by_time() {
+    let mut go = |_, _| true;
+    let (library, setups) = (Library::built_in(), [setup()]);
+    let mut tuned = |goal, measure| {
+        let options = TuneOptions { goal, measure, plan: PLAN, error_side: 48, rounds: 3, stations: 2 };
+        tune(&setups, library, &mut renderer(), &options, &mut Progress::new(&mut go)).unwrap()
+    };
+    let by_max = tuned(Goal::MaxError(1.0), Measure::Max);
+    let figures = &by_max.error_exact;
+    assert!(figures.rms < figures.p999 && figures.p999 <= figures.max, "{figures:?}");
+    // Between the two, one measure says yes and the other no.
+    let between = 0.5 * (figures.rms + figures.max);
+    assert!(tuned(Goal::MaxError(between), Measure::Rms).is_met);
+    let missed = tuned(Goal::MaxError(between), Measure::Max);
+    assert!(!missed.is_met && missed.is_exact_beyond() && missed.summary().contains("(max)"), "{}", missed.summary());
+    assert!(!missed.is_met && missed.summary().len() <= 1000, "a look holds no more than that");
+    // All the time in the world needs nothing cheaper; no time at all is missed with all that helps.
+    let slow = tuned(Goal::MaxTime(1e9), Measure::P999);
+    assert!(slow.is_met && slow.chosen.is_empty());
+    let never = tuned(Goal::MaxTime(1e-9), Measure::P999);
+    assert!(!never.is_met && !never.is_exact_beyond());
+    let helps = |index: &usize| never.candidates[*index].saves.low > 0.0;
+    assert_eq!(never.chosen.is_empty(), !(0..never.candidates.len()).any(|index| helps(&index)));
+    assert!(never.chosen.iter().all(helps), "what cannot be told apart from exact stays exact");
+    assert!(never.ties().all(|tie| tie.saves.low <= 0.0));
 }

@@ -9,7 +9,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use chiaro::compile::{Attribute, CompiledShader, Live, Options, Proof, Removal, Stage, compile};
-use chiaro::document::{Camera, Light, LightKind, Projection, Scene, Value};
+use chiaro::document::{Camera, Light, LightKind, Projection, Scene, Tier, Value};
 use chiaro::frame::{
     Cull, Effect, EffectKind, EffectState, FramePlan, PassKind, PlanOptions, Planner, Setup, SetupLook, effects,
 };
@@ -428,6 +428,67 @@ fn write_bumps(folder: &Path, period: u32) {
         image::Rgba([level, level, level, 255])
     });
     picture.save(folder.join("bumps.png")).expect("the folder can be written to");
+}
+
+/// Looks of different tiers find curvature in different ways, side by side: of the same normals, each pass with those who
+/// read it.
+#[test]
+fn each_tier_of_curvature_has_a_pass_of_its_own() {
+    let folder = tempfile::tempdir().expect("a folder");
+    write_bumps(folder.path(), 3);
+    let (mesh, fitted) = shape("sphere");
+    let colored = |name: &str, color, tier| {
+        let mut bumpy = bumpy(folder.path(), color);
+        bumpy.look.name = name.to_owned();
+        bumpy.look.set_every_tier(tier);
+        (bumpy, mesh.clone(), DMat4::from_translation(DVec3::X * color[0]) * fitted)
+    };
+    let plan = |looks| planned(&mut Planner::default(), &scene_of(looks, Scene::default()), &Live::Keyed);
+    let passes = |plan: &FramePlan| -> Vec<(PassKind, String)> {
+        plan.passes.iter().map(|pass| (pass.kind.clone(), pass.reason.clone())).collect()
+    };
+    let red = [0.9, 0.1, 0.1];
+    let both = passes(&plan(vec![
+        colored("careful", red, Tier::Exact),
+        colored("quick", [0.1, 0.9, 0.1], Tier::Balanced),
+        colored("quickest", [0.4, 0.4, 0.4], Tier::Fast),
+    ]));
+    let wanted = [
+        (PassKind::Normals, "careful"),
+        (PassKind::Curvature, "careful"),
+        (PassKind::SparseCurvature, "quick"),
+        (PassKind::DetailNormals, "careful"),
+        (PassKind::DetailCurvature, "careful"),
+        (PassKind::SparseDetailCurvature, "quick"),
+        (PassKind::Look, "it is the picture"),
+    ];
+    assert_eq!(both.len(), wanted.len(), "{both:?}");
+    for ((kind, reason), (wanted, word)) in both.iter().zip(&wanted) {
+        assert!(kind == wanted && reason.contains(word), "{kind:?}: {reason}");
+    }
+    // Of its own tier each look alone needs no other's pass.
+    let kinds =
+        |tier| passes(&plan(vec![colored("one", red, tier)])).into_iter().map(|pass| pass.0).collect::<Vec<_>>();
+    use PassKind::{DetailNormals, Look as Looks, Normals, SparseCurvature, SparseDetailCurvature};
+    assert_eq!(kinds(Tier::Balanced), [Normals, SparseCurvature, DetailNormals, SparseDetailCurvature, Looks]);
+    assert_eq!(kinds(Tier::Fast), [DetailNormals, SparseDetailCurvature, Looks]);
+    // Side by side they look as they do alone, on targets that one renderer keeps.
+    let mut renderer = renderer();
+    let mut draw = |looks| block_on(renderer.picture(&plan(looks))).unwrap_or_else(|error| panic!("{error}"));
+    let beside = |tier| {
+        let (look, mesh, _) = colored("other", red, tier);
+        (look, mesh, DMat4::from_translation(DVec3::X * -0.9) * fitted)
+    };
+    let [exact, sparse] = [Tier::Exact, Tier::Balanced].map(|tier| draw(vec![colored("one", red, tier), beside(tier)]));
+    let mixed = draw(vec![colored("one", red, Tier::Balanced), beside(Tier::Exact)]);
+    let differing = |a: &chiaro::render::Picture, b: &chiaro::render::Picture| {
+        let far = |(a, b): &(&[f32; 4], &[f32; 4])| a.iter().zip(*b).any(|(a, b)| (a - b).abs() > 0.02);
+        a.rgba.iter().zip(&b.rgba).filter(far).count()
+    };
+    let [one, other, tiers] = [differing(&mixed, &sparse), differing(&mixed, &exact), differing(&exact, &sparse)];
+    assert!(tiers > 100, "the tiers differ on bumps, and not in {tiers} pixels");
+    assert!(one < tiers && other < tiers, "each object has its own tier: {one} and {other} of {tiers}");
+    assert!(one + other <= tiers + 20, "{one} and {other} of {tiers}");
 }
 
 #[test]

@@ -493,7 +493,7 @@ fn convexity_look(slope: f64, tier: Tier) -> SetupLook {
 }
 
 /// The tiers in which curvature is found.
-const KAPPA_TIERS: [Tier; 2] = [Tier::Exact, Tier::Fast];
+const KAPPA_TIERS: [Tier; 3] = [Tier::Exact, Tier::Balanced, Tier::Fast];
 
 /// kappa of a ball of radius `radius` in viewport heights, where its normal has this z.
 fn ball_kappa(radius: f64, nz: f64) -> f64 {
@@ -504,7 +504,7 @@ const SLOPE: f64 = 0.05;
 
 /// How much curvature is found where there is none.
 fn kappa_noise(tier: Tier) -> f64 {
-    if tier == Tier::Exact { 0.0 } else { 1e-3 }
+    if tier == Tier::Fast { 1e-3 } else { 0.0 }
 }
 
 #[test]

@@ -43,17 +43,7 @@ fn atan2_positive(y: f32, x: f32) -> f32 {
 
 /// u - shift, clamped to [0, pi], for |shift| <= pi (BADF eq. 8 and math.md D3).
 fn angle_shifted(u: Angle, shift: f32) -> Angle {
-    let t = sin_cos_quarter(0.5 * clamp(shift, -PI, PI));
-    let s = u.half_sin * t.y - u.half_cos * t.x;
-    let c = u.half_cos * t.y + u.half_sin * t.x;
-    // Beyond either end the smaller one tells which: a turn by pi may leave the other just below 0.
-    if s <= 0.0 && s < c {
-        return Angle(0.0, 1.0);
-    }
-    if c <= 0.0 {
-        return Angle(1.0, 0.0);
-    }
-    return Angle(s, c);
+    return angle_turned(u, sin_cos_quarter(0.5 * clamp(shift, -PI, PI)));
 }
 
 /// How far u changes over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient needs no inverse

@@ -77,11 +77,16 @@ fn log_stable(x: f32) -> f32 {
 /// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
 fn log1p_negative(y: f32) -> f32 {
     if y < 0.25 {
-        let z = y / (2.0 - y);
-        let z2 = z * z;
-        return -2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
+        return log1p_negative_small(y);
     }
     return log_stable(max(1.0 - y, 1.17549435e-38));
+}
+
+/// ln(1 - y) for y in [0, 1/4], by the series of atanh.
+fn log1p_negative_small(y: f32) -> f32 {
+    let z = y / (2.0 - y);
+    let z2 = z * z;
+    return -2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows 4.9e-4.

@@ -105,7 +105,7 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
     }
     var log_base = 0.0;
     if q < 0.5 {
-        log_base = log1p_negative(q * q);
+        log_base = log1p_negative_small(q * q);
     } else {
         log_base = log_stable((1.0 - q) * (1.0 + q));
     }
@@ -120,17 +120,17 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
         return point;
     }
-    let is_narrow = w >= 3.46410161513775459 * shape.edge_deviation;
-    if is_narrow {
+    // No footprint is above 0.5, so that this is not even compiled for an edge that is known to be softer.
+    if shape.edge_deviation < 0.145 && w >= 3.46410161513775459 * shape.edge_deviation {
         let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
         return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
     }
     if w < 0.1 * shape.edge_deviation {
         return point;
     }
-    let reach = 0.387298334620741689 * w;
-    let before = profile_point(angle_shifted(u, reach), shape);
-    let after = profile_point(angle_shifted(u, -reach), shape);
+    let reach = sin_cos_quarter(0.193649167310370844 * w);
+    let before = profile_point(angle_turned(u, reach), shape);
+    let after = profile_point(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 

@@ -2,7 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::report::{Report, Row, Subject, pareto_front, tier_word};
+use super::Measure;
+use super::report::{Report, Row, Subject, pareto_front_by, tier_word};
 use crate::document::Tier;
 
 const WIDTH: f64 = 900.0;
@@ -54,16 +55,16 @@ impl Axis {
     }
 }
 
-/// Draws the report's rows about the whole, or about one node.
-pub fn svg(report: &Report, about: impl Fn(&Subject) -> bool, title: &str) -> String {
+/// Draws the report's rows about the whole, or about one node, with errors by a measure of choice.
+pub fn svg(report: &Report, about: impl Fn(&Subject) -> bool, title: &str, measure: Measure) -> String {
     let rows: Vec<&Row> = report.rows.iter().filter(|row| about(&row.subject) && row.error.is_some()).collect();
-    let error_of = |row: &Row| row.max_error().unwrap_or_default().max(LEAST_ERROR);
+    let error_of = |row: &Row| row.error_by(measure).unwrap_or_default().max(LEAST_ERROR);
     let x = Axis::new(rows.iter().map(|row| row.time.median), LEFT, WIDTH - RIGHT);
     let errors = rows.iter().map(|row| error_of(row)).chain([1.0 / 255.0]);
     let y = Axis::new(errors, HEIGHT - BOTTOM, TOP);
     let mut svg = String::new();
-    frame(&mut svg, &x, &y, title, report);
-    let front = pareto_front(&rows);
+    frame(&mut svg, (&x, &y), title, report, measure);
+    let front = pareto_front_by(&rows, measure);
     let line: Vec<String> = front
         .iter()
         .map(|&index| format!("{:.1},{:.1}", x.at(rows[index].time.median), y.at(error_of(rows[index]))))
@@ -78,7 +79,7 @@ pub fn svg(report: &Report, about: impl Fn(&Subject) -> bool, title: &str) -> St
     svg
 }
 
-fn frame(svg: &mut String, x: &Axis, y: &Axis, title: &str, report: &Report) {
+fn frame(svg: &mut String, (x, y): (&Axis, &Axis), title: &str, report: &Report, measure: Measure) {
     let _ = writeln!(
         svg,
         r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" font-size="13" fill="#2b3440">
@@ -118,13 +119,14 @@ fn frame(svg: &mut String, x: &Axis, y: &Axis, title: &str, report: &Report) {
         r##"<path d="M{LEFT} {visible:.1}H{:.1}" stroke="#c07a4b" stroke-dasharray="5 4"/>
 <text x="{:.1}" y="{:.1}" text-anchor="end" fill="#a05f34">1/255, what 8 bits show</text>
 <text x="{:.1}" y="{:.1}" text-anchor="middle">milliseconds</text>
-<text transform="translate(20 {:.1}) rotate(-90)" text-anchor="middle">largest error of a channel</text>"##,
+<text transform="translate(20 {:.1}) rotate(-90)" text-anchor="middle">{}</text>"##,
         WIDTH - RIGHT,
         WIDTH - RIGHT - 4.0,
         visible - 6.0,
         0.5 * (LEFT + WIDTH - RIGHT),
         HEIGHT - 18.0,
         0.5 * (TOP + HEIGHT - BOTTOM),
+        measure.meaning(),
     );
 }
 

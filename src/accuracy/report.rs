@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use serde::Serialize;
 
 use super::size::Sizes;
-use super::{ErrorFigures, Estimate};
+use super::{ErrorFigures, Estimate, Measure};
 use crate::document::Tier;
 use crate::frame::PassKind;
 use crate::ids::NodeId;
@@ -71,6 +71,11 @@ impl Row {
         self.error.as_ref().map(|error| error.max)
     }
 
+    /// The same by another measure.
+    pub fn error_by(&self, measure: Measure) -> Option<f64> {
+        self.error.as_ref().map(|error| measure.of(error))
+    }
+
     fn name(&self) -> String {
         match &self.subject {
             Subject::Whole => "whole look".to_owned(),
@@ -84,8 +89,13 @@ impl Row {
 ///
 /// Rows without an error are never on the front.
 pub fn pareto_front(rows: &[&Row]) -> Vec<usize> {
+    pareto_front_by(rows, Measure::Max)
+}
+
+/// The same with errors by a measure of choice.
+pub fn pareto_front_by(rows: &[&Row], measure: Measure) -> Vec<usize> {
     let mut order: Vec<usize> = (0..rows.len()).filter(|&index| rows[index].error.is_some()).collect();
-    let key = |index: usize| (rows[index].time.median, rows[index].max_error().unwrap_or(f64::INFINITY));
+    let key = |index: usize| (rows[index].time.median, rows[index].error_by(measure).unwrap_or(f64::INFINITY));
     order.sort_by(|&a, &b| key(a).0.total_cmp(&key(b).0).then(key(a).1.total_cmp(&key(b).1)));
     let mut best = f64::INFINITY;
     order.retain(|&index| {
@@ -107,6 +117,25 @@ pub fn tier_word(tier: Option<Tier>) -> &'static str {
 }
 
 impl Report {
+    /// Which tiers of the whole are within an error, by a measure of choice; nothing where no error is known.
+    pub fn verdict(&self, measure: Measure, most: f64) -> String {
+        let mut lines = String::new();
+        for row in self.rows.iter().filter(|row| row.subject == Subject::Whole) {
+            let (Some(error), Some(figures)) = (row.error_by(measure), &row.error) else { continue };
+            let [x, y] = figures.worst;
+            let is_within = if error <= most { "within" } else { "beyond" };
+            let _ = writeln!(
+                lines,
+                "{}: {is_within} {most:.2e} by {} ({error:.1e}); {} of {} pixels differ by more than 1/255, most at {x},{y}",
+                tier_word(row.tier),
+                measure.word(),
+                figures.visible,
+                figures.pixels,
+            );
+        }
+        lines
+    }
+
     /// As a table of text.
     pub fn table(&self) -> String {
         let mut lines = vec![HEADER.map(str::to_owned)];

@@ -2,7 +2,7 @@
 
 use super::{Colors, ErrorFigures, Progress, Stopped, compare};
 use crate::compile::Live;
-use crate::frame::{FramePlan, PassKind, PlanOptions, Planner, Setup, View};
+use crate::frame::{FramePlan, PlanOptions, Planner, Setup, View};
 use crate::interp::Precision;
 use crate::library::Library;
 use crate::reference::{self, Control, Modules, ReferencePicture, Snap};
@@ -90,8 +90,7 @@ const BEND: f64 = 3.0;
 
 /// How far an edge is felt, in pixels: beyond its neighbours as far as the curvature pass looks.
 fn reach(plan: &FramePlan) -> usize {
-    let has_curvature =
-        plan.passes.iter().any(|pass| matches!(pass.kind, PassKind::Curvature | PassKind::DetailCurvature));
+    let has_curvature = plan.passes.iter().any(|pass| pass.kind.is_curvature());
     if has_curvature { 1 + plan.view.curvature_reach() } else { 1 }
 }
 

@@ -7,6 +7,8 @@
 use serde::Serialize;
 
 use super::cost::alternate;
+use super::measure::Measure;
+use super::station::{Station, stations};
 use super::truth::Truth;
 use super::variant::{Variant, tiers_of};
 use super::{ErrorFigures, Estimate, Progress, Stopped};
@@ -21,7 +23,7 @@ use crate::render::Renderer;
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Goal {
-    /// No channel of any pixel is farther from the truth; as fast as possible.
+    /// The error, by the [measure](TuneOptions::measure) that is asked for, is not larger; as fast as possible.
     MaxError(f64),
     /// Milliseconds a frame; as accurate as possible.
     MaxTime(f64),
@@ -32,6 +34,8 @@ pub enum Goal {
 pub struct TuneOptions {
     /// What is to be kept.
     pub goal: Goal,
+    /// By what errors are judged.
+    pub measure: Measure,
     /// The picture whose time counts.
     pub plan: PlanOptions,
     /// The side in pixels of the pictures that are compared with the truth.
@@ -51,10 +55,27 @@ pub struct Candidate {
     pub node: NodeId,
     /// The tier.
     pub tier: Tier,
-    /// The largest error over all stations with this node alone in this tier.
+    /// The error over all stations with this node alone in this tier, by the measure that was asked for.
     pub error: f64,
     /// Milliseconds that it saves against the exact tier.
     pub saves: Estimate,
+    /// Cheaper tiers of the same node that cannot be told from this one in time.
+    pub ties: Vec<Tier>,
+}
+
+/// The pixel that is farthest from the truth.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Worst {
+    /// How far it is.
+    pub error: f64,
+    /// Column and row.
+    pub pixel: [u32; 2],
+    /// The side of the picture in pixels.
+    pub side: u32,
+    /// Which of the setups.
+    pub setup: usize,
+    /// Seen from where.
+    pub station: Station,
 }
 
 /// What was chosen.
@@ -62,6 +83,8 @@ pub struct Candidate {
 pub struct Tuned {
     /// What was to be kept.
     pub goal: Goal,
+    /// By what errors were judged.
+    pub measure: Measure,
     /// Whether it is.
     pub is_met: bool,
     /// The choices that are not exact, as indices of `candidates`.
@@ -70,6 +93,12 @@ pub struct Tuned {
     pub candidates: Vec<Candidate>,
     /// The whole with what was chosen, over all stations.
     pub error: ErrorFigures,
+    /// The pixel that is farthest off then.
+    pub worst: Worst,
+    /// The same for the exact tier alone: what no choice can be better than.
+    pub error_exact: ErrorFigures,
+    /// The pixel that is farthest off in the exact tier.
+    pub worst_exact: Worst,
     /// Milliseconds a frame, exact.
     pub time_exact: Estimate,
     /// Milliseconds a frame, with what was chosen.
@@ -99,16 +128,19 @@ impl Tuned {
 
     /// What was reached, in a sentence or two.
     pub fn summary(&self) -> String {
+        let (measure, figures) = (self.measure, &self.error);
         let goal = match self.goal {
-            Goal::MaxError(most) => format!("an error of at most {most:.2e}"),
+            Goal::MaxError(most) => format!("an error ({}) of at most {most:.2e}", measure.word()),
             Goal::MaxTime(most) => format!("at most {most} ms a frame"),
         };
         let met = if self.is_met { "met" } else { "missed" };
         format!(
-            "tuned for {goal}, {met}: largest error {:.2e} (rms {:.1e}) over {} views, lights and times; {:.3} ms a frame, \
-             {:.3} ms exact, {:.3} ms saved ({:.3} to {:.3}), on {}",
-            self.error.max,
-            self.error.rms,
+            "tuned for {goal}, {met}: error {} {:.2e} (max {:.2e}, rms {:.1e}) over {} views, lights and times; {:.3} ms a \
+             frame, {:.3} ms exact, {:.3} ms saved ({:.3} to {:.3}), on {}",
+            measure.word(),
+            measure.of(figures),
+            figures.max,
+            figures.rms,
             self.stations,
             self.time.median,
             self.time_exact.median,
@@ -119,6 +151,11 @@ impl Tuned {
         )
     }
 
+    /// Whether the exact tier itself is farther from the truth than what is allowed, so that no choice can be within.
+    pub fn is_exact_beyond(&self) -> bool {
+        matches!(self.goal, Goal::MaxError(most) if self.measure.of(&self.error_exact) > most)
+    }
+
     /// Candidates that cannot be told apart from the exact tier in time: they stay exact.
     pub fn ties(&self) -> impl Iterator<Item = &Candidate> {
         self.candidates.iter().filter(|candidate| !is_faster(candidate))
@@ -127,6 +164,12 @@ impl Tuned {
 
 fn is_faster(candidate: &Candidate) -> bool {
     candidate.saves.low > 0.0
+}
+
+/// Whether another tier of the same node is as fast, as far as can be told, and nearer to the truth.
+pub fn is_beaten(candidate: &Candidate, other: &Candidate) -> bool {
+    let is_same_node = (candidate.look, &candidate.node) == (other.look, &other.node);
+    is_same_node && is_faster(other) && other.ties.contains(&candidate.tier) && other.error < candidate.error
 }
 
 /// Tunes every look of `setups`, which wear the same looks on different meshes: all of them must be within the error; the
@@ -144,26 +187,41 @@ pub fn tune(
     let exact: Vec<Setup> = setups.iter().map(|setup| Variant::Looks(Tier::Exact).of(setup)).collect();
     let nodes = exact.first().map(|setup| nodes(setup, library)).unwrap_or_default();
     let tries: usize = nodes.iter().map(|(_, _, tiers)| tiers.len()).sum();
-    let pictures = options.stations * setups.len() * (3 + tries);
+    let pictures = options.stations * setups.len() * (4 + tries);
     progress.expect((pictures + (options.rounds + 2) * (2 + nodes.len())) as u64);
     let mut tuner = Tuner::new(&exact, library, renderer, options, progress)?;
     let mut candidates = Vec::new();
     for (look, node, tiers) in &nodes {
         candidates.extend(tuner.candidates(*look, node, tiers, progress)?);
     }
+    let (error_exact, worst_exact) = tuner.error(&[], progress)?;
     let time_exact = tuner.times(&[&[]], &candidates, progress)?[0].estimate();
-    let mut joint = |chosen: &[usize]| tuner.error(&chosen_of(&candidates, chosen), progress);
+    let mut joint = |chosen: &[usize]| {
+        tuner.error(&chosen_of(&candidates, chosen), progress).map(|(figures, _)| options.measure.of(&figures))
+    };
     let chosen = choose(&candidates, options.goal, time_exact.median, &mut joint)?;
-    let error = tuner.error(&chosen_of(&candidates, &chosen), progress)?;
+    let (error, worst) = tuner.error(&chosen_of(&candidates, &chosen), progress)?;
     let series = tuner.times(&[&[], &chosen], &candidates, progress)?;
     let time = series[1].estimate();
-    let is_met = match options.goal {
-        Goal::MaxError(most) => error.max <= most,
-        Goal::MaxTime(most) => time.median <= most,
-    };
-    let saves = series[0].over(&series[1]);
-    let (adapter, stations) = (tuner.renderer.gpu().name(), options.stations);
-    Ok(Tuned { goal: options.goal, is_met, chosen, candidates, error, time_exact, time, saves, adapter, stations })
+    Ok(Tuned {
+        goal: options.goal,
+        measure: options.measure,
+        is_met: match options.goal {
+            Goal::MaxError(most) => options.measure.of(&error) <= most,
+            Goal::MaxTime(most) => time.median <= most,
+        },
+        chosen,
+        candidates,
+        error,
+        worst,
+        error_exact,
+        worst_exact,
+        time_exact,
+        time,
+        saves: series[0].over(&series[1]),
+        adapter: tuner.renderer.gpu().name(),
+        stations: options.stations,
+    })
 }
 
 fn chosen_of(candidates: &[Candidate], chosen: &[usize]) -> Vec<Candidate> {
@@ -185,7 +243,8 @@ fn nodes(setup: &Setup, library: &Library) -> Vec<(usize, NodeId, Vec<Tier>)> {
     found
 }
 
-/// Chooses at most one tier a node. `joint` measures the error of a choice as a whole.
+/// Chooses at most one tier a node. `joint` measures the error of a choice as a whole. Of tiers that cannot be told apart in
+/// time, the one that is nearer to the truth is taken.
 ///
 /// # Errors
 /// What `joint` says.
@@ -193,7 +252,7 @@ pub fn choose<E>(
     candidates: &[Candidate],
     goal: Goal,
     time_exact: f64,
-    joint: &mut dyn FnMut(&[usize]) -> Result<ErrorFigures, E>,
+    joint: &mut dyn FnMut(&[usize]) -> Result<f64, E>,
 ) -> Result<Vec<usize>, E> {
     let place = |index: usize| (candidates[index].look, candidates[index].node.clone());
     let mut usable: Vec<usize> = (0..candidates.len()).filter(|&index| is_faster(&candidates[index])).collect();
@@ -202,13 +261,17 @@ pub fn choose<E>(
             usable.retain(|&index| candidates[index].error <= most);
             // The cheapest of each node.
             usable.sort_by(|&a, &b| candidates[b].saves.median.total_cmp(&candidates[a].saves.median));
+            usable.retain({
+                let all = usable.clone();
+                move |&index| all.iter().all(|&other| !is_beaten(&candidates[index], &candidates[other]))
+            });
             let mut chosen: Vec<usize> = Vec::new();
             for index in usable.clone() {
                 if chosen.iter().all(|&other| place(other) != place(index)) {
                     chosen.push(index);
                 }
             }
-            while !chosen.is_empty() && joint(&chosen)?.max > most {
+            while !chosen.is_empty() && joint(&chosen)? > most {
                 let price = |index: usize| candidates[index].error / candidates[index].saves.median.max(1e-9);
                 let worst = (0..chosen.len()).max_by(|&a, &b| price(chosen[a]).total_cmp(&price(chosen[b])));
                 let Some(gone) = worst.map(|at| chosen.remove(at)) else { break };
@@ -292,18 +355,24 @@ impl<'a> Tuner<'a> {
         chosen.iter().fold(setup, |setup, choice| Variant::of_also(setup, choice.look, &choice.node, choice.tier))
     }
 
-    /// The worst over all stations.
-    fn error(&mut self, chosen: &[Candidate], progress: &mut Progress<'_>) -> Result<ErrorFigures, Stopped> {
+    /// The worst over all stations, and where that is.
+    fn error(&mut self, chosen: &[Candidate], progress: &mut Progress<'_>) -> Result<(ErrorFigures, Worst), Stopped> {
         let mut figures = Vec::new();
+        let mut worst = Worst::default();
         for at in 0..self.truths.len() {
             let (index, station, truth) = &self.truths[at];
             let setup = station.of(&self.with(*index, chosen));
             let options = self.error_plan(station);
             let plan = self.planner.plan(&setup, self.library, &Live::Keyed, &options)?;
-            figures.push(truth.compare(&mut self.precise, &plan)?);
+            let found = truth.compare(&mut self.precise, &plan)?;
+            if found.max > worst.error {
+                let side = self.options.error_side;
+                worst = Worst { error: found.max, pixel: found.worst, side, setup: *index, station: *station };
+            }
+            figures.push(found);
             progress.step()?;
         }
-        Ok(ErrorFigures::join(&figures))
+        Ok((ErrorFigures::join(&figures), worst))
     }
 
     fn times(
@@ -327,7 +396,14 @@ impl<'a> Tuner<'a> {
         tiers: &[Tier],
         progress: &mut Progress<'_>,
     ) -> Result<Vec<Candidate>, Stopped> {
-        let alone = |tier| Candidate { look, node: node.clone(), tier, error: 0.0, saves: Estimate::default() };
+        let alone = |tier| Candidate {
+            look,
+            node: node.clone(),
+            tier,
+            error: 0.0,
+            saves: Estimate::default(),
+            ties: Vec::new(),
+        };
         let mut candidates: Vec<Candidate> = tiers.iter().map(|&tier| alone(tier)).collect();
         let single: Vec<Vec<usize>> =
             std::iter::once(Vec::new()).chain((0..candidates.len()).map(|index| vec![index])).collect();
@@ -335,48 +411,13 @@ impl<'a> Tuner<'a> {
         let series = self.times(&choices, &candidates, progress)?;
         for (index, candidate) in candidates.iter_mut().enumerate() {
             candidate.saves = series[0].over(&series[index + 1]);
-            candidate.error = self.error(std::slice::from_ref(candidate), progress)?.max;
+            let is_tie = |other: &usize| series[index + 1].over(&series[other + 1]).low <= 0.0;
+            candidate.ties = (index + 1..tiers.len()).filter(is_tie).map(|other| tiers[other]).collect();
+            let (figures, _) = self.error(std::slice::from_ref(candidate), progress)?;
+            candidate.error = self.options.measure.of(&figures);
         }
         Ok(candidates)
     }
-}
-
-/// A view, a turn of the lights and a time.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Station {
-    /// Around the target, radians: to the right, then up.
-    pub orbit: [f64; 2],
-    /// Of the illumination frame, radians: around the vertical, then up.
-    pub lights: [f64; 2],
-    /// Seconds.
-    pub time: f64,
-}
-
-impl Station {
-    /// The setup seen from here.
-    pub fn of(&self, setup: &Setup) -> Setup {
-        let mut setup = setup.clone();
-        setup.turn_camera(self.orbit);
-        setup.turn_lights(self.lights);
-        setup
-    }
-}
-
-/// So many stations, the first one as the scene is; the rest spread evenly over views, lights and times.
-pub fn stations(setup: &Setup, count: usize) -> Vec<Station> {
-    // Multiples of powers of the generalised golden ratio fill a cube evenly (Roberts 2018).
-    const STEPS: [f64; 5] = [0.856_674_883_7, 0.733_891_856_6, 0.628_706_720_8, 0.538_597_158_5, 0.461_402_658_3];
-    let range = &setup.scene.time;
-    let station = |index: usize| {
-        let share = |axis: usize| (0.5 + STEPS[axis] * index as f64).fract();
-        let turn = |share: f64| std::f64::consts::TAU * share;
-        // Even over the sphere, but not onto the poles, where a look is seldom seen.
-        let rise = |share: f64| (1.6 * share - 0.8).asin();
-        let time = range.start + share(4) * (range.end - range.start);
-        Station { orbit: [turn(share(0)), rise(share(1))], lights: [turn(share(2)), rise(share(3))], time }
-    };
-    let first = Station { orbit: [0.0; 2], lights: [0.0; 2], time: range.start };
-    std::iter::once(first).chain((1..count.max(1)).map(station)).collect()
 }
 
 #[cfg(test)]
@@ -385,14 +426,11 @@ mod tests {
 
     fn candidate(node: &str, tier: Tier, error: f64, saves: f64) -> Candidate {
         let saves = Estimate { median: saves, low: saves - 0.05, high: saves + 0.05 };
-        Candidate { look: 0, node: node.into(), tier, error, saves }
+        Candidate { look: 0, node: node.into(), tier, error, saves, ties: Vec::new() }
     }
 
-    fn sum(candidates: &[Candidate]) -> impl FnMut(&[usize]) -> Result<ErrorFigures, ()> + '_ {
-        |chosen| {
-            let max = chosen.iter().map(|&index| candidates[index].error).sum();
-            Ok(ErrorFigures { max, ..ErrorFigures::default() })
-        }
+    fn sum(candidates: &[Candidate]) -> impl FnMut(&[usize]) -> Result<f64, ()> + '_ {
+        |chosen| Ok(chosen.iter().map(|&index| candidates[index].error).sum())
     }
 
     #[test]
@@ -407,6 +445,19 @@ mod tests {
         let mut chosen = choose(&candidates, goal, 10.0, &mut sum(&candidates)).unwrap();
         chosen.sort_unstable();
         assert_eq!(chosen, [0, 2], "too wrong, and lost in the noise, are left out");
+    }
+
+    /// Both are much faster than exact, and nobody can say which is the faster one.
+    #[test]
+    fn of_two_that_cannot_be_told_apart_the_more_accurate() {
+        let mut candidates = [candidate("a", Tier::Balanced, 0.0005, 1.0), candidate("a", Tier::Fast, 0.003, 1.02)];
+        let goal = Goal::MaxError(1.0 / 255.0);
+        assert_eq!(choose(&candidates, goal, 10.0, &mut sum(&candidates)).unwrap(), [1]);
+        candidates[0].ties = vec![Tier::Fast];
+        assert_eq!(choose(&candidates, goal, 10.0, &mut sum(&candidates)).unwrap(), [0]);
+        // Where that one is too far from the truth, or lost in the noise itself, the other stays.
+        candidates[0].error = 0.004;
+        assert_eq!(choose(&candidates, goal, 10.0, &mut sum(&candidates)).unwrap(), [1]);
     }
 
     #[test]
@@ -432,22 +483,5 @@ mod tests {
         let chosen = choose(&candidates, Goal::MaxTime(7.0), 10.0, &mut sum(&candidates)).unwrap();
         assert_eq!(chosen, [2, 1]);
         assert!(choose(&candidates, Goal::MaxTime(20.0), 10.0, &mut sum(&candidates)).unwrap().is_empty());
-    }
-
-    #[test]
-    fn stations_are_spread() {
-        let stations = stations(&Setup::default(), 64);
-        assert_eq!(stations[0].orbit, [0.0; 2]);
-        let octants: std::collections::HashSet<_> = stations[1..]
-            .iter()
-            .map(|s| {
-                (
-                    (s.orbit[0] / std::f64::consts::FRAC_PI_2) as i32,
-                    s.orbit[1] > 0.0,
-                    s.lights[0] > std::f64::consts::PI,
-                )
-            })
-            .collect();
-        assert_eq!(octants.len(), 16);
     }
 }

@@ -92,7 +92,7 @@ pub fn tiers_of(look: &Look, library: &Library, kind: &str) -> Vec<Tier> {
 }
 
 fn own_tiers(def: &NodeDef) -> impl Iterator<Item = Tier> + '_ {
-    def.variants.iter().map(|variant| variant.tier)
+    def.tiers().into_iter()
 }
 
 /// Whether a look still makes sense without a node: whatever it gives can be passed through or be zero.

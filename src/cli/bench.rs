@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use super::open::{check_nodes_folder, library_for};
 use super::output::Output;
 use super::render::{Size, parse_samples, parse_time};
-use crate::accuracy::{BenchOptions, Progress, Report, Subject, bench, plot};
+use crate::accuracy::error::VISIBLE;
+use crate::accuracy::{BenchOptions, Measure, Progress, Report, Subject, bench, plot};
 use crate::diag::Diagnostic;
 use crate::document::write_atomic;
 use crate::frame::{Assets, PlanOptions, open};
@@ -48,6 +49,9 @@ pub(super) struct Arguments {
     /// Do not compare with the reference, which takes seconds
     #[arg(long)]
     no_truth: bool,
+    /// Which error the verdict and the plot are about: max (of any pixel), p99.9 (one pixel in a thousand exceeds it) or rms
+    #[arg(long, default_value = "p99.9")]
+    measure: Measure,
     /// An SVG to write: error against time, with the front that nothing beats
     #[arg(short, long)]
     plot: Option<PathBuf>,
@@ -82,18 +86,19 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let report = report?;
     if let Some(path) = &arguments.plot {
         let title = setup.looks.first().map_or("", |look| look.look.name.as_str());
-        write_plot(path, &report, title)?;
+        write_plot(path, &report, title, arguments.measure)?;
         output.message(&format!("{}: error against time", path.display()));
     }
     if arguments.json {
         output.json(&serde_json::json!(report));
     } else {
-        output.result(&report.table());
+        let verdict = report.verdict(arguments.measure, VISIBLE);
+        output.result(&[report.table(), verdict].join(if arguments.no_truth { "" } else { "\n" }));
     }
     Ok(())
 }
 
-fn write_plot(path: &std::path::Path, report: &Report, title: &str) -> Result<(), Vec<Diagnostic>> {
-    let svg = plot::svg(report, |subject| *subject == Subject::Whole, title);
+fn write_plot(path: &std::path::Path, report: &Report, title: &str, measure: Measure) -> Result<(), Vec<Diagnostic>> {
+    let svg = plot::svg(report, |subject| *subject == Subject::Whole, title, measure);
     write_atomic(path, svg.as_bytes()).map_err(|problem| vec![*problem])
 }

@@ -6,8 +6,8 @@ use super::open::{check_nodes_folder, library_for};
 use super::output::Output;
 use super::render::Size;
 use crate::accuracy::report::tier_word;
-use crate::accuracy::tune::{Goal, TuneOptions, Tuned, tune};
-use crate::accuracy::{Progress, Variant};
+use crate::accuracy::tune::{Goal, TuneOptions, Tuned, is_beaten, tune};
+use crate::accuracy::{Measure, Progress, Variant};
 use crate::diag::Diagnostic;
 use crate::document::{Document, Look, write_atomic};
 use crate::frame::{Assets, PlanOptions, Setup, open};
@@ -21,7 +21,10 @@ Examples:
   chiaro tune look.json --max-error 1/255 --dry-run --json
 
 Errors are against the reference in f64, over views, turns of the lights and times that are spread evenly; times are GPU
-timestamps of this machine. Tiers that are not faster beyond the noise stay exact, and are listed.";
+timestamps of this machine. Tiers that are not faster beyond the noise stay exact, and are listed.
+
+What --max-error bounds is --measure: by default p99.9, so that in every view at most one pixel in a thousand is farther from
+the truth; max bounds every pixel, which the exact tier itself may miss where f32 decides at a crease or a silhouette.";
 
 /// What `chiaro tune` is given.
 #[derive(Debug, clap::Args)]
@@ -30,12 +33,15 @@ timestamps of this machine. Tiers that are not faster beyond the noise stay exac
 pub(super) struct Arguments {
     /// A look; its tiers are written back into it
     look: PathBuf,
-    /// The largest error of any channel, from 0 to 1: a number or a fraction such as 1/255
+    /// The largest error of a channel, by the measure, from 0 to 1: a number or a fraction such as 1/255
     #[arg(long, value_parser = parse_error)]
     max_error: Option<f64>,
     /// The longest time of a frame, in milliseconds
     #[arg(long, value_parser = parse_milliseconds)]
     max_time: Option<f64>,
+    /// Which error is meant: p99.9, which one pixel in a thousand of a view may exceed; max, which none may; or rms
+    #[arg(long, default_value = "p99.9")]
+    measure: Measure,
     /// The mesh that the look is tuned on; several may be given, and all must be within the error
     #[arg(short, long)]
     mesh: Vec<String>,
@@ -93,6 +99,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
             (Some(error), _) => Goal::MaxError(error),
             (None, time) => Goal::MaxTime(time.unwrap_or(f64::INFINITY)),
         },
+        measure: arguments.measure,
         plan: PlanOptions { size: arguments.size.0, samples: 1, time: 0.0 },
         error_side: arguments.error_size,
         rounds: arguments.rounds as usize,
@@ -118,8 +125,37 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     if tuned.is_met {
         return Ok(());
     }
-    let problem = Diagnostic::error("goal-missed", "no choice of tiers reaches what was asked for");
-    Err(vec![problem.hint("the report says what was reached; allow more, or make the look cheaper")])
+    Err(vec![missed(&tuned, &arguments.mesh)])
+}
+
+/// What keeps the goal from being reached, and what can be done.
+fn missed(tuned: &Tuned, meshes: &[String]) -> Diagnostic {
+    let problem = |message: String| Diagnostic::error("goal-missed", message);
+    if !tuned.is_exact_beyond() {
+        let problem = problem("no choice of tiers reaches what was asked for".to_owned());
+        return problem.hint("the report says what was reached; allow more, or make the look cheaper");
+    }
+    let (worst, measure, side) = (&tuned.worst_exact, tuned.measure, tuned.worst_exact.side);
+    let [x, y] = worst.pixel;
+    let mesh = meshes.get(worst.setup).map(|mesh| format!(" on {mesh}")).unwrap_or_default();
+    let message = format!(
+        "the exact tier itself is beyond what was asked for: {} is {:.2e}; the worst pixel, off by {:.2e}, is {x},{y} of \
+         {side}x{side}{mesh}: {}",
+        measure.meaning(),
+        measure.of(&tuned.error_exact),
+        worst.error,
+        worst.station.told(),
+    );
+    let figures = &tuned.error_exact;
+    let hint = if measure == Measure::Max {
+        format!(
+            "{} of {} pixels are off by more than 1/255; --measure p99.9 leaves out single pixels, or allow more",
+            figures.visible, figures.pixels
+        )
+    } else {
+        "f32 cannot do better: allow more, or soften what is steep there, a fall-off or a slope".to_owned()
+    };
+    problem(message).hint(hint)
 }
 
 /// The look on each mesh.
@@ -157,11 +193,25 @@ impl Tuned {
     /// The report as people read it.
     fn text(&self) -> String {
         let mut lines = vec![self.summary()];
+        lines.push(format!("  error means {}: {}", self.measure.word(), self.measure.meaning()));
+        let [x, y] = self.worst.pixel;
+        if self.worst.error > 0.0 {
+            let (side, station) = (self.worst.side, self.worst.station.told());
+            lines.push(format!(
+                "  the worst pixel, off by {:.1e}: {x},{y} of {side}x{side}, {station}",
+                self.worst.error
+            ));
+        }
         for (index, candidate) in self.candidates.iter().enumerate() {
-            let state = match (self.chosen.contains(&index), candidate.saves.low > 0.0) {
-                (true, _) => "chosen",
-                (false, true) => "too far from the truth, or another tier of this node is better",
-                (false, false) => "cannot be told apart from exact in time: stays exact",
+            let better = self.candidates.iter().find(|other| is_beaten(candidate, other));
+            let state = match (self.chosen.contains(&index), candidate.saves.low > 0.0, better) {
+                (true, ..) => "chosen".to_owned(),
+                (_, false, _) => "cannot be told apart from exact in time: stays exact".to_owned(),
+                (_, _, Some(other)) => {
+                    let tier = tier_word(Some(other.tier));
+                    format!("cannot be told apart from {tier} in time, which is nearer to the truth")
+                }
+                _ => "too far from the truth, or another tier of this node is better".to_owned(),
             };
             lines.push(format!(
                 "  {} {}: error {:.1e}, saves {:.3} ms ({:.3} to {:.3}): {state}",

@@ -651,7 +651,7 @@ impl<'a> Typer<'a> {
             (Some(value), _) => value.clone(),
             (None, Fallback::Value(value)) => value.clone(),
             (None, Fallback::Context(context)) => {
-                let context = context.at_tier(flat.tier);
+                let context = context.at_tier(flat.tier, input.hidden);
                 return Some((TypedSource::Context(context), Type::from_wgsl(context.wgsl_type())));
             }
             (None, Fallback::Same(other)) => self.value_of_other(flat, other, ty),

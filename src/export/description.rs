@@ -218,6 +218,7 @@ fn meaningful(member: &Member, feed: &Feed) -> MeaningfulMember {
         (Feed::Curvature, "perspective") => "1 for perspective, 0 for parallel projection",
         (Feed::Curvature, "viewport_height") => "in pixels",
         (Feed::Curvature, "rows_up") => "1 where the API's `first_row` is bottom, 0 where it is top",
+        (Feed::Curvature, "samples") => "samples a pixel of the picture",
         _ => "",
     };
     MeaningfulMember { member: member.clone(), meaning }

@@ -8,7 +8,7 @@ use super::reflect::{self, Bound, EntryPoint, Kind};
 use crate::compile::{BindingKind, CompiledShader, HostSource, Live, Options, Stage, TypedGraph, compile_typed};
 use crate::diag::Diagnostic;
 use crate::library::Context;
-use crate::wgsl::{self, Source, Valid};
+use crate::wgsl::{self, Valid};
 
 /// The name of the module that draws the look itself.
 const DRAW: &str = "draw";
@@ -190,10 +190,10 @@ impl ShaderModule {
         Self { name, purpose, entry_points, bindings, feeds, code }
     }
 
-    fn fixed(name: &'static str, purpose: &'static str, (path, text): (&str, &str)) -> Result<Self, Vec<Diagnostic>> {
-        let linked = wgsl::link(&[Source { name: path, text }])?;
+    fn fixed(name: &'static str, purpose: &'static str) -> Result<Self, Vec<Diagnostic>> {
+        let linked = wgsl::pass(name)?;
         let valid = wgsl::parse(&linked.text)
-            .map_err(|error| vec![Diagnostic::error("internal-invalid-wgsl", format!("{path}: {error}"))])?;
+            .map_err(|error| vec![Diagnostic::error("internal-invalid-wgsl", format!("{name}: {error}"))])?;
         let bindings = reflect::bindings(&valid.module);
         let feeds = bindings.iter().map(|bound| match bound.kind {
             Kind::Texture => Feed::Inputs,
@@ -227,11 +227,37 @@ fn feed(shader: &CompiledShader, bound: &Bound, images: &mut Vec<Image>) -> Feed
         Some(BindingKind::Image(index)) => Feed::Image { image: image(*index) },
         Some(BindingKind::Sampler(index)) => Feed::Sampler { image: image(*index) },
         Some(BindingKind::Curvature) => Feed::Pass { pass: "curvature", output: "curvature" },
+        Some(BindingKind::CurvatureSparse) => Feed::Pass { pass: "curvature_sparse", output: "curvature" },
+        Some(BindingKind::CurvatureDetailSparse) => Feed::Pass { pass: "detail_curvature_sparse", output: "curvature" },
         Some(BindingKind::CurvatureDetail) => Feed::Pass { pass: "detail_curvature", output: "curvature" },
         // Neither is in a module that draws meshes.
         Some(BindingKind::Samples) | None => Feed::Inputs,
     }
 }
+
+/// A pass that finds curvature.
+#[derive(Clone, Copy)]
+struct Curvature {
+    /// What a look reads for it.
+    context: Context,
+    pass: &'static str,
+    module: &'static str,
+    /// The pass that it reads.
+    normals: &'static str,
+}
+
+impl Curvature {
+    const fn of(context: Context, pass: &'static str, module: &'static str, normals: &'static str) -> Self {
+        Self { context, pass, module, normals }
+    }
+}
+
+const CURVATURES: [Curvature; 4] = [
+    Curvature::of(Context::Kappa, "curvature", "curvature", "normals"),
+    Curvature::of(Context::KappaSparse, "curvature_sparse", "curvature_sparse", "normals"),
+    Curvature::of(Context::KappaDetail, "detail_curvature", "curvature", "detail_normals"),
+    Curvature::of(Context::KappaDetailSparse, "detail_curvature_sparse", "curvature_sparse", "detail_normals"),
+];
 
 /// Compiles a look's modules and plans its passes.
 pub(super) fn compile(typed: &TypedGraph, stem: &str) -> Result<Modules, Vec<Diagnostic>> {
@@ -240,7 +266,10 @@ pub(super) fn compile(typed: &TypedGraph, stem: &str) -> Result<Modules, Vec<Dia
         compile_typed(typed, &options, Vec::new())
     };
     let draw = stage(Stage::Draw)?;
-    let (kappa, detail) = (draw.needs.context(Context::Kappa), draw.needs.context(Context::KappaDetail));
+    let reads = |context| draw.needs.context(context);
+    let curvatures = CURVATURES.map(|curvature| reads(curvature.context).then_some(curvature));
+    let kappa = reads(Context::Kappa) || reads(Context::KappaSparse);
+    let detail = reads(Context::KappaDetail) || reads(Context::KappaDetailSparse);
     let mut found = Modules { title: header::title(&typed.name), ..Modules::default() };
     if kappa {
         let purpose = "Draws normals and depth, for the curvature pass.";
@@ -254,9 +283,7 @@ pub(super) fn compile(typed: &TypedGraph, stem: &str) -> Result<Modules, Vec<Dia
         found.modules.push(ShaderModule::of_look("detail_normals", purpose, normals, stem, &mut found.images));
         found.passes.push(Pass::meshes("detail_normals", &NORMAL_TARGETS));
     }
-    if kappa || detail {
-        found.add_curvature(kappa, detail)?;
-    }
+    found.add_curvature(&curvatures.into_iter().flatten().collect::<Vec<_>>())?;
     let draw = ShaderModule::of_look(
         DRAW,
         "Draws a mesh with the look; the result is straight RGBA.",
@@ -280,32 +307,32 @@ impl Pass {
 }
 
 impl Modules {
-    fn add_curvature(&mut self, kappa: bool, detail: bool) -> Result<(), Vec<Diagnostic>> {
-        let Some(pass) = wgsl::pass("curvature") else {
-            let problem = Diagnostic::warning("missing-pass", "this build of Chiaro lacks the curvature pass");
-            self.warnings.push(problem.hint("bind textures of curvature of your own"));
-            return Ok(());
-        };
-        let module = ShaderModule::fixed("curvature", "Finds curvature from normals and depth.", pass)?;
-        for (name, normals, _) in [("curvature", "normals", kappa), ("detail_curvature", "detail_normals", detail)]
-            .into_iter()
-            .filter(|p| p.2)
-        {
-            let textures = module.bindings.iter().filter(|bound| bound.kind == Kind::Texture);
-            let inputs = textures.map(|bound| {
-                let output = if bound.name.contains("depth") { "depth" } else { "normal" };
-                PassInput { binding: bound.name.clone(), pass: normals, output }
-            });
-            let inputs = inputs.collect();
-            self.passes.push(Pass {
-                name,
-                module: "curvature",
-                draws: "screen",
-                inputs,
-                outputs: vec![CURVATURE_TARGET],
-            });
+    fn add_curvature(&mut self, curvatures: &[Curvature]) -> Result<(), Vec<Diagnostic>> {
+        for (name, purpose) in [
+            ("curvature", "Finds curvature from normals and depth."),
+            ("curvature_sparse", "Finds curvature from normals and depth of four neighbours alone."),
+        ] {
+            let passes: Vec<_> = curvatures.iter().filter(|curvature| curvature.module == name).collect();
+            if passes.is_empty() {
+                continue;
+            }
+            let module = ShaderModule::fixed(name, purpose)?;
+            for curvature in passes {
+                let textures = module.bindings.iter().filter(|bound| bound.kind == Kind::Texture);
+                let inputs = textures.map(|bound| {
+                    let output = if bound.name.contains("depth") { "depth" } else { "normal" };
+                    PassInput { binding: bound.name.clone(), pass: curvature.normals, output }
+                });
+                self.passes.push(Pass {
+                    name: curvature.pass,
+                    module: name,
+                    draws: "screen",
+                    inputs: inputs.collect(),
+                    outputs: vec![CURVATURE_TARGET],
+                });
+            }
+            self.modules.push(module);
         }
-        self.modules.push(module);
         Ok(())
     }
 

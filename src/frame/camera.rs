@@ -86,9 +86,11 @@ impl View {
         3 * (f64::from(self.viewport[1]) / 800.0).round().max(1.0) as usize
     }
 
-    /// Every number of the curvature pass's uniform, in order, for images whose first row is at the top.
-    pub fn curvature_numbers(&self) -> [f64; 4] {
-        [self.pixel_size(), f64::from(u8::from(self.is_perspective)), f64::from(self.viewport[1]), 0.0]
+    /// Every number of the curvature passes' uniform, in order, for images whose first row is at the top, before a
+    /// picture of so many samples a pixel.
+    pub fn curvature_numbers(&self, samples: u32) -> [f64; 5] {
+        let is_perspective = f64::from(u8::from(self.is_perspective));
+        [self.pixel_size(), is_perspective, f64::from(self.viewport[1]), 0.0, f64::from(samples)]
     }
 
     /// The bytes of the shader's `View` uniform.

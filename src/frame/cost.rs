@@ -1,7 +1,7 @@
 //! What effects cost: counted here, and measured by whoever has a GPU.
 
 use std::collections::BTreeMap;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use serde::Serialize;
 
@@ -68,7 +68,9 @@ impl PassKind {
             // Normals, distance and a depth buffer, written.
             Self::Normals | Self::DetailNormals => (NORMAL + 2 * NUMBER, NORMAL + 2 * NUMBER),
             // Normals and distances read, curvature written, and read again by the look.
-            Self::Curvature | Self::DetailCurvature => (NUMBER, NORMAL + NUMBER + 2 * NUMBER),
+            Self::Curvature | Self::SparseCurvature | Self::DetailCurvature | Self::SparseDetailCurvature => {
+                (NUMBER, NORMAL + NUMBER + 2 * NUMBER)
+            }
             Self::Look if samples > 1 => (COLOR + samples * (COLOR + NUMBER), COLOR + 2 * samples * (COLOR + NUMBER)),
             Self::Look => (COLOR + NUMBER, COLOR + NUMBER),
         }
@@ -99,16 +101,14 @@ pub(super) fn pass_operations(kind: &PassKind, draws: &[Draw]) -> u64 {
     match kind {
         PassKind::Look => most(&|draw| Some(&draw.look)),
         PassKind::Normals | PassKind::DetailNormals => most(&|draw| draw.normals.get(kind)),
-        PassKind::Curvature | PassKind::DetailCurvature => curvature_operations(),
+        _ => kind.shader().map_or(0, fixed_operations),
     }
 }
 
-fn curvature_operations() -> u64 {
-    static COUNTED: OnceLock<u64> = OnceLock::new();
-    *COUNTED.get_or_init(|| {
-        let valid = wgsl::pass("curvature").and_then(|(_, text)| wgsl::parse(text).ok());
-        valid.map_or(0, |valid| Operations::of(&valid.module).of_entry_points(&valid.module))
-    })
+/// The operations of a fixed pass.
+fn fixed_operations(name: &str) -> u64 {
+    let valid = wgsl::pass(name).ok().and_then(|linked| wgsl::parse(&linked.text).ok());
+    valid.map_or(0, |valid| Operations::of(&valid.module).of_entry_points(&valid.module))
 }
 
 /// The operations of a whole module.

@@ -43,8 +43,12 @@ pub enum PassKind {
     DetailNormals,
     /// Curvature of the normals.
     Curvature,
+    /// The same from four neighbours of a pixel.
+    SparseCurvature,
     /// Curvature of the detail normals.
     DetailCurvature,
+    /// The same from four neighbours of a pixel.
+    SparseDetailCurvature,
     /// The looks themselves.
     Look,
 }
@@ -56,9 +60,25 @@ impl PassKind {
             Self::Normals => "normals",
             Self::DetailNormals => "detail normals",
             Self::Curvature => "curvature",
+            Self::SparseCurvature => "sparse curvature",
             Self::DetailCurvature => "detail curvature",
+            Self::SparseDetailCurvature => "sparse detail curvature",
             Self::Look => "look",
         }
+    }
+
+    /// The file of `shaders/passes/` that it runs, without its ending; none where it draws meshes.
+    pub fn shader(&self) -> Option<&'static str> {
+        match self {
+            Self::Curvature | Self::DetailCurvature => Some("curvature"),
+            Self::SparseCurvature | Self::SparseDetailCurvature => Some("curvature_sparse"),
+            Self::Normals | Self::DetailNormals | Self::Look => None,
+        }
+    }
+
+    /// Whether it finds curvature.
+    pub fn is_curvature(&self) -> bool {
+        self.shader().is_some()
     }
 }
 
@@ -262,19 +282,17 @@ impl Planner {
             return Err(problems);
         }
         push_equal_looks(&mut dropped, setup, &keys);
-        let needs = |context: Context| {
+        let needs = |context: Context, what: &str| {
             seen.iter().find_map(|(number, object)| {
                 let mut looks = object.looks.iter().flatten();
                 let reads = |look: usize| self.shaders[&keys[&(*number, look)].0].draw.needs.context(context);
                 let name = &setup.looks[*looks.find(|&&look| reads(look))?].look.name;
-                Some(format!("object `{}` wears {}, which reads curvature", object.id, quoted(name)))
+                Some(format!("object `{}` wears {}, which reads {what}", object.id, quoted(name)))
             })
         };
-        let wanted = [
-            (PassKind::Normals, PassKind::Curvature, Stage::Normals, needs(Context::Kappa)),
-            (PassKind::DetailNormals, PassKind::DetailCurvature, Stage::DetailNormals, needs(Context::KappaDetail)),
-        ];
-        let stages: Vec<_> = wanted.iter().filter(|w| w.3.is_some()).map(|w| (w.0.clone(), w.2)).collect();
+        let wanted = WantedCurvature::all(&needs);
+        let is_wanted = |wanted: &&WantedCurvature| !wanted.passes.is_empty();
+        let stages: Vec<_> = wanted.iter().filter(is_wanted).map(|w| (w.normals.clone(), w.stage)).collect();
         let mut draws = Vec::new();
         for &(number, object) in &seen {
             let center = placed[number].center;
@@ -597,33 +615,77 @@ fn current_params(look: &Look, params: &[Param]) -> Vec<Param> {
         .collect()
 }
 
+/// The passes that find curvature of some normals.
+struct WantedCurvature {
+    /// What people call it.
+    name: &'static str,
+    /// The pass that draws the normals.
+    normals: PassKind,
+    /// What it draws them with.
+    stage: Stage,
+    /// What finds curvature of them, each with who reads it.
+    passes: Vec<(PassKind, String)>,
+}
+
+impl WantedCurvature {
+    /// What `needs` has a reader for. Looks of different tiers may want it in different ways, side by side.
+    fn all(needs: &dyn Fn(Context, &str) -> Option<String>) -> [Self; 2] {
+        let wide = |context| needs(context, "curvature");
+        let sparse = |context| needs(context, "curvature from four neighbours, its cheaper tier");
+        let passes = |passes: [(PassKind, Option<String>); 2]| {
+            passes.into_iter().filter_map(|(kind, reason)| Some((kind, reason?))).collect()
+        };
+        [
+            Self {
+                name: "curvature of the surface",
+                normals: PassKind::Normals,
+                stage: Stage::Normals,
+                passes: passes([
+                    (PassKind::Curvature, wide(Context::Kappa)),
+                    (PassKind::SparseCurvature, sparse(Context::KappaSparse)),
+                ]),
+            },
+            Self {
+                name: "curvature of the detail normals",
+                normals: PassKind::DetailNormals,
+                stage: Stage::DetailNormals,
+                passes: passes([
+                    (PassKind::DetailCurvature, wide(Context::KappaDetail)),
+                    (PassKind::SparseDetailCurvature, sparse(Context::KappaDetailSparse)),
+                ]),
+            },
+        ]
+    }
+}
+
 fn passes(
-    wanted: &[(PassKind, PassKind, Stage, Option<String>); 2],
+    wanted: &[WantedCurvature; 2],
     draws: &[Draw],
     view: &View,
     options: &PlanOptions,
     dropped: &mut Vec<Dropped>,
 ) -> Vec<Pass> {
     let mut passes = Vec::new();
-    for (normals, curvature, stage, reason) in wanted {
-        let name =
-            if *stage == Stage::Normals { "curvature of the surface" } else { "curvature of the detail normals" };
-        match reason {
-            Some(reason) => {
-                let input_hash = hash_of(draws, view, options, Some((normals, *stage)));
-                let why = format!("curvature is computed from them: {reason}");
-                passes.push(Pass { kind: normals.clone(), reason: why, input_hash });
-                passes.push(Pass { kind: curvature.clone(), reason: reason.clone(), input_hash });
-            }
-            None => dropped.push(Dropped {
-                what: name.to_owned(),
+    for wanted in wanted {
+        let Some((_, reason)) = wanted.passes.first() else {
+            dropped.push(Dropped {
+                what: wanted.name.to_owned(),
                 why: "no live node of a visible object reads it".to_owned(),
                 kind: EffectKind::Pass,
                 proof: Proof::Unreachable,
                 look: None,
-                cost: cost::of_passes(&[normals, curvature], options),
-            }),
-        }
+                cost: cost::of_passes(&[&wanted.normals, &PassKind::Curvature], options),
+            });
+            continue;
+        };
+        let input_hash = hash_of(draws, view, options, Some((&wanted.normals, wanted.stage)));
+        let why = format!("curvature is computed from them: {reason}");
+        passes.push(Pass { kind: wanted.normals.clone(), reason: why, input_hash });
+        passes.extend(wanted.passes.iter().map(|(kind, reason)| Pass {
+            kind: kind.clone(),
+            reason: reason.clone(),
+            input_hash,
+        }));
     }
     // The look reads what the passes before it drew.
     let mut hasher = DefaultHasher::new();
@@ -636,7 +698,7 @@ fn passes(
 
 fn hash_of(draws: &[Draw], view: &View, options: &PlanOptions, normals: Option<(&PassKind, Stage)>) -> u64 {
     let mut hasher = DefaultHasher::new();
-    (options.size, view.uniform_bytes()).hash(&mut hasher);
+    (options.size, options.samples, view.uniform_bytes()).hash(&mut hasher);
     for draw in draws {
         let (shader, stage) = match normals {
             Some((kind, stage)) => (&draw.normals[kind], stage),
@@ -645,9 +707,6 @@ fn hash_of(draws: &[Draw], view: &View, options: &PlanOptions, normals: Option<(
         (Arc::as_ptr(&draw.mesh) as usize, &draw.indices, &shader.wgsl, &draw.object_uniform.bytes).hash(&mut hasher);
         (&draw.look_uniforms[&stage].bytes, draw.two_sided, draw.is_mirrored).hash(&mut hasher);
         draw.images_of(stage).iter().for_each(|image| image.hash.hash(&mut hasher));
-        if normals.is_none() {
-            options.samples.hash(&mut hasher);
-        }
     }
     hasher.finish()
 }

@@ -239,7 +239,7 @@ impl<'a> Packer<'a> {
                 let contexts = &self.shader.needs.contexts;
                 let Some(context) = contexts.iter().find(|context| context.word() == name) else { continue };
                 let at = at + (*offset + member) as usize;
-                if let Context::Kappa | Context::KappaFast | Context::KappaDetail = context {
+                if context.is_curvature() {
                     // As it is: whether a look stands infinite curvature, or none at all, is worth asking.
                     packed.bytes[at..at + 4].copy_from_slice(&(sample.kappa as f32).to_le_bytes());
                     packed.numbers.push(sample.kappa);
@@ -357,7 +357,7 @@ impl<'a> SurfaceValues<'a> {
             Context::Tangent => vec3(self.tangent),
             Context::Bitangent => vec3(self.normal.cross(self.tangent)),
             Context::Depth => interp::Value::Float(-(sample.camera * sample.position).z),
-            Context::Kappa | Context::KappaFast | Context::KappaDetail => interp::Value::Float(sample.kappa),
+            curvature if curvature.is_curvature() => interp::Value::Float(sample.kappa),
             // Known before the fragment, and so computed by the host program.
             _ => interp::Value::Float(0.0),
         }

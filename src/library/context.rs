@@ -44,10 +44,14 @@ pub enum Context {
     Depth,
     /// Signed curvature of the surface in 1/viewport-height, convex positive.
     Kappa,
+    /// The same from four neighbours of a pixel.
+    KappaSparse,
     /// The same from the derivatives of the fragment's normal, without any pass before.
     KappaFast,
-    /// The same, of the normal that the Output node is given.
+    /// The same as `Kappa`, of the normal that the Output node is given.
     KappaDetail,
+    /// The same from four neighbours of a pixel.
+    KappaDetailSparse,
     /// The rotation from world to camera axes.
     CameraFromWorld,
     /// Counts objects from 0.
@@ -143,6 +147,13 @@ const TABLE: &[Row] = &[
         "signed curvature of the surface in 1/viewport-height, convex positive",
     ),
     (
+        Context::KappaSparse,
+        "kappa_sparse",
+        "f32",
+        Rate::Fragment,
+        "the same from four neighbours of a pixel, two steps away",
+    ),
+    (
         Context::KappaFast,
         "kappa_fast",
         "f32",
@@ -155,6 +166,13 @@ const TABLE: &[Row] = &[
         "f32",
         Rate::Fragment,
         "signed curvature of the Output node's detail normal, in 1/viewport-height",
+    ),
+    (
+        Context::KappaDetailSparse,
+        "kappa_detail_sparse",
+        "f32",
+        Rate::Fragment,
+        "the same from four neighbours of a pixel, two steps away",
     ),
     (Context::CameraFromWorld, "camera_from_world", "mat3x3f", Rate::Frame, "the rotation from world to camera axes"),
     (Context::ObjectId, "object_id", "f32", Rate::Object, "counts objects from 0"),
@@ -214,11 +232,22 @@ impl Context {
     }
 
     /// What stands for it in a node of this tier.
-    pub fn at_tier(self, tier: Tier) -> Self {
+    ///
+    /// What is off by more than is seen stands for a curvature only where an artist asked for that: in the fast tier, and
+    /// in the balanced one of the node that is the measure itself (`is_measure`) and nothing else.
+    pub fn at_tier(self, tier: Tier, is_measure: bool) -> Self {
         match (self, tier) {
+            (Self::Kappa, Tier::Balanced) if is_measure => Self::KappaSparse,
+            (Self::KappaDetail, Tier::Balanced) if is_measure => Self::KappaDetailSparse,
             (Self::Kappa, Tier::Fast) => Self::KappaFast,
+            (Self::KappaDetail, Tier::Fast) => Self::KappaDetailSparse,
             _ => self,
         }
+    }
+
+    /// Whether it is a curvature, whatever of and however it is measured.
+    pub fn is_curvature(self) -> bool {
+        matches!(self, Self::Kappa | Self::KappaSparse | Self::KappaFast | Self::KappaDetail | Self::KappaDetailSparse)
     }
 
     fn row(self) -> &'static Row {

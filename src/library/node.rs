@@ -241,7 +241,7 @@ impl NodeDef {
         let mut tiers: Vec<Tier> = self.variants.iter().map(|variant| variant.tier).collect();
         for input in &self.inputs {
             if let Fallback::Context(context) = &input.fallback {
-                let is_cheaper = |tier: &Tier| context.at_tier(*tier) != *context;
+                let is_cheaper = |tier: &Tier| context.at_tier(*tier, input.hidden) != *context;
                 tiers.extend([Tier::Balanced, Tier::Fast].into_iter().filter(is_cheaper));
             }
         }

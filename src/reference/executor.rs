@@ -27,13 +27,14 @@ pub trait Shaders {
         images: &'a PassImages,
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic>;
 
-    /// `shaders/passes/curvature.wgsl`, reading `normals` (four channels) and `depths` (one).
+    /// The [shader](PassKind::shader) of a curvature pass, reading `normals` (four channels) and `depths` (one).
     ///
     /// # Errors
     /// What cannot be run.
     fn curvature<'a>(
         &'a self,
         plan: &'a FramePlan,
+        kind: &PassKind,
         normals: &'a Texels,
         depths: &'a Texels,
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic>;
@@ -48,6 +49,8 @@ pub struct SurfaceImages {
     pub depths: Option<Texels>,
     /// One channel: curvature in 1/viewport-height.
     pub curvature: Option<Texels>,
+    /// The same from four neighbours of a pixel.
+    pub sparse: Option<Texels>,
 }
 
 /// What the passes so far have made, for the later ones to read, rounded as [`Options::images`] says.
@@ -63,7 +66,7 @@ impl PassImages {
     /// The images of the kind that a normals or curvature pass makes.
     fn of(&mut self, kind: &PassKind) -> &mut SurfaceImages {
         match kind {
-            PassKind::DetailNormals | PassKind::DetailCurvature => &mut self.detail,
+            PassKind::DetailNormals | PassKind::DetailCurvature | PassKind::SparseDetailCurvature => &mut self.detail,
             _ => &mut self.surface,
         }
     }
@@ -93,13 +96,20 @@ pub fn execute(
                 made.normals = Some(drawn.channels(0..4).rounded(|x| options.images.half(x)));
                 made.depths = Some(drawn.channels(4..5).rounded(|x| options.images.single(x)));
             }
-            kind @ (PassKind::Curvature | PassKind::DetailCurvature) => {
+            kind @ (PassKind::Curvature
+            | PassKind::SparseCurvature
+            | PassKind::DetailCurvature
+            | PassKind::SparseDetailCurvature) => {
                 let made = images.of(kind);
                 let (Some(normals), Some(depths)) = (&made.normals, &made.depths) else { return Err(misplaced(kind)) };
-                let shader = shaders.curvature(plan, normals, depths)?;
+                let shader = shaders.curvature(plan, kind, normals, depths)?;
                 let curvature = shade_all(plan.size, 1, shader.as_ref(), &options.widened(1), &control)?;
                 drop(shader);
-                made.curvature = Some(curvature.rounded(|x| options.images.single(x)));
+                let curvature = Some(curvature.rounded(|x| options.images.single(x)));
+                match kind {
+                    PassKind::SparseCurvature | PassKind::SparseDetailCurvature => made.sparse = curvature,
+                    _ => made.curvature = curvature,
+                }
             }
             PassKind::Look => {
                 let raster = draw(plan, &PassKind::Look, &images, shaders, options, &control)?;

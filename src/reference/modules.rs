@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::sync::Arc;
 
-use super::executor::{PassImages, Shaders, SurfaceImages};
+use super::executor::{PassImages, Shaders};
 use super::probe::Watch;
 use super::shader::{FragmentStage, Interpolation, LANES, QuadBatch, Shaded, Shader, Varying, VertexStage};
 use super::texels::Texels;
@@ -39,7 +39,8 @@ pub struct Modules {
     precision: Precision,
     /// By address; the shader is kept, so that no other can come to lie there.
     looks: HashMap<*const CompiledShader, (Arc<CompiledShader>, Stages)>,
-    curvature: Option<Stages>,
+    /// The stages of curvature passes, by the name of their shader.
+    curvature: HashMap<&'static str, Stages>,
     images: HashMap<(u64, bool), Texture>,
     /// What the fragments of looks are watched for.
     watch: Option<Watch>,
@@ -63,7 +64,8 @@ impl Modules {
     }
 
     fn with(plan: &FramePlan, precision: Precision, watch: Option<Watch>) -> Result<Self, Diagnostic> {
-        let mut modules = Self { precision, looks: HashMap::new(), curvature: None, images: HashMap::new(), watch };
+        let mut modules =
+            Self { precision, looks: HashMap::new(), curvature: HashMap::new(), images: HashMap::new(), watch };
         for draw in &plan.draws {
             for shader in std::iter::once(&draw.look).chain(draw.normals.values()) {
                 modules.add(shader)?;
@@ -74,8 +76,10 @@ impl Modules {
                 }
             }
         }
-        if plan.passes.iter().any(|pass| matches!(pass.kind, PassKind::Curvature | PassKind::DetailCurvature)) {
-            modules.curvature = Some(curvature()?);
+        for name in plan.passes.iter().filter_map(|pass| pass.kind.shader()) {
+            if let Entry::Vacant(place) = modules.curvature.entry(name) {
+                place.insert(fixed(name)?);
+            }
         }
         Ok(modules)
     }
@@ -106,10 +110,11 @@ fn missing(what: &str) -> Diagnostic {
     Diagnostic::error("reference-plan", format!("the plan lacks {what}"))
 }
 
-fn curvature() -> Result<Stages, Diagnostic> {
-    let (_, source) = wgsl::pass("curvature").ok_or_else(|| missing("the source of the curvature pass"))?;
+/// The stages of `shaders/passes/NAME.wgsl`.
+fn fixed(name: &str) -> Result<Stages, Diagnostic> {
+    let source = wgsl::pass(name).map_err(|_| missing("the source of a pass"))?.text;
     let refused = |error: wgsl::WgslError| Diagnostic::error("invalid-wgsl", error.message);
-    Stages::compile(&wgsl::parse(source).map_err(refused)?, source, false)
+    Stages::compile(&wgsl::parse(&source).map_err(refused)?, &source, false)
 }
 
 impl Shaders for Modules {
@@ -146,8 +151,14 @@ impl Shaders for Modules {
                     let used = shader.needs.images.get(*index).ok_or_else(|| missing("an image"))?;
                     bindings.sampler(0, at, sampler_of(used));
                 }
-                BindingKind::Curvature => drop(bindings.texture(0, at, map(&images.surface, plan.size)?)),
-                BindingKind::CurvatureDetail => drop(bindings.texture(0, at, map(&images.detail, plan.size)?)),
+                BindingKind::Curvature => drop(bindings.texture(0, at, map(&images.surface.curvature, plan.size)?)),
+                BindingKind::CurvatureSparse => drop(bindings.texture(0, at, map(&images.surface.sparse, plan.size)?)),
+                BindingKind::CurvatureDetail => {
+                    bindings.texture(0, at, map(&images.detail.curvature, plan.size)?);
+                }
+                BindingKind::CurvatureDetailSparse => {
+                    bindings.texture(0, at, map(&images.detail.sparse, plan.size)?);
+                }
                 BindingKind::Samples => {}
             }
         }
@@ -160,14 +171,16 @@ impl Shaders for Modules {
     fn curvature<'a>(
         &'a self,
         plan: &'a FramePlan,
+        kind: &PassKind,
         normals: &'a Texels,
         depths: &'a Texels,
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic> {
-        let stages = self.curvature.as_ref().ok_or_else(|| missing("the curvature pass"))?;
+        let stages =
+            kind.shader().and_then(|name| self.curvature.get(name)).ok_or_else(|| missing("the curvature pass"))?;
         let mut bindings = Bindings::new();
         bindings.texture(0, 0, texture(normals)?);
         bindings.texture(0, 1, texture(depths)?);
-        let numbers = plan.view.curvature_numbers();
+        let numbers = plan.view.curvature_numbers(plan.samples);
         buffer(&mut bindings, stages, 2, &numbers);
         Ok(Box::new(Bindable::new(stages, &bindings, self.precision, None)?))
     }
@@ -184,8 +197,8 @@ fn buffer(bindings: &mut Bindings, stages: &Stages, binding: u32, numbers: &[f64
 }
 
 /// The curvature that a look reads; where no pass made any, everything is flat.
-fn map(images: &SurfaceImages, size: [u32; 2]) -> Result<Texture, Diagnostic> {
-    match &images.curvature {
+fn map(curvature: &Option<Texels>, size: [u32; 2]) -> Result<Texture, Diagnostic> {
+    match curvature {
         Some(curvature) => texture(curvature),
         None => texture(&Texels::new(size, 1)),
     }

@@ -32,7 +32,8 @@ pub struct Renderer {
     pipelines: pipeline::Pipelines,
     meshes: mesh::Meshes,
     images: image::Images,
-    curvature: passes::curvature::CurvaturePass,
+    /// By the name of their shader, made when first asked for.
+    curvature: HashMap<&'static str, passes::curvature::CurvaturePass>,
     targets: target::Targets,
     /// The input hash of what each pass's targets hold.
     done: HashMap<PassKind, u64>,
@@ -43,13 +44,12 @@ pub struct Renderer {
 impl Renderer {
     /// A renderer on `gpu`.
     pub fn new(gpu: Gpu) -> Self {
-        let curvature = passes::curvature::CurvaturePass::new(&gpu);
         Self {
             gpu,
             pipelines: pipeline::Pipelines::default(),
             meshes: mesh::Meshes::default(),
             images: image::Images::default(),
-            curvature,
+            curvature: HashMap::new(),
             targets: target::Targets::default(),
             done: HashMap::new(),
             timer: None,
@@ -86,7 +86,10 @@ impl Renderer {
             }
             match &pass.kind {
                 PassKind::Normals | PassKind::DetailNormals => self.draw_normals(plan, &pass.kind, &mut encoder)?,
-                PassKind::Curvature | PassKind::DetailCurvature => self.draw_curvature(plan, &pass.kind, &mut encoder),
+                PassKind::Curvature
+                | PassKind::SparseCurvature
+                | PassKind::DetailCurvature
+                | PassKind::SparseDetailCurvature => self.draw_curvature(plan, &pass.kind, &mut encoder),
                 PassKind::Look => self.draw_look(plan, &mut encoder)?,
             }
             ran.push(pass.kind.clone());

@@ -180,6 +180,9 @@ fn binding_type(kind: &BindingKind) -> wgpu::BindingType {
         BindingKind::Samples => buffer(wgpu::BufferBindingType::Storage { read_only: true }),
         BindingKind::Image(_) => texture(true),
         BindingKind::Sampler(_) => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
-        BindingKind::Curvature | BindingKind::CurvatureDetail => texture(false),
+        BindingKind::Curvature
+        | BindingKind::CurvatureSparse
+        | BindingKind::CurvatureDetail
+        | BindingKind::CurvatureDetailSparse => texture(false),
     }
 }

@@ -18,7 +18,9 @@ pub(super) struct SurfaceTargets {
     pub(super) normals: wgpu::TextureView,
     pub(super) depths: wgpu::TextureView,
     pub(super) buffer: wgpu::TextureView,
-    pub(super) curvature: wgpu::TextureView,
+    curvature: Option<wgpu::TextureView>,
+    /// The same from four neighbours of a pixel.
+    sparse: Option<wgpu::TextureView>,
 }
 
 /// The textures of one picture size.
@@ -59,8 +61,15 @@ impl Targets {
                     normals: view(gpu, plan.size, NORMALS, 1),
                     depths: view(gpu, plan.size, NUMBER, 1),
                     buffer: view(gpu, plan.size, DEPTH, 1),
-                    curvature: view(gpu, plan.size, NUMBER, 1),
+                    curvature: None,
+                    sparse: None,
                 });
+                is_new = true;
+            }
+        }
+        for pass in plan.passes.iter().filter(|pass| pass.kind.is_curvature()) {
+            if let Some(slot @ None) = self.curvature_slot(&pass.kind) {
+                *slot = Some(view(gpu, plan.size, NUMBER, 1));
                 is_new = true;
             }
         }
@@ -73,11 +82,27 @@ impl Targets {
 
     /// The targets of a normals or curvature pass.
     pub(super) fn of(&self, kind: &PassKind) -> Option<&SurfaceTargets> {
-        match kind {
-            PassKind::DetailNormals | PassKind::DetailCurvature => self.detail.as_ref(),
-            _ => self.surface.as_ref(),
-        }
+        if is_detail(kind) { self.detail.as_ref() } else { self.surface.as_ref() }
     }
+
+    /// What a curvature pass draws into.
+    pub(super) fn curvature(&self, kind: &PassKind) -> Option<&wgpu::TextureView> {
+        let targets = self.of(kind)?;
+        if is_sparse(kind) { targets.sparse.as_ref() } else { targets.curvature.as_ref() }
+    }
+
+    fn curvature_slot(&mut self, kind: &PassKind) -> Option<&mut Option<wgpu::TextureView>> {
+        let targets = if is_detail(kind) { self.detail.as_mut() } else { self.surface.as_mut() }?;
+        Some(if is_sparse(kind) { &mut targets.sparse } else { &mut targets.curvature })
+    }
+}
+
+fn is_detail(kind: &PassKind) -> bool {
+    matches!(kind, PassKind::DetailNormals | PassKind::DetailCurvature | PassKind::SparseDetailCurvature)
+}
+
+fn is_sparse(kind: &PassKind) -> bool {
+    matches!(kind, PassKind::SparseCurvature | PassKind::SparseDetailCurvature)
 }
 
 pub(super) fn texture(

@@ -4,6 +4,8 @@
 //! imported before the source, each file once; the result is plain WGSL, and [`Linked::locate`] finds the way back to
 //! the file and line that a byte of it came from.
 
+use crate::diag::Diagnostic;
+
 mod embedded;
 mod link;
 mod operations;
@@ -16,8 +18,14 @@ pub use operations::Operations;
 pub use scan::{Declaration, DeclarationKind, Field, Import, Scan, identifiers, rename_identifiers, scan};
 pub use validate::{Valid, WgslError, parse, validate};
 
-/// The path and the text of `shaders/passes/NAME.wgsl`.
-pub fn pass(name: &str) -> Option<(&'static str, &'static str)> {
+/// `shaders/passes/NAME.wgsl` with what it imports.
+///
+/// # Errors
+/// That there is no such pass, or what it imports in vain.
+pub fn pass(name: &str) -> Result<Linked, Vec<Diagnostic>> {
     let is_it = |path: &str| path.rsplit('/').next().and_then(|file| file.strip_suffix(".wgsl")) == Some(name);
-    PASSES.iter().copied().find(|(path, _)| is_it(path))
+    let Some((path, text)) = PASSES.iter().find(|(path, _)| is_it(path)) else {
+        return Err(vec![Diagnostic::error("missing-pass", format!("this build of Chiaro lacks the pass `{name}`"))]);
+    };
+    link(&[Source { name: path, text }])
 }

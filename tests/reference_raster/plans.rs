@@ -51,6 +51,7 @@ impl Shaders for Noted {
     fn curvature<'a>(
         &'a self,
         _: &'a FramePlan,
+        _: &PassKind,
         normals: &'a Texels,
         depths: &'a Texels,
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic> {

@@ -382,7 +382,11 @@ impl Builder<'_> {
                 Context::CameraFromWorld => self.slot("camera", Place::Camera, Kind::Rotation, 4, 1.0),
                 Context::Uv => self.slot("uv", Place::Uv, number, 2, MOST),
                 Context::VertexColor => self.slot("vertex_color", Place::VertexColor, Kind::Color, 4, MOST_COLOR),
-                Context::Kappa | Context::KappaDetail | Context::KappaFast => {
+                Context::Kappa
+                | Context::KappaSparse
+                | Context::KappaFast
+                | Context::KappaDetail
+                | Context::KappaDetailSparse => {
                     self.slot("kappa", Place::Kappa, Kind::Kappa, 1, MOST);
                 }
                 Context::Time | Context::Frame => self.slot("time", Place::Time, clock, 1, MOST_LIGHT),

@@ -6,7 +6,7 @@ use glam::DVec3;
 use serde::Serialize;
 
 use crate::accuracy::error::VISIBLE;
-use crate::accuracy::tune::stations;
+use crate::accuracy::station::stations;
 use crate::accuracy::{ErrorFigures, Progress, Stopped, Variant, truth::Truth};
 use crate::compile::Live;
 use crate::diag::Diagnostic;

@@ -24,7 +24,9 @@ pub(super) const RESERVED: &[&str] = &[
     "surface",
     "samples",
     "curvature_map",
+    "curvature_sparse_map",
     "curvature_detail_map",
+    "curvature_detail_sparse_map",
     "shade",
     "vs_main",
     "fs_main",
@@ -207,15 +209,15 @@ impl Emitter<'_> {
             }
             // Curvature is made from normals, so that what draws those cannot read it.
             let reads = |context| self.needs.context(context) && !self.options.stage.is_normals();
-            if reads(Context::Kappa) {
-                push(BindingKind::Curvature, "curvature_map", format!("var curvature_map: {texture};"));
-            }
-            if reads(Context::KappaDetail) {
-                push(
-                    BindingKind::CurvatureDetail,
-                    "curvature_detail_map",
-                    format!("var curvature_detail_map: {texture};"),
-                );
+            for (context, kind, name) in [
+                (Context::Kappa, BindingKind::Curvature, "curvature_map"),
+                (Context::KappaSparse, BindingKind::CurvatureSparse, "curvature_sparse_map"),
+                (Context::KappaDetail, BindingKind::CurvatureDetail, "curvature_detail_map"),
+                (Context::KappaDetailSparse, BindingKind::CurvatureDetailSparse, "curvature_detail_sparse_map"),
+            ] {
+                if reads(context) {
+                    push(kind, name, format!("var {name}: {texture};"));
+                }
             }
         }
         for image in 0..self.needs.images.len() {
@@ -396,7 +398,7 @@ impl Emitter<'_> {
 fn surface_value(context: Context, stage: Stage) -> &'static str {
     match context {
         // An alpha cutoff may depend on a colour that curvature tints; before the curvature pass everything is flat.
-        Context::Kappa | Context::KappaFast | Context::KappaDetail if stage.is_normals() => "0.0",
+        curvature if curvature.is_curvature() && stage.is_normals() => "0.0",
         Context::Normal => "normal",
         Context::View => {
             "normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, vec3f(0.0, 0.0, 1.0)))"
@@ -417,6 +419,8 @@ fn surface_value(context: Context, stage: Stage) -> &'static str {
              (view.camera_from_world * vec4f(in.position, 1.0)).xyz, view.eye.w, \
              length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)))"
         }
+        Context::KappaSparse => "textureLoad(curvature_sparse_map, vec2i(in.clip.xy), 0).x",
+        Context::KappaDetailSparse => "textureLoad(curvature_detail_sparse_map, vec2i(in.clip.xy), 0).x",
         Context::KappaDetail => "textureLoad(curvature_detail_map, vec2i(in.clip.xy), 0).x",
         // Known before the fragment.
         Context::CameraFromWorld

@@ -51,8 +51,12 @@ pub enum BindingKind {
     Sampler(ImageBinding),
     /// The curvature of the surface, one texel a pixel.
     Curvature,
+    /// The same from four neighbours of a pixel.
+    CurvatureSparse,
     /// The curvature with the look's detail normal.
     CurvatureDetail,
+    /// The same from four neighbours of a pixel.
+    CurvatureDetailSparse,
     /// The samples of an evaluation.
     Samples,
 }

@@ -1,4 +1,5 @@
-//! Curvature of the normals that are on the screen: `shaders/passes/curvature.wgsl`.
+//! Curvature of the normals that are on the screen: `shaders/passes/curvature.wgsl` and its cheaper sibling
+//! `curvature_sparse.wgsl`.
 
 use wgpu::util::DeviceExt as _;
 
@@ -8,20 +9,20 @@ use crate::render::gpu::Gpu;
 use crate::render::target::NUMBER;
 use crate::wgsl;
 
-/// The fixed pipeline.
+/// The fixed pipeline of one of them.
 #[derive(Debug)]
 pub(in crate::render) struct CurvaturePass {
     pipeline: wgpu::RenderPipeline,
 }
 
 impl CurvaturePass {
-    pub(in crate::render) fn new(gpu: &Gpu) -> Self {
-        let (_, source) = wgsl::pass("curvature").unwrap_or_default();
+    pub(in crate::render) fn new(gpu: &Gpu, name: &str) -> Self {
+        let source = wgsl::pass(name).unwrap_or_default().text;
         let descriptor =
-            wgpu::ShaderModuleDescriptor { label: Some("curvature"), source: wgpu::ShaderSource::Wgsl(source.into()) };
+            wgpu::ShaderModuleDescriptor { label: Some(name), source: wgpu::ShaderSource::Wgsl(source.into()) };
         let module = gpu.device.create_shader_module(descriptor);
         let pipeline = gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-            label: Some("curvature"),
+            label: Some(name),
             layout: None,
             vertex: wgpu::VertexState {
                 module: &module,
@@ -52,9 +53,11 @@ impl Renderer {
         kind: &PassKind,
         encoder: &mut wgpu::CommandEncoder,
     ) {
-        let Some(targets) = self.targets.of(kind) else { return };
+        let (Some(targets), Some(name)) = (self.targets.of(kind), kind.shader()) else { return };
+        let Some(curvature) = self.targets.curvature(kind) else { return };
+        let fixed = self.curvature.entry(name).or_insert_with(|| CurvaturePass::new(&self.gpu, name));
         let device = &self.gpu.device;
-        let numbers = plan.view.curvature_numbers().map(|number| number as f32);
+        let numbers = plan.view.curvature_numbers(plan.samples).map(|number| number as f32);
         let uniform = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
             label: Some("curvature"),
             contents: bytemuck::cast_slice(&numbers),
@@ -62,8 +65,8 @@ impl Renderer {
         });
         let entry = |binding, resource| wgpu::BindGroupEntry { binding, resource };
         let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("curvature"),
-            layout: &self.curvature.pipeline.get_bind_group_layout(0),
+            label: Some(name),
+            layout: &fixed.pipeline.get_bind_group_layout(0),
             entries: &[
                 entry(0, wgpu::BindingResource::TextureView(&targets.normals)),
                 entry(1, wgpu::BindingResource::TextureView(&targets.depths)),
@@ -72,11 +75,11 @@ impl Renderer {
         });
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("curvature"),
-            color_attachments: &[Some(super::look::cleared(&targets.curvature, wgpu::Color::TRANSPARENT))],
+            color_attachments: &[Some(super::look::cleared(curvature, wgpu::Color::TRANSPARENT))],
             timestamp_writes: Self::stamps(&mut self.timer),
             ..wgpu::RenderPassDescriptor::default()
         });
-        pass.set_pipeline(&self.curvature.pipeline);
+        pass.set_pipeline(&fixed.pipeline);
         pass.set_bind_group(0, &group, &[]);
         pass.draw(0..3, 0..1);
     }

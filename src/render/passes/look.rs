@@ -93,7 +93,7 @@ impl Renderer {
         let look = draw.look_uniforms.get(&stage).map(|uniform| &uniform.bytes);
         let look = look.filter(|bytes| !bytes.is_empty()).map(|bytes| self.uniform(bytes));
         let images = self.images.of(&self.gpu, draw.images_of(stage), &shader.needs.images)?;
-        let curvature = |kind: PassKind| self.targets.of(&kind).map(|targets| &targets.curvature);
+        let curvature = |kind: PassKind| self.targets.curvature(&kind).map(wgpu::BindingResource::TextureView);
         let mut entries = Vec::new();
         for binding in &shader.bindings {
             let resource = match &binding.kind {
@@ -102,10 +102,10 @@ impl Renderer {
                 BindingKind::Look => look.as_ref().map(wgpu::Buffer::as_entire_binding),
                 BindingKind::Image(index) => images.get(*index).map(|image| image.texture()),
                 BindingKind::Sampler(index) => images.get(*index).map(|image| image.sampler()),
-                BindingKind::Curvature => curvature(PassKind::Curvature).map(wgpu::BindingResource::TextureView),
-                BindingKind::CurvatureDetail => {
-                    curvature(PassKind::DetailCurvature).map(wgpu::BindingResource::TextureView)
-                }
+                BindingKind::Curvature => curvature(PassKind::Curvature),
+                BindingKind::CurvatureSparse => curvature(PassKind::SparseCurvature),
+                BindingKind::CurvatureDetail => curvature(PassKind::DetailCurvature),
+                BindingKind::CurvatureDetailSparse => curvature(PassKind::SparseDetailCurvature),
                 BindingKind::Samples => None,
             };
             let missing = || RenderError::Refused { message: format!("nothing to bind to `{}`", binding.name) };

@@ -195,15 +195,11 @@ float log_stable(float x_3)
     return ((float(exponent_1) * LN_2_) + series);
 }
 
-float log1p_negative(float y)
+float log1p_negative_small(float y)
 {
-    if ((y < 0.25)) {
-        float z_1 = (y / (2.0 - y));
-        float z2_1 = (z_1 * z_1);
-        return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-    }
-    const float _e27 = log_stable(max((1.0 - y), 1.1754944e-38));
-    return _e27;
+    float z_1 = (y / (2.0 - y));
+    float z2_1 = (z_1 * z_1);
+    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
 }
 
 float2 sin_cos_quarter(float x_4)
@@ -239,9 +235,9 @@ float atan2_positive(float y_1, float x_5)
     if ((large <= 0.0)) {
         return 0.0;
     }
-    float t = (small / large);
-    bool is_wide = (t > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t);
+    float t_1 = (small / large);
+    bool is_wide = (t_1 > 0.41421357);
+    float r = (is_wide ? ((small - large) / (small + large)) : t_1);
     float r2_ = (r * r);
     float series_1 = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
     float a = (is_wide ? (series_1 + 0.7853982) : series_1);
@@ -254,34 +250,35 @@ float angle_radians(Angle u)
     return (2.0 * _e3);
 }
 
-Angle angle_shifted(Angle u_1, float shift)
+Angle angle_turned(Angle u_1, float2 t)
 {
     bool local_1 = (bool)0;
 
-    const float2 _e7 = sin_cos_quarter((0.5 * clamp(shift, -3.1415927, PI)));
-    float s_2 = ((u_1.half_sin * _e7.y) - (u_1.half_cos * _e7.x));
-    float c_1 = ((u_1.half_cos * _e7.y) + (u_1.half_sin * _e7.x));
+    float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
+    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
+    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_2, c_1));
     if ((s_2 <= 0.0)) {
         local_1 = (s_2 < c_1);
     } else {
         local_1 = false;
     }
-    bool _e28 = local_1;
-    if (_e28) {
-        const Angle angle_2 = ConstructAngle(0.0, 1.0);
-        return angle_2;
-    }
-    if ((c_1 <= 0.0)) {
-        const Angle angle_3 = ConstructAngle(1.0, 0.0);
-        return angle_3;
-    }
-    const Angle angle_4 = ConstructAngle(s_2, c_1);
-    return angle_4;
+    bool _e32 = local_1;
+    float2 turned = (_e32 ? float2(0.0, 1.0) : upper);
+    const Angle angle_2 = ConstructAngle(turned.x, turned.y);
+    return angle_2;
 }
 
-float angle_footprint(Angle u_2)
+Angle angle_shifted(Angle u_2, float shift)
 {
-    float2 half_ = float2(u_2.half_sin, u_2.half_cos);
+    const float2 _e7 = sin_cos_quarter((0.5 * clamp(shift, -3.1415927, PI)));
+    const Angle _e8 = angle_turned(u_2, _e7);
+    const Angle angle_3 = _e8;
+    return angle_3;
+}
+
+float angle_footprint(Angle u_3)
+{
+    float2 half_ = float2(u_3.half_sin, u_3.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
     float w_1 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
@@ -319,8 +316,8 @@ float curvature_signed(float kappa_1, float slope)
         return (a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
     }
     const float _e28 = exp2_stable((-2.88539 * magnitude));
-    float t_1 = ((1.0 - _e28) / (1.0 + _e28));
-    return ((a_1 >= 0.0) ? t_1 : -(t_1));
+    float t_2 = ((1.0 - _e28) / (1.0 + _e28));
+    return ((a_1 >= 0.0) ? t_2 : -(t_2));
 }
 
 float transition(float kappa_2, float slope_1)
@@ -379,8 +376,8 @@ Angle parametrization_diffuse(Light light_1, float3 normal)
 {
     const float3 _e6 = normalize_or(normal, float3(0.0, 0.0, 1.0));
     const Angle _e8 = angle_between(_e6, light_1.direction);
-    const Angle angle_5 = _e8;
-    return angle_5;
+    const Angle angle_4 = _e8;
+    return angle_4;
 }
 
 float profile_power(float q, float exponent)
@@ -391,7 +388,7 @@ float profile_power(float q, float exponent)
         return 0.0;
     }
     if ((q < 0.5)) {
-        const float _e10 = log1p_negative((q * q));
+        const float _e10 = log1p_negative_small((q * q));
         log_base = _e10;
     } else {
         const float _e16 = log_stable(((1.0 - q) * (1.0 + q)));
@@ -402,11 +399,11 @@ float profile_power(float q, float exponent)
     return clamp(_e21, 0.0, 1.0);
 }
 
-float profile_point(Angle u_3, ProfileShape shape)
+float profile_point(Angle u_4, ProfileShape shape)
 {
     bool local_2 = (bool)0;
 
-    float s_3 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
+    float s_3 = ((u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset));
     if (!((s_3 <= 0.0))) {
         local_2 = (shape.kind == PROFILE_AMBIENT);
     } else {
@@ -424,11 +421,12 @@ float profile_point(Angle u_3, ProfileShape shape)
     return _e31;
 }
 
-float profile_filtered(Angle u_4, float w, ProfileShape shape_1)
+float profile_filtered(Angle u_5, float w, ProfileShape shape_1)
 {
     bool local_3 = (bool)0;
+    bool local_4 = (bool)0;
 
-    const float _e3 = profile_point(u_4, shape_1);
+    const float _e3 = profile_point(u_5, shape_1);
     if (!((w <= 0.0))) {
         local_3 = (shape_1.kind == PROFILE_AMBIENT);
     } else {
@@ -438,21 +436,26 @@ float profile_filtered(Angle u_4, float w, ProfileShape shape_1)
     if (_e13) {
         return _e3;
     }
-    bool is_narrow = (w >= (3.4641016 * shape_1.edge_deviation));
-    if (is_narrow) {
+    if ((shape_1.edge_deviation < 0.145)) {
+        local_4 = (w >= (3.4641016 * shape_1.edge_deviation));
+    } else {
+        local_4 = false;
+    }
+    bool _e24 = local_4;
+    if (_e24) {
         float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-        const float _e29 = angle_radians(u_4);
-        return clamp((0.5 + (((shape_1.offset + shape_1.edge_mean) - _e29) / width)), 0.0, 1.0);
+        const float _e36 = angle_radians(u_5);
+        return clamp((0.5 + (((shape_1.offset + shape_1.edge_mean) - _e36) / width)), 0.0, 1.0);
     }
     if ((w < (0.1 * shape_1.edge_deviation))) {
         return _e3;
     }
-    float reach = (0.38729835 * w);
-    const Angle _e43 = angle_shifted(u_4, reach);
-    const float _e44 = profile_point(_e43, shape_1);
-    const Angle _e46 = angle_shifted(u_4, -(reach));
-    const float _e47 = profile_point(_e46, shape_1);
-    return ((((5.0 * _e44) + (8.0 * _e3)) + (5.0 * _e47)) / 18.0);
+    const float2 _e50 = sin_cos_quarter((0.19364917 * w));
+    const Angle _e51 = angle_turned(u_5, _e50);
+    const float _e52 = profile_point(_e51, shape_1);
+    const Angle _e57 = angle_turned(u_5, float2(-(_e50.x), _e50.y));
+    const float _e58 = profile_point(_e57, shape_1);
+    return ((((5.0 * _e52) + (8.0 * _e3)) + (5.0 * _e58)) / 18.0);
 }
 
 float profile(Angle angle, float shift_1, ProfileShape shape_2)

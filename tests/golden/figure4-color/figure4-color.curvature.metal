@@ -15,6 +15,7 @@ struct Curvature {
     float perspective;
     float viewport_height;
     float rows_up;
+    float samples;
 };
 struct type_3 {
     metal::int2 inner[8];
@@ -38,23 +39,23 @@ constant type_3 RING = type_3 {{metal::int2(1, 0), metal::int2(-1, 0), metal::in
 constant type_8 WEIGHTS = type_8 {{1.0, 0.85, 0.5}};
 
 Texel texel(
-    metal::int2 at_1,
+    metal::int2 at,
     metal::texture2d<float, metal::access::sample> normals,
     metal::texture2d<float, metal::access::sample> depths
 ) {
-    bool local_1 = {};
+    bool local = {};
     metal::int2 size = static_cast<metal::int2>(metal::uint2(normals.get_width(), normals.get_height()));
-    if (!(metal::any(at_1 < metal::int2(0)))) {
-        local_1 = metal::any(at_1 >= size);
+    if (!(metal::any(at < metal::int2(0)))) {
+        local = metal::any(at >= size);
     } else {
-        local_1 = true;
+        local = true;
     }
-    bool _e14 = local_1;
+    bool _e14 = local;
     if (_e14) {
         return Texel {metal::float3(0.0), 0.0, 0.0};
     }
-    metal::float4 normal_1 = normals.read(metal::uint2(at_1), 0);
-    metal::float4 _e27 = depths.read(metal::uint2(at_1), 0);
+    metal::float4 normal_1 = normals.read(metal::uint2(at), 0);
+    metal::float4 _e27 = depths.read(metal::uint2(at), 0);
     return Texel {normal_1.xyz, normal_1.w, _e27.x};
 }
 
@@ -65,24 +66,24 @@ metal::float2 slope(
 }
 
 metal::float3 neighbour(
-    Texel center_1,
-    metal::int2 at_2,
+    Texel center,
+    metal::int2 at_1,
     metal::float2 offset,
     metal::texture2d<float, metal::access::sample> normals,
     metal::texture2d<float, metal::access::sample> depths,
     constant Curvature& curvature
 ) {
-    Texel _e3 = texel(at_2, normals, depths);
-    if (_e3.object != center_1.object) {
+    Texel _e3 = texel(at_1, normals, depths);
+    if (_e3.object != center.object) {
         return metal::float3(0.0);
     }
     float _e11 = curvature.pixel;
     float _e15 = curvature.perspective;
-    float pixel = _e11 * metal::mix(1.0, center_1.depth, _e15);
-    metal::float2 gradient = -(metal::float3(center_1.normal).xy) / metal::float2(metal::max(center_1.normal[2], 0.02));
-    float expected = metal::dot(gradient, offset) * pixel;
-    float error = metal::abs((center_1.depth - _e3.depth) - expected);
-    float tolerance = ((2.0 * pixel) * metal::length(offset)) * (1.0 + metal::length(gradient));
+    float pixel_2 = _e11 * metal::mix(1.0, center.depth, _e15);
+    metal::float2 gradient = -(metal::float3(center.normal).xy) / metal::float2(metal::max(center.normal[2], 0.02));
+    float expected = metal::dot(gradient, offset) * pixel_2;
+    float error = metal::abs((center.depth - _e3.depth) - expected);
+    float tolerance = ((2.0 * pixel_2) * metal::length(offset)) * (1.0 + metal::length(gradient));
     float weight = metal::clamp(2.0 - (error / metal::max(tolerance, 0.000000000000000000000000000001)), 0.0, 1.0);
     metal::float2 _e52 = slope(_e3.normal);
     return metal::float3(_e52, weight);
@@ -97,19 +98,46 @@ float derivative(
     return ((forward * trust.x) + (backward * trust.y)) / metal::max(trust.x + trust.y, 0.000001);
 }
 
-struct vs_mainInput {
-};
-struct vs_mainOutput {
-    metal::float4 member [[position]];
-};
-vertex vs_mainOutput vs_main(
-  uint index [[vertex_id]]
+metal::float4 whole_picture(
+    uint index_1
 ) {
-    return vs_mainOutput { metal::float4((static_cast<float>(index & 1u) * 4.0) - 1.0, (static_cast<float>(index >> 1u) * 4.0) - 1.0, 0.0, 1.0) };
+    return metal::float4((static_cast<float>(index_1 & 1u) * 4.0) - 1.0, (static_cast<float>(index_1 >> 1u) * 4.0) - 1.0, 0.0, 1.0);
 }
 
-metal::int2 naga_f2i32(metal::float2 value) {
-    return static_cast<metal::int2>(metal::clamp(value, -2147483600.0, 2147483500.0));
+metal::int2 covered_near(
+    metal::int2 pixel,
+    metal::texture2d<float, metal::access::sample> normals
+) {
+    metal::int2 found = {};
+    int k = 7;
+    metal::int2 most = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(normals.get_width(), normals.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
+    found = pixel;
+    uint2 loop_bound = uint2(4294967295u);
+    bool loop_init = true;
+    while(true) {
+        if (metal::all(loop_bound == uint2(0u))) { break; }
+        loop_bound -= uint2(loop_bound.y == 0u, 1u);
+        if (!loop_init) {
+            int _e27 = k;
+            k = as_type<int>(as_type<uint>(_e27) - as_type<uint>(1));
+        }
+        loop_init = false;
+        int _e10 = k;
+        if (_e10 >= 0) {
+        } else {
+            break;
+        }
+        {
+            int _e14 = k;
+            metal::int2 near = metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(RING.inner[_e14])), metal::int2(0), most);
+            metal::float4 _e22 = normals.read(metal::uint2(near), 0);
+            if (_e22.w != 0.0) {
+                found = near;
+            }
+        }
+    }
+    metal::int2 _e29 = found;
+    return _e29;
 }
 
 int naga_f2i32(float value) {
@@ -118,6 +146,122 @@ int naga_f2i32(float value) {
 
 int naga_neg(int val) {
     return as_type<int>(-as_type<uint>(val));
+}
+
+float curvature_at(
+    metal::int2 pixel_1,
+    int first,
+    int last,
+    metal::texture2d<float, metal::access::sample> normals,
+    metal::texture2d<float, metal::access::sample> depths,
+    constant Curvature& curvature
+) {
+    metal::int2 at_2 = {};
+    Texel center_1 = {};
+    Sides along_x = Sides {0.0, 0.0, 0.0, 0.0};
+    Sides along_y = Sides {0.0, 0.0, 0.0, 0.0};
+    int k_1 = {};
+    at_2 = pixel_1;
+    metal::int2 _e4 = at_2;
+    Texel _e5 = texel(_e4, normals, depths);
+    center_1 = _e5;
+    float _e8 = center_1.object;
+    if (_e8 == 0.0) {
+        float _e13 = curvature.samples;
+        if (_e13 < 2.0) {
+            return 0.0;
+        }
+        metal::int2 _e17 = covered_near(pixel_1, normals);
+        at_2 = _e17;
+        metal::int2 _e18 = at_2;
+        Texel _e19 = texel(_e18, normals, depths);
+        center_1 = _e19;
+        float _e21 = center_1.object;
+        if (_e21 == 0.0) {
+            return 0.0;
+        }
+    }
+    metal::float3 _e26 = center_1.normal;
+    metal::float2 _e27 = slope(_e26);
+    float _e42 = curvature.rows_up;
+    int up = (_e42 > 0.5) ? 1 : -1;
+    float _e50 = curvature.viewport_height;
+    int stride = metal::max(naga_f2i32(metal::rint(_e50 / 800.0)), 1);
+    k_1 = first;
+    uint2 loop_bound_1 = uint2(4294967295u);
+    bool loop_init_1 = true;
+    while(true) {
+        if (metal::all(loop_bound_1 == uint2(0u))) { break; }
+        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
+        if (!loop_init_1) {
+            int _e168 = k_1;
+            k_1 = as_type<int>(as_type<uint>(_e168) + as_type<uint>(1));
+        }
+        loop_init_1 = false;
+        int _e58 = k_1;
+        if (_e58 <= last) {
+        } else {
+            break;
+        }
+        {
+            int _e60 = k_1;
+            int reach = as_type<int>(as_type<uint>(_e60) * as_type<uint>(stride));
+            float distance = static_cast<float>(reach);
+            int _e64 = k_1;
+            float weight_1 = (WEIGHTS.inner[as_type<int>(as_type<uint>(_e64) - as_type<uint>(1))] * distance) * distance;
+            Texel _e70 = center_1;
+            metal::int2 _e71 = at_2;
+            metal::float3 _e79 = neighbour(_e70, as_type<metal::int2>(as_type<metal::uint2>(_e71) + as_type<metal::uint2>(metal::int2(naga_neg(reach), 0))), metal::float2(-(distance), 0.0), normals, depths, curvature);
+            Texel _e80 = center_1;
+            metal::int2 _e81 = at_2;
+            metal::float3 _e87 = neighbour(_e80, as_type<metal::int2>(as_type<metal::uint2>(_e81) + as_type<metal::uint2>(metal::int2(reach, 0))), metal::float2(distance, 0.0), normals, depths, curvature);
+            Texel _e88 = center_1;
+            metal::int2 _e89 = at_2;
+            metal::float3 _e96 = neighbour(_e88, as_type<metal::int2>(as_type<metal::uint2>(_e89) + as_type<metal::uint2>(metal::int2(0, as_type<int>(as_type<uint>(up) * as_type<uint>(reach))))), metal::float2(0.0, distance), normals, depths, curvature);
+            Texel _e97 = center_1;
+            metal::int2 _e98 = at_2;
+            metal::float3 _e106 = neighbour(_e97, as_type<metal::int2>(as_type<metal::uint2>(_e98) - as_type<metal::uint2>(metal::int2(0, as_type<int>(as_type<uint>(up) * as_type<uint>(reach))))), metal::float2(0.0, -(distance)), normals, depths, curvature);
+            float _e108 = along_x.forward;
+            along_x.forward = _e108 + (((weight_1 * _e87.z) * (_e87.x - _e27.x)) / distance);
+            float _e118 = along_x.forward_weight;
+            along_x.forward_weight = _e118 + (weight_1 * _e87.z);
+            float _e123 = along_x.backward;
+            along_x.backward = _e123 + (((weight_1 * _e79.z) * (_e27.x - _e79.x)) / distance);
+            float _e133 = along_x.backward_weight;
+            along_x.backward_weight = _e133 + (weight_1 * _e79.z);
+            float _e138 = along_y.forward;
+            along_y.forward = _e138 + (((weight_1 * _e96.z) * (_e96.y - _e27.y)) / distance);
+            float _e148 = along_y.forward_weight;
+            along_y.forward_weight = _e148 + (weight_1 * _e96.z);
+            float _e153 = along_y.backward;
+            along_y.backward = _e153 + (((weight_1 * _e106.z) * (_e27.y - _e106.y)) / distance);
+            float _e163 = along_y.backward_weight;
+            along_y.backward_weight = _e163 + (weight_1 * _e106.z);
+        }
+    }
+    Sides _e170 = along_x;
+    float _e171 = derivative(_e170);
+    Sides _e172 = along_y;
+    float _e173 = derivative(_e172);
+    float _e179 = curvature.viewport_height;
+    float kappa = (0.5 * (_e171 + _e173)) * _e179;
+    return metal::clamp(kappa, -10000.0, 10000.0);
+}
+
+struct vs_mainInput {
+};
+struct vs_mainOutput {
+    metal::float4 member [[position]];
+};
+vertex vs_mainOutput vs_main(
+  uint index [[vertex_id]]
+) {
+    metal::float4 _e1 = whole_picture(index);
+    return vs_mainOutput { _e1 };
+}
+
+metal::int2 naga_f2i32(metal::float2 value) {
+    return static_cast<metal::int2>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
 
@@ -132,116 +276,6 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> depths [[texture(1)]]
 , constant Curvature& curvature [[buffer(0)]]
 ) {
-    metal::int2 at = {};
-    Texel center = {};
-    int k = 0;
-    bool local = {};
-    Sides along_x = Sides {0.0, 0.0, 0.0, 0.0};
-    Sides along_y = Sides {0.0, 0.0, 0.0, 0.0};
-    int k_1 = 1;
-    at = naga_f2i32(position.xy);
-    metal::int2 _e4 = at;
-    Texel _e5 = texel(_e4, normals, depths);
-    center = _e5;
-    float _e8 = center.object;
-    if (_e8 == 0.0) {
-        uint2 loop_bound = uint2(4294967295u);
-        bool loop_init = true;
-        while(true) {
-            if (metal::all(loop_bound == uint2(0u))) { break; }
-            loop_bound -= uint2(loop_bound.y == 0u, 1u);
-            if (!loop_init) {
-                int _e33 = k;
-                k = as_type<int>(as_type<uint>(_e33) + as_type<uint>(1));
-            }
-            loop_init = false;
-            int _e13 = k;
-            if (_e13 < 8) {
-                float _e19 = center.object;
-                local = _e19 == 0.0;
-            } else {
-                local = false;
-            }
-            bool _e23 = local;
-            if (_e23) {
-            } else {
-                break;
-            }
-            {
-                int _e27 = k;
-                at = as_type<metal::int2>(as_type<metal::uint2>(naga_f2i32(position.xy)) + as_type<metal::uint2>(RING.inner[_e27]));
-                metal::int2 _e30 = at;
-                Texel _e31 = texel(_e30, normals, depths);
-                center = _e31;
-            }
-        }
-        float _e36 = center.object;
-        if (_e36 == 0.0) {
-            return fs_mainOutput { 0.0 };
-        }
-    }
-    metal::float3 _e41 = center.normal;
-    metal::float2 _e42 = slope(_e41);
-    float _e57 = curvature.rows_up;
-    int up = (_e57 > 0.5) ? 1 : -1;
-    float _e65 = curvature.viewport_height;
-    int stride = metal::max(naga_f2i32(metal::rint(_e65 / 800.0)), 1);
-    uint2 loop_bound_1 = uint2(4294967295u);
-    bool loop_init_1 = true;
-    while(true) {
-        if (metal::all(loop_bound_1 == uint2(0u))) { break; }
-        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
-        if (!loop_init_1) {
-            int _e185 = k_1;
-            k_1 = as_type<int>(as_type<uint>(_e185) + as_type<uint>(1));
-        }
-        loop_init_1 = false;
-        int _e74 = k_1;
-        if (_e74 <= 3) {
-        } else {
-            break;
-        }
-        {
-            int _e77 = k_1;
-            int reach = as_type<int>(as_type<uint>(_e77) * as_type<uint>(stride));
-            float distance = static_cast<float>(reach);
-            int _e81 = k_1;
-            float weight_1 = (WEIGHTS.inner[as_type<int>(as_type<uint>(_e81) - as_type<uint>(1))] * distance) * distance;
-            Texel _e87 = center;
-            metal::int2 _e88 = at;
-            metal::float3 _e96 = neighbour(_e87, as_type<metal::int2>(as_type<metal::uint2>(_e88) + as_type<metal::uint2>(metal::int2(naga_neg(reach), 0))), metal::float2(-(distance), 0.0), normals, depths, curvature);
-            Texel _e97 = center;
-            metal::int2 _e98 = at;
-            metal::float3 _e104 = neighbour(_e97, as_type<metal::int2>(as_type<metal::uint2>(_e98) + as_type<metal::uint2>(metal::int2(reach, 0))), metal::float2(distance, 0.0), normals, depths, curvature);
-            Texel _e105 = center;
-            metal::int2 _e106 = at;
-            metal::float3 _e113 = neighbour(_e105, as_type<metal::int2>(as_type<metal::uint2>(_e106) + as_type<metal::uint2>(metal::int2(0, as_type<int>(as_type<uint>(up) * as_type<uint>(reach))))), metal::float2(0.0, distance), normals, depths, curvature);
-            Texel _e114 = center;
-            metal::int2 _e115 = at;
-            metal::float3 _e123 = neighbour(_e114, as_type<metal::int2>(as_type<metal::uint2>(_e115) - as_type<metal::uint2>(metal::int2(0, as_type<int>(as_type<uint>(up) * as_type<uint>(reach))))), metal::float2(0.0, -(distance)), normals, depths, curvature);
-            float _e125 = along_x.forward;
-            along_x.forward = _e125 + (((weight_1 * _e104.z) * (_e104.x - _e42.x)) / distance);
-            float _e135 = along_x.forward_weight;
-            along_x.forward_weight = _e135 + (weight_1 * _e104.z);
-            float _e140 = along_x.backward;
-            along_x.backward = _e140 + (((weight_1 * _e96.z) * (_e42.x - _e96.x)) / distance);
-            float _e150 = along_x.backward_weight;
-            along_x.backward_weight = _e150 + (weight_1 * _e96.z);
-            float _e155 = along_y.forward;
-            along_y.forward = _e155 + (((weight_1 * _e113.z) * (_e113.y - _e42.y)) / distance);
-            float _e165 = along_y.forward_weight;
-            along_y.forward_weight = _e165 + (weight_1 * _e113.z);
-            float _e170 = along_y.backward;
-            along_y.backward = _e170 + (((weight_1 * _e123.z) * (_e42.y - _e123.y)) / distance);
-            float _e180 = along_y.backward_weight;
-            along_y.backward_weight = _e180 + (weight_1 * _e123.z);
-        }
-    }
-    Sides _e187 = along_x;
-    float _e188 = derivative(_e187);
-    Sides _e189 = along_y;
-    float _e190 = derivative(_e189);
-    float _e196 = curvature.viewport_height;
-    float kappa = (0.5 * (_e188 + _e190)) * _e196;
-    return fs_mainOutput { metal::clamp(kappa, -10000.0, 10000.0) };
+    float _e5 = curvature_at(naga_f2i32(position.xy), 1, 3, normals, depths, curvature);
+    return fs_mainOutput { _e5 };
 }

@@ -131,14 +131,11 @@ fn log_stable(x: f32) -> f32 {
     return f32(exponent) * LN_2 + series;
 }
 
-/// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
-fn log1p_negative(y: f32) -> f32 {
-    if y < 0.25 {
-        let z = y / (2.0 - y);
-        let z2 = z * z;
-        return -2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
-    }
-    return log_stable(max(1.0 - y, 1.17549435e-38));
+/// ln(1 - y) for y in [0, 1/4], by the series of atanh.
+fn log1p_negative_small(y: f32) -> f32 {
+    let z = y / (2.0 - y);
+    let z2 = z * z;
+    return -2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows 4.9e-4.
@@ -185,17 +182,7 @@ fn atan2_positive(y: f32, x: f32) -> f32 {
 
 /// u - shift, clamped to [0, pi], for |shift| <= pi (BADF eq. 8 and math.md D3).
 fn angle_shifted(u: Angle, shift: f32) -> Angle {
-    let t = sin_cos_quarter(0.5 * clamp(shift, -PI, PI));
-    let s = u.half_sin * t.y - u.half_cos * t.x;
-    let c = u.half_cos * t.y + u.half_sin * t.x;
-    // Beyond either end the smaller one tells which: a turn by pi may leave the other just below 0.
-    if s <= 0.0 && s < c {
-        return Angle(0.0, 1.0);
-    }
-    if c <= 0.0 {
-        return Angle(1.0, 0.0);
-    }
-    return Angle(s, c);
+    return angle_turned(u, sin_cos_quarter(0.5 * clamp(shift, -PI, PI)));
 }
 
 /// How far u changes over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient needs no inverse
@@ -207,6 +194,16 @@ fn angle_footprint(u: Angle) -> f32 {
     let w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     // An infinite or NaN derivative at a silhouette gives the widest footprint.
     return min(finite_or(w, 0.5), 0.5);
+}
+
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+fn angle_turned(u: Angle, t: vec2f) -> Angle {
+    let s = u.half_sin * t.y - u.half_cos * t.x;
+    let c = u.half_cos * t.y + u.half_sin * t.x;
+    let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
+    // Beyond either end the smaller one tells which: a turn by pi may leave the other just below 0.
+    let turned = select(upper, vec2f(0.0, 1.0), s <= 0.0 && s < c);
+    return Angle(turned.x, turned.y);
 }
 
 /// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
@@ -349,7 +346,7 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
     }
     var log_base = 0.0;
     if q < 0.5 {
-        log_base = log1p_negative(q * q);
+        log_base = log1p_negative_small(q * q);
     } else {
         log_base = log_stable((1.0 - q) * (1.0 + q));
     }
@@ -364,17 +361,17 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
         return point;
     }
-    let is_narrow = w >= 3.46410161513775459 * shape.edge_deviation;
-    if is_narrow {
+    // No footprint is above 0.5, so that this is not even compiled for an edge that is known to be softer.
+    if shape.edge_deviation < 0.145 && w >= 3.46410161513775459 * shape.edge_deviation {
         let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
         return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
     }
     if w < 0.1 * shape.edge_deviation {
         return point;
     }
-    let reach = 0.387298334620741689 * w;
-    let before = profile_point(angle_shifted(u, reach), shape);
-    let after = profile_point(angle_shifted(u, -reach), shape);
+    let reach = sin_cos_quarter(0.193649167310370844 * w);
+    let before = profile_point(angle_turned(u, reach), shape);
+    let after = profile_point(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 

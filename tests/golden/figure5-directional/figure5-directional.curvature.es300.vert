@@ -12,9 +12,14 @@ const ivec2 RING[8] = ivec2[8](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, 
 const float WEIGHTS[3] = float[3](1.0, 0.85, 0.5);
 
 
+vec4 whole_picture(uint index_1) {
+    return vec4(((float((index_1 & 1u)) * 4.0) - 1.0), ((float((index_1 >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
+}
+
 void main() {
     uint index = uint(gl_VertexID);
-    gl_Position = vec4(((float((index & 1u)) * 4.0) - 1.0), ((float((index >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
+    vec4 _e1 = whole_picture(index);
+    gl_Position = _e1;
     return;
 }
 

@@ -3,7 +3,8 @@
 // Bindings of group 0: normals 0, depths 1, curvature 2.
 // figure5-directional.json says what to put there and how to draw.
 
-// View-centred mean curvature from screen-space normals (math.md 3): half the divergence of n.xy / n.z, in camera axes.
+// What the curvature passes share: view-centred mean curvature from screen-space normals (math.md 3), which is half the
+// divergence of n.xy / n.z, in camera axes.
 //
 // Convex is positive. The result is in 1/viewport-height, so that a picture at twice the resolution shows the same. A
 // neighbour counts only where it lies on the same surface: on the same object, and no farther in depth than the
@@ -18,6 +19,8 @@ struct Curvature {
     viewport_height: f32,
     /// 1 where the first row of an image is at the bottom of the picture (OpenGL), 0 where it is at the top.
     rows_up: f32,
+    /// Samples a pixel of the picture.
+    samples: f32,
 }
 
 /// Camera axes in xyz, the object's number plus 1 in w; 0 where nothing is.
@@ -94,22 +97,37 @@ fn derivative(sides: Sides) -> f32 {
     return (forward * trust.x + backward * trust.y) / max(trust.x + trust.y, 1e-6);
 }
 
-@vertex
-fn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
+/// A triangle over the whole picture.
+fn whole_picture(index: u32) -> vec4f {
     return vec4f(f32(index & 1u) * 4.0 - 1.0, f32(index >> 1u) * 4.0 - 1.0, 0.0, 1.0);
 }
 
-@fragment
-fn fs_main(@builtin(position) position: vec4f) -> @location(0) f32 {
-    var at = vec2i(position.xy);
+/// The nearest pixel around that shows an object, or `pixel` itself where there is none.
+fn covered_near(pixel: vec2i) -> vec2i {
+    let most = vec2i(textureDimensions(normals)) - 1;
+    var found = pixel;
+    // All of them, the nearest last: leaving the loop early costs more than it saves.
+    for (var k = 7; k >= 0; k--) {
+        let near = clamp(pixel + RING[k], vec2i(0), most);
+        if textureLoad(normals, near, 0).w != 0.0 {
+            found = near;
+        }
+    }
+    return found;
+}
+
+/// Curvature at a pixel, from the neighbours on the four sides that are `first` to `last` steps away, within 1 to 3.
+fn curvature_at(pixel: vec2i, first: i32, last: i32) -> f32 {
+    var at = pixel;
     var center = texel(at);
     if center.object == 0.0 {
         // With several samples a pixel, a look also shades pixels whose middle the object just misses: they have the
         // curvature of a neighbour.
-        for (var k = 0; k < 8 && center.object == 0.0; k++) {
-            at = vec2i(position.xy) + RING[k];
-            center = texel(at);
+        if curvature.samples < 2.0 {
+            return 0.0;
         }
+        at = covered_near(pixel);
+        center = texel(at);
         if center.object == 0.0 {
             return 0.0;
         }
@@ -120,7 +138,7 @@ fn fs_main(@builtin(position) position: vec4f) -> @location(0) f32 {
     // A step is a share of the picture's height, so that a larger picture measures the same curvature, not a finer one.
     let up = select(-1, 1, curvature.rows_up > 0.5);
     let stride = max(i32(round(curvature.viewport_height / 800.0)), 1);
-    for (var k = 1; k <= 3; k++) {
+    for (var k = first; k <= last; k++) {
         let reach = k * stride;
         let distance = f32(reach);
         let weight = WEIGHTS[k - 1] * distance * distance;
@@ -139,4 +157,16 @@ fn fs_main(@builtin(position) position: vec4f) -> @location(0) f32 {
     }
     let kappa = 0.5 * (derivative(along_x) + derivative(along_y)) * curvature.viewport_height;
     return clamp(kappa, -MOST, MOST);
+}
+// Curvature in every detail: from the neighbours one, two and three steps away, by a derivative of a Gaussian.
+                             
+
+@vertex
+fn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
+    return whole_picture(index);
+}
+
+@fragment
+fn fs_main(@builtin(position) position: vec4f) -> @location(0) f32 {
+    return curvature_at(vec2i(position.xy), 1, 3);
 }

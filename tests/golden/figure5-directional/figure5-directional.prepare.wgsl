@@ -47,14 +47,11 @@ fn log_stable(x: f32) -> f32 {
     return f32(exponent) * LN_2 + series;
 }
 
-/// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
-fn log1p_negative(y: f32) -> f32 {
-    if y < 0.25 {
-        let z = y / (2.0 - y);
-        let z2 = z * z;
-        return -2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
-    }
-    return log_stable(max(1.0 - y, 1.17549435e-38));
+/// ln(1 - y) for y in [0, 1/4], by the series of atanh.
+fn log1p_negative_small(y: f32) -> f32 {
+    let z = y / (2.0 - y);
+    let z2 = z * z;
+    return -2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows 4.9e-4.
@@ -162,7 +159,7 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
     }
     var log_base = 0.0;
     if q < 0.5 {
-        log_base = log1p_negative(q * q);
+        log_base = log1p_negative_small(q * q);
     } else {
         log_base = log_stable((1.0 - q) * (1.0 + q));
     }

@@ -1,0 +1,13 @@
+// Curvature at half the price: from the four neighbours two steps away alone, which is the middle of what the exact pass
+// takes in. One step away would be no cheaper, noisier and farther from it.
+import chiaro::curvature_map;
+
+@vertex
+fn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
+    return whole_picture(index);
+}
+
+@fragment
+fn fs_main(@builtin(position) position: vec4f) -> @location(0) f32 {
+    return curvature_at(vec2i(position.xy), 2, 2);
+}
