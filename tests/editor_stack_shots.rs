@@ -88,6 +88,12 @@ fn shots() {
     save(&mut hand, "looks-light");
     tab(&mut hand, "Layers");
     save(&mut hand, "layers-light");
+    hand.harness.ctx.set_theme(Theme::Dark);
+    hand.harness.ctx.set_zoom_factor(1.6);
+    save(&mut hand, "layers-scaled");
+    hand.harness.ctx.set_zoom_factor(1.0);
+    hand.harness.ctx.set_theme(Theme::Light);
+    save(&mut hand, "layers-light");
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("look.json");
     std::fs::write(&path, BROKEN).unwrap();

@@ -14,7 +14,7 @@ use super::cost::Cost;
 use super::dialogs::{Dialogs, MESHES, Purpose};
 use super::dock::Dock;
 use super::dock::effects::Effects;
-use super::panels::{Panels, library, problems};
+use super::panels::{Panels, library, problems, solo};
 use super::picture::Picture;
 use super::probe::{Probe, picture_size};
 use super::session::Session;
@@ -268,7 +268,11 @@ impl App {
                 commands
             }
             dock::Panel::Inspector => inspector::show(ui, &self.session),
-            dock::Panel::Code => self.code.show(ui, &self.session),
+            dock::Panel::Code => {
+                let is_alone = !self.session.solo().layers.is_empty();
+                let bar = is_alone.then(|| solo::bar(ui, &self.session)).flatten();
+                self.code.show(ui, &self.session).into_iter().chain(bar).collect()
+            }
             dock::Panel::Effects => self.effects.show(ui, self.picture.as_ref().map(|picture| &picture.effects)),
             dock::Panel::Cost => {
                 let size = self.viewport.rect().map_or([0, 0], |rect| picture_size(rect, ui.pixels_per_point()));

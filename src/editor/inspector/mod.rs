@@ -10,6 +10,7 @@ use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
 
 use super::catalog::Kind;
 use super::command::Command;
+use super::dock::Panel;
 use super::panels::lights;
 use super::session::Session;
 use super::wire::{ShownWire, Style};
@@ -185,6 +186,17 @@ fn tier_name(tier: Tier) -> &'static str {
     }
 }
 
+/// Leads to the lights, which have a panel of their own.
+fn lights_row(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+    row::labelled(ui, "Lights", "What shines on the look", |ui, _| {
+        let count = session.look().lights.len();
+        let text = format!("{count} {}", if count == 1 { "light" } else { "lights" });
+        if ui.link(text).on_hover_text("Opens the list of lights").clicked() {
+            out.push(Command::ShowPanel(Panel::Lights));
+        }
+    });
+}
+
 /// With nothing selected: the look itself.
 fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     let look = session.look();
@@ -222,4 +234,5 @@ fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         });
         combo.response.labelled_by(label);
     });
+    lights_row(ui, session, out);
 }

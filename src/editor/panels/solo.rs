@@ -17,8 +17,7 @@ use crate::document::{Look, Target};
 use crate::ids::{LightId, NodeId};
 
 /// What everybody should know who uses it.
-pub(crate) const OF_THE_WINDOW: &str =
-    "Only this window shows it so: what is saved and exported has every layer and every light";
+pub(crate) const OF_THE_WINDOW: &str = "Only this window shows it so, in the picture and in the code: what is saved and exported has every layer and light";
 
 /// What is shown alone, and what is left out.
 #[derive(Clone, Debug, Default, PartialEq)]
