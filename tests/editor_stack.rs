@@ -116,6 +116,11 @@ fn a_row_that_is_dragged_rewires_the_graph_as_one_step() {
     hand.key_with(Modifiers::COMMAND, Key::Z);
     hand.settle();
     assert_eq!(*hand.look(), before);
+    // Keys of the picture work when the pointer is there, though a row had the keyboard.
+    let picture = hand.app().viewport().rect().unwrap().center();
+    hand.hover(picture);
+    hand.key(Key::I);
+    assert!(hand.app().probe().is_on());
 }
 
 #[test]

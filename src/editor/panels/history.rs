@@ -7,7 +7,7 @@ use super::super::command::Command;
 use super::super::dock::cell;
 use super::super::session::Session;
 use super::super::theme;
-use super::widgets::{row_ground, undo_keys};
+use super::widgets::{leave_with_pointer, row_ground, undo_keys};
 
 const ROW: f32 = 22.0;
 
@@ -66,6 +66,7 @@ fn row(ui: &mut Ui, index: usize, place: usize, label: &str, last: usize, out: &
     }
     let ink = if is_undone { colors.dim } else { colors.text };
     cell(ui, text, &shown, FontId::proportional(theme::TEXT_SIZE), ink);
+    leave_with_pointer(ui, &response);
     if response.has_focus() {
         let filter = EventFilter { vertical_arrows: true, ..EventFilter::default() };
         ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));

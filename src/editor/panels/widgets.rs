@@ -134,6 +134,17 @@ pub(crate) fn undo_keys(ui: &Ui, out: &mut Vec<Command>) {
     }
 }
 
+/// A row gives the keyboard back when the pointer goes on to another panel, so that keys work there without a click.
+pub(crate) fn leave_with_pointer(ui: &Ui, response: &Response) {
+    let goes_elsewhere = ui.input(|input| {
+        let at = input.pointer.latest_pos();
+        input.pointer.delta() != egui::Vec2::ZERO && at.is_some_and(|at| !ui.clip_rect().contains(at))
+    });
+    if goes_elsewhere && response.has_focus() {
+        response.surrender_focus();
+    }
+}
+
 /// A row's ground: what is selected, under the pointer, or has the keyboard.
 pub(crate) fn row_ground(ui: &Ui, rect: Rect, response: &Response, is_selected: bool) {
     let colors = theme::of(ui);

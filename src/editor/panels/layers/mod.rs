@@ -18,7 +18,7 @@ use super::super::theme;
 use super::solo;
 use super::stack::{BELOW, Stack};
 use super::thumbs::{Shot, Thumbs, key_of};
-use super::widgets::{Renaming, undo_keys};
+use super::widgets::{Renaming, leave_with_pointer, undo_keys};
 use crate::document::{Edit, Endpoint, GraphId, Node, Value, Wire};
 use crate::ids::{NodeId, make_slug};
 use presets::PRESETS;
@@ -238,6 +238,7 @@ impl Layers {
 
     /// Keys of the row that has the keyboard.
     fn row_keys(&mut self, ui: &Ui, response: &Response, index: usize, session: &Session, out: &mut Vec<Command>) {
+        leave_with_pointer(ui, response);
         if !response.has_focus() {
             return;
         }
