@@ -17,7 +17,10 @@ use super::dock::effects::Effects;
 use super::panels::{Panels, library, problems, solo};
 use super::picture::Picture;
 use super::probe::{Probe, picture_size};
+use super::safety::Safety;
+use super::safety::places::Places;
 use super::session::Session;
+use super::settings::Settings;
 use super::viewport::Viewport;
 use super::wipe::Wipe;
 use super::{dock, inspector, theme};
@@ -39,6 +42,7 @@ pub struct App {
     wipe: Wipe,
     cost: Cost,
     panels: Panels,
+    safety: Safety,
     /// What is done once unsaved changes are dealt with.
     pending: Option<Pending>,
     /// What went wrong with a file or an edit, until the next command.
@@ -84,6 +88,7 @@ impl App {
             wipe,
             cost,
             panels,
+            safety: Safety::new(waker()),
             pending: None,
             message: None,
             presses: 0,
@@ -95,6 +100,44 @@ impl App {
     /// problems are; the last good picture stays.
     pub fn show_on(&mut self, mesh: &str) {
         mesh.clone_into(&mut self.session.view.mesh);
+        self.safety.shown_on(mesh);
+    }
+
+    /// Keeps unsaved work and settings in these folders, and offers what was left behind there.
+    pub fn keep_in(&mut self, places: Places, ctx: &egui::Context) {
+        let waker = ctx.clone();
+        self.safety.keep_in(places, &mut self.session, move || waker.request_repaint());
+        self.safety.settings.apply(ctx);
+        if let Some(layout) = self.safety.settings.layout.clone() {
+            self.dock.restore(&layout);
+        }
+    }
+
+    /// Goes on where the last window was closed, if anything was not saved then.
+    pub fn resume(&mut self) {
+        self.message = self.safety.resume(&mut self.session);
+    }
+
+    /// Looks at once whether other programs changed files, which else takes a moment.
+    pub fn look_at_files(&mut self) {
+        if let Some(told) = self.safety.look_at_files(&mut self.session) {
+            self.message = Some(told);
+        }
+    }
+
+    /// What is remembered.
+    pub fn settings(&self) -> &Settings {
+        &self.safety.settings
+    }
+
+    /// Changes what is remembered, and saves it.
+    pub fn change_settings(&mut self, change: impl FnOnce(&mut Settings)) {
+        self.safety.change_settings(change);
+    }
+
+    /// What was told last.
+    pub fn message(&self) -> Option<&str> {
+        self.message.as_deref()
     }
 
     /// Never opens a dialog of the system; for programs that drive the window.
@@ -185,7 +228,16 @@ impl App {
 
     /// Opens a look and tells where that fails.
     pub fn open(&mut self, path: &Path) {
-        self.message = (!self.session.open(path)).then(|| format!("{} could not be opened", path.display()));
+        if let Some(told) = self.safety.reopen(path, &mut self.session) {
+            self.message = Some(told).filter(|told| !told.is_empty());
+        } else {
+            let is_open = self.session.open(path);
+            self.message = (!is_open).then(|| format!("{} could not be opened", path.display()));
+        }
+        if self.message.is_none() {
+            self.safety.opened(path);
+        }
+        self.safety.look();
     }
 
     /// Saves to a file and tells where that fails.
@@ -193,10 +245,14 @@ impl App {
         match self.session.save_as(path) {
             Ok(()) => {
                 self.message = Some(format!("Saved {}", path.display()));
+                self.safety.opened(path);
                 true
             }
             Err(problem) => {
                 self.message = Some(problems::sentence(&problem).replace('\n', ": "));
+                if problem.code == "changed-on-disk" {
+                    self.safety.look_at_files(&mut self.session);
+                }
                 false
             }
         }
@@ -223,6 +279,11 @@ impl App {
         if let Some(again) = self.session.tick(ui.input(|input| input.time)) {
             ui.ctx().request_repaint_after(again);
         }
+        let (told, again) = self.safety.tick(ui, &mut self.session);
+        self.message = told.or(self.message.take());
+        if let Some(again) = again {
+            ui.ctx().request_repaint_after(again);
+        }
         self.panels(ui, &mut commands);
         self.ask_about_changes(ui, &mut commands);
         for command in commands {
@@ -230,12 +291,20 @@ impl App {
             // What was changed in this frame is seen in the next one.
             ui.ctx().request_repaint();
         }
+        let is_held = ui.input(|input| input.pointer.any_down());
+        self.session.commit(is_held);
+        // A panel is resized in many steps; where it ends is remembered.
+        if !is_held {
+            let layout = self.safety.remembers().then(|| self.dock.changed()).flatten();
+            self.safety.remember(ui.ctx(), layout);
+        }
         self.close_or_stay(ui.ctx());
         self.set_title(ui.ctx());
     }
 
     fn panels(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
         Panel::top("bar").frame(theme::panel(ui)).resizable(false).show(ui, |ui| self.bar(ui, commands));
+        commands.extend(self.safety.show(ui, &self.session).into_iter().map(Command::Safety));
         if let Some(picture) = &self.picture {
             self.session.set_picture_problems(&picture.problems);
         }
@@ -293,6 +362,7 @@ impl App {
             };
             button(ui, "New", "A new look (Ctrl+N)", true, Command::New);
             button(ui, "Open", "Opens a look (Ctrl+O)", true, Command::Open(None));
+            let recent = self.safety.recent_menu(ui);
             button(ui, "Save", "Saves the look (Ctrl+S)", true, Command::Save);
             button(ui, "Save as", "Saves under another name (Ctrl+Shift+S)", true, Command::SaveAs);
             ui.separator();
@@ -303,6 +373,7 @@ impl App {
             let help = format!("Repeats: {} (Ctrl+Shift+Z)", step(redo, "nothing"));
             button(ui, "Redo", &help, redo.is_some(), Command::Redo);
             ui.separator();
+            commands.extend(recent.map(|path| Command::Open(Some(path))));
             ui.menu_button("View", |ui| self.view_menu(ui)).response.on_hover_text("Panels, theme and scale");
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let name = self.document_name();
@@ -454,6 +525,7 @@ impl App {
             Command::AddNode { kind, at } => self.add_node(&kind, at),
             Command::OpenExample(index) => self.do_or_ask(Pending::Example(index)),
             Command::Copy(text) => ui.ctx().copy_text(text),
+            Command::Safety(wish) => self.message = self.safety.apply(wish, &mut self.session),
         }
     }
 
@@ -482,21 +554,25 @@ impl App {
         }
     }
 
-    /// Does what would lose changes, where there are none; else asks first.
+    /// Does what would lose changes, where there are none, or where the journal keeps them; else asks first.
     fn do_or_ask(&mut self, pending: Pending) {
         self.pending = Some(pending);
-        if !self.session.is_dirty() {
+        if !self.session.is_dirty() || self.session.keeps_work() {
             self.go_on();
         }
     }
 
     fn go_on(&mut self) {
         match self.pending.take() {
-            Some(Pending::New) => self.session.start_new(),
+            Some(Pending::New) => {
+                self.session.start_new();
+                self.safety.look();
+            }
             Some(Pending::Open(path)) => self.open(&path),
             Some(Pending::Example(index)) => {
                 let (name, text) = library::EXAMPLES[index];
                 self.session.start_from(text, name);
+                self.safety.look();
             }
             Some(Pending::Close) => self.closes = true,
             None => {}
@@ -533,7 +609,10 @@ impl App {
     fn close_or_stay(&mut self, ctx: &egui::Context) {
         if self.closes {
             ctx.send_viewport_cmd(ViewportCommand::Close);
-        } else if ctx.input(|input| input.viewport().close_requested()) && self.session.is_dirty() {
+        } else if ctx.input(|input| input.viewport().close_requested())
+            && self.session.is_dirty()
+            && !self.session.keeps_work()
+        {
             ctx.send_viewport_cmd(ViewportCommand::CancelClose);
             self.pending = Some(Pending::Close);
         }
@@ -543,5 +622,9 @@ impl App {
 impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
         self.show(ui);
+    }
+
+    fn on_exit(&mut self) {
+        self.session.close_journal(true);
     }
 }

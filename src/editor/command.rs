@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use super::dock::Panel;
 use super::panels::solo::Solo;
+use super::safety::Wish;
 use super::wire::ShownWire;
 use crate::document::Edit;
 use crate::ids::NodeId;
@@ -53,4 +54,6 @@ pub(crate) enum Command {
     OpenExample(usize),
     /// Copies text to the clipboard.
     Copy(String),
+    /// What the bar of unsaved work and changed files asks for.
+    Safety(Wish),
 }

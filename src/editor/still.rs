@@ -45,7 +45,7 @@ impl Still {
 pub(crate) struct Reused {
     planner: Planner,
     make: fn(Assets) -> Planner,
-    last: Option<Arc<Look>>,
+    last: Option<(Arc<Look>, Arc<Library>)>,
 }
 
 impl Reused {
@@ -54,11 +54,12 @@ impl Reused {
         Self { planner: make(Assets::default()), make, last: None }
     }
 
-    /// The planner, for this look.
-    pub(crate) fn of(&mut self, look: &Arc<Look>) -> &mut Planner {
-        if self.last.as_ref().is_none_or(|last| **last != **look) {
+    /// The planner, for this look and these nodes.
+    pub(crate) fn of(&mut self, look: &Arc<Look>, library: &Arc<Library>) -> &mut Planner {
+        let is_same = |(last, of): &(Arc<Look>, Arc<Library>)| **last == **look && Arc::ptr_eq(of, library);
+        if !self.last.as_ref().is_some_and(is_same) {
             self.planner = (self.make)(std::mem::take(&mut self.planner.assets));
-            self.last = Some(look.clone());
+            self.last = Some((look.clone(), library.clone()));
         }
         &mut self.planner
     }
@@ -69,6 +70,7 @@ impl Reused {
 pub(crate) struct Stamp {
     document: u64,
     revision: u64,
+    files: u64,
     orbit: Orbit,
     solo: Solo,
 }
@@ -100,6 +102,7 @@ impl Session {
         Stamp {
             document: self.document_number(),
             revision: self.revision(),
+            files: self.files(),
             orbit: self.view.clone(),
             solo: self.solo().clone(),
         }

@@ -13,7 +13,7 @@ impl Random {
     }
 
     /// Some edit; most can be applied.
-    fn edit(&mut self, look: &Look) -> Edit {
+    pub(crate) fn edit(&mut self, look: &Look) -> Edit {
         let definitions: Vec<_> = look.definitions.keys().cloned().collect();
         let graph = match self.pick(&definitions) {
             Some(id) if self.chance(4) => GraphId::Definition(id.clone()),

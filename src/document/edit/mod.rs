@@ -23,6 +23,7 @@ use crate::diag::Diagnostic;
 use crate::ids::{DefinitionId, FrameId, LightId, NodeId, PortName};
 
 pub use history::{Editable, History};
+pub(in crate::document) use history::{Numbers, Step};
 pub use scene::SceneEdit;
 
 /// What an edit comes to: the edit that takes it back.
@@ -37,6 +38,11 @@ pub type Applied<E> = Result<E, Box<Diagnostic>>;
 pub enum Edit {
     /// Several edits as one: all or none.
     Group { edits: Vec<Edit> },
+    /// Puts another look in the place of the whole one, as when its file was changed by others.
+    Replace {
+        #[serde(with = "super::image")]
+        look: Box<Look>,
+    },
     /// Names the look.
     SetLookName { name: String },
     /// Says what colours mean.
@@ -122,6 +128,7 @@ impl Edit {
     pub fn label(&self) -> String {
         match self {
             Self::Group { edits } => edits.first().map_or_else(|| "nothing".to_owned(), Self::label),
+            Self::Replace { .. } => "load the file again".to_owned(),
             Self::SetLookName { .. } => "rename the look".to_owned(),
             Self::SetColorSpace { .. } => "change the colour space".to_owned(),
             Self::SetLookTier { .. } => "change the look's tier".to_owned(),
@@ -191,6 +198,7 @@ impl Editable for Look {
                 Edit::SetValue { graph: g, id: i, port: p, index: None, .. },
                 Edit::SetValue { graph, id, port, index: None, .. },
             ) => (g, i, p) == (graph, id, port),
+            (Edit::SetLookName { .. }, Edit::SetLookName { .. }) => true,
             (Edit::SetLight { id: i, .. }, Edit::SetLight { id, .. }) => i == id,
             (Edit::MoveNodes { graph: g, positions: p }, Edit::MoveNodes { graph, positions }) => {
                 g == graph && p.len() == positions.len() && positions.keys().all(|id| p.contains_key(id))
@@ -212,6 +220,7 @@ fn apply(look: &mut Look, edit: Edit, is_known_good: bool) -> Applied<Edit> {
     }
     match edit {
         Edit::Group { edits } => group(look, edits, is_known_good),
+        Edit::Replace { look: new } => Ok(Edit::Replace { look: Box::new(std::mem::replace(look, *new)) }),
         Edit::SetLookName { name } => Ok(Edit::SetLookName { name: std::mem::replace(&mut look.name, name) }),
         Edit::SetColorSpace { color_space } => {
             let color_space = std::mem::replace(&mut look.color_space, color_space);

@@ -182,7 +182,7 @@ struct Artist {
 
 impl Artist {
     fn draw(&mut self, Job { still, shot, side, .. }: &Job) -> Option<ColorImage> {
-        let planner = self.planner.of(&still.look);
+        let planner = self.planner.of(&still.look, &still.library);
         let (mut setup, _) = still.setup(&mut planner.assets).ok()?;
         setup.scene.backdrop = None;
         let options = PlanOptions { size: [side * FINER; 2], samples: 4, time: 0.0 };

@@ -1,5 +1,6 @@
 //! One open look: the document and its past, the file, what is selected, and the shaders made of it.
 
+pub(super) mod keeping;
 mod shading;
 
 use std::borrow::Cow;
@@ -14,9 +15,11 @@ use super::orbit::Orbit;
 use super::panels::solo::Solo;
 use super::wire::ShownWire;
 use crate::diag::Diagnostic;
-use crate::document::{Edit, History, Look, SourceMap, write_atomic};
+use crate::document::journal::Op;
+use crate::document::{Edit, History, Look, SourceMap, remove_abandoned, write_atomic};
 use crate::ids::NodeId;
 use crate::library::{Fallback, Library};
+use keeping::{Keeping, OnDisk};
 pub(crate) use shading::Showing;
 use shading::Shown;
 
@@ -36,6 +39,8 @@ pub struct Session {
     pub(crate) view: Orbit,
     /// What reading the file told.
     pub(crate) load_problems: Vec<Diagnostic>,
+    /// What is wrong with the project's own node files.
+    library_problems: Vec<Diagnostic>,
     compiler: Compiler,
     shaders: Shown,
     problems: Vec<Diagnostic>,
@@ -52,6 +57,9 @@ pub struct Session {
     solo: Solo,
     /// Grows whenever another solo needs another shader.
     solo_number: u64,
+    /// How often files that the look uses have changed.
+    files: u64,
+    keeping: Keeping,
 }
 
 /// Consecutive edits by the same hand, as one step.
@@ -77,6 +85,7 @@ impl Session {
             selection: IndexSet::new(),
             view: Orbit::default(),
             load_problems: Vec::new(),
+            library_problems: Vec::new(),
             compiler: compiling::start(wake),
             shaders: Shown::default(),
             problems: Vec::new(),
@@ -89,6 +98,8 @@ impl Session {
             wire: None,
             solo: Solo::default(),
             solo_number: 0,
+            files: 0,
+            keeping: Keeping::default(),
         };
         session.start_new();
         session
@@ -96,6 +107,7 @@ impl Session {
 
     /// Begins a new look: a base, one light layer and an output, wired.
     pub fn start_new(&mut self) {
+        self.leave_journal(false);
         let loaded = Look::read(NEW_LOOK, "new look");
         self.replace(loaded.value.unwrap_or_default(), loaded.source, None);
         self.is_partial = false;
@@ -104,6 +116,7 @@ impl Session {
 
     /// Begins a new look with what a text says, as one that no file holds.
     pub(crate) fn start_from(&mut self, text: &str, name: &str) {
+        self.leave_journal(false);
         let loaded = Look::read(text, name);
         self.replace(loaded.value.unwrap_or_default(), loaded.source, None);
         self.is_partial = false;
@@ -117,6 +130,7 @@ impl Session {
         let diagnostics = loaded.diagnostics;
         let opened = loaded.value.is_some();
         if let Some(look) = loaded.value {
+            self.leave_journal(false);
             self.use_project(path);
             self.replace(look, loaded.source, Some(path.to_owned()));
             self.is_partial = is_partial;
@@ -136,6 +150,11 @@ impl Session {
             let message = "this file holds things that could not be read, and saving over it would lose them";
             return Err(Box::new(Diagnostic::error("partly-read", message).hint("save under another name")));
         }
+        if is_own && let OnDisk::Changed(_) = self.on_disk() {
+            let message = "another program has changed this file since it was opened, and nothing was written over it";
+            let hint = "choose above whose version is kept, or save under another name";
+            return Err(Box::new(Diagnostic::error("changed-on-disk", message).hint(hint)));
+        }
         let text = if is_own { self.text() } else { self.look().to_text() };
         write_atomic(path, text.as_bytes())?;
         self.source = Arc::new(Look::read(&text, &path.display().to_string()).source);
@@ -144,6 +163,7 @@ impl Session {
         self.is_partial = false;
         self.load_problems.clear();
         self.problems_number += 1;
+        self.saved();
         Ok(())
     }
 
@@ -154,11 +174,12 @@ impl Session {
     }
 
     fn use_project(&mut self, path: &Path) {
-        let folder = path.parent().unwrap_or(Path::new("")).join("nodes");
+        let folder = path.parent().unwrap_or(Path::new(""));
+        remove_abandoned(folder);
+        let folder = folder.join("nodes");
         let built_in = Library::built_in();
         let library = if folder.is_dir() { built_in.with_project(&folder) } else { built_in.clone() };
-        self.library = Arc::new(library);
-        self.catalog = Catalog::new(&self.library);
+        self.use_library(library);
     }
 
     fn replace(&mut self, look: Look, source: SourceMap, path: Option<PathBuf>) {
@@ -176,6 +197,7 @@ impl Session {
         self.solo = Solo::default();
         self.picture += 1;
         self.catalog.sync(self.history.document(), &self.library);
+        self.place_library_problems();
     }
 
     /// The look as it is.
@@ -318,15 +340,17 @@ impl Session {
         let is_structural = self.is_structural(&edit);
         let before = self.history.revision();
         self.shaders.touch(&edit);
-        match hand {
-            Some(hand) => {
-                let gesture = self.gestures.of(hand, before);
+        let kept = self.keeping.is_on().then(|| edit.clone());
+        let gesture = hand.map(|hand| self.gestures.of(hand, before));
+        match gesture {
+            Some(gesture) => {
                 self.history.apply_in(gesture, edit)?;
-                self.gestures.last = Some((hand, self.history.revision()));
+                self.gestures.last = hand.map(|hand| (hand, self.history.revision()));
             }
             None => self.history.apply(edit)?,
         }
         if self.history.revision() != before {
+            self.keeping.note(kept.map(|edit| Op::Edit { gesture, edit }));
             self.changed(is_structural);
         }
         Ok(())
@@ -336,6 +360,7 @@ impl Session {
     pub fn undo(&mut self) -> bool {
         let did = self.history.undo().is_some();
         if did {
+            self.keeping.note(Some(Op::Undo));
             self.changed(true);
         }
         did
@@ -345,6 +370,7 @@ impl Session {
     pub fn redo(&mut self) -> bool {
         let did = self.history.redo().is_some();
         if did {
+            self.keeping.note(Some(Op::Redo));
             self.changed(true);
         }
         did
@@ -390,7 +416,8 @@ impl Session {
 
     /// Everything wrong with the file and the look.
     pub(crate) fn all_problems(&self) -> impl Iterator<Item = &Diagnostic> {
-        self.load_problems.iter().chain(&self.problems).chain(&self.picture_problems)
+        let files = self.load_problems.iter().chain(&self.library_problems);
+        files.chain(&self.problems).chain(&self.picture_problems)
     }
 
     /// Takes what the renderer tells.

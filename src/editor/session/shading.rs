@@ -48,6 +48,13 @@ pub(crate) struct Showing {
 }
 
 impl Shown {
+    /// What nodes there are is another than before, so that whatever was compiled is of no use.
+    pub(super) fn structure_changed(&mut self) {
+        self.requested_structure = None;
+        self.live_structure = None;
+        self.baked_revision = None;
+    }
+
     /// Whether the live shader of a long look has folded a value that is edited now, and none was asked for since.
     fn lacks_a_uniform(&self) -> bool {
         let Some(Live::Touched(known)) = self.live.as_ref().map(|shader| &shader.live) else { return false };
