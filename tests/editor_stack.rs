@@ -451,3 +451,14 @@ fn small_pictures_are_drawn_at_rest_and_kept_by_what_they_show() {
     hand.undo();
     assert_eq!(rest(&mut hand), first + 1, "the old one is still there");
 }
+
+#[test]
+fn what_was_opened_before_is_among_the_looks() {
+    let mut hand = figure1();
+    tab(&mut hand, "Library");
+    press(&mut hand, "Looks");
+    press(&mut hand, "Open the look Layers · Figure 1");
+    assert!(hand.app().session().path().is_none(), "the example");
+    press(&mut hand, "Open the look figure1-layers");
+    assert!(hand.app().session().path().is_some_and(|path| path.ends_with("figure1-layers.json")), "the file");
+}

@@ -348,7 +348,12 @@ impl App {
                 self.cost.show(ui, &self.session, size)
             }
             dock::Panel::Probe => self.probe.show(ui, &self.session),
-            other => self.panels.show(ui, other, &self.session),
+            other => {
+                if other == dock::Panel::Library {
+                    self.panels.know_recent(self.safety.recent());
+                }
+                self.panels.show(ui, other, &self.session)
+            }
         });
     }
 

@@ -51,6 +51,11 @@ impl Panels {
         }
     }
 
+    /// Learns which files were opened before, with whether each is still there.
+    pub(crate) fn know_recent<'p>(&mut self, files: impl Iterator<Item = (&'p std::path::PathBuf, bool)>) {
+        self.library.know_recent(files);
+    }
+
     /// What is due once a frame, whichever are seen.
     pub(crate) fn update(&mut self, ui: &Ui, session: &Session) {
         self.thumbs.update(ui, session);

@@ -4,7 +4,7 @@
 mod examples;
 mod nodes;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use eframe::egui;
@@ -28,6 +28,8 @@ const CARD: f32 = 96.0;
 const NAME: f32 = 20.0;
 /// The side of a picture that is drawn, in pixels: cards grow with the panel, and their pictures are not drawn anew.
 const SIDE: f32 = 200.0;
+/// As many of the files opened before are shown.
+const MOST_RECENT: usize = 8;
 
 /// The panel.
 #[derive(Default)]
@@ -35,11 +37,20 @@ pub(crate) struct Library {
     shows_looks: bool,
     query: String,
     looks: Vec<Card>,
+    /// What was opened before, and which files that is.
+    recent: Vec<Card>,
+    recent_of: Vec<PathBuf>,
+}
+
+/// Where a look comes from.
+enum Origin {
+    Example(usize),
+    File(PathBuf),
 }
 
 /// A look that can be opened.
 struct Card {
-    index: usize,
+    origin: Origin,
     name: String,
     look: Arc<Look>,
     key: u64,
@@ -60,6 +71,18 @@ impl Library {
         if self.shows_looks { self.looks(ui, session, thumbs) } else { nodes::show(ui, session, &self.query) }
     }
 
+    /// Learns what was opened before. Files are read when that changes, which is when one is opened or saved.
+    pub(crate) fn know_recent<'p>(&mut self, files: impl Iterator<Item = (&'p PathBuf, bool)>) {
+        if !self.shows_looks {
+            return;
+        }
+        let there: Vec<PathBuf> = files.filter(|(_, is_there)| *is_there).map(|(path, _)| path.clone()).collect();
+        if self.recent_of != there {
+            self.recent = there.iter().take(MOST_RECENT).filter_map(|path| recent(path)).collect();
+            self.recent_of = there;
+        }
+    }
+
     fn looks(&mut self, ui: &mut Ui, session: &Session, thumbs: &Thumbs) -> Vec<Command> {
         if self.looks.is_empty() {
             self.looks =
@@ -67,9 +90,10 @@ impl Library {
         }
         let words = self.query.to_lowercase();
         let is_found = |card: &&Card| words.split_whitespace().all(|word| card.name.to_lowercase().contains(word));
-        let found: Vec<&Card> = self.looks.iter().filter(is_found).collect();
+        let groups = [("Recent", &self.recent), ("Examples", &self.looks)];
+        let groups = groups.map(|(title, cards)| (title, cards.iter().filter(is_found).collect::<Vec<&Card>>()));
         let mut out = Vec::new();
-        if found.is_empty() {
+        if groups.iter().all(|(_, found)| found.is_empty()) {
             hint(ui, "No look of that name");
             return out;
         }
@@ -79,16 +103,29 @@ impl Library {
             let columns = ((width + gap) / (CARD + gap)).floor().max(1.0);
             let side = (width - gap * (columns - 1.0)) / columns;
             ui.spacing_mut().item_spacing = vec2(gap, gap);
-            for row in found.chunks(columns as usize) {
-                ui.horizontal(|ui| {
-                    for card in row {
-                        show_card(ui, card, side, session, thumbs, &mut out);
-                    }
-                });
+            let is_split = groups.iter().all(|(_, found)| !found.is_empty());
+            for (title, found) in &groups {
+                if is_split {
+                    hint(ui, title);
+                }
+                for row in found.chunks(columns as usize) {
+                    ui.horizontal(|ui| {
+                        for card in row {
+                            show_card(ui, card, side, session, thumbs, &mut out);
+                        }
+                    });
+                }
             }
         });
         out
     }
+}
+
+fn recent(path: &Path) -> Option<Card> {
+    let look = Look::load(path).value?;
+    let key = key_of(&look, Shot::Whole, SIDE);
+    let name = path.file_stem()?.to_string_lossy().into_owned();
+    Some(Card { origin: Origin::File(path.to_owned()), name, look: Arc::new(look), key })
 }
 
 fn card(index: usize, name: &str, text: &str) -> Option<Card> {
@@ -97,7 +134,7 @@ fn card(index: usize, name: &str, text: &str) -> Option<Card> {
     // "figure1-layers" is shown as what the look calls itself, which people search for too.
     let figure = name.split_once('-').map_or(name, |(figure, _)| figure).replace("figure", "Figure ");
     let name = if look.name.is_empty() { name.to_owned() } else { format!("{} · {figure}", look.name) };
-    Some(Card { index, name, look: Arc::new(look), key })
+    Some(Card { origin: Origin::Example(index), name, look: Arc::new(look), key })
 }
 
 fn show_card(ui: &mut Ui, card: &Card, side: f32, session: &Session, thumbs: &Thumbs, out: &mut Vec<Command>) {
@@ -117,16 +154,27 @@ fn show_card(ui: &mut Ui, card: &Card, side: f32, session: &Session, thumbs: &Th
         }
         None => {
             thumbs.look_again(ui);
-            thumbs.ask(card.key, card.look.clone(), PathBuf::new(), session, Shot::Whole, SIDE);
+            let folder = match &card.origin {
+                Origin::File(path) => path.parent().map(Path::to_path_buf).unwrap_or_default(),
+                Origin::Example(_) => PathBuf::new(),
+            };
+            thumbs.ask(card.key, card.look.clone(), folder, session, Shot::Whole, SIDE);
         }
     }
     picture_frame(ui, picture);
     let name = Rect::from_min_max(pos2(rect.left(), picture.bottom()), rect.max);
     cell(ui, name, &card.name, FontId::proportional(theme::SMALL_TEXT), theme::of(ui).text);
     let clicked = response.clicked();
-    response.on_hover_text(format!("{}\nOpens it as a new look; the example itself stays as it is", card.name));
+    let (help, command) = match &card.origin {
+        Origin::Example(index) => (
+            format!("{}\nOpens it as a new look; the example itself stays as it is", card.name),
+            Command::OpenExample(*index),
+        ),
+        Origin::File(path) => (format!("Opens {}", path.display()), Command::Open(Some(path.clone()))),
+    };
+    response.on_hover_text(help);
     if clicked {
-        out.push(Command::OpenExample(card.index));
+        out.push(command);
     }
 }
 
