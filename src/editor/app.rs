@@ -7,13 +7,14 @@ use std::sync::Arc;
 
 use eframe::egui::{Key, Modifiers, Panel, RichText, Ui, ViewportCommand};
 
-use super::canvas::Canvas;
+use super::canvas::{Canvas, edits};
 use super::code::Code;
 use super::command::Command;
 use super::cost::Cost;
 use super::dialogs::{Dialogs, IMAGES, MESHES, Purpose};
 use super::dock::Dock;
 use super::dock::effects::Effects;
+use super::panels::{Panels, library, problems, solo};
 use super::picture::Picture;
 use super::probe::{Probe, picture_size};
 use super::safety::Safety;
@@ -24,8 +25,9 @@ use super::sheet::Sheet;
 use super::shortcuts::{self, Action, Place};
 use super::viewport::{Export, Viewport};
 use super::wipe::Wipe;
-use super::{dock, inspector, problems, theme};
+use super::{dock, inspector, theme};
 use crate::diag::Diagnostic;
+use crate::document::Edit;
 use crate::library::Library;
 
 /// The window's state.
@@ -41,6 +43,7 @@ pub struct App {
     probe: Probe,
     wipe: Wipe,
     cost: Cost,
+    panels: Panels,
     safety: Safety,
     sheet: Sheet,
     /// What is done once unsaved changes are dealt with.
@@ -57,6 +60,7 @@ pub struct App {
 enum Pending {
     New,
     Open(PathBuf),
+    Example(usize),
     Close,
 }
 
@@ -74,6 +78,7 @@ impl App {
         let wipe = Wipe::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         let viewport = Viewport::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         let cost = Cost::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
+        let panels = Panels::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         Self {
             session: Session::new(library, waker()),
             canvas: Canvas::default(),
@@ -86,6 +91,7 @@ impl App {
             probe: Probe::new(waker()),
             wipe,
             cost,
+            panels,
             safety: Safety::new(waker()),
             sheet: Sheet::default(),
             pending: None,
@@ -220,6 +226,7 @@ impl App {
             || self.probe.is_busy()
             || self.wipe.is_busy()
             || self.cost.is_busy()
+            || self.panels.is_busy()
     }
 
     /// Waits for them; for tests.
@@ -230,6 +237,7 @@ impl App {
         self.viewport.wait();
         self.wipe.wait();
         self.cost.wait();
+        self.panels.wait();
         if let Some(picture) = &self.picture {
             picture.wait();
         }
@@ -243,6 +251,11 @@ impl App {
     /// How many times coarser than the screen the picture is; 1 at rest.
     pub fn coarseness(&self) -> u32 {
         self.picture.as_ref().map_or(1, Picture::coarseness)
+    }
+
+    /// How many small pictures of layers and looks there are.
+    pub fn small_pictures(&self) -> usize {
+        self.panels.pictures()
     }
 
     /// Opens a look and tells where that fails.
@@ -337,15 +350,10 @@ impl App {
         if let Some(picture) = &self.picture {
             self.session.set_picture_problems(&picture.problems);
         }
-        let problems: Vec<Diagnostic> = self.session.all_problems().cloned().collect();
         Panel::bottom("status").frame(theme::panel(ui)).resizable(false).show(ui, |ui| {
-            let listed: Vec<&Diagnostic> = problems.iter().collect();
-            if !listed.is_empty() {
-                commands.extend(problems::show(ui, &listed));
-                ui.add_space(2.0);
-            }
-            self.status(ui);
+            commands.extend(self.status(ui));
         });
+        self.panels.update(ui, &self.session);
         if let Some(picture) = &mut self.picture {
             picture.tells_effects = self.dock.shows(dock::Panel::Effects);
         }
@@ -363,15 +371,31 @@ impl App {
                 let Self { viewport, session, picture, probe, wipe, .. } = self;
                 viewport.show(ui, session, picture.as_mut(), probe, wipe)
             }
-            dock::Panel::Graph => self.canvas.show(ui, &self.session),
+            dock::Panel::Graph => {
+                let rect = ui.max_rect();
+                let mut commands = self.canvas.show(ui, &self.session);
+                let dropped = library::dropped(ui, rect);
+                commands.extend(dropped.map(|(kind, at)| Command::AddNode { kind, at: Some(at) }));
+                commands
+            }
             dock::Panel::Inspector => inspector::show(ui, &self.session),
-            dock::Panel::Code => self.code.show(ui, &self.session),
+            dock::Panel::Code => {
+                let is_alone = !self.session.solo().layers.is_empty();
+                let bar = is_alone.then(|| solo::bar(ui, &self.session)).flatten();
+                self.code.show(ui, &self.session).into_iter().chain(bar).collect()
+            }
             dock::Panel::Effects => self.effects.show(ui, self.picture.as_ref().map(|picture| &picture.effects)),
             dock::Panel::Cost => {
                 let size = self.viewport.rect().map_or([0, 0], |rect| picture_size(rect, ui.pixels_per_point()));
                 self.cost.show(ui, &self.session, size)
             }
             dock::Panel::Probe => self.probe.show(ui, &self.session),
+            other => {
+                if other == dock::Panel::Library {
+                    self.panels.know_recent(self.safety.recent());
+                }
+                self.panels.show(ui, other, &self.session)
+            }
         });
     }
 
@@ -444,16 +468,19 @@ impl App {
         });
     }
 
-    fn status(&self, ui: &mut Ui) {
+    fn status(&self, ui: &mut Ui) -> Option<Command> {
         let hint =
             [self.viewport.hint(), self.canvas.hint()].into_iter().find(|hint| !hint.is_empty()).unwrap_or_default();
         ui.horizontal(|ui| {
+            let command = problems::status(ui, &self.session);
             if let Some(message) = &self.message {
                 ui.label(RichText::new(message).color(theme::of(ui).accent));
                 ui.separator();
             }
             ui.add(egui::Label::new(RichText::new(hint).color(theme::of(ui).dim)).truncate());
-        });
+            command
+        })
+        .inner
     }
 
     fn document_name(&self) -> String {
@@ -548,6 +575,11 @@ impl App {
             Command::ShowReference(Some(path)) => self.viewport.show_reference(path),
             Command::ShowReference(None) => self.dialogs.ask(Purpose::Reference, self.session.path()),
             Command::LeaveProbe => self.probe.escape(),
+            Command::Solo(solo) => self.session.set_solo(solo),
+            Command::ShowPanel(panel) => self.dock.open(panel),
+            Command::GoTo(place) => self.session.go_to(place),
+            Command::AddNode { kind, at } => self.add_node(&kind, at),
+            Command::OpenExample(index) => self.do_or_ask(Pending::Example(index)),
             Command::Copy(text) => ui.ctx().copy_text(text),
             Command::Safety(wish) => self.message = self.safety.apply(wish, &mut self.session),
             Command::Tell(text) => self.message = Some(text),
@@ -569,6 +601,14 @@ impl App {
             action => return self.canvas.ask(action),
         };
         self.apply(ui, command);
+    }
+
+    fn add_node(&mut self, kind: &str, at: Option<egui::Pos2>) {
+        let Some(kind) = self.session.catalog.all().find(|known| known.id == kind).cloned() else { return };
+        let at = self.canvas.place_for(at);
+        let (id, edits) = edits::add(&self.session, &kind, at);
+        self.tell(|session| session.apply(Edit::Group { edits }, None));
+        self.session.select(vec![id]);
     }
 
     fn tell(&mut self, edit: impl FnOnce(&mut Session) -> Result<(), Box<Diagnostic>>) {
@@ -603,6 +643,11 @@ impl App {
                 self.safety.look();
             }
             Some(Pending::Open(path)) => self.open(&path),
+            Some(Pending::Example(index)) => {
+                let (name, text) = library::EXAMPLES[index];
+                self.session.start_from(text, name);
+                self.safety.look();
+            }
             Some(Pending::Close) => self.closes = true,
             None => {}
         }
