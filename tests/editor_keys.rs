@@ -112,7 +112,7 @@ fn direction_keys_are_made_from_nothing() {
     let mut hand = Hand::new();
     let before = hand.look().clone();
     select(&mut hand, &["diffuse"]);
-    click(&mut hand, "Direction keys");
+    click(&mut hand, "Keys");
     click(&mut hand, "Add direction keys");
     click(&mut hand, "By the light key");
     assert_eq!(hand.look().direction_keys[0].by, KeyDirection::Light("key".into()));
@@ -158,7 +158,7 @@ fn direction_keys_are_made_from_nothing() {
 #[test]
 fn a_key_takes_the_values_that_are_seen() {
     let mut hand = directional();
-    click(&mut hand, "Direction keys");
+    click(&mut hand, "Keys");
     let now = match hand.look().graph.nodes["diffuse"].values["cutoff"] {
         Value::Number(own) => own,
         _ => unreachable!(),

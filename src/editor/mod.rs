@@ -16,9 +16,9 @@ mod dock;
 mod inspector;
 mod keying;
 mod orbit;
+mod panels;
 mod picture;
 mod probe;
-mod problems;
 pub(crate) mod safety;
 pub mod session;
 pub mod settings;
@@ -46,6 +46,8 @@ pub use session::Session;
 pub use settings::Settings;
 pub use viewport::Viewport;
 pub use wipe::Wipe;
+
+use panels::problems;
 
 use crate::diag::Diagnostic;
 

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use glam::DQuat;
 
 use super::orbit::Orbit;
+use super::panels::solo::Solo;
 use super::session::Session;
 use crate::diag::Diagnostic;
 use crate::document::{Look, SourceMap};
@@ -37,6 +38,7 @@ impl Still {
             setup.stand_up();
         }
         setup.scene.camera = self.orbit.camera();
+        setup.scene.backdrop = self.orbit.backdrop.or(setup.scene.backdrop);
         setup.scene.illumination = DQuat::to_array(&self.orbit.illumination);
         Ok((setup, notes))
     }
@@ -74,12 +76,13 @@ pub(crate) struct Stamp {
     files: u64,
     orbit: Orbit,
     time: f64,
+    solo: Solo,
 }
 
 impl Session {
-    /// The document as it is, in the view as it is.
+    /// The document as it is shown, in the view as it is.
     pub(crate) fn still(&self) -> Still {
-        self.still_of(Arc::new(self.look().clone()))
+        self.still_of(Arc::new(self.shown_look().into_owned()))
     }
 
     /// Another look in its place.
@@ -107,6 +110,7 @@ impl Session {
             files: self.files(),
             orbit: self.view.clone(),
             time: self.time,
+            solo: self.solo().clone(),
         }
     }
 }

@@ -26,18 +26,28 @@ pub(crate) enum Panel {
     Profile,
     Keys,
     Timeline,
+    Layers,
+    Lights,
+    Problems,
+    History,
+    Library,
 }
 
 impl Panel {
     /// All, in the order of menus.
-    pub(crate) const ALL: [Self; 10] = [
+    pub(crate) const ALL: [Self; 15] = [
         Self::Picture,
         Self::Graph,
+        Self::Layers,
+        Self::Lights,
+        Self::Library,
+        Self::History,
         Self::Inspector,
         Self::Profile,
         Self::Keys,
         Self::Timeline,
         Self::Code,
+        Self::Problems,
         Self::Effects,
         Self::Cost,
         Self::Probe,
@@ -54,8 +64,13 @@ impl Panel {
             Self::Cost => "Cost and accuracy",
             Self::Probe => "Probe",
             Self::Profile => "Profile",
-            Self::Keys => "Direction keys",
+            Self::Keys => "Keys",
             Self::Timeline => "Timeline",
+            Self::Layers => "Layers",
+            Self::Lights => "Lights",
+            Self::Problems => "Problems",
+            Self::History => "History",
+            Self::Library => "Library",
         }
     }
 
@@ -72,6 +87,11 @@ impl Panel {
             Self::Profile => "How a layer's tone falls with the angle: drag offset, fall-off and cut-off",
             Self::Keys => "Values that change with the direction of a light or of the view",
             Self::Timeline => "Values that change with time: keys, play, scrub",
+            Self::Layers => "The look as a stack of layers: another view of the same graph",
+            Self::Lights => "The lights that layers name: which shine, from where, how bright",
+            Self::Problems => "What is wrong, where, and what mends it",
+            Self::History => "Everything that was done; a click goes there and back",
+            Self::Library => "Nodes to drag onto the canvas, and finished looks to begin with",
         }
     }
 
@@ -80,8 +100,11 @@ impl Panel {
         match self {
             Self::Picture | Self::Graph | Self::Inspector => &[],
             Self::Profile | Self::Keys | Self::Timeline => &[Self::Profile, Self::Keys, Self::Code, Self::Effects],
-            Self::Code | Self::Effects | Self::Cost | Self::Probe => {
-                &[Self::Code, Self::Effects, Self::Cost, Self::Probe, Self::Profile, Self::Keys]
+            Self::Code | Self::Problems | Self::Effects | Self::Cost | Self::Probe => {
+                &[Self::Code, Self::Problems, Self::Effects, Self::Cost, Self::Probe, Self::Profile, Self::Keys]
+            }
+            Self::Layers | Self::Lights | Self::Library | Self::History => {
+                &[Self::Layers, Self::Lights, Self::Library, Self::History, Self::Inspector]
             }
         }
     }
@@ -108,8 +131,10 @@ fn arrangement() -> Tree<Panel> {
         tiles.insert_tab_tile(panes)
     };
     let picture = tabs(&[Panel::Picture]);
-    let below = tabs(&[Panel::Profile, Panel::Keys, Panel::Code, Panel::Effects, Panel::Cost, Panel::Probe]);
+    let below =
+        tabs(&[Panel::Profile, Panel::Keys, Panel::Code, Panel::Problems, Panel::Effects, Panel::Cost, Panel::Probe]);
     let graph = tabs(&[Panel::Graph]);
+    let stack = tabs(&[Panel::Layers, Panel::Lights, Panel::Library, Panel::History]);
     let inspector = tabs(&[Panel::Inspector]);
     let mut shared = |dir, parts: &[(TileId, f32)]| {
         let mut linear = Linear::new(dir, parts.iter().map(|(tile, _)| *tile).collect());
@@ -117,7 +142,8 @@ fn arrangement() -> Tree<Panel> {
         tiles.insert_container(Container::Linear(linear))
     };
     let left = shared(LinearDir::Vertical, &[(picture, 0.58), (below, 0.42)]);
-    let root = shared(LinearDir::Horizontal, &[(left, 0.33), (graph, 0.46), (inspector, 0.21)]);
+    let right = shared(LinearDir::Vertical, &[(stack, 0.44), (inspector, 0.56)]);
+    let root = shared(LinearDir::Horizontal, &[(left, 0.33), (graph, 0.45), (right, 0.22)]);
     Tree::new(egui::Id::unique("dock"), root, tiles)
 }
 

@@ -8,7 +8,7 @@ use super::super::values;
 use crate::document::{ColorSpace, parse_hex, srgb_to_linear};
 
 /// Edits a straight RGBA colour of a look's colour space. Who changed it, and to what.
-pub(super) fn edit(
+pub(crate) fn edit(
     ui: &mut Ui,
     label: Id,
     color: [f64; 4],
@@ -21,8 +21,19 @@ pub(super) fn edit(
     swatch.or(hex)
 }
 
+/// The swatch alone.
+pub(in super::super) fn swatch(
+    ui: &mut Ui,
+    label: Id,
+    color: [f64; 4],
+    space: ColorSpace,
+    with_alpha: bool,
+) -> Option<(Id, [f64; 4])> {
+    swatch_of(ui, color, space, with_alpha, |response| response.labelled_by(label))
+}
+
 /// The swatch alone; `name` is what screen readers call it.
-pub(super) fn swatch(
+pub(super) fn named_swatch(
     ui: &mut Ui,
     name: &str,
     color: [f64; 4],

@@ -16,12 +16,12 @@ use crate::ids::{PortName, is_slug, make_slug};
 use crate::library::Type;
 
 /// Something with a mark: what it is, what its values are, and the edits that give it its default back.
-pub(super) struct Marked<'a> {
-    pub(super) session: &'a Session,
-    pub(super) target: Target,
-    pub(super) ty: &'a Type,
-    pub(super) label: &'a str,
-    pub(super) reset: Option<Edit>,
+pub(crate) struct Marked<'a> {
+    pub(crate) session: &'a Session,
+    pub(crate) target: Target,
+    pub(crate) ty: &'a Type,
+    pub(crate) label: &'a str,
+    pub(crate) reset: Option<Edit>,
 }
 
 impl Marked<'_> {
@@ -35,7 +35,7 @@ impl Marked<'_> {
     }
 
     /// What is said of it beside its help.
-    pub(super) fn help(&self) -> String {
+    pub(crate) fn help(&self) -> String {
         let mut lines = Vec::new();
         if self.session.keyed_by(&self.target) != KeyedBy::Nothing {
             lines.push(mark::help(self.session, &self.target));

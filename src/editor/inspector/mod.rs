@@ -1,12 +1,11 @@
 //! The inspector: everything of the selected node that can be set, with names, units and help.
 
-mod color;
+pub(super) mod color;
 mod curve;
 mod interface;
-mod light;
-mod marks;
+pub(super) mod marks;
 mod ramp;
-mod row;
+pub(super) mod row;
 pub(crate) mod value;
 
 pub(crate) use interface::{free_port, set as set_interface};
@@ -16,11 +15,14 @@ use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
 
 use super::catalog::Kind;
 use super::command::Command;
+use super::dock::Panel;
+use super::panels::lights;
 use super::session::Session;
-use super::theme;
 use super::wire::{ShownWire, Style};
-use crate::document::{ColorSpace, Edit, Node, Target, Tier};
+use super::{theme, values};
+use crate::document::{ColorSpace, Edit, Node, Target, Tier, Value};
 use crate::ids::NodeId;
+use crate::library::Type;
 
 /// What every part of the inspector works with.
 struct Subject<'a> {
@@ -92,7 +94,7 @@ fn show_node(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
     shown_row(ui, subject, out);
     let path = session.path_of(id);
     marks::list(ui, session, |target| matches!(target, Target::Input { node, .. } if *node == path), out);
-    light::lights_of(ui, subject, out);
+    lights_of(ui, subject, out);
 }
 
 /// Inputs from which on there is a search.
@@ -221,6 +223,19 @@ fn shown_row(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: 
     });
 }
 
+/// The lights that a node names.
+fn lights_of(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
+    let look = subject.session.look();
+    for port in subject.kind.inputs.iter().filter(|port| port.ty == Type::LightName) {
+        let Some(Value::Text(id)) = values::current(port, subject.node.values.get(&port.name)) else { continue };
+        if let Some((id, light)) = look.lights.get_key_value(id.as_str()) {
+            ui.separator();
+            ui.label(RichText::new(format!("The light \"{}\"", lights::name(id, light))).strong());
+            lights::edit(ui, subject.session, id, light, out);
+        }
+    }
+}
+
 fn tier_name(tier: Tier) -> &'static str {
     match tier {
         Tier::Exact => "Exact",
@@ -229,7 +244,18 @@ fn tier_name(tier: Tier) -> &'static str {
     }
 }
 
-/// With nothing selected: the look itself and its lights.
+/// Leads to the lights, which have a panel of their own.
+fn lights_row(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+    row::labelled(ui, "Lights", "What shines on the look", |ui, _| {
+        let count = session.look().lights.len();
+        let text = format!("{count} {}", if count == 1 { "light" } else { "lights" });
+        if ui.link(text).on_hover_text("Opens the list of lights").clicked() {
+            out.push(Command::ShowPanel(Panel::Lights));
+        }
+    });
+}
+
+/// With nothing selected: the look itself.
 fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     let look = session.look();
     ui.heading("Look");
@@ -267,5 +293,5 @@ fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         combo.response.labelled_by(label);
     });
     marks::list(ui, session, |_| true, out);
-    light::all_lights(ui, session, out);
+    lights_row(ui, session, out);
 }

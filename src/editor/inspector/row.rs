@@ -19,13 +19,13 @@ const MIXED: &str = "The selected nodes have different values; setting it sets a
 const LABEL: f32 = 92.0;
 
 /// A label with help, and a widget that is named by it.
-pub(super) fn labelled(ui: &mut Ui, label: &str, help: &str, add: impl FnOnce(&mut Ui, Id)) {
+pub(crate) fn labelled(ui: &mut Ui, label: &str, help: &str, add: impl FnOnce(&mut Ui, Id)) {
     let text = RichText::new(label).color(theme::of(ui).text);
     marked(ui, text, help, None, &mut Vec::new(), |ui, id, _| add(ui, id));
 }
 
 /// The same with the mark of what it sets.
-pub(super) fn marked(
+pub(crate) fn marked(
     ui: &mut Ui,
     label: RichText,
     help: &str,

@@ -20,7 +20,7 @@ pub(crate) fn cell(ui: &mut Ui, name: &str, port: &Port, value: &Value, space: C
         Type::Choice => choice(ui, name, port, value),
         Type::Color | Type::Composite => {
             let now = value.color_in(space).unwrap_or([0.0, 0.0, 0.0, 1.0]);
-            let (id, now) = color::swatch(ui, name, now, space, true)?;
+            let (id, now) = color::named_swatch(ui, name, now, space, true)?;
             let is_opaque = now[3] == 1.0;
             Some((id, Value::Vector(if is_opaque { now[..3].to_vec() } else { now.to_vec() })))
         }
