@@ -38,6 +38,28 @@ fn radians(hand: &Hand, node: &str, port: &str) -> f64 {
     }
 }
 
+/// Brings a value of the inspector into view by its search.
+fn find(hand: &mut Hand, text: &str) {
+    let search = at(hand, "Find a value");
+    hand.click(search);
+    hand.key_with(eframe::egui::Modifiers::COMMAND, Key::A);
+    hand.type_text(text);
+    hand.settle();
+}
+
+/// Types a number into the field of a value in the inspector.
+fn set(hand: &mut Hand, label: &str, number: &str) {
+    find(hand, label);
+    let mark = at(hand, &format!("Keys of {label}"));
+    let fields = hand.harness.get_all_by_role(eframe::egui::accesskit::Role::SpinButton).map(|node| node.rect());
+    let in_row = fields.into_iter().find(|rect| (rect.center().y - mark.y).abs() < 6.0 && rect.min.x > mark.x);
+    hand.click(in_row.expect("a field").center());
+    hand.key_with(eframe::egui::Modifiers::COMMAND, Key::A);
+    hand.type_text(number);
+    hand.key(Key::Enter);
+    hand.settle();
+}
+
 fn target(text: &str) -> Target {
     Target::parse(text).unwrap()
 }
@@ -130,12 +152,7 @@ fn direction_keys_are_made_from_nothing() {
     hand.settle();
     let moved = keys(&hand)[1].direction;
     assert!(moved[0] > 0.6 && moved[1].abs() < 0.15, "to the right: {moved:?}");
-    let field = hand.number_field("Opacity");
-    hand.click(field.center());
-    hand.key_with(eframe::egui::Modifiers::COMMAND, Key::A);
-    hand.type_text("0.25");
-    hand.key(Key::Enter);
-    hand.settle();
+    set(&mut hand, "Opacity", "0.25");
     assert_eq!(keys(&hand)[1].values[&opacity], Value::Number(0.25));
     assert_eq!(keys(&hand)[0].values[&opacity], Value::Number(1.0), "only at the key that is selected");
     assert!(hand.look().graph.nodes["diffuse"].values.get("opacity").is_none());
@@ -226,6 +243,7 @@ fn a_value_is_keyed_in_time_and_played() {
     let mut hand = Hand::new();
     let before = hand.look().clone();
     select(&mut hand, &["diffuse"]);
+    find(&mut hand, "Opacity");
     click(&mut hand, "Keys of Opacity");
     click(&mut hand, "Key in time");
     assert_eq!(hand.look().time_keys[0].target, target("diffuse.opacity"));
@@ -236,12 +254,7 @@ fn a_value_is_keyed_in_time_and_played() {
     hand.settle();
     let time = hand.app().session().time();
     assert!(time > 1.0 && close(time * 24.0, (time * 24.0).round()), "{time} is on a frame");
-    let field = hand.number_field("Opacity");
-    hand.click(field.center());
-    hand.key_with(eframe::egui::Modifiers::COMMAND, Key::A);
-    hand.type_text("0.5");
-    hand.key(Key::Enter);
-    hand.settle();
+    set(&mut hand, "Opacity", "0.5");
     let keys = |hand: &Hand| hand.look().time_keys[0].keys.clone();
     assert_eq!(keys(&hand).len(), 2);
     assert_eq!((keys(&hand)[1].time, &keys(&hand)[1].value), (time, &Value::Number(0.5)));
@@ -275,12 +288,7 @@ fn a_value_is_keyed_in_time_and_played() {
 fn the_inspector_exposes_finds_and_sets_several() {
     let mut hand = directional();
     select(&mut hand, &["fill", "diffuse"]);
-    let field = hand.number_field("Opacity");
-    hand.click(field.center());
-    hand.key_with(eframe::egui::Modifiers::COMMAND, Key::A);
-    hand.type_text("0.75");
-    hand.key(Key::Enter);
-    hand.settle();
+    set(&mut hand, "Opacity", "0.75");
     assert!(close(radians(&hand, "fill", "opacity"), 0.75) && close(radians(&hand, "diffuse", "opacity"), 0.75));
     hand.undo();
     assert!(hand.look().graph.nodes["fill"].values.get("opacity").is_none(), "one step");
@@ -290,10 +298,7 @@ fn the_inspector_exposes_finds_and_sets_several() {
     assert_eq!(hand.look().exposed[0].target, target("diffuse.opacity"));
     assert_eq!(hand.look().exposed[0].name.as_str(), "diffuse_opacity");
     // What is searched for stays, the rest goes.
-    let search = at(&hand, "Find a value");
-    hand.click(search);
-    hand.type_text("opac");
-    hand.settle();
+    find(&mut hand, "opac");
     assert!(hand.harness.query_by_label("Keys of Opacity").is_some());
     assert!(hand.harness.query_by_label("Keys of Blending").is_none());
 }
