@@ -29,7 +29,11 @@ struct Monkey {
 
 impl Monkey {
     fn new(seed: u64) -> Self {
-        let hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
+        let hand = Hand::with(|ctx| {
+            // egui's own picker of colours has a sign that its fonts lack.
+            ctx.set_missing_glyph_policy(eframe::egui::MissingGlyphPolicy::Tofu);
+            App::new(ctx, None).without_dialogs()
+        });
         Self { random: Random::new(seed), hand, done: 0 }
     }
 
