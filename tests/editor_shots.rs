@@ -10,7 +10,7 @@ use std::sync::Arc;
 use chiaro::editor::App;
 use chiaro::render::device_descriptor;
 use editor_support::Hand;
-use eframe::egui::{Role, Theme, vec2};
+use eframe::egui::{Key, Role, Theme, vec2};
 use eframe::egui_wgpu::WgpuSetup;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -49,6 +49,47 @@ fn shots() {
     let tab = hand.harness.get_by_label("Code").rect().center();
     hand.click(tab);
     save(&mut hand, "light");
+}
+
+/// The viewport's handles on every mesh of a folder that `CHIARO_MODELS` names, and on own shapes.
+#[test]
+#[ignore = "writes pictures to be looked at"]
+fn viewport_shots() {
+    let mut hand = window();
+    hand.app_mut().open(Path::new("examples/looks/figure1-layers.json"));
+    let folder = std::env::var_os("CHIARO_MODELS").map(PathBuf::from);
+    let own = ["shape:sphere".to_owned(), "shape:creature".to_owned()];
+    let meshes = ["spot", "stanford-bunny", "nefertiti"];
+    let of_folder = folder
+        .iter()
+        .flat_map(|folder| meshes.map(|mesh| folder.join(mesh).with_extension("obj").display().to_string()));
+    let ids: Vec<_> = hand
+        .look()
+        .graph
+        .nodes
+        .iter()
+        .filter(|(_, node)| node.kind == "light_layer")
+        .map(|(id, _)| id.clone())
+        .collect();
+    for (number, mesh) in own.into_iter().chain(of_folder).enumerate() {
+        hand.app_mut().show_on(&mesh);
+        let id = ids[number % ids.len()].clone();
+        hand.app_mut().session_mut().select(vec![id.clone()]);
+        hand.settle();
+        let rect = hand.app().viewport().rect().unwrap();
+        hand.hover(rect.center() + vec2(30.0, 10.0));
+        save(&mut hand, &format!("view-{number}-{id}"));
+        if number == 1 {
+            click_label(&mut hand, "Options");
+            save(&mut hand, "view-options");
+            hand.key(Key::Escape);
+        }
+        if number % 2 == 1 {
+            hand.harness.ctx.set_theme(Theme::Light);
+        } else {
+            hand.harness.ctx.set_theme(Theme::Dark);
+        }
+    }
 }
 
 fn click_label(hand: &mut Hand, label: &str) {

@@ -7,13 +7,14 @@ use std::sync::Arc;
 
 use eframe::egui::{Key, Modifiers, Panel, RichText, Ui, ViewportCommand};
 
-use super::canvas::Canvas;
+use super::canvas::{Canvas, edits};
 use super::code::Code;
 use super::command::Command;
 use super::cost::Cost;
-use super::dialogs::{Dialogs, MESHES, Purpose};
+use super::dialogs::{Dialogs, IMAGES, MESHES, Purpose};
 use super::dock::Dock;
 use super::dock::effects::Effects;
+use super::panels::{Panels, library, problems, solo};
 use super::picture::Picture;
 use super::probe::{Probe, picture_size};
 use super::safety::Safety;
@@ -22,10 +23,11 @@ use super::session::Session;
 use super::settings::Settings;
 use super::sheet::Sheet;
 use super::shortcuts::{self, Action, Place};
-use super::viewport::Viewport;
+use super::viewport::{Export, Viewport};
 use super::wipe::Wipe;
-use super::{dock, inspector, problems, theme};
+use super::{dock, inspector, theme};
 use crate::diag::Diagnostic;
+use crate::document::Edit;
 use crate::library::Library;
 
 /// The window's state.
@@ -41,6 +43,7 @@ pub struct App {
     probe: Probe,
     wipe: Wipe,
     cost: Cost,
+    panels: Panels,
     safety: Safety,
     sheet: Sheet,
     /// What is done once unsaved changes are dealt with.
@@ -57,6 +60,7 @@ pub struct App {
 enum Pending {
     New,
     Open(PathBuf),
+    Example(usize),
     Close,
 }
 
@@ -72,11 +76,13 @@ impl App {
         let library = Arc::new(Library::built_in().clone());
         let picture = render_state.map(|state| Picture::new(state, waker()));
         let wipe = Wipe::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
+        let viewport = Viewport::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         let cost = Cost::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
+        let panels = Panels::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         Self {
             session: Session::new(library, waker()),
             canvas: Canvas::default(),
-            viewport: Viewport::default(),
+            viewport,
             code: Code::default(),
             picture,
             dialogs: Dialogs::new(waker()),
@@ -85,6 +91,7 @@ impl App {
             probe: Probe::new(waker()),
             wipe,
             cost,
+            panels,
             safety: Safety::new(waker()),
             sheet: Sheet::default(),
             pending: None,
@@ -145,6 +152,21 @@ impl App {
         self
     }
 
+    /// Writes the picture, in so many pixels, to a PNG file; what becomes of it is told in the status bar.
+    pub fn save_picture(&mut self, size: [u32; 2], path: &Path) {
+        self.viewport.export(&self.session, Export::Picture(size), path.to_owned());
+    }
+
+    /// Writes the look on a ball, so many pixels wide, to a PNG file, as an image for a LitSphere node.
+    pub fn bake_litsphere(&mut self, side: u32, path: &Path) {
+        self.viewport.export(&self.session, Export::LitSphere(side), path.to_owned());
+    }
+
+    /// Shows an image beside the picture, to work from.
+    pub fn show_reference(&mut self, path: &Path) {
+        self.viewport.show_reference(path.to_owned());
+    }
+
     /// The open look.
     pub fn session(&self) -> &Session {
         &self.session
@@ -197,13 +219,14 @@ impl App {
 
     /// Whether shaders, pictures or values are being made.
     pub fn is_busy(&self) -> bool {
-        let is_drawing = self.picture.as_ref().is_some_and(Picture::is_busy);
+        let is_drawing = self.picture.as_ref().is_some_and(Picture::is_busy) || self.viewport.is_busy();
         is_drawing
             || self.session.is_compiling()
             || self.canvas.is_busy()
             || self.probe.is_busy()
             || self.wipe.is_busy()
             || self.cost.is_busy()
+            || self.panels.is_busy()
     }
 
     /// Waits for them; for tests.
@@ -211,8 +234,10 @@ impl App {
         self.session.wait();
         self.canvas.wait();
         self.probe.wait();
+        self.viewport.wait();
         self.wipe.wait();
         self.cost.wait();
+        self.panels.wait();
         if let Some(picture) = &self.picture {
             picture.wait();
         }
@@ -221,6 +246,16 @@ impl App {
     /// How many pictures were asked for.
     pub fn pictures(&self) -> u64 {
         self.picture.as_ref().map_or(0, |picture| picture.wishes)
+    }
+
+    /// How many times coarser than the screen the picture is; 1 at rest.
+    pub fn coarseness(&self) -> u32 {
+        self.picture.as_ref().map_or(1, Picture::coarseness)
+    }
+
+    /// How many small pictures of layers and looks there are.
+    pub fn small_pictures(&self) -> usize {
+        self.panels.pictures()
     }
 
     /// Opens a look and tells where that fails.
@@ -267,12 +302,18 @@ impl App {
         let dropped = ui.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_path_buf()));
         commands.extend(dropped.map(|path| {
             let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_lowercase();
-            if MESHES.contains(&ending.as_str()) { Command::ShowOn(Some(path)) } else { Command::Open(Some(path)) }
+            match ending.as_str() {
+                mesh if MESHES.contains(&mesh) => Command::ShowOn(Some(path)),
+                image if IMAGES.contains(&image) => Command::ShowReference(Some(path)),
+                _ => Command::Open(Some(path)),
+            }
         }));
         commands.extend(self.dialogs.answers().map(|(purpose, path)| match purpose {
             Purpose::Open => Command::Open(Some(path)),
             Purpose::Save => Command::SaveTo(path),
             Purpose::Mesh => Command::ShowOn(Some(path)),
+            Purpose::Export(export) => Command::Export(export, Some(path)),
+            Purpose::Reference => Command::ShowReference(Some(path)),
         }));
         if let Some(again) = self.session.tick(ui.input(|input| input.time)) {
             ui.ctx().request_repaint_after(again);
@@ -296,6 +337,8 @@ impl App {
         if !is_held {
             let layout = self.safety.remembers().then(|| self.dock.changed()).flatten();
             self.safety.remember(ui.ctx(), layout);
+        } else if let Some(picture) = &mut self.picture {
+            picture.hurry(&mut self.session);
         }
         self.close_or_stay(ui.ctx());
         self.set_title(ui.ctx());
@@ -307,15 +350,10 @@ impl App {
         if let Some(picture) = &self.picture {
             self.session.set_picture_problems(&picture.problems);
         }
-        let problems: Vec<Diagnostic> = self.session.all_problems().cloned().collect();
         Panel::bottom("status").frame(theme::panel(ui)).resizable(false).show(ui, |ui| {
-            let listed: Vec<&Diagnostic> = problems.iter().collect();
-            if !listed.is_empty() {
-                commands.extend(problems::show(ui, &listed));
-                ui.add_space(2.0);
-            }
-            self.status(ui);
+            commands.extend(self.status(ui));
         });
+        self.panels.update(ui, &self.session);
         if let Some(picture) = &mut self.picture {
             picture.tells_effects = self.dock.shows(dock::Panel::Effects);
         }
@@ -331,17 +369,33 @@ impl App {
         commands.extend(match panel {
             dock::Panel::Picture => {
                 let Self { viewport, session, picture, probe, wipe, .. } = self;
-                viewport.show(ui, session, picture.as_mut(), probe, wipe).into_iter().collect()
+                viewport.show(ui, session, picture.as_mut(), probe, wipe)
             }
-            dock::Panel::Graph => self.canvas.show(ui, &self.session),
+            dock::Panel::Graph => {
+                let rect = ui.max_rect();
+                let mut commands = self.canvas.show(ui, &self.session);
+                let dropped = library::dropped(ui, rect);
+                commands.extend(dropped.map(|(kind, at)| Command::AddNode { kind, at: Some(at) }));
+                commands
+            }
             dock::Panel::Inspector => inspector::show(ui, &self.session),
-            dock::Panel::Code => self.code.show(ui, &self.session),
+            dock::Panel::Code => {
+                let is_alone = !self.session.solo().layers.is_empty();
+                let bar = is_alone.then(|| solo::bar(ui, &self.session)).flatten();
+                self.code.show(ui, &self.session).into_iter().chain(bar).collect()
+            }
             dock::Panel::Effects => self.effects.show(ui, self.picture.as_ref().map(|picture| &picture.effects)),
             dock::Panel::Cost => {
                 let size = self.viewport.rect().map_or([0, 0], |rect| picture_size(rect, ui.pixels_per_point()));
                 self.cost.show(ui, &self.session, size)
             }
             dock::Panel::Probe => self.probe.show(ui, &self.session),
+            other => {
+                if other == dock::Panel::Library {
+                    self.panels.know_recent(self.safety.recent());
+                }
+                self.panels.show(ui, other, &self.session)
+            }
         });
     }
 
@@ -414,16 +468,19 @@ impl App {
         });
     }
 
-    fn status(&self, ui: &mut Ui) {
+    fn status(&self, ui: &mut Ui) -> Option<Command> {
         let hint =
             [self.viewport.hint(), self.canvas.hint()].into_iter().find(|hint| !hint.is_empty()).unwrap_or_default();
         ui.horizontal(|ui| {
+            let command = problems::status(ui, &self.session);
             if let Some(message) = &self.message {
                 ui.label(RichText::new(message).color(theme::of(ui).accent));
                 ui.separator();
             }
             ui.add(egui::Label::new(RichText::new(hint).color(theme::of(ui).dim)).truncate());
-        });
+            command
+        })
+        .inner
     }
 
     fn document_name(&self) -> String {
@@ -512,7 +569,17 @@ impl App {
                 }
             }
             Command::ShowWire(wire) => self.session.show_wire(wire),
+            Command::Export(export, Some(path)) => self.viewport.export(&self.session, export, path),
+            Command::Export(export, None) => self.dialogs.ask(Purpose::Export(export), self.session.path()),
+            Command::CopyPicture => self.viewport.copy(&self.session, ui.pixels_per_point()),
+            Command::ShowReference(Some(path)) => self.viewport.show_reference(path),
+            Command::ShowReference(None) => self.dialogs.ask(Purpose::Reference, self.session.path()),
             Command::LeaveProbe => self.probe.escape(),
+            Command::Solo(solo) => self.session.set_solo(solo),
+            Command::ShowPanel(panel) => self.dock.open(panel),
+            Command::GoTo(place) => self.session.go_to(place),
+            Command::AddNode { kind, at } => self.add_node(&kind, at),
+            Command::OpenExample(index) => self.do_or_ask(Pending::Example(index)),
             Command::Copy(text) => ui.ctx().copy_text(text),
             Command::Safety(wish) => self.message = self.safety.apply(wish, &mut self.session),
             Command::Tell(text) => self.message = Some(text),
@@ -534,6 +601,14 @@ impl App {
             action => return self.canvas.ask(action),
         };
         self.apply(ui, command);
+    }
+
+    fn add_node(&mut self, kind: &str, at: Option<egui::Pos2>) {
+        let Some(kind) = self.session.catalog.all().find(|known| known.id == kind).cloned() else { return };
+        let at = self.canvas.place_for(at);
+        let (id, edits) = edits::add(&self.session, &kind, at);
+        self.tell(|session| session.apply(Edit::Group { edits }, None));
+        self.session.select(vec![id]);
     }
 
     fn tell(&mut self, edit: impl FnOnce(&mut Session) -> Result<(), Box<Diagnostic>>) {
@@ -568,6 +643,11 @@ impl App {
                 self.safety.look();
             }
             Some(Pending::Open(path)) => self.open(&path),
+            Some(Pending::Example(index)) => {
+                let (name, text) = library::EXAMPLES[index];
+                self.session.start_from(text, name);
+                self.safety.look();
+            }
             Some(Pending::Close) => self.closes = true,
             None => {}
         }

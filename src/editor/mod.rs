@@ -14,9 +14,9 @@ mod dialogs;
 mod dock;
 mod inspector;
 mod orbit;
+mod panels;
 mod picture;
 mod probe;
-mod problems;
 pub(crate) mod safety;
 pub mod session;
 pub mod settings;
@@ -44,6 +44,8 @@ pub use session::Session;
 pub use settings::Settings;
 pub use viewport::Viewport;
 pub use wipe::Wipe;
+
+use panels::problems;
 
 use crate::diag::Diagnostic;
 

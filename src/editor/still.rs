@@ -6,6 +6,7 @@ use std::sync::Arc;
 use glam::DQuat;
 
 use super::orbit::Orbit;
+use super::panels::solo::Solo;
 use super::session::Session;
 use crate::diag::Diagnostic;
 use crate::document::{Look, SourceMap};
@@ -35,6 +36,7 @@ impl Still {
             setup.stand_up();
         }
         setup.scene.camera = self.orbit.camera();
+        setup.scene.backdrop = self.orbit.backdrop.or(setup.scene.backdrop);
         setup.scene.illumination = DQuat::to_array(&self.orbit.illumination);
         Ok((setup, notes))
     }
@@ -71,12 +73,13 @@ pub(crate) struct Stamp {
     revision: u64,
     files: u64,
     orbit: Orbit,
+    solo: Solo,
 }
 
 impl Session {
-    /// The document as it is, in the view as it is.
+    /// The document as it is shown, in the view as it is.
     pub(crate) fn still(&self) -> Still {
-        self.still_of(Arc::new(self.look().clone()))
+        self.still_of(Arc::new(self.shown_look().into_owned()))
     }
 
     /// Another look in its place.
@@ -102,6 +105,7 @@ impl Session {
             revision: self.revision(),
             files: self.files(),
             orbit: self.view.clone(),
+            solo: self.solo().clone(),
         }
     }
 }

@@ -152,6 +152,16 @@ impl<D: Editable> History<D> {
         self.undone.last().map(|step| step.label.as_str())
     }
 
+    /// What undo calls every step, the first one first: those that were done, then those that were taken back.
+    pub fn labels(&self) -> impl Iterator<Item = &str> {
+        self.done.iter().chain(self.undone.iter().rev()).map(|step| step.label.as_str())
+    }
+
+    /// How many steps are done: so many of [`labels`](Self::labels).
+    pub fn place(&self) -> usize {
+        self.done.len()
+    }
+
     /// Grows with every change, so that others see that there is something new.
     pub fn revision(&self) -> u64 {
         self.revision

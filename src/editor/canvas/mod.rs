@@ -24,6 +24,7 @@ mod view;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
+use eframe::egui;
 use eframe::egui::epaint::Mesh;
 use eframe::egui::{Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo};
 
@@ -365,6 +366,14 @@ impl Canvas {
     /// Brings a node into view in the next frame.
     pub(crate) fn reveal(&mut self, id: NodeId) {
         self.reveal = Some(id);
+    }
+
+    /// A place of the graph for a new node: at a place of the screen, or in the middle of the view.
+    pub(crate) fn place_for(&self, at: Option<Pos2>) -> Pos2 {
+        match at {
+            Some(at) => self.view.to_graph(at),
+            None => self.view.center - egui::vec2(theme::NODE_WIDTH / 2.0, theme::TITLE_HEIGHT),
+        }
     }
 
     /// Shows the whole graph.

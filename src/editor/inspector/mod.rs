@@ -1,11 +1,10 @@
 //! The inspector: everything of the selected node that can be set, with names, units and help.
 
-mod color;
+pub(super) mod color;
 mod curve;
 mod interface;
-mod light;
 mod ramp;
-mod row;
+pub(super) mod row;
 
 pub(crate) use interface::{free_port, set as set_interface};
 
@@ -14,11 +13,14 @@ use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
 
 use super::catalog::Kind;
 use super::command::Command;
+use super::dock::Panel;
+use super::panels::lights;
 use super::session::Session;
-use super::theme;
 use super::wire::{ShownWire, Style};
-use crate::document::{ColorSpace, Edit, Node, Tier};
+use super::{theme, values};
+use crate::document::{ColorSpace, Edit, Node, Tier, Value};
 use crate::ids::NodeId;
+use crate::library::Type;
 
 /// What every part of the inspector works with.
 struct Subject<'a> {
@@ -85,7 +87,7 @@ fn show_node(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
     }
     tier_row(ui, subject, out);
     shown_row(ui, subject, out);
-    light::lights_of(ui, subject, out);
+    lights_of(ui, subject, out);
 }
 
 fn name_row(ui: &mut Ui, Subject { session, id, node, kind }: &Subject<'_>, out: &mut Vec<Command>) {
@@ -179,6 +181,19 @@ fn shown_row(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: 
     });
 }
 
+/// The lights that a node names.
+fn lights_of(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
+    let look = subject.session.look();
+    for port in subject.kind.inputs.iter().filter(|port| port.ty == Type::LightName) {
+        let Some(Value::Text(id)) = values::current(port, subject.node.values.get(&port.name)) else { continue };
+        if let Some((id, light)) = look.lights.get_key_value(id.as_str()) {
+            ui.separator();
+            ui.label(RichText::new(format!("The light \"{}\"", lights::name(id, light))).strong());
+            lights::edit(ui, subject.session, id, light, out);
+        }
+    }
+}
+
 fn tier_name(tier: Tier) -> &'static str {
     match tier {
         Tier::Exact => "Exact",
@@ -187,7 +202,18 @@ fn tier_name(tier: Tier) -> &'static str {
     }
 }
 
-/// With nothing selected: the look itself and its lights.
+/// Leads to the lights, which have a panel of their own.
+fn lights_row(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+    row::labelled(ui, "Lights", "What shines on the look", |ui, _| {
+        let count = session.look().lights.len();
+        let text = format!("{count} {}", if count == 1 { "light" } else { "lights" });
+        if ui.link(text).on_hover_text("Opens the list of lights").clicked() {
+            out.push(Command::ShowPanel(Panel::Lights));
+        }
+    });
+}
+
+/// With nothing selected: the look itself.
 fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     let look = session.look();
     ui.heading("Look");
@@ -224,5 +250,5 @@ fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         });
         combo.response.labelled_by(label);
     });
-    light::all_lights(ui, session, out);
+    lights_row(ui, session, out);
 }

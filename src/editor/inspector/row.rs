@@ -15,7 +15,7 @@ use crate::library::{Fallback, Type};
 const LABEL: f32 = 104.0;
 
 /// A label with help, and a widget that is named by it.
-pub(super) fn labelled(ui: &mut Ui, label: &str, help: &str, add: impl FnOnce(&mut Ui, Id)) {
+pub(crate) fn labelled(ui: &mut Ui, label: &str, help: &str, add: impl FnOnce(&mut Ui, Id)) {
     labelled_in(ui, label, help, theme::of(ui).text, add);
 }
 

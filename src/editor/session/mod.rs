@@ -4,6 +4,7 @@ pub(super) mod keeping;
 mod place;
 mod shading;
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -12,11 +13,12 @@ use indexmap::IndexSet;
 use super::catalog::Catalog;
 use super::compiling::{self, Compiler};
 use super::orbit::Orbit;
+use super::panels::solo::Solo;
 use super::wire::ShownWire;
 use crate::diag::Diagnostic;
 use crate::document::journal::Op;
-use crate::document::{Edit, GraphId, History, Look, SourceMap, remove_abandoned, write_atomic};
-use crate::ids::NodeId;
+use crate::document::{Edit, GraphId, History, Light, Look, SourceMap, remove_abandoned, write_atomic};
+use crate::ids::{LightId, NodeId};
 use crate::library::{Fallback, Library};
 use keeping::{Keeping, OnDisk};
 pub(crate) use shading::Showing;
@@ -52,6 +54,10 @@ pub struct Session {
     good_revision: (u64, u64),
     /// What is shown in place of the look's own output.
     wire: Option<ShownWire>,
+    /// What is shown alone or left out for now.
+    solo: Solo,
+    /// Grows whenever another solo needs another shader.
+    solo_number: u64,
     /// How often files that the look uses have changed.
     files: u64,
     keeping: Keeping,
@@ -92,6 +98,8 @@ impl Session {
             picture: 0,
             good_revision: (0, 0),
             wire: None,
+            solo: Solo::default(),
+            solo_number: 0,
             files: 0,
             keeping: Keeping::default(),
             place: Default::default(),
@@ -107,6 +115,15 @@ impl Session {
         self.replace(loaded.value.unwrap_or_default(), loaded.source, None);
         self.is_partial = false;
         self.load_problems.clear();
+    }
+
+    /// Begins a new look with what a text says, as one that no file holds.
+    pub(crate) fn start_from(&mut self, text: &str, name: &str) {
+        self.leave_journal(false);
+        let loaded = Look::read(text, name);
+        self.replace(loaded.value.unwrap_or_default(), loaded.source, None);
+        self.is_partial = false;
+        self.load_problems = loaded.diagnostics;
     }
 
     /// Opens a look. Where the file cannot be read at all, the look that was open stays, and the problems are told.
@@ -180,6 +197,7 @@ impl Session {
         self.problems_number += 1;
         self.shaders = Shown::default();
         self.wire = None;
+        self.solo = Solo::default();
         self.picture += 1;
         self.catalog.sync(self.history.document(), &self.library);
         self.place_library_problems();
@@ -254,6 +272,65 @@ impl Session {
         }
     }
 
+    /// The lights that are neither muted nor left out by a solo.
+    pub(crate) fn shining(&self) -> impl Iterator<Item = (&LightId, &Light)> {
+        self.look().lights.iter().filter(|(id, _)| !self.solo.is_dark(id))
+    }
+
+    /// What is shown alone or left out for now.
+    pub(crate) fn solo(&self) -> &Solo {
+        &self.solo
+    }
+
+    /// Shows other things alone, or leaves other things out. The document stays as it is.
+    pub(crate) fn set_solo(&mut self, solo: Solo) {
+        if self.solo == solo {
+            return;
+        }
+        if self.solo.is_structural(&solo, self.look()) {
+            self.solo_number += 1;
+            self.shaders.requested_structure = None;
+        }
+        self.solo = solo;
+        self.picture += 1;
+    }
+
+    /// Whether a light shines, as far as the window is asked: it is neither muted nor is another one shown alone.
+    pub fn shines(&self, light: &str) -> bool {
+        !self.solo.is_dark(&light.into())
+    }
+
+    /// The look as it is shown: what is soloed alone, and without what is muted.
+    pub(crate) fn shown_look(&self) -> Cow<'_, Look> {
+        self.solo.of(self.look(), &self.catalog)
+    }
+
+    /// What a node of the look's own graph is called.
+    pub(crate) fn title(&self, id: &NodeId) -> String {
+        let node = self.look().graph.nodes.get(id);
+        match (node, node.and_then(|node| self.catalog.of(node))) {
+            (Some(node), _) if !node.name.is_empty() => node.name.clone(),
+            (_, Some(kind)) => kind.label.to_string(),
+            _ => id.to_string(),
+        }
+    }
+
+    /// What undo calls every step, the first one first.
+    pub fn steps(&self) -> impl Iterator<Item = &str> {
+        self.history.labels()
+    }
+
+    /// How many of the steps are done.
+    pub fn place(&self) -> usize {
+        self.history.place()
+    }
+
+    /// Takes steps back or repeats them until so many are done.
+    pub fn go_to(&mut self, place: usize) {
+        while self.place() > place && self.undo() {}
+        while self.place() < place && self.redo() {}
+    }
+
     /// What is wrong with the look, as the compiler last told.
     pub fn problems(&self) -> &[Diagnostic] {
         &self.problems
@@ -317,6 +394,7 @@ impl Session {
         selection.retain(|id| self.is_here(id));
         self.selection = selection;
         let nodes = &self.history.document().graph.nodes;
+        self.solo.keep(self.history.document());
         self.wire = self.wire.take().filter(|wire| wire.node.outermost().is_some_and(|id| nodes.contains_key(id)));
         self.picture += 1;
     }
