@@ -1,5 +1,6 @@
 //! The picture in the window, drawn by the renderer on the window's own device (software Vulkan does).
 #![cfg(feature = "editor")]
+#![allow(clippy::print_stdout, reason = "what is measured is printed")]
 
 mod editor_support;
 
