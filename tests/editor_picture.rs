@@ -8,12 +8,16 @@ use chiaro::editor::App;
 use chiaro::render::{Gpu, block_on};
 use editor_support::Hand;
 use eframe::egui::{Key, vec2};
-use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
+use egui_kittest::{Harness, HarnessBuilder};
 
 /// A window that draws.
 fn window() -> Hand {
+    window_of(Harness::builder())
+}
+
+fn window_of(builder: HarnessBuilder<Option<App>>) -> Hand {
     block_on(Gpu::headless()).expect("an adapter; software Vulkan does");
     let state = create_render_state(default_wgpu_setup(), eframe::egui_wgpu::RendererOptions::PREDICTABLE);
     let builder =
@@ -64,7 +68,7 @@ fn the_picture_shows_the_look_and_follows_the_hand() {
     let before = hand.app().pictures();
     hand.harness.run_steps(10);
     assert_eq!(hand.app().pictures(), before);
-    assert_eq!(hand.repaint_delay(), std::time::Duration::MAX);
+    assert_eq!(hand.repaint_delay(), std::time::Duration::MAX, "{:?}", hand.harness.ctx.repaint_causes());
 }
 
 #[test]
@@ -261,7 +265,9 @@ fn the_viewport_is_measured() {
     let models = std::env::var("CHIARO_MODELS").ok();
     let meshes = ["shape:creature".to_owned()].into_iter();
     let meshes: Vec<_> = meshes.chain(models.map(|folder| format!("{folder}/nefertiti.obj"))).collect();
-    for (what, mut hand) in [("no picture", Hand::new()), ("with a picture", window())] {
+    for (what, mut hand) in
+        [("no picture", Hand::new()), ("with a picture", window_of(Harness::builder().with_step_dt(1.0 / 60.0)))]
+    {
         hand.app_mut().open(std::path::Path::new("examples/looks/figure1-layers.json"));
         for mesh in &meshes {
             hand.app_mut().show_on(mesh);
