@@ -1,6 +1,6 @@
 //! The one place that asks the clock.
 
-use std::time::Instant;
+use std::time::{Duration, Instant, SystemTime};
 
 /// How long something took.
 #[derive(Clone, Copy, Debug)]
@@ -17,4 +17,10 @@ impl Clock {
     pub fn seconds(&self) -> f64 {
         self.0.elapsed().as_secs_f64()
     }
+}
+
+/// How long ago something was; nothing for what lies in the future.
+#[expect(clippy::disallowed_methods, reason = "the one place that asks the clock")]
+pub fn age(of: SystemTime) -> Duration {
+    SystemTime::now().duration_since(of).unwrap_or_default()
 }

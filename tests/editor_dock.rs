@@ -34,7 +34,20 @@ fn in_view_menu(hand: &mut Hand, label: &str) {
 #[test]
 fn a_panel_that_is_closed_comes_back_beside_its_neighbours() {
     let mut hand = Hand::new();
-    for label in ["Picture", "Graph", "Inspector", "Code", "Effects", "Cost and accuracy", "Probe"] {
+    for label in [
+        "Picture",
+        "Graph",
+        "Inspector",
+        "Code",
+        "Effects",
+        "Cost and accuracy",
+        "Probe",
+        "Layers",
+        "Lights",
+        "Problems",
+        "History",
+        "Library",
+    ] {
         assert!(has_tab(&hand, label), "{label}");
     }
     click_tab(&mut hand, "Effects");
@@ -45,7 +58,7 @@ fn a_panel_that_is_closed_comes_back_beside_its_neighbours() {
     let tab = |label| hand.harness.get_by_role_and_label(Role::Tab, label).rect();
     assert_eq!(tab("Effects").top(), tab("Code").top(), "in the same stack");
     // All of a stack may go, and the last one comes back all the same.
-    for label in ["Effects", "Code", "Cost and accuracy", "Probe"] {
+    for label in ["Effects", "Code", "Problems", "Cost and accuracy", "Probe"] {
         in_view_menu(&mut hand, label);
     }
     assert!(!has_tab(&hand, "Code"));

@@ -29,7 +29,9 @@ struct Monkey {
 
 impl Monkey {
     fn new(seed: u64) -> Self {
-        let hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
+        // The picker of egui has a sign that its own fonts lack.
+        let builder = egui_kittest::Harness::builder().allow_missing_glyphs();
+        let hand = Hand::with_builder(builder, |ctx| App::new(ctx, None).without_dialogs());
         Self { random: Random::new(seed), hand, done: 0 }
     }
 
@@ -239,6 +241,10 @@ fn let_loose(seed: u64, file: Option<&str>, gestures: usize) {
         monkey.hand.settle();
     }
     let opened = monkey.hand.look().to_text();
+    // The library of the window opens examples, too.
+    let examples = std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks")).unwrap();
+    let examples = examples.map(|entry| Look::load(&entry.unwrap().path()).value.unwrap().to_text());
+    let beginnings: Vec<String> = examples.chain([fresh, opened]).collect();
     while monkey.done < gestures {
         for _ in 0..ROUND {
             monkey.gesture();
@@ -246,12 +252,12 @@ fn let_loose(seed: u64, file: Option<&str>, gestures: usize) {
         monkey.check();
         if monkey.done.is_multiple_of(10 * ROUND) {
             let first = monkey.there_and_back();
-            assert!(first == opened || first == fresh, "undo leads to the first file: {first}");
+            assert!(beginnings.contains(&first), "undo leads to the first file: {first}");
         }
     }
     // Byte for byte as it was opened, also where the monkey saved in between.
-    if file.is_some() && monkey.hand.app().session().path() == Some(&path) {
-        let original = std::fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join(file.unwrap())).unwrap();
+    if let Some(file) = file.filter(|_| monkey.hand.app().session().path() == Some(&path)) {
+        let original = std::fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).unwrap();
         while monkey.hand.app_mut().session_mut().undo() {}
         assert!(monkey.hand.app_mut().save_as(&path));
         assert!(std::fs::read(&path).unwrap() == original, "the file as it was");
@@ -281,10 +287,10 @@ fn a_monkey_breaks_no_comics() {
 #[test]
 #[ignore = "a million gestures take an hour"]
 fn soak_monkey() {
-    let each = 1_000_000 / 8;
-    std::thread::scope(|scope| {
-        for seed in 100..108 {
-            scope.spawn(move || let_loose(seed, Some("examples/looks/figure1-layers.json"), each));
-        }
+    use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
+    let looks = ["figure1-layers", "figure5-directional", "figure6-comics", "figure7-pastel"];
+    (100..108_u64).into_par_iter().for_each(|seed| {
+        let file = format!("examples/looks/{}.json", looks[seed as usize % looks.len()]);
+        let_loose(seed, Some(&file), 1_000_000 / 8);
     });
 }

@@ -161,3 +161,57 @@ fn shots_of_truth() {
     click_label(&mut hand, "Isolines");
     save(&mut hand, "isolines");
 }
+
+/// The canvas with all that it draws, in both themes.
+#[test]
+#[ignore = "writes pictures to be looked at"]
+fn canvas_shots() {
+    use chiaro::document::{Edit, GraphId, Node, Note};
+    use eframe::egui::{Key, Modifiers};
+    let mut hand = window();
+    hand.app_mut().open(Path::new("examples/looks/figure1-layers.json"));
+    hand.settle();
+    let ids: Vec<_> = hand.look().graph.nodes.keys().cloned().collect();
+    let graph = || GraphId::Look;
+    let add = |id: &str, kind: &str, at: [f64; 2]| {
+        let node = Node { kind: kind.to_owned(), position: at, ..Node::default() };
+        Edit::AddNode { graph: graph(), id: id.into(), node, index: None }
+    };
+    let text = "The rim comes last, so that it lies over everything.\n\nTry 60° here.".to_owned();
+    let note = Note { text, position: [20.0, 560.0], ..Note::default() };
+    let edits = vec![
+        add("noise", "map_range", [300.0, 560.0]),
+        add("spare", "mix_values", [560.0, 560.0]),
+        add("lost", "nothing_such", [820.0, 560.0]),
+        Edit::AddNote { graph: graph(), id: "why".into(), note, index: None },
+        Edit::SetMuted { graph: graph(), id: ids[2].clone(), muted: true },
+        Edit::SetCollapsed { graph: graph(), id: "spare".into(), collapsed: true },
+    ];
+    hand.app_mut().session_mut().apply(Edit::Group { edits }, None).unwrap();
+    hand.app_mut().session_mut().select(ids[1..3].to_vec());
+    hand.settle();
+    let over = hand.app().canvas().node_rect(ids[1].as_str()).unwrap().center();
+    hand.hover(over);
+    hand.key_with(Modifiers::COMMAND, Key::J);
+    hand.type_text("Both sides");
+    hand.key(Key::Enter);
+    hand.key(Key::Home);
+    save(&mut hand, "canvas");
+    hand.key_with(Modifiers::SHIFT, Key::Questionmark);
+    save(&mut hand, "shortcuts");
+    hand.key(Key::Escape);
+    hand.key_with(Modifiers::COMMAND, Key::P);
+    save(&mut hand, "commands");
+    hand.key(Key::Escape);
+    hand.app_mut().session_mut().select(ids[1..3].to_vec());
+    hand.settle();
+    hand.hover(over);
+    hand.key_with(Modifiers::COMMAND, Key::G);
+    hand.key_with(Modifiers::COMMAND, Key::Enter);
+    save(&mut hand, "group");
+    hand.key(Key::U);
+    hand.undo();
+    hand.app_mut().canvas_mut().set_zoom_and_center(1.2, eframe::egui::pos2(300.0, 200.0));
+    hand.harness.ctx.set_theme(Theme::Light);
+    save(&mut hand, "canvas-light");
+}

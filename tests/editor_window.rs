@@ -362,7 +362,10 @@ fn a_click_on_a_problem_selects_its_node() {
     let nothing = hand.empty_place();
     hand.drag(hand.input("output", "color"), nothing);
     hand.settle();
-    let at = hand.harness.get_by_role_and_label(eframe::egui::accesskit::Role::Link, "output").rect().center();
+    let at = hand.harness.get_by_label("Open the list of problems").rect().center();
+    hand.click(at);
+    hand.settle();
+    let at = hand.harness.get_by_role_and_label(eframe::egui::accesskit::Role::Link, "output.color").rect().center();
     hand.click(at);
     let selected: Vec<String> = hand.app().session().selected().map(ToString::to_string).collect();
     assert_eq!(selected, ["output"]);

@@ -42,6 +42,7 @@ const KEPT_TO: &[(&str, &[&str])] = &[
     ("egui_extras", &["editor"]),
     ("eframe", &["editor"]),
     ("rfd", &["editor"]),
+    ("notify", &["editor"]),
 ];
 
 /// The rank of a module's floor, and the floor's name.

@@ -2,11 +2,15 @@
 //!
 //! [`Look::read`] and [`Scene::read`] take JSON and give a value, a [`SourceMap`] and every problem at once;
 //! [`Look::to_text`] writes the canonical form, and a document equal to what was read is written back byte for byte.
-//! [`History`] applies every [`Edit`], and undoes it. docs/format.md documents the files.
+//! [`History`] applies every [`Edit`], and undoes it; a [`journal`] keeps what is not saved. docs/format.md documents the
+//! files.
 
 mod check;
 mod color;
 mod edit;
+pub mod grouping;
+mod image;
+pub mod journal;
 mod json;
 mod look;
 mod problems;
@@ -28,7 +32,7 @@ pub use read::Document;
 pub use scene::*;
 pub use shape::{field_tables, look_schema, scene_schema};
 pub use source::{Loaded, SourceMap};
-pub use store::{read_text, remove_unfinished, write_atomic};
+pub use store::{read_text, remove_abandoned, remove_unfinished, write_atomic};
 pub use structure::{GraphId, InnerNode};
 pub use value::*;
 

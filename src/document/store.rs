@@ -5,9 +5,15 @@ use std::fs::{self, File, Permissions};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
+use std::time::Duration;
 
 use super::json::MAX_BYTES;
+use crate::clock;
 use crate::diag::{Diagnostic, LineColumn};
+
+/// What the names of temporary files begin and end with.
+const PREFIX: &str = ".chiaro-";
+const SUFFIX: &str = ".tmp";
 
 /// Files that are being written at this moment, under their temporary names.
 static UNFINISHED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
@@ -53,8 +59,11 @@ pub fn read_text(path: &Path) -> Result<String, Box<Diagnostic>> {
     })
 }
 
-/// Writes a file whole or not at all: into a temporary file in the same folder, which then takes the old one's name
-/// and permissions. A link stays a link, and the file it leads to is replaced.
+/// Writes a file whole or not at all: into a temporary file in the same folder, which then takes the old one's name,
+/// permissions and, as far as the system lets us, owner and group. A link stays a link, and the file it leads to is
+/// replaced, or made where there is none. When this returns, the disk has the file and its name.
+///
+/// Not kept: other names of the same file (hard links), access lists, and extended attributes.
 ///
 /// # Errors
 /// A diagnostic that names the file; the old file is then as it was.
@@ -91,8 +100,7 @@ fn reason(error: &io::Error) -> String {
 }
 
 fn try_write(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    // A link is followed, so that it goes on to lead to the file.
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let target = follow_links(path);
     let old = fs::metadata(&target).ok();
     if let Some(old) = &old {
         if old.is_dir() {
@@ -107,7 +115,7 @@ fn try_write(path: &Path, bytes: &[u8]) -> io::Result<()> {
         _ => Path::new("."),
     };
     let mut builder = tempfile::Builder::new();
-    builder.prefix(".chiaro-").suffix(".tmp");
+    builder.prefix(PREFIX).suffix(SUFFIX);
     if let Some(permissions) = new_file_permissions() {
         builder.permissions(permissions);
     }
@@ -115,7 +123,7 @@ fn try_write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let _guard = Unfinished::new(file.path());
     file.write_all(bytes)?;
     if let Some(old) = old {
-        file.as_file().set_permissions(old.permissions())?;
+        keep_owner_and_permissions(file.as_file(), &old)?;
     }
     file.as_file().sync_all()?;
     file.persist(&target).map_err(|error| error.error)?;
@@ -124,6 +132,56 @@ fn try_write(path: &Path, bytes: &[u8]) -> io::Result<()> {
         let _ = folder.sync_all();
     }
     Ok(())
+}
+
+/// Where a path leads, so that a link goes on to lead to the file; also where there is no file yet.
+fn follow_links(path: &Path) -> PathBuf {
+    /// As many as Linux follows.
+    const MOST: usize = 40;
+    if let Ok(target) = fs::canonicalize(path) {
+        return target;
+    }
+    let mut target = path.to_owned();
+    for _ in 0..MOST {
+        let Ok(next) = fs::read_link(&target) else { break };
+        target = target.parent().map_or(next.clone(), |folder| folder.join(next));
+    }
+    target
+}
+
+/// Gives a file the owner, group and permissions of another. A group that cannot be kept gets no more than everybody has.
+#[cfg(unix)]
+fn keep_owner_and_permissions(file: &File, old: &fs::Metadata) -> io::Result<()> {
+    use std::os::unix::fs::{MetadataExt, PermissionsExt, fchown};
+    let new = file.metadata()?;
+    let mut mode = old.mode() & 0o7777;
+    if new.uid() != old.uid() {
+        // Only an administrator may give files away; who can write a file may still save it.
+        let _ = fchown(file, Some(old.uid()), None);
+    }
+    if new.gid() != old.gid() && fchown(file, None, Some(old.gid())).is_err() {
+        mode = mode & 0o707 | (mode & 0o007) << 3;
+    }
+    file.set_permissions(Permissions::from_mode(mode))
+}
+
+#[cfg(not(unix))]
+fn keep_owner_and_permissions(file: &File, old: &fs::Metadata) -> io::Result<()> {
+    file.set_permissions(old.permissions())
+}
+
+/// Removes what programs that were killed in the middle of a write have left in a folder, once it is a day old.
+pub fn remove_abandoned(folder: &Path) {
+    const OLD: Duration = Duration::from_secs(24 * 60 * 60);
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        let name = entry.file_name();
+        let is_ours = name.to_str().is_some_and(|name| name.starts_with(PREFIX) && name.ends_with(SUFFIX));
+        let modified = || entry.metadata().and_then(|data| data.modified()).ok();
+        if is_ours && modified().is_some_and(|modified| clock::age(modified) > OLD) {
+            // What cannot be removed does no harm.
+            let _ = fs::remove_file(entry.path());
+        }
+    }
 }
 
 /// What a new file is created with; the system's mask takes away from it.
@@ -204,12 +262,56 @@ mod tests {
         assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
         assert_eq!(fs::metadata(&path).unwrap().permissions().mode() & 0o777, 0o640);
 
+        // A link that leads nowhere yet goes on to lead where it leads, also through another link.
+        let (later, around) = (folder.path().join("later.json"), folder.path().join("around.json"));
+        symlink("later.json", folder.path().join("to-later.json")).unwrap();
+        symlink("to-later.json", &around).unwrap();
+        write_atomic(&around, b"made").unwrap();
+        assert_eq!(fs::read(&later).unwrap(), b"made");
+        assert!(fs::symlink_metadata(&around).unwrap().is_symlink());
+        let circle = folder.path().join("circle.json");
+        symlink("circle.json", &circle).unwrap();
+        assert!(write_atomic(&circle, b"").is_ok() || circle.is_symlink(), "a circle ends");
+
         // A new file is as any other program would make it here.
         let (ours, theirs) = (folder.path().join("ours"), folder.path().join("theirs"));
         write_atomic(&ours, b"").unwrap();
         fs::write(&theirs, b"").unwrap();
         let mode = |path| fs::metadata(path).unwrap().permissions().mode();
         assert_eq!(mode(&ours), mode(&theirs));
+    }
+
+    /// Where the tests may give files away, which takes an administrator.
+    #[cfg(unix)]
+    #[test]
+    fn owner_and_group_are_kept() {
+        use std::os::unix::fs::{MetadataExt, PermissionsExt, chown};
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.json");
+        fs::write(&path, "old").unwrap();
+        fs::set_permissions(&path, Permissions::from_mode(0o664)).unwrap();
+        if chown(&path, Some(12_345), Some(23_456)).is_ok() {
+            write_atomic(&path, b"new").unwrap();
+            let data = fs::metadata(&path).unwrap();
+            assert_eq!((data.uid(), data.gid(), data.mode() & 0o777), (12_345, 23_456, 0o664));
+        }
+    }
+
+    #[test]
+    fn what_was_abandoned_is_removed_once_it_is_old() {
+        let folder = tempfile::tempdir().unwrap();
+        let old = std::time::SystemTime::UNIX_EPOCH + Duration::from_secs(1_000_000_000);
+        for (name, is_old) in [(".chiaro-a.tmp", true), (".chiaro-b.tmp", false), ("mine.tmp", true), ("a.json", true)]
+        {
+            let file = File::create(folder.path().join(name)).unwrap();
+            if is_old {
+                file.set_modified(old).unwrap();
+            }
+        }
+        remove_abandoned(folder.path());
+        let mut left = names(folder.path());
+        left.sort();
+        assert_eq!(left, [".chiaro-b.tmp", "a.json", "mine.tmp"]);
     }
 
     #[test]

@@ -5,22 +5,29 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use eframe::egui::{Key, KeyboardShortcut, Modifiers, Panel, RichText, Ui, ViewportCommand};
+use eframe::egui::{Key, Modifiers, Panel, RichText, Ui, ViewportCommand};
 
-use super::canvas::Canvas;
+use super::canvas::{Canvas, edits};
 use super::code::Code;
 use super::command::Command;
 use super::cost::Cost;
 use super::dialogs::{Dialogs, IMAGES, MESHES, Purpose};
 use super::dock::Dock;
 use super::dock::effects::Effects;
+use super::panels::{Panels, library, problems, solo};
 use super::picture::Picture;
 use super::probe::{Probe, picture_size};
+use super::safety::Safety;
+use super::safety::places::Places;
 use super::session::Session;
+use super::settings::Settings;
+use super::sheet::Sheet;
+use super::shortcuts::{self, Action, Place};
 use super::viewport::{Export, Viewport};
 use super::wipe::Wipe;
-use super::{dock, inspector, problems, theme};
+use super::{dock, inspector, theme};
 use crate::diag::Diagnostic;
+use crate::document::Edit;
 use crate::library::Library;
 
 /// The window's state.
@@ -36,6 +43,9 @@ pub struct App {
     probe: Probe,
     wipe: Wipe,
     cost: Cost,
+    panels: Panels,
+    safety: Safety,
+    sheet: Sheet,
     /// What is done once unsaved changes are dealt with.
     pending: Option<Pending>,
     /// What went wrong with a file or an edit, until the next command.
@@ -50,6 +60,7 @@ pub struct App {
 enum Pending {
     New,
     Open(PathBuf),
+    Example(usize),
     Close,
 }
 
@@ -67,6 +78,7 @@ impl App {
         let wipe = Wipe::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         let viewport = Viewport::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         let cost = Cost::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
+        let panels = Panels::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         Self {
             session: Session::new(library, waker()),
             canvas: Canvas::default(),
@@ -79,6 +91,9 @@ impl App {
             probe: Probe::new(waker()),
             wipe,
             cost,
+            panels,
+            safety: Safety::new(waker()),
+            sheet: Sheet::default(),
             pending: None,
             message: None,
             presses: 0,
@@ -90,6 +105,44 @@ impl App {
     /// problems are; the last good picture stays.
     pub fn show_on(&mut self, mesh: &str) {
         mesh.clone_into(&mut self.session.view.mesh);
+        self.safety.shown_on(mesh);
+    }
+
+    /// Keeps unsaved work and settings in these folders, and offers what was left behind there.
+    pub fn keep_in(&mut self, places: Places, ctx: &egui::Context) {
+        let waker = ctx.clone();
+        self.safety.keep_in(places, &mut self.session, move || waker.request_repaint());
+        self.safety.settings.apply(ctx);
+        if let Some(layout) = self.safety.settings.layout.clone() {
+            self.dock.restore(&layout);
+        }
+    }
+
+    /// Goes on where the last window was closed, if anything was not saved then.
+    pub fn resume(&mut self) {
+        self.message = self.safety.resume(&mut self.session);
+    }
+
+    /// Looks at once whether other programs changed files, which else takes a moment.
+    pub fn look_at_files(&mut self) {
+        if let Some(told) = self.safety.look_at_files(&mut self.session) {
+            self.message = Some(told);
+        }
+    }
+
+    /// What is remembered.
+    pub fn settings(&self) -> &Settings {
+        &self.safety.settings
+    }
+
+    /// Changes what is remembered, and saves it.
+    pub fn change_settings(&mut self, change: impl FnOnce(&mut Settings)) {
+        self.safety.change_settings(change);
+    }
+
+    /// What was told last.
+    pub fn message(&self) -> Option<&str> {
+        self.message.as_deref()
     }
 
     /// Never opens a dialog of the system; for programs that drive the window.
@@ -167,16 +220,24 @@ impl App {
     /// Whether shaders, pictures or values are being made.
     pub fn is_busy(&self) -> bool {
         let is_drawing = self.picture.as_ref().is_some_and(Picture::is_busy) || self.viewport.is_busy();
-        is_drawing || self.session.is_compiling() || self.probe.is_busy() || self.wipe.is_busy() || self.cost.is_busy()
+        is_drawing
+            || self.session.is_compiling()
+            || self.canvas.is_busy()
+            || self.probe.is_busy()
+            || self.wipe.is_busy()
+            || self.cost.is_busy()
+            || self.panels.is_busy()
     }
 
     /// Waits for them; for tests.
     pub fn wait(&self) {
         self.session.wait();
+        self.canvas.wait();
         self.probe.wait();
         self.viewport.wait();
         self.wipe.wait();
         self.cost.wait();
+        self.panels.wait();
         if let Some(picture) = &self.picture {
             picture.wait();
         }
@@ -192,9 +253,23 @@ impl App {
         self.picture.as_ref().map_or(1, Picture::coarseness)
     }
 
+    /// How many small pictures of layers and looks there are.
+    pub fn small_pictures(&self) -> usize {
+        self.panels.pictures()
+    }
+
     /// Opens a look and tells where that fails.
     pub fn open(&mut self, path: &Path) {
-        self.message = (!self.session.open(path)).then(|| format!("{} could not be opened", path.display()));
+        if let Some(told) = self.safety.reopen(path, &mut self.session) {
+            self.message = Some(told).filter(|told| !told.is_empty());
+        } else {
+            let is_open = self.session.open(path);
+            self.message = (!is_open).then(|| format!("{} could not be opened", path.display()));
+        }
+        if self.message.is_none() {
+            self.safety.opened(path);
+        }
+        self.safety.look();
     }
 
     /// Saves to a file and tells where that fails.
@@ -202,10 +277,14 @@ impl App {
         match self.session.save_as(path) {
             Ok(()) => {
                 self.message = Some(format!("Saved {}", path.display()));
+                self.safety.opened(path);
                 true
             }
             Err(problem) => {
                 self.message = Some(problems::sentence(&problem).replace('\n', ": "));
+                if problem.code == "changed-on-disk" {
+                    self.safety.look_at_files(&mut self.session);
+                }
                 false
             }
         }
@@ -216,6 +295,7 @@ impl App {
         if ui.input(|input| input.pointer.any_pressed()) {
             self.presses += 1;
         }
+        self.sheet.take_escape(ui);
         self.canvas.claim_tab(ui);
         let mut commands = Vec::new();
         self.shortcuts(ui, &mut commands);
@@ -238,14 +318,26 @@ impl App {
         if let Some(again) = self.session.tick(ui.input(|input| input.time)) {
             ui.ctx().request_repaint_after(again);
         }
+        let (told, again) = self.safety.tick(ui, &mut self.session);
+        self.message = told.or(self.message.take());
+        if let Some(again) = again {
+            ui.ctx().request_repaint_after(again);
+        }
         self.panels(ui, &mut commands);
         self.ask_about_changes(ui, &mut commands);
+        commands.extend(self.sheet.show(ui).map(Command::Act));
         for command in commands {
             self.apply(ui, command);
             // What was changed in this frame is seen in the next one.
             ui.ctx().request_repaint();
         }
-        if let Some(picture) = self.picture.as_mut().filter(|_| ui.input(|input| input.pointer.any_down())) {
+        let is_held = ui.input(|input| input.pointer.any_down());
+        self.session.commit(is_held);
+        // A panel is resized in many steps; where it ends is remembered.
+        if !is_held {
+            let layout = self.safety.remembers().then(|| self.dock.changed()).flatten();
+            self.safety.remember(ui.ctx(), layout);
+        } else if let Some(picture) = &mut self.picture {
             picture.hurry(&mut self.session);
         }
         self.close_or_stay(ui.ctx());
@@ -254,18 +346,14 @@ impl App {
 
     fn panels(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
         Panel::top("bar").frame(theme::panel(ui)).resizable(false).show(ui, |ui| self.bar(ui, commands));
+        commands.extend(self.safety.show(ui, &self.session).into_iter().map(Command::Safety));
         if let Some(picture) = &self.picture {
             self.session.set_picture_problems(&picture.problems);
         }
-        let problems: Vec<Diagnostic> = self.session.all_problems().cloned().collect();
         Panel::bottom("status").frame(theme::panel(ui)).resizable(false).show(ui, |ui| {
-            let listed: Vec<&Diagnostic> = problems.iter().collect();
-            if !listed.is_empty() {
-                commands.extend(problems::show(ui, &listed));
-                ui.add_space(2.0);
-            }
-            self.status(ui);
+            commands.extend(self.status(ui));
         });
+        self.panels.update(ui, &self.session);
         if let Some(picture) = &mut self.picture {
             picture.tells_effects = self.dock.shows(dock::Panel::Effects);
         }
@@ -283,15 +371,31 @@ impl App {
                 let Self { viewport, session, picture, probe, wipe, .. } = self;
                 viewport.show(ui, session, picture.as_mut(), probe, wipe)
             }
-            dock::Panel::Graph => self.canvas.show(ui, &self.session),
+            dock::Panel::Graph => {
+                let rect = ui.max_rect();
+                let mut commands = self.canvas.show(ui, &self.session);
+                let dropped = library::dropped(ui, rect);
+                commands.extend(dropped.map(|(kind, at)| Command::AddNode { kind, at: Some(at) }));
+                commands
+            }
             dock::Panel::Inspector => inspector::show(ui, &self.session),
-            dock::Panel::Code => self.code.show(ui, &self.session),
+            dock::Panel::Code => {
+                let is_alone = !self.session.solo().layers.is_empty();
+                let bar = is_alone.then(|| solo::bar(ui, &self.session)).flatten();
+                self.code.show(ui, &self.session).into_iter().chain(bar).collect()
+            }
             dock::Panel::Effects => self.effects.show(ui, self.picture.as_ref().map(|picture| &picture.effects)),
             dock::Panel::Cost => {
                 let size = self.viewport.rect().map_or([0, 0], |rect| picture_size(rect, ui.pixels_per_point()));
                 self.cost.show(ui, &self.session, size)
             }
             dock::Panel::Probe => self.probe.show(ui, &self.session),
+            other => {
+                if other == dock::Panel::Library {
+                    self.panels.know_recent(self.safety.recent());
+                }
+                self.panels.show(ui, other, &self.session)
+            }
         });
     }
 
@@ -305,6 +409,7 @@ impl App {
             };
             button(ui, "New", "A new look (Ctrl+N)", true, Command::New);
             button(ui, "Open", "Opens a look (Ctrl+O)", true, Command::Open(None));
+            let recent = self.safety.recent_menu(ui);
             button(ui, "Save", "Saves the look (Ctrl+S)", true, Command::Save);
             button(ui, "Save as", "Saves under another name (Ctrl+Shift+S)", true, Command::SaveAs);
             ui.separator();
@@ -315,6 +420,7 @@ impl App {
             let help = format!("Repeats: {} (Ctrl+Shift+Z)", step(redo, "nothing"));
             button(ui, "Redo", &help, redo.is_some(), Command::Redo);
             ui.separator();
+            commands.extend(recent.map(|path| Command::Open(Some(path))));
             ui.menu_button("View", |ui| self.view_menu(ui)).response.on_hover_text("Panels, theme and scale");
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let name = self.document_name();
@@ -362,16 +468,19 @@ impl App {
         });
     }
 
-    fn status(&self, ui: &mut Ui) {
+    fn status(&self, ui: &mut Ui) -> Option<Command> {
         let hint =
             [self.viewport.hint(), self.canvas.hint()].into_iter().find(|hint| !hint.is_empty()).unwrap_or_default();
         ui.horizontal(|ui| {
+            let command = problems::status(ui, &self.session);
             if let Some(message) = &self.message {
                 ui.label(RichText::new(message).color(theme::of(ui).accent));
                 ui.separator();
             }
             ui.add(egui::Label::new(RichText::new(hint).color(theme::of(ui).dim)).truncate());
-        });
+            command
+        })
+        .inner
     }
 
     fn document_name(&self) -> String {
@@ -393,32 +502,27 @@ impl App {
 
     fn shortcuts(&self, ui: &Ui, commands: &mut Vec<Command>) {
         let is_typing = ui.ctx().egui_wants_keyboard_input();
-        let shift = Modifiers::COMMAND | Modifiers::SHIFT;
-        let always = [
-            (shift, Key::S, Command::SaveAs),
-            (Modifiers::COMMAND, Key::S, Command::Save),
-            (Modifiers::COMMAND, Key::O, Command::Open(None)),
-            (Modifiers::COMMAND, Key::N, Command::New),
-        ];
-        // A field that is being typed in has an undo of its own.
-        let elsewhere = [
-            (shift, Key::Z, Command::Redo),
-            (Modifiers::COMMAND, Key::Y, Command::Redo),
-            (Modifiers::COMMAND, Key::Z, Command::Undo),
-        ];
-        let probe = (Modifiers::NONE, Key::I, Command::Probe(!self.probe.is_on()));
-        let leave = self.probe.is_on().then_some((Modifiers::NONE, Key::Escape, Command::LeaveProbe));
-        let elsewhere = elsewhere.into_iter().chain([probe]).chain(leave).filter(|_| !is_typing);
-        for (modifiers, key, command) in always.into_iter().chain(elsewhere) {
-            let shortcut = KeyboardShortcut::new(modifiers, key);
-            if ui.input_mut(|input| input.consume_shortcut(&shortcut)) {
-                commands.push(command);
+        // A field that is being typed in has an undo of its own, and question marks.
+        let is_text = |action| matches!(action, Action::Undo | Action::Redo | Action::Shortcuts);
+        for row in shortcuts::ALL.iter().filter(|row| row.place != Place::Graph) {
+            if is_typing && (is_text(row.action) || row.place == Place::Picture) {
+                continue;
             }
+            if row.keys.iter().any(|&key| shortcuts::take(ui, key)) {
+                commands.push(Command::Act(row.action));
+            }
+        }
+        let escape = (Modifiers::NONE, Key::Escape);
+        if self.probe.is_on() && !is_typing && shortcuts::take(ui, escape) {
+            commands.push(Command::LeaveProbe);
         }
     }
 
     fn apply(&mut self, ui: &Ui, command: Command) {
-        if !matches!(command, Command::Select(_) | Command::Reveal(_)) {
+        if !matches!(
+            command,
+            Command::Act(_) | Command::Select(_) | Command::Reveal(_) | Command::Show(_) | Command::OpenGraph(_)
+        ) {
             self.message = None;
         }
         match command {
@@ -435,6 +539,15 @@ impl App {
                 self.session.select(vec![id.clone()]);
                 self.canvas.reveal(id);
             }
+            Command::Show(path) => {
+                let ids = path.ids();
+                self.session.open_graph(&ids[..ids.len().saturating_sub(1)]);
+                if let Some(id) = self.session.step_here(&path).cloned() {
+                    self.session.select(vec![id.clone()]);
+                    self.canvas.reveal(id);
+                }
+            }
+            Command::OpenGraph(path) => self.session.open_graph(&path),
             Command::Undo => drop(self.session.undo()),
             Command::Redo => drop(self.session.redo()),
             Command::New => self.do_or_ask(Pending::New),
@@ -461,10 +574,41 @@ impl App {
             Command::CopyPicture => self.viewport.copy(&self.session, ui.pixels_per_point()),
             Command::ShowReference(Some(path)) => self.viewport.show_reference(path),
             Command::ShowReference(None) => self.dialogs.ask(Purpose::Reference, self.session.path()),
-            Command::Tell(message) => self.message = Some(message),
             Command::LeaveProbe => self.probe.escape(),
+            Command::Solo(solo) => self.session.set_solo(solo),
+            Command::ShowPanel(panel) => self.dock.open(panel),
+            Command::GoTo(place) => self.session.go_to(place),
+            Command::AddNode { kind, at } => self.add_node(&kind, at),
+            Command::OpenExample(index) => self.do_or_ask(Pending::Example(index)),
             Command::Copy(text) => ui.ctx().copy_text(text),
+            Command::Safety(wish) => self.message = self.safety.apply(wish, &mut self.session),
+            Command::Tell(text) => self.message = Some(text),
+            Command::Act(action) => self.act(ui, action),
         }
+    }
+
+    /// Does what the command palette chose.
+    fn act(&mut self, ui: &Ui, action: Action) {
+        let command = match action {
+            Action::New => Command::New,
+            Action::Open => Command::Open(None),
+            Action::Save => Command::Save,
+            Action::SaveAs => Command::SaveAs,
+            Action::Undo => Command::Undo,
+            Action::Redo => Command::Redo,
+            Action::Probe => Command::Probe(!self.probe.is_on()),
+            Action::Commands | Action::Shortcuts => return self.sheet.open(action),
+            action => return self.canvas.ask(action),
+        };
+        self.apply(ui, command);
+    }
+
+    fn add_node(&mut self, kind: &str, at: Option<egui::Pos2>) {
+        let Some(kind) = self.session.catalog.all().find(|known| known.id == kind).cloned() else { return };
+        let at = self.canvas.place_for(at);
+        let (id, edits) = edits::add(&self.session, &kind, at);
+        self.tell(|session| session.apply(Edit::Group { edits }, None));
+        self.session.select(vec![id]);
     }
 
     fn tell(&mut self, edit: impl FnOnce(&mut Session) -> Result<(), Box<Diagnostic>>) {
@@ -484,18 +628,26 @@ impl App {
         }
     }
 
-    /// Does what would lose changes, where there are none; else asks first.
+    /// Does what would lose changes, where there are none, or where the journal keeps them; else asks first.
     fn do_or_ask(&mut self, pending: Pending) {
         self.pending = Some(pending);
-        if !self.session.is_dirty() {
+        if !self.session.is_dirty() || self.session.keeps_work() {
             self.go_on();
         }
     }
 
     fn go_on(&mut self) {
         match self.pending.take() {
-            Some(Pending::New) => self.session.start_new(),
+            Some(Pending::New) => {
+                self.session.start_new();
+                self.safety.look();
+            }
             Some(Pending::Open(path)) => self.open(&path),
+            Some(Pending::Example(index)) => {
+                let (name, text) = library::EXAMPLES[index];
+                self.session.start_from(text, name);
+                self.safety.look();
+            }
             Some(Pending::Close) => self.closes = true,
             None => {}
         }
@@ -531,7 +683,10 @@ impl App {
     fn close_or_stay(&mut self, ctx: &egui::Context) {
         if self.closes {
             ctx.send_viewport_cmd(ViewportCommand::Close);
-        } else if ctx.input(|input| input.viewport().close_requested()) && self.session.is_dirty() {
+        } else if ctx.input(|input| input.viewport().close_requested())
+            && self.session.is_dirty()
+            && !self.session.keeps_work()
+        {
             ctx.send_viewport_cmd(ViewportCommand::CancelClose);
             self.pending = Some(Pending::Close);
         }
@@ -541,5 +696,9 @@ impl App {
 impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
         self.show(ui);
+    }
+
+    fn on_exit(&mut self) {
+        self.session.close_journal(true);
     }
 }

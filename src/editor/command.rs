@@ -3,10 +3,14 @@
 use eframe::egui;
 use std::path::PathBuf;
 
+use super::dock::Panel;
+use super::panels::solo::Solo;
+use super::safety::Wish;
+use super::shortcuts::Action;
 use super::viewport::Export;
 use super::wire::ShownWire;
 use crate::document::Edit;
-use crate::ids::NodeId;
+use crate::ids::{NodeId, NodePath};
 
 /// Something that a panel asks for.
 #[derive(Clone, Debug)]
@@ -19,6 +23,10 @@ pub(crate) enum Command {
     Select(Vec<NodeId>),
     /// Selects a node and brings it into view.
     Reveal(NodeId),
+    /// Selects a node in whichever group it lies, opens that, and brings it into view.
+    Show(NodePath),
+    /// Opens the graph that these nodes of groups lead to; none for the look's own.
+    OpenGraph(Vec<NodeId>),
     Undo,
     Redo,
     New,
@@ -37,14 +45,31 @@ pub(crate) enum Command {
     LeaveProbe,
     /// Shows a wire in place of the picture, or the picture again.
     ShowWire(Option<ShownWire>),
+    /// Tells something in the status line.
+    Tell(String),
+    /// Does what a key, a menu or the command palette asks for.
+    Act(Action),
     /// Writes a picture to a file; asks for one where there is none.
     Export(Export, Option<PathBuf>),
     /// Copies the picture to the clipboard.
     CopyPicture,
     /// Shows an image with the picture; asks for one where there is none.
     ShowReference(Option<PathBuf>),
-    /// Tells something in the status bar.
-    Tell(String),
+    /// Shows layers or lights alone, or leaves lights out; the document stays as it is.
+    Solo(Solo),
+    /// Brings a panel to the front.
+    ShowPanel(Panel),
+    /// Takes steps back, or repeats them, until so many are done.
+    GoTo(usize),
+    /// Adds a node of a kind at a place of the screen, or in the middle of the canvas.
+    AddNode {
+        kind: String,
+        at: Option<egui::Pos2>,
+    },
+    /// Begins a new look with an example of the library, by its number.
+    OpenExample(usize),
     /// Copies text to the clipboard.
     Copy(String),
+    /// What the bar of unsaved work and changed files asks for.
+    Safety(Wish),
 }

@@ -30,6 +30,8 @@ pub(crate) struct Request {
     pub(crate) library: Arc<Library>,
     /// Whether only the baked shader is wanted, because the live one still serves.
     pub(crate) only_baked: bool,
+    /// Which solo it is shown in.
+    pub(crate) solo: u64,
 }
 
 /// What became of a request.

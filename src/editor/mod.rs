@@ -14,10 +14,14 @@ mod dialogs;
 mod dock;
 mod inspector;
 mod orbit;
+mod panels;
 mod picture;
 mod probe;
-mod problems;
+pub(crate) mod safety;
 pub mod session;
+pub mod settings;
+mod sheet;
+mod shortcuts;
 mod still;
 mod theme;
 mod values;
@@ -35,9 +39,13 @@ pub use canvas::Canvas;
 pub use cost::Cost;
 pub use orbit::Orbit;
 pub use probe::Probe;
+pub use safety::places::Places;
 pub use session::Session;
+pub use settings::Settings;
 pub use viewport::Viewport;
 pub use wipe::Wipe;
+
+use panels::problems;
 
 use crate::diag::Diagnostic;
 
@@ -61,8 +69,12 @@ pub fn run(files: &[PathBuf], mesh: Option<&str>) -> Result<(), Box<Diagnostic>>
     options.wgpu_options.wgpu_setup = setup.into();
     let create = move |context: &eframe::CreationContext<'_>| {
         let mut app = App::new(&context.egui_ctx, context.wgpu_render_state.clone());
-        if let Some(file) = file {
-            app.open(&file);
+        if let Some(places) = Places::of_user() {
+            app.keep_in(places, &context.egui_ctx);
+        }
+        match file {
+            Some(file) => app.open(&file),
+            None => app.resume(),
         }
         if let Some(mesh) = mesh {
             app.show_on(&mesh);

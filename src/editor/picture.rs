@@ -15,6 +15,7 @@ use super::worker::Worker;
 use crate::compile::{CompiledShader, Live};
 use crate::diag::Diagnostic;
 use crate::frame::{Cull, Effect, PlanOptions, Planner, effects};
+use crate::library::Library;
 use crate::render::{Gpu, Renderer, block_on, set_times};
 
 /// What is to be drawn.
@@ -126,7 +127,7 @@ impl Picture {
         let gpu = Gpu::new(state.device.clone(), state.queue.clone(), state.adapter.get_info());
         // Lights are edited: a look is not compiled anew when one goes out.
         let planner = Planner::default().culling(Cull::Objects);
-        let mut artist = Artist { renderer: Renderer::new(gpu.clone()), planner, provided: None };
+        let mut artist = Artist { renderer: Renderer::new(gpu.clone()), planner, provided: None, library: None };
         let worker = Worker::new("picture", wake, move |wish| artist.draw(&wish));
         Self {
             state,
@@ -242,6 +243,8 @@ struct Artist {
     planner: Planner,
     /// The shader that the planner was given last.
     provided: Option<Arc<CompiledShader>>,
+    /// The nodes that the planner compiled with.
+    library: Option<Arc<Library>>,
 }
 
 impl Artist {
@@ -259,6 +262,10 @@ impl Artist {
     /// nothing is left out, which would only flicker.
     fn try_draw(&mut self, wish: &Wish) -> Result<Option<Vec<Effect>>, Vec<Diagnostic>> {
         let showing = &wish.showing;
+        if !self.library.as_ref().is_some_and(|library| Arc::ptr_eq(library, &wish.still.library)) {
+            self.planner = Planner::new(std::mem::take(&mut self.planner.assets)).culling(Cull::Objects);
+            (self.library, self.provided) = (Some(wish.still.library.clone()), None);
+        }
         let (mut setup, notes) = wish.still.setup(&mut self.planner.assets)?;
         // The look's lights as they are now: the planner keeps those of the time when it was given the shader.
         setup.scene.lights.clone_from(&showing.look.lights);

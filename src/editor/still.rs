@@ -6,6 +6,7 @@ use std::sync::Arc;
 use glam::DQuat;
 
 use super::orbit::Orbit;
+use super::panels::solo::Solo;
 use super::session::Session;
 use crate::diag::Diagnostic;
 use crate::document::{Look, SourceMap};
@@ -45,7 +46,7 @@ impl Still {
 pub(crate) struct Reused {
     planner: Planner,
     make: fn(Assets) -> Planner,
-    last: Option<Arc<Look>>,
+    last: Option<(Arc<Look>, Arc<Library>)>,
 }
 
 impl Reused {
@@ -54,11 +55,12 @@ impl Reused {
         Self { planner: make(Assets::default()), make, last: None }
     }
 
-    /// The planner, for this look.
-    pub(crate) fn of(&mut self, look: &Arc<Look>) -> &mut Planner {
-        if self.last.as_ref().is_none_or(|last| **last != **look) {
+    /// The planner, for this look and these nodes.
+    pub(crate) fn of(&mut self, look: &Arc<Look>, library: &Arc<Library>) -> &mut Planner {
+        let is_same = |(last, of): &(Arc<Look>, Arc<Library>)| **last == **look && Arc::ptr_eq(of, library);
+        if !self.last.as_ref().is_some_and(is_same) {
             self.planner = (self.make)(std::mem::take(&mut self.planner.assets));
-            self.last = Some(look.clone());
+            self.last = Some((look.clone(), library.clone()));
         }
         &mut self.planner
     }
@@ -69,13 +71,15 @@ impl Reused {
 pub(crate) struct Stamp {
     document: u64,
     revision: u64,
+    files: u64,
     orbit: Orbit,
+    solo: Solo,
 }
 
 impl Session {
-    /// The document as it is, in the view as it is.
+    /// The document as it is shown, in the view as it is.
     pub(crate) fn still(&self) -> Still {
-        self.still_of(Arc::new(self.look().clone()))
+        self.still_of(Arc::new(self.shown_look().into_owned()))
     }
 
     /// Another look in its place.
@@ -96,6 +100,12 @@ impl Session {
 
     /// What changes whenever [`still`](Self::still) does.
     pub(crate) fn stamp(&self) -> Stamp {
-        Stamp { document: self.document_number(), revision: self.revision(), orbit: self.view.clone() }
+        Stamp {
+            document: self.document_number(),
+            revision: self.revision(),
+            files: self.files(),
+            orbit: self.view.clone(),
+            solo: self.solo().clone(),
+        }
     }
 }

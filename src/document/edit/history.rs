@@ -1,5 +1,7 @@
 //! Undo and redo.
 
+use serde::{Deserialize, Serialize};
+
 use super::Applied;
 use crate::diag::Diagnostic;
 
@@ -38,14 +40,22 @@ pub struct History<D: Editable> {
 }
 
 /// What one undo takes back, or one redo repeats.
-#[derive(Clone, Debug)]
-struct Step<E> {
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(in crate::document) struct Step<E> {
     label: String,
     gesture: Option<u64>,
     /// To be applied in this order.
     edits: Vec<E>,
     /// The state that the edits lead to.
     state: u64,
+}
+
+/// The numbers of a history, which a journal keeps beside its steps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(in crate::document) struct Numbers {
+    revision: u64,
+    state: u64,
+    saved: u64,
 }
 
 impl<D: Editable> History<D> {
@@ -142,6 +152,16 @@ impl<D: Editable> History<D> {
         self.undone.last().map(|step| step.label.as_str())
     }
 
+    /// What undo calls every step, the first one first: those that were done, then those that were taken back.
+    pub fn labels(&self) -> impl Iterator<Item = &str> {
+        self.done.iter().chain(self.undone.iter().rev()).map(|step| step.label.as_str())
+    }
+
+    /// How many steps are done: so many of [`labels`](Self::labels).
+    pub fn place(&self) -> usize {
+        self.done.len()
+    }
+
     /// Grows with every change, so that others see that there is something new.
     pub fn revision(&self) -> u64 {
         self.revision
@@ -155,5 +175,71 @@ impl<D: Editable> History<D> {
     /// Whether the document is as it was saved, or as it was in the beginning.
     pub fn is_saved(&self) -> bool {
         self.saved == self.state
+    }
+
+    /// How many steps lie between the document as it was saved and as it is: what losing it would lose. `None` where
+    /// no undo or redo leads to the saved state.
+    pub fn unsaved_steps(&self) -> Option<usize> {
+        if self.is_saved() {
+            return Some(0);
+        }
+        let to_saved = |steps: &[Step<D::Edit>]| steps.iter().rev().position(|step| step.state == self.saved);
+        to_saved(&self.done).or_else(|| to_saved(&self.undone)).map(|index| index + 1)
+    }
+
+    /// How many steps can be taken back and repeated.
+    pub fn steps(&self) -> (usize, usize) {
+        (self.done.len(), self.undone.len())
+    }
+
+    /// What can be taken back, the newest last.
+    pub(in crate::document) fn done(&self) -> &[Step<D::Edit>] {
+        &self.done
+    }
+
+    /// What can be repeated, the next one last.
+    pub(in crate::document) fn undone(&self) -> &[Step<D::Edit>] {
+        &self.undone
+    }
+
+    pub(in crate::document) fn numbers(&self) -> Numbers {
+        Numbers { revision: self.revision, state: self.state, saved: self.saved }
+    }
+
+    /// A history as a journal has it.
+    pub(in crate::document) fn restored(
+        document: D,
+        done: Vec<Step<D::Edit>>,
+        undone: Vec<Step<D::Edit>>,
+        numbers: Numbers,
+    ) -> Self {
+        let Numbers { revision, state, saved } = numbers;
+        Self { document, done, undone, revision, state, saved }
+    }
+
+    /// Ends the gesture that may be going on: whatever comes next is a step of its own.
+    pub fn end_gesture(&mut self) {
+        if let Some(step) = self.done.last_mut() {
+            step.gesture = None;
+        }
+    }
+
+    /// Lets go of steps that do not apply to the document, and of what lies beyond them; says how many. A history that
+    /// was made by edits has none; one that was read from a damaged file may.
+    pub(in crate::document) fn drop_impossible_steps(&mut self) -> usize
+    where
+        D: Clone,
+    {
+        let possible = |steps: &[Step<D::Edit>]| {
+            let mut document = self.document.clone();
+            let mut applies =
+                |step: &Step<D::Edit>| super::all_or_none(&mut document, step.edits.clone(), true).is_ok();
+            steps.iter().rev().take_while(|step| applies(step)).count()
+        };
+        let (done, undone) = (possible(&self.done), possible(&self.undone));
+        let dropped = self.done.len() - done + self.undone.len() - undone;
+        self.done.drain(..self.done.len() - done);
+        self.undone.drain(..self.undone.len() - undone);
+        dropped
     }
 }

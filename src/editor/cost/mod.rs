@@ -107,7 +107,7 @@ impl Cost {
         self.cancel = Arc::default();
         self.progress = Arc::default();
         let (cancel, progress) = (self.cancel.clone(), self.progress.clone());
-        let job = Job { still: session.still(), size, cancel, progress };
+        let job = Job { still: session.still_of(Arc::new(session.look().clone())), size, cancel, progress };
         if let Some(worker) = &self.worker {
             worker.request(|_| job);
         }

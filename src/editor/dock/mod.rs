@@ -23,12 +23,29 @@ pub(crate) enum Panel {
     Effects,
     Cost,
     Probe,
+    Layers,
+    Lights,
+    Problems,
+    History,
+    Library,
 }
 
 impl Panel {
     /// All, in the order of menus.
-    pub(crate) const ALL: [Self; 7] =
-        [Self::Picture, Self::Graph, Self::Inspector, Self::Code, Self::Effects, Self::Cost, Self::Probe];
+    pub(crate) const ALL: [Self; 12] = [
+        Self::Picture,
+        Self::Graph,
+        Self::Layers,
+        Self::Lights,
+        Self::Library,
+        Self::History,
+        Self::Inspector,
+        Self::Code,
+        Self::Problems,
+        Self::Effects,
+        Self::Cost,
+        Self::Probe,
+    ];
 
     /// What its tab says.
     pub(crate) fn label(self) -> &'static str {
@@ -40,6 +57,11 @@ impl Panel {
             Self::Effects => "Effects",
             Self::Cost => "Cost and accuracy",
             Self::Probe => "Probe",
+            Self::Layers => "Layers",
+            Self::Lights => "Lights",
+            Self::Problems => "Problems",
+            Self::History => "History",
+            Self::Library => "Library",
         }
     }
 
@@ -53,6 +75,11 @@ impl Panel {
             Self::Effects => "Everything that the picture costs, what was left out, and the proof",
             Self::Cost => "What each tier costs in time, and how far it is from the truth",
             Self::Probe => "The value on every wire at a pixel, f32 beside f64 (I)",
+            Self::Layers => "The look as a stack of layers: another view of the same graph",
+            Self::Lights => "The lights that layers name: which shine, from where, how bright",
+            Self::Problems => "What is wrong, where, and what mends it",
+            Self::History => "Everything that was done; a click goes there and back",
+            Self::Library => "Nodes to drag onto the canvas, and finished looks to begin with",
         }
     }
 
@@ -60,8 +87,11 @@ impl Panel {
     fn neighbours(self) -> &'static [Self] {
         match self {
             Self::Picture | Self::Graph | Self::Inspector => &[],
-            Self::Code | Self::Effects | Self::Cost | Self::Probe => {
-                &[Self::Code, Self::Effects, Self::Cost, Self::Probe]
+            Self::Code | Self::Problems | Self::Effects | Self::Cost | Self::Probe => {
+                &[Self::Code, Self::Problems, Self::Effects, Self::Cost, Self::Probe]
+            }
+            Self::Layers | Self::Lights | Self::Library | Self::History => {
+                &[Self::Layers, Self::Lights, Self::Library, Self::History, Self::Inspector]
             }
         }
     }
@@ -88,8 +118,9 @@ fn arrangement() -> Tree<Panel> {
         tiles.insert_tab_tile(panes)
     };
     let picture = tabs(&[Panel::Picture]);
-    let below = tabs(&[Panel::Code, Panel::Effects, Panel::Cost, Panel::Probe]);
+    let below = tabs(&[Panel::Code, Panel::Problems, Panel::Effects, Panel::Cost, Panel::Probe]);
     let graph = tabs(&[Panel::Graph]);
+    let stack = tabs(&[Panel::Layers, Panel::Lights, Panel::Library, Panel::History]);
     let inspector = tabs(&[Panel::Inspector]);
     let mut shared = |dir, parts: &[(TileId, f32)]| {
         let mut linear = Linear::new(dir, parts.iter().map(|(tile, _)| *tile).collect());
@@ -97,7 +128,8 @@ fn arrangement() -> Tree<Panel> {
         tiles.insert_container(Container::Linear(linear))
     };
     let left = shared(LinearDir::Vertical, &[(picture, 0.68), (below, 0.32)]);
-    let root = shared(LinearDir::Horizontal, &[(left, 0.33), (graph, 0.46), (inspector, 0.21)]);
+    let right = shared(LinearDir::Vertical, &[(stack, 0.44), (inspector, 0.56)]);
+    let root = shared(LinearDir::Horizontal, &[(left, 0.33), (graph, 0.45), (right, 0.22)]);
     Tree::new(egui::Id::unique("dock"), root, tiles)
 }
 

@@ -8,7 +8,7 @@ use super::super::values;
 use crate::document::{ColorSpace, parse_hex, srgb_to_linear};
 
 /// Edits a straight RGBA colour of a look's colour space. Who changed it, and to what.
-pub(super) fn edit(
+pub(crate) fn edit(
     ui: &mut Ui,
     label: Id,
     color: [f64; 4],

@@ -209,7 +209,7 @@ pub(crate) fn picture_size(rect: Rect, scale: f32) -> [u32; 2] {
 }
 
 fn probe(planner: &mut Reused, Query { spot, still, cancel }: Query) -> Found {
-    let planner = planner.of(&still.look);
+    let planner = planner.of(&still.look, &still.library);
     let mut find = || {
         let (setup, _) = still.setup(&mut planner.assets)?;
         let options = PlanOptions { size: spot.size, samples: 1, time: 0.0 };

@@ -1,7 +1,10 @@
 //! One open look: the document and its past, the file, what is selected, and the shaders made of it.
 
+pub(super) mod keeping;
+mod place;
 mod shading;
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -10,11 +13,14 @@ use indexmap::IndexSet;
 use super::catalog::Catalog;
 use super::compiling::{self, Compiler};
 use super::orbit::Orbit;
+use super::panels::solo::Solo;
 use super::wire::ShownWire;
 use crate::diag::Diagnostic;
-use crate::document::{Edit, History, Look, SourceMap, write_atomic};
-use crate::ids::NodeId;
+use crate::document::journal::Op;
+use crate::document::{Edit, GraphId, History, Light, Look, SourceMap, remove_abandoned, write_atomic};
+use crate::ids::{LightId, NodeId};
 use crate::library::{Fallback, Library};
+use keeping::{Keeping, OnDisk};
 pub(crate) use shading::Showing;
 use shading::Shown;
 
@@ -29,11 +35,13 @@ pub struct Session {
     is_partial: bool,
     pub(crate) library: Arc<Library>,
     pub(crate) catalog: Catalog,
-    /// Nodes of the look's own graph, the first one selected last.
+    /// Nodes of the graph that is open, the first one selected last.
     pub(crate) selection: IndexSet<NodeId>,
     pub(crate) view: Orbit,
     /// What reading the file told.
     pub(crate) load_problems: Vec<Diagnostic>,
+    /// What is wrong with the project's own node files.
+    library_problems: Vec<Diagnostic>,
     compiler: Compiler,
     shaders: Shown,
     problems: Vec<Diagnostic>,
@@ -46,6 +54,14 @@ pub struct Session {
     good_revision: (u64, u64),
     /// What is shown in place of the look's own output.
     wire: Option<ShownWire>,
+    /// What is shown alone or left out for now.
+    solo: Solo,
+    /// Grows whenever another solo needs another shader.
+    solo_number: u64,
+    /// How often files that the look uses have changed.
+    files: u64,
+    keeping: Keeping,
+    place: place::OpenGroups,
 }
 
 /// Consecutive edits by the same hand, as one step.
@@ -71,6 +87,7 @@ impl Session {
             selection: IndexSet::new(),
             view: Orbit::default(),
             load_problems: Vec::new(),
+            library_problems: Vec::new(),
             compiler: compiling::start(wake),
             shaders: Shown::default(),
             problems: Vec::new(),
@@ -81,6 +98,11 @@ impl Session {
             picture: 0,
             good_revision: (0, 0),
             wire: None,
+            solo: Solo::default(),
+            solo_number: 0,
+            files: 0,
+            keeping: Keeping::default(),
+            place: Default::default(),
         };
         session.start_new();
         session
@@ -88,10 +110,20 @@ impl Session {
 
     /// Begins a new look: a base, one light layer and an output, wired.
     pub fn start_new(&mut self) {
+        self.leave_journal(false);
         let loaded = Look::read(NEW_LOOK, "new look");
         self.replace(loaded.value.unwrap_or_default(), loaded.source, None);
         self.is_partial = false;
         self.load_problems.clear();
+    }
+
+    /// Begins a new look with what a text says, as one that no file holds.
+    pub(crate) fn start_from(&mut self, text: &str, name: &str) {
+        self.leave_journal(false);
+        let loaded = Look::read(text, name);
+        self.replace(loaded.value.unwrap_or_default(), loaded.source, None);
+        self.is_partial = false;
+        self.load_problems = loaded.diagnostics;
     }
 
     /// Opens a look. Where the file cannot be read at all, the look that was open stays, and the problems are told.
@@ -101,6 +133,7 @@ impl Session {
         let diagnostics = loaded.diagnostics;
         let opened = loaded.value.is_some();
         if let Some(look) = loaded.value {
+            self.leave_journal(false);
             self.use_project(path);
             self.replace(look, loaded.source, Some(path.to_owned()));
             self.is_partial = is_partial;
@@ -120,6 +153,11 @@ impl Session {
             let message = "this file holds things that could not be read, and saving over it would lose them";
             return Err(Box::new(Diagnostic::error("partly-read", message).hint("save under another name")));
         }
+        if is_own && let OnDisk::Changed(_) = self.on_disk() {
+            let message = "another program has changed this file since it was opened, and nothing was written over it";
+            let hint = "choose above whose version is kept, or save under another name";
+            return Err(Box::new(Diagnostic::error("changed-on-disk", message).hint(hint)));
+        }
         let text = if is_own { self.text() } else { self.look().to_text() };
         write_atomic(path, text.as_bytes())?;
         self.source = Arc::new(Look::read(&text, &path.display().to_string()).source);
@@ -128,6 +166,7 @@ impl Session {
         self.is_partial = false;
         self.load_problems.clear();
         self.problems_number += 1;
+        self.saved();
         Ok(())
     }
 
@@ -138,11 +177,12 @@ impl Session {
     }
 
     fn use_project(&mut self, path: &Path) {
-        let folder = path.parent().unwrap_or(Path::new("")).join("nodes");
+        let folder = path.parent().unwrap_or(Path::new(""));
+        remove_abandoned(folder);
+        let folder = folder.join("nodes");
         let built_in = Library::built_in();
         let library = if folder.is_dir() { built_in.with_project(&folder) } else { built_in.clone() };
-        self.library = Arc::new(library);
-        self.catalog = Catalog::new(&self.library);
+        self.use_library(library);
     }
 
     fn replace(&mut self, look: Look, source: SourceMap, path: Option<PathBuf>) {
@@ -157,8 +197,11 @@ impl Session {
         self.problems_number += 1;
         self.shaders = Shown::default();
         self.wire = None;
+        self.solo = Solo::default();
         self.picture += 1;
         self.catalog.sync(self.history.document(), &self.library);
+        self.place_library_problems();
+        self.reset_place();
     }
 
     /// The look as it is.
@@ -203,8 +246,7 @@ impl Session {
 
     /// Selects nodes and no others.
     pub fn select(&mut self, ids: Vec<NodeId>) {
-        let nodes = &self.history.document().graph.nodes;
-        self.selection = ids.into_iter().filter(|id| nodes.contains_key(id)).collect();
+        self.selection = ids.into_iter().filter(|id| self.is_here(id)).collect();
     }
 
     /// Lets unsaved changes go: they are no longer asked about.
@@ -230,6 +272,65 @@ impl Session {
         }
     }
 
+    /// The lights that are neither muted nor left out by a solo.
+    pub(crate) fn shining(&self) -> impl Iterator<Item = (&LightId, &Light)> {
+        self.look().lights.iter().filter(|(id, _)| !self.solo.is_dark(id))
+    }
+
+    /// What is shown alone or left out for now.
+    pub(crate) fn solo(&self) -> &Solo {
+        &self.solo
+    }
+
+    /// Shows other things alone, or leaves other things out. The document stays as it is.
+    pub(crate) fn set_solo(&mut self, solo: Solo) {
+        if self.solo == solo {
+            return;
+        }
+        if self.solo.is_structural(&solo, self.look()) {
+            self.solo_number += 1;
+            self.shaders.requested_structure = None;
+        }
+        self.solo = solo;
+        self.picture += 1;
+    }
+
+    /// Whether a light shines, as far as the window is asked: it is neither muted nor is another one shown alone.
+    pub fn shines(&self, light: &str) -> bool {
+        !self.solo.is_dark(&light.into())
+    }
+
+    /// The look as it is shown: what is soloed alone, and without what is muted.
+    pub(crate) fn shown_look(&self) -> Cow<'_, Look> {
+        self.solo.of(self.look(), &self.catalog)
+    }
+
+    /// What a node of the look's own graph is called.
+    pub(crate) fn title(&self, id: &NodeId) -> String {
+        let node = self.look().graph.nodes.get(id);
+        match (node, node.and_then(|node| self.catalog.of(node))) {
+            (Some(node), _) if !node.name.is_empty() => node.name.clone(),
+            (_, Some(kind)) => kind.label.to_string(),
+            _ => id.to_string(),
+        }
+    }
+
+    /// What undo calls every step, the first one first.
+    pub fn steps(&self) -> impl Iterator<Item = &str> {
+        self.history.labels()
+    }
+
+    /// How many of the steps are done.
+    pub fn place(&self) -> usize {
+        self.history.place()
+    }
+
+    /// Takes steps back or repeats them until so many are done.
+    pub fn go_to(&mut self, place: usize) {
+        while self.place() > place && self.undo() {}
+        while self.place() < place && self.redo() {}
+    }
+
     /// What is wrong with the look, as the compiler last told.
     pub fn problems(&self) -> &[Diagnostic] {
         &self.problems
@@ -247,15 +348,17 @@ impl Session {
         let is_structural = self.is_structural(&edit);
         let before = self.history.revision();
         self.shaders.touch(&edit);
-        match hand {
-            Some(hand) => {
-                let gesture = self.gestures.of(hand, before);
+        let kept = self.keeping.is_on().then(|| edit.clone());
+        let gesture = hand.map(|hand| self.gestures.of(hand, before));
+        match gesture {
+            Some(gesture) => {
                 self.history.apply_in(gesture, edit)?;
-                self.gestures.last = Some((hand, self.history.revision()));
+                self.gestures.last = hand.map(|hand| (hand, self.history.revision()));
             }
             None => self.history.apply(edit)?,
         }
         if self.history.revision() != before {
+            self.keeping.note(kept.map(|edit| Op::Edit { gesture, edit }));
             self.changed(is_structural);
         }
         Ok(())
@@ -265,6 +368,7 @@ impl Session {
     pub fn undo(&mut self) -> bool {
         let did = self.history.undo().is_some();
         if did {
+            self.keeping.note(Some(Op::Undo));
             self.changed(true);
         }
         did
@@ -274,6 +378,7 @@ impl Session {
     pub fn redo(&mut self) -> bool {
         let did = self.history.redo().is_some();
         if did {
+            self.keeping.note(Some(Op::Redo));
             self.changed(true);
         }
         did
@@ -284,8 +389,12 @@ impl Session {
             self.shaders.structure = self.history.revision();
             self.catalog.sync(self.history.document(), &self.library);
         }
+        self.check_place();
+        let mut selection = std::mem::take(&mut self.selection);
+        selection.retain(|id| self.is_here(id));
+        self.selection = selection;
         let nodes = &self.history.document().graph.nodes;
-        self.selection.retain(|id| nodes.contains_key(id));
+        self.solo.keep(self.history.document());
         self.wire = self.wire.take().filter(|wire| wire.node.outermost().is_some_and(|id| nodes.contains_key(id)));
         self.picture += 1;
     }
@@ -294,7 +403,15 @@ impl Session {
     fn is_structural(&self, edit: &Edit) -> bool {
         match edit {
             Edit::Group { edits } => edits.iter().any(|edit| self.is_structural(edit)),
-            Edit::MoveNodes { .. } | Edit::SetLookName { .. } => false,
+            Edit::MoveNodes { .. }
+            | Edit::SetCollapsed { .. }
+            | Edit::AddNote { .. }
+            | Edit::SetNote { .. }
+            | Edit::RemoveNote { .. }
+            | Edit::SetBookmarks { .. }
+            | Edit::SetLookName { .. } => false,
+            // A long look's uniforms are told by paths, and a group's node lies at many of them.
+            Edit::SetValue { graph: GraphId::Definition(_), .. } if self.shaders.is_long() => true,
             Edit::SetLight { id, light } => {
                 self.look().lights.get(id).is_none_or(|old| (old.kind, &old.name) != (light.kind, &light.name))
             }
@@ -318,7 +435,8 @@ impl Session {
 
     /// Everything wrong with the file and the look.
     pub(crate) fn all_problems(&self) -> impl Iterator<Item = &Diagnostic> {
-        self.load_problems.iter().chain(&self.problems).chain(&self.picture_problems)
+        let files = self.load_problems.iter().chain(&self.library_problems);
+        files.chain(&self.problems).chain(&self.picture_problems)
     }
 
     /// Takes what the renderer tells.

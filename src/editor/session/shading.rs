@@ -48,10 +48,22 @@ pub(crate) struct Showing {
 }
 
 impl Shown {
+    /// What nodes there are is another than before, so that whatever was compiled is of no use.
+    pub(super) fn structure_changed(&mut self) {
+        self.requested_structure = None;
+        self.live_structure = None;
+        self.baked_revision = None;
+    }
+
     /// Whether the live shader of a long look has folded a value that is edited now, and none was asked for since.
     fn lacks_a_uniform(&self) -> bool {
         let Some(Live::Touched(known)) = self.live.as_ref().map(|shader| &shader.live) else { return false };
         self.requested_touched != self.touched.len() && self.touched.iter().any(|value| !known.contains(value))
+    }
+
+    /// Whether only the values that were touched are uniforms.
+    pub(super) fn is_long(&self) -> bool {
+        self.live.as_ref().is_some_and(|shader| matches!(shader.live, Live::Touched(_)))
     }
 
     /// Remembers which inputs an edit sets.
@@ -107,7 +119,7 @@ impl Session {
             self.shaders.requested_touched = self.shaders.touched.len();
         }
         let request = Request {
-            look: Arc::new(self.look().clone()),
+            look: Arc::new(self.solo.alone(self.look(), &self.catalog).into_owned()),
             document: self.document_number,
             revision: self.history.revision(),
             structure: self.shaders.structure,
@@ -118,6 +130,7 @@ impl Session {
             }),
             library: self.library.clone(),
             only_baked,
+            solo: self.solo_number,
         };
         // What waited for both must not be lost to a wish for less.
         self.compiler.request(|waiting| Request {
@@ -129,6 +142,7 @@ impl Session {
     fn take(&mut self, Answer { request, result }: Answer) {
         let is_current = request.document == self.document_number && request.structure == self.shaders.structure;
         let is_current = is_current && request.wire.as_ref().map(|(wire, _)| wire) == self.wire.as_ref();
+        let is_current = is_current && request.solo == self.solo_number;
         if !is_current {
             // A newer one is on its way, and what this one is about is gone.
             return;
@@ -177,13 +191,13 @@ impl Session {
         let is_live = shaders.live_structure == Some(shaders.structure);
         let good = shaders.good.as_mut()?;
         if shaders.baked_revision == Some(revision) {
-            return Some(Showing { look: good.clone(), shader: shaders.baked.clone()?, live: Live::Keyed });
+            return Some(Showing { look: self.solo.lit(good), shader: shaders.baked.clone()?, live: Live::Keyed });
         }
         if is_live && self.good_revision != (self.document_number, revision) {
-            *good = Arc::new(self.history.document().clone());
+            *good = Arc::new(self.solo.alone(self.history.document(), &self.catalog).into_owned());
             self.good_revision = (self.document_number, revision);
         }
-        Some(Showing { look: good.clone(), shader: shaders.live.clone()?, live: Live::All })
+        Some(Showing { look: self.solo.lit(good), shader: shaders.live.clone()?, live: Live::All })
     }
 
     /// The shader whose text is shown.

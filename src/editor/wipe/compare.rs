@@ -41,7 +41,7 @@ impl Comparer {
     fn try_run(&mut self, job: &Job) -> Result<Compared, Vec<Diagnostic>> {
         let library = &job.still.library;
         let options = PlanOptions { size: job.moment.size, samples: 1, time: 0.0 };
-        let planner = self.planner.of(&job.still.look);
+        let planner = self.planner.of(&job.still.look, &job.still.library);
         let (setup, _) = job.still.setup(&mut planner.assets)?;
         let renderer = self.renderer.get_or_insert_with(|| {
             let gpu = block_on(Gpu::headless()).unwrap_or_else(|_| self.window.clone());

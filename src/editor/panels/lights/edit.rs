@@ -1,61 +1,19 @@
-//! The lights: type, frame, direction on a small ball, colour, intensity.
+//! What a light is: type, frame, direction on a small ball, colour, intensity.
 
 use eframe::egui;
-use eframe::egui::{ComboBox, DragValue, Id, Pos2, RichText, Role, Sense, Slider, Stroke, Ui, WidgetInfo, vec2};
+use eframe::egui::{ComboBox, DragValue, Id, Pos2, Role, Sense, Slider, Stroke, Ui, WidgetInfo, vec2};
 
-use super::super::command::Command;
-use super::super::session::Session;
-use super::super::{theme, values};
-use super::row::labelled;
-use super::{Subject, color};
-use crate::document::{Edit, Light, LightKind, LightSpace, Value};
-use crate::ids::{LightId, make_slug};
-use crate::library::Type;
+use super::super::super::command::Command;
+use super::super::super::inspector::{color, row::labelled};
+use super::super::super::session::Session;
+use super::super::super::theme;
+use crate::document::{Edit, Light, LightKind, LightSpace};
+use crate::ids::LightId;
 
 const BALL: f32 = 84.0;
 
-/// The lights that a node names.
-pub(super) fn lights_of(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
-    let look = subject.session.look();
-    for port in subject.kind.inputs.iter().filter(|port| port.ty == Type::LightName) {
-        let Some(Value::Text(id)) = values::current(port, subject.node.values.get(&port.name)) else { continue };
-        if let Some((id, light)) = look.lights.get_key_value(id.as_str()) {
-            ui.separator();
-            ui.label(RichText::new(format!("The light \"{}\"", shown_name(id, light))).strong());
-            edit(ui, subject.session, id, light, out);
-        }
-    }
-}
-
-/// Every light of the look.
-pub(super) fn all_lights(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
-    ui.separator();
-    ui.horizontal(|ui| {
-        ui.label(RichText::new("Lights").heading());
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            if ui.button("Add light").clicked() {
-                let lights = &session.look().lights;
-                let id = LightId::new(make_slug("light", |slug| lights.contains_key(slug)));
-                let light = Light { direction: [0.5, 0.5, 0.7], ..Light::default() };
-                out.push(Command::Edit(Edit::AddLight { id, light, index: None }));
-            }
-        });
-    });
-    for (id, light) in &session.look().lights {
-        egui::CollapsingHeader::new(shown_name(id, light)).id_salt(id).default_open(true).show(ui, |ui| {
-            edit(ui, session, id, light, out);
-            if ui.button("Remove").on_hover_text("Nodes that name it will say so").clicked() {
-                out.push(Command::Edit(Edit::RemoveLight { id: id.clone() }));
-            }
-        });
-    }
-}
-
-fn shown_name<'a>(id: &'a LightId, light: &'a Light) -> &'a str {
-    if light.name.is_empty() { id.as_str() } else { &light.name }
-}
-
-fn edit(ui: &mut Ui, session: &Session, id: &LightId, light: &Light, out: &mut Vec<Command>) {
+/// Everything of a light that can be set but its name.
+pub(crate) fn edit(ui: &mut Ui, session: &Session, id: &LightId, light: &Light, out: &mut Vec<Command>) {
     ui.push_id(id, |ui| {
         let mut new = light.clone();
         let mut hand = None;

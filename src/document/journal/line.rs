@@ -1,0 +1,183 @@
+//! One record a line: its number, the length and the checksum of what it says, and that as JSON. A line that was cut off,
+//! changed, lost or put in twice is told from a whole one.
+
+use std::fmt::Write as _;
+use std::io::{self, BufRead, Read as _};
+
+/// The longest line that is read, in bytes: a snapshot's document at its bound, every character of it escaped.
+const MAX_LINE: u64 = 256 << 20;
+
+/// CRC-32 as in Ethernet, gzip and PNG (polynomial 0x04C11DB7, reflected), by the byte.
+fn checksum(bytes: &[u8]) -> u32 {
+    const TABLE: [u32; 256] = {
+        let mut table = [0; 256];
+        let mut index = 0;
+        while index < 256 {
+            let mut value = index as u32;
+            let mut bit = 0;
+            while bit < 8 {
+                value = if value & 1 == 1 { 0xEDB8_8320 ^ (value >> 1) } else { value >> 1 };
+                bit += 1;
+            }
+            table[index] = value;
+            index += 1;
+        }
+        table
+    };
+    !bytes.iter().fold(!0, |crc, &byte| TABLE[((crc ^ u32::from(byte)) & 0xFF) as usize] ^ (crc >> 8))
+}
+
+/// Writes record `number`; `json` is one line.
+pub(super) fn push(text: &mut String, number: u64, json: &str) {
+    debug_assert!(!json.contains('\n'), "JSON as serde writes it has no line ends");
+    // Writing to a string cannot fail.
+    let _ = writeln!(text, "{number} {} {:08x} {json}", json.len(), checksum(json.as_bytes()));
+}
+
+/// The number and the JSON of a line without its end; `None` where it is not as it was written.
+fn parse(line: &str) -> Option<(u64, &str)> {
+    let (number, rest) = line.split_once(' ')?;
+    let (length, rest) = rest.split_once(' ')?;
+    let (crc, json) = rest.split_once(' ')?;
+    let is_whole = length.parse() == Ok(json.len()) && u32::from_str_radix(crc, 16) == Ok(checksum(json.as_bytes()));
+    let is_whole = is_whole && crc.len() == 8;
+    number.parse().ok().filter(|_| is_whole).map(|number| (number, json))
+}
+
+/// What the next line is.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum Line {
+    /// The record's JSON.
+    Whole(String),
+    /// Not what was written here.
+    Damaged,
+    /// There is no more.
+    End,
+}
+
+/// Reads lines in order.
+pub(super) struct Lines<R> {
+    from: R,
+    next: u64,
+}
+
+impl<R: BufRead> Lines<R> {
+    pub(super) fn new(from: R) -> Self {
+        Self { from, next: 0 }
+    }
+
+    /// The next record. After a damaged line the following one is looked at all the same: whether there is a good one
+    /// tells damage from an end that was cut off.
+    ///
+    /// # Errors
+    /// The file cannot be read.
+    pub(super) fn next(&mut self) -> io::Result<Line> {
+        let mut bytes = Vec::new();
+        self.from.by_ref().take(MAX_LINE).read_until(b'\n', &mut bytes)?;
+        if bytes.is_empty() {
+            return Ok(Line::End);
+        }
+        let line = bytes.strip_suffix(b"\n").and_then(|bytes| std::str::from_utf8(bytes).ok());
+        let found = line.and_then(parse).filter(|(number, _)| *number >= self.next);
+        let Some((number, json)) = found else { return Ok(Line::Damaged) };
+        // A record that is missing is damage, whatever follows it.
+        let is_next = number == self.next;
+        self.next = number + 1;
+        Ok(if is_next { Line::Whole(json.to_owned()) } else { Line::Damaged })
+    }
+
+    /// Whether any whole record follows.
+    pub(super) fn has_more(&mut self) -> bool {
+        loop {
+            let before = self.next;
+            match self.next() {
+                Ok(Line::End) | Err(_) => return false,
+                Ok(Line::Damaged) if self.next == before => {}
+                Ok(_) => return true,
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_checksum_is_the_known_one() {
+        // The check value that every description of CRC-32 gives.
+        assert_eq!(checksum(b"123456789"), 0xCBF4_3926);
+        assert_eq!(checksum(b""), 0);
+    }
+
+    fn written() -> String {
+        let mut text = String::new();
+        for (number, json) in ["{}", r#"{"a":"ü"}"#, "[1,2]"].into_iter().enumerate() {
+            push(&mut text, number as u64, json);
+        }
+        text
+    }
+
+    fn read(bytes: &[u8]) -> (Vec<String>, Line) {
+        let mut lines = Lines::new(bytes);
+        let mut whole = Vec::new();
+        loop {
+            match lines.next().unwrap() {
+                Line::Whole(json) => whole.push(json),
+                other => return (whole, other),
+            }
+        }
+    }
+
+    #[test]
+    fn lines_are_read_back() {
+        let (whole, end) = read(written().as_bytes());
+        assert_eq!(whole, ["{}", r#"{"a":"ü"}"#, "[1,2]"]);
+        assert_eq!(end, Line::End);
+    }
+
+    #[test]
+    fn a_line_cut_anywhere_is_no_line() {
+        let text = written();
+        let ends: Vec<usize> = text.match_indices('\n').map(|(at, _)| at + 1).collect();
+        for cut in 0..=text.len() {
+            let (whole, end) = read(&text.as_bytes()[..cut]);
+            assert_eq!(whole.len(), ends.iter().filter(|&&end| end <= cut).count(), "cut at {cut}");
+            assert_eq!(end == Line::End, cut == 0 || ends.contains(&cut));
+        }
+    }
+
+    #[test]
+    fn any_changed_byte_is_seen() {
+        let text = written();
+        let first = text.find('\n').unwrap() + 1;
+        let second = first + text[first..].find('\n').unwrap() + 1;
+        for at in first..second {
+            for change in [1, 0x20, 0x80] {
+                let mut bytes = text.clone().into_bytes();
+                bytes[at] ^= change;
+                let (whole, end) = read(&bytes);
+                // The case of the checksum's digits says nothing.
+                assert!(whole.len() == 1 && end == Line::Damaged || whole[1] == r#"{"a":"ü"}"#, "byte {at}");
+            }
+        }
+    }
+
+    #[test]
+    fn lost_and_repeated_lines_are_seen() {
+        let text = written();
+        let lines: Vec<&str> = text.split_inclusive('\n').collect();
+        let joined = |lines: &[&str]| read(lines.concat().as_bytes());
+        assert_eq!(joined(&[lines[0], lines[2]]).1, Line::Damaged);
+        assert_eq!(joined(&[lines[0], lines[0], lines[1]]).1, Line::Damaged);
+        let damaged = [lines[0], "garbage\n", lines[1]].concat();
+        let mut reader = Lines::new(damaged.as_bytes());
+        assert!(matches!(reader.next(), Ok(Line::Whole(_))));
+        assert_eq!(reader.next().unwrap(), Line::Damaged);
+        assert!(reader.has_more());
+        let cut = [lines[0], "garbage\nmore\n"].concat();
+        let mut reader = Lines::new(cut.as_bytes());
+        assert!(matches!(reader.next(), Ok(Line::Whole(_))));
+        assert!(!reader.has_more());
+    }
+}

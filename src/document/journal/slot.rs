@@ -1,0 +1,141 @@
+//! Where journals lie: one folder, and in it for each open document a journal and a lock. The lock is the system's own
+//! and ends with the program that holds it, however that ends; so a journal without a holder was left behind.
+
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, SystemTime};
+
+const JOURNAL: &str = "journal";
+const LOCK: &str = "lock";
+/// What is half written under a name that ends so may be removed once it is old.
+pub(super) const UNFINISHED: &str = ".tmp";
+/// Nobody takes so long between making a lock and writing the journal, or to write one.
+const OLD: Duration = Duration::from_secs(24 * 60 * 60);
+
+/// A place for one journal, held by this program. Dropping it lets go of the journal and leaves it where it is.
+#[derive(Debug)]
+pub struct Slot {
+    /// The journal, which need not be there yet.
+    path: PathBuf,
+    /// Locked, where the file system can.
+    _lock: File,
+}
+
+impl Slot {
+    /// A new place in a folder, which is made where it is missing, for this user only.
+    ///
+    /// # Errors
+    /// The folder cannot be made or written.
+    pub fn new(folder: &Path) -> io::Result<Self> {
+        make_folder(folder)?;
+        let lock = tempfile::Builder::new().prefix("work-").suffix(".lock").rand_bytes(10).tempfile_in(folder)?;
+        let (lock, path) = lock.keep().map_err(|error| error.error)?;
+        // A window that just looks whether somebody holds it lets go at once. Where there are no locks, go without.
+        let _ = lock.lock();
+        Ok(Self { path: path.with_extension(JOURNAL), _lock: lock })
+    }
+
+    /// Where the journal is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Its folder.
+    pub(super) fn folder(&self) -> &Path {
+        self.path.parent().unwrap_or(Path::new("."))
+    }
+
+    /// When it was written to last, if it is there.
+    pub fn written(&self) -> Option<SystemTime> {
+        fs::metadata(&self.path).ok()?.modified().ok()
+    }
+
+    /// Removes the journal.
+    pub fn discard(self) {
+        // What is gone already is as it should be; what cannot be removed is offered once more.
+        let _ = fs::remove_file(&self.path);
+    }
+}
+
+impl Drop for Slot {
+    fn drop(&mut self) {
+        if !self.path.exists() {
+            let _ = fs::remove_file(self.path.with_extension(LOCK));
+        }
+    }
+}
+
+/// The journals in a folder that nobody holds, the newest first; they are held from then on. Removes what is old and
+/// half written.
+pub fn left_behind(folder: &Path) -> Vec<Slot> {
+    let Ok(entries) = fs::read_dir(folder) else { return Vec::new() };
+    let mut slots = Vec::new();
+    for path in entries.flatten().map(|entry| entry.path()) {
+        let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+        if ending == JOURNAL {
+            slots.extend(take(path));
+        } else if UNFINISHED.ends_with(ending) && !ending.is_empty() && is_old(&path)
+            || ending == LOCK && is_old(&path) && !path.with_extension(JOURNAL).exists()
+        {
+            let _ = fs::remove_file(path);
+        }
+    }
+    slots.sort_by_key(|slot: &Slot| std::cmp::Reverse(slot.written()));
+    slots
+}
+
+/// Holds the journal, unless somebody does.
+fn take(path: PathBuf) -> Option<Slot> {
+    let lock = OpenOptions::new().write(true).create(true).truncate(false).open(path.with_extension(LOCK)).ok()?;
+    match lock.try_lock() {
+        Err(TryLockError::WouldBlock) => return None,
+        // Where a file system knows no locks, work that is offered twice is better than work that is lost.
+        Ok(()) | Err(TryLockError::Error(_)) => {}
+    }
+    // It may have been thrown away between listing and locking.
+    path.exists().then_some(Slot { path, _lock: lock })
+}
+
+fn is_old(path: &Path) -> bool {
+    let modified = fs::metadata(path).and_then(|data| data.modified());
+    modified.is_ok_and(|modified| crate::clock::age(modified) > OLD)
+}
+
+fn make_folder(folder: &Path) -> io::Result<()> {
+    let mut builder = fs::DirBuilder::new();
+    builder.recursive(true);
+    #[cfg(unix)]
+    std::os::unix::fs::DirBuilderExt::mode(&mut builder, 0o700);
+    builder.create(folder)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_held_is_not_left_behind() {
+        let folder = tempfile::tempdir().unwrap();
+        let folder = folder.path().join("made/here");
+        let slot = Slot::new(&folder).unwrap();
+        fs::write(slot.path(), "x").unwrap();
+        assert!(left_behind(&folder).is_empty(), "somebody works on it");
+        let path = slot.path().to_owned();
+        drop(slot);
+        let mut found = left_behind(&folder);
+        assert_eq!(found.len(), 1);
+        assert_eq!(found[0].path(), path);
+        assert!(left_behind(&folder).is_empty(), "it is held again");
+        found.remove(0).discard();
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 0, "and nothing stays of it");
+    }
+
+    #[test]
+    fn an_empty_slot_leaves_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        drop(Slot::new(folder.path()).unwrap());
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+        assert!(left_behind(&folder.path().join("missing")).is_empty());
+    }
+}

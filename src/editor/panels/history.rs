@@ -1,0 +1,93 @@
+//! Everything that was done, by what undo calls it; a click goes there and back.
+
+use eframe::egui;
+use eframe::egui::{EventFilter, FontId, Key, Modifiers, Role, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2};
+
+use super::super::command::Command;
+use super::super::dock::cell;
+use super::super::session::Session;
+use super::super::theme;
+use super::widgets::{leave_with_pointer, row_ground, undo_keys};
+
+const ROW: f32 = 22.0;
+
+/// The panel, and which place it showed last.
+#[derive(Default)]
+pub(crate) struct History {
+    shown: Option<(u64, usize)>,
+}
+
+impl History {
+    /// Lists the steps, the first at the top; those that were taken back are dim.
+    pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
+        let labels: Vec<&str> = session.steps().collect();
+        let place = session.place();
+        let mut out = Vec::new();
+        ui.spacing_mut().item_spacing.y = 0.0;
+        let mut area = ScrollArea::vertical().auto_shrink([false, false]);
+        let is_new = self.shown != Some((session.document_number(), place));
+        let height = ui.available_height();
+        self.shown = Some((session.document_number(), place));
+        if is_new {
+            area = area.vertical_scroll_offset(((place as f32 + 1.5) * ROW - height).max(0.0));
+        }
+        area.show_rows(ui, ROW, labels.len() + 1, |ui, rows| {
+            for index in rows {
+                let label = match index.checked_sub(1) {
+                    Some(step) => labels[step],
+                    None if session.path().is_some() => "Opened",
+                    None => "New look",
+                };
+                row(ui, index, place, label, labels.len(), &mut out);
+            }
+        });
+        out
+    }
+}
+
+fn row(ui: &mut Ui, index: usize, place: usize, label: &str, last: usize, out: &mut Vec<Command>) {
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width() - 8.0, ROW), Sense::click());
+    let (is_here, is_undone) = (index == place, index > place);
+    let name = format!("Step {index}: {label}");
+    response.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_here, &name));
+    row_ground(ui, rect, &response, is_here);
+    let colors = theme::of(ui);
+    let dot = pos2(rect.left() + 9.0, rect.center().y);
+    ui.painter().vline(dot.x, rect.y_range(), egui::Stroke::new(1.0, colors.grid));
+    match (is_here, is_undone) {
+        (true, _) => drop(ui.painter().circle_filled(dot, 4.0, colors.accent)),
+        (false, false) => drop(ui.painter().circle_filled(dot, 2.5, colors.dim)),
+        (false, true) => drop(ui.painter().circle(dot, 2.5, colors.panel, egui::Stroke::new(1.0, colors.dim))),
+    }
+    let text = egui::Rect::from_min_max(pos2(rect.left() + 20.0, rect.top()), rect.max - vec2(4.0, 0.0));
+    let mut shown = label.to_owned();
+    if let Some(first) = shown.get(..1).map(str::to_uppercase) {
+        shown.replace_range(..1, &first);
+    }
+    let ink = if is_undone { colors.dim } else { colors.text };
+    cell(ui, text, &shown, FontId::proportional(theme::TEXT_SIZE), ink);
+    leave_with_pointer(ui, &response);
+    if response.has_focus() {
+        let filter = EventFilter { vertical_arrows: true, ..EventFilter::default() };
+        ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
+        let pressed = |key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
+        if pressed(Key::ArrowUp) && place > 0 {
+            out.push(Command::GoTo(place - 1));
+        } else if pressed(Key::ArrowDown) && place < last {
+            out.push(Command::GoTo(place + 1));
+        }
+        undo_keys(ui, out);
+    }
+    if response.clicked() {
+        response.request_focus();
+        out.push(Command::GoTo(index));
+    }
+    let help = match (is_here, is_undone) {
+        (true, _) => "The look is as it was after this step".to_owned(),
+        (false, true) => {
+            format!("Repeats {} steps, up to this one. They are lost when something else is done.", index - place)
+        }
+        (false, false) => format!("Takes back {} steps, to what was after this one", place - index),
+    };
+    response.on_hover_text(help);
+}

@@ -1,0 +1,71 @@
+//! What a layer's small picture shows: the layer alone, over a ground on which its blending is seen.
+
+use std::collections::{HashMap, HashSet};
+
+use crate::document::{Endpoint, Graph, Look, Node, Value, Wire};
+use crate::ids::{NodeId, PortName};
+
+use super::super::stack::BELOW;
+
+/// The ground; no slug of a name begins so.
+const GROUND: &str = "chiaro-ground";
+/// Shows it.
+const SHOWN: &str = "chiaro-output";
+
+/// A look with nothing but one layer, or with `ground_of` no mode, with what the stack lies on.
+pub(super) fn of(look: &Look, id: &NodeId, mode: Option<&str>) -> Look {
+    let mut shown = Look {
+        color_space: look.color_space,
+        tier: look.tier,
+        lights: look.lights.clone(),
+        definitions: look.definitions.clone(),
+        graph: upstream(&look.graph, id, mode.is_some()),
+        ..Look::default()
+    };
+    let graph = &mut shown.graph;
+    if let Some(node) = graph.nodes.get_mut(id) {
+        node.muted = false;
+    }
+    let mut add = |id: &str, kind: &str, values: &[(&str, Value)]| {
+        let values = values.iter().map(|(port, value)| (PortName::from(*port), value.clone())).collect();
+        graph.nodes.insert(id.into(), Node { kind: kind.to_owned(), values, ..Node::default() });
+    };
+    add(SHOWN, "output", &[]);
+    if let Some(mode) = mode {
+        // What darkens is seen on white, what brightens on black.
+        let ground = match mode {
+            "multiply" | "shade" | "subtract" => 1.0,
+            "alpha" => 0.35,
+            _ => 0.0,
+        };
+        add(GROUND, "base", &[("color", Value::Vector(vec![ground, ground, ground, 1.0]))]);
+        graph.wires.push(Wire { from: Endpoint::new(GROUND, ""), to: Endpoint::new(id.clone(), BELOW) });
+    }
+    graph.wires.push(Wire { from: Endpoint::new(id.clone(), ""), to: Endpoint::new(SHOWN, "color") });
+    shown
+}
+
+/// A node with everything that feeds it; where it is a layer, without what is below it.
+fn upstream(graph: &Graph, id: &NodeId, is_layer: bool) -> Graph {
+    let mut kept: HashSet<&NodeId> = HashSet::from([id]);
+    let mut open = vec![id];
+    let mut into: HashMap<&NodeId, Vec<&Wire>> = HashMap::new();
+    for wire in &graph.wires {
+        into.entry(&wire.to.node).or_default().push(wire);
+    }
+    let is_wanted = |wire: &Wire| !(is_layer && wire.to.node == *id && wire.to.port.as_str() == BELOW);
+    while let Some(node) = open.pop() {
+        for wire in into.get(node).into_iter().flatten().filter(|wire| is_wanted(wire)) {
+            if kept.insert(&wire.from.node) {
+                open.push(&wire.from.node);
+            }
+        }
+    }
+    let nodes = graph.nodes.iter().filter(|(id, _)| kept.contains(id));
+    let wires = graph.wires.iter().filter(|wire| kept.contains(&wire.to.node) && is_wanted(wire));
+    Graph {
+        nodes: nodes.map(|(id, node)| (id.clone(), node.clone())).collect(),
+        wires: wires.cloned().collect(),
+        ..Graph::default()
+    }
+}

@@ -1,0 +1,300 @@
+//! One row of the stack.
+
+use eframe::egui;
+use eframe::egui::{
+    Align, Color32, ComboBox, DragValue, Id, Label, Layout, Rect, Response, RichText, Role, Sense, Slider, TextureId,
+    Ui, UiBuilder, WidgetInfo, pos2, vec2,
+};
+
+use super::super::super::catalog::{Kind, Port};
+use super::super::super::command::Command;
+use super::super::super::session::Session;
+use super::super::super::{theme, values};
+use super::super::widgets::{ICON, Icon, Renaming, card_ground, icon, picture_frame, whole};
+use super::{MODES, OPACITY, set};
+use crate::document::{Edit, GraphId, Node, Value};
+use crate::ids::NodeId;
+use crate::library::Type;
+
+/// The height of a row, in points.
+pub(super) const ROW: f32 = 52.0;
+/// Below this width a row has no picture.
+const NARROW: f32 = 230.0;
+/// The side of its picture.
+pub(super) const PICTURE: f32 = 46.0;
+
+/// A node as a row.
+pub(super) struct Row<'a> {
+    pub(super) session: &'a Session,
+    pub(super) id: &'a NodeId,
+    pub(super) node: &'a Node,
+    pub(super) kind: &'a Kind,
+}
+
+/// What a row answered.
+pub(super) struct Shown {
+    pub(super) whole: Response,
+    pub(super) more: Response,
+}
+
+/// By which a row has the keyboard, wherever it lies.
+pub(super) fn focus_id(id: &NodeId) -> Id {
+    Id::unique("layer").with(id.as_str())
+}
+
+impl Row<'_> {
+    /// The word of its blend mode.
+    pub(super) fn mode(&self) -> Option<String> {
+        let port = self.mode_port()?;
+        match values::current(port, self.node.values.get(&port.name)) {
+            Some(Value::Text(word)) => Some(word.clone()),
+            _ => None,
+        }
+    }
+
+    fn mode_port(&self) -> Option<&Port> {
+        MODES.iter().find_map(|name| self.port(name)).filter(|port| port.ty == Type::Choice)
+    }
+
+    fn port(&self, name: &str) -> Option<&Port> {
+        self.kind.input(name).map(|index| &self.kind.inputs[index])
+    }
+
+    fn title(&self) -> String {
+        if self.node.name.is_empty() { self.kind.label.to_string() } else { self.node.name.clone() }
+    }
+
+    /// Shows a layer.
+    pub(super) fn show(
+        &self,
+        ui: &mut Ui,
+        rect: Rect,
+        texture: Option<TextureId>,
+        is_dragged: bool,
+        renaming: &mut Option<Renaming<NodeId>>,
+        out: &mut Vec<Command>,
+    ) -> Shown {
+        let title = self.title();
+        let is_selected = self.session.selection.contains(self.id);
+        let whole = ui.interact(rect, focus_id(self.id), Sense::click_and_drag());
+        whole.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_selected, format!("Layer {title}")));
+        card_ground(ui, rect, &whole, is_selected || is_dragged);
+        self.select(ui, &whole, out);
+        let builder = UiBuilder::new().id_salt(self.id).max_rect(rect.shrink2(vec2(4.0, 3.0)));
+        let mut child = ui.new_child(builder.layout(Layout::left_to_right(Align::Center)));
+        let ui = &mut child;
+        ui.spacing_mut().item_spacing.x = 4.0;
+        self.eye(ui, &title, out);
+        let is_faint = self.is_hidden();
+        // In a narrow panel there is room for what is set, and else for the picture.
+        if rect.width() > NARROW {
+            self.picture(ui, texture, is_faint);
+        }
+        let right = 2.0 * ICON + 4.0;
+        let middle = Rect::from_min_max(ui.cursor().min, pos2(ui.max_rect().right(), ui.max_rect().bottom()));
+        let half = middle.height() / 2.0;
+        let upper = Rect::from_min_size(middle.min, vec2(middle.width() - right - 4.0, half));
+        let lower = Rect::from_min_max(pos2(middle.left(), middle.top() + half), middle.max);
+        let buttons =
+            Rect::from_min_max(pos2(middle.right() - right, middle.top()), pos2(middle.right(), middle.top() + half));
+        self.name(&mut row_in(ui, upper, "name"), &title, is_faint, renaming, out);
+        let mut ends = row_in(ui, buttons, "ends");
+        self.solo(&mut ends, &title, out);
+        let more = icon(&mut ends, Icon::More, true, &format!("More of {title}"), "Duplicate, move, delete");
+        let mut below = row_in(ui, lower, "values");
+        self.blending(&mut below, &title, out);
+        self.opacity(&mut below, &title, out);
+        let help = "Click selects its node too · drag to reorder · right click for more";
+        Shown { whole: if whole.dragged() { whole } else { whole.on_hover_text(help) }, more }
+    }
+
+    /// Shows what the lowest layer lies on.
+    pub(super) fn show_ground(&self, ui: &mut Ui, rect: Rect, texture: Option<TextureId>, out: &mut Vec<Command>) {
+        let title = self.title();
+        let is_base = self.kind.id == "base";
+        let is_selected = self.session.selection.contains(self.id);
+        let whole = ui.interact(rect, focus_id(self.id), Sense::click());
+        let name = if is_base { format!("Base {title}") } else { format!("Branch {title}") };
+        whole.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_selected, &name));
+        card_ground(ui, rect, &whole, is_selected);
+        self.select(ui, &whole, out);
+        let builder = UiBuilder::new().id_salt(self.id).max_rect(rect.shrink2(vec2(4.0, 3.0)));
+        let mut child = ui.new_child(builder.layout(Layout::left_to_right(Align::Center)));
+        child.spacing_mut().item_spacing.x = 4.0;
+        child.add_space(ICON + 4.0);
+        self.picture(&mut child, texture, false);
+        child.vertical(|ui| {
+            ui.add_space(5.0);
+            ui.spacing_mut().item_spacing.y = 1.0;
+            ui.add(Label::new(title).selectable(false).truncate());
+            let text =
+                if is_base { "what is seen where no layer paints" } else { "a branch of the graph, not a layer" };
+            ui.add(Label::new(RichText::new(text).small().color(theme::of(ui).dim)).selectable(false).truncate());
+        });
+        whole.on_hover_text("What the lowest layer lies on. A click selects its node.");
+    }
+
+    fn select(&self, ui: &Ui, whole: &Response, out: &mut Vec<Command>) {
+        if !whole.clicked() {
+            return;
+        }
+        whole.request_focus();
+        let adds = ui.input(|input| input.modifiers.command || input.modifiers.shift);
+        let mut ids = if adds { self.session.selected().cloned().collect() } else { Vec::new() };
+        let was_there = ids.iter().position(|id| id == self.id).map(|index| ids.remove(index));
+        if was_there.is_none() || !adds {
+            ids.push(self.id.clone());
+        }
+        out.push(Command::Select(ids));
+    }
+
+    fn is_hidden(&self) -> bool {
+        let alone = &self.session.solo().layers;
+        if alone.is_empty() { self.node.muted } else { !alone.contains(self.id) }
+    }
+
+    fn eye(&self, ui: &mut Ui, title: &str, out: &mut Vec<Command>) {
+        let help = match self.node.muted {
+            false => "Leaves this layer out of the look: the node is muted, also in what is saved and exported",
+            true => "Takes this layer in again",
+        };
+        let response = icon(ui, Icon::Eye, !self.node.muted, &format!("Show {title}"), help);
+        if response.clicked() {
+            let edit = Edit::SetMuted { graph: GraphId::Look, id: self.id.clone(), muted: !self.node.muted };
+            out.push(Command::Edit(edit));
+        }
+    }
+
+    fn solo(&self, ui: &mut Ui, title: &str, out: &mut Vec<Command>) {
+        let solo = self.session.solo();
+        let is_on = solo.layers.contains(self.id);
+        let help = "Shows this layer alone over what the stack lies on; Ctrl-click adds to others.\nOnly in this window: nothing of it is saved.";
+        if icon(ui, Icon::Solo, is_on, &format!("Solo {title}"), help).clicked() {
+            let adds = ui.input(|input| input.modifiers.command || input.modifiers.shift);
+            out.push(Command::Solo(solo.toggle_layer(self.id, adds)));
+        }
+    }
+
+    /// The layer alone; until that is drawn, its colours.
+    fn picture(&self, ui: &mut Ui, texture: Option<TextureId>, is_faint: bool) {
+        let (rect, _) = ui.allocate_exact_size(vec2(PICTURE, PICTURE), Sense::hover());
+        let tint = if is_faint { Color32::WHITE.gamma_multiply(0.35) } else { Color32::WHITE };
+        ui.painter().rect_filled(rect, 3.0, theme::of(ui).canvas);
+        match texture {
+            Some(texture) => drop(ui.painter().image(texture, rect.shrink(1.0), whole(), tint)),
+            None => self.swatch(ui, rect.shrink(1.0), tint),
+        }
+        picture_frame(ui, rect);
+    }
+
+    fn swatch(&self, ui: &Ui, rect: Rect, tint: Color32) {
+        let colors: Vec<Color32> = ["convex", "concave", "color"].iter().filter_map(|name| self.color(name)).collect();
+        let width = rect.width() / colors.len().max(1) as f32;
+        for (index, color) in colors.iter().enumerate() {
+            let corner = pos2(rect.left() + index as f32 * width, rect.top());
+            let color = color.gamma_multiply(f32::from(tint.a()) / 255.0);
+            ui.painter().rect_filled(Rect::from_min_size(corner, vec2(width, rect.height())), 2.0, color);
+        }
+    }
+
+    fn color(&self, name: &str) -> Option<Color32> {
+        let port = self.port(name)?;
+        if self.session.look().graph.wire_into(self.id, &port.name).is_some() {
+            return None;
+        }
+        let value = values::current(port, self.node.values.get(&port.name))?;
+        let [r, g, b, _] = value.color_in(crate::document::ColorSpace::Display)?;
+        let byte = |x: f64| (x.clamp(0.0, 1.0) * 255.0).round() as u8;
+        Some(Color32::from_rgb(byte(r), byte(g), byte(b)))
+    }
+
+    fn name(
+        &self,
+        ui: &mut Ui,
+        title: &str,
+        is_faint: bool,
+        renaming: &mut Option<Renaming<NodeId>>,
+        out: &mut Vec<Command>,
+    ) {
+        if let Some(field) = renaming.as_mut().filter(|field| field.id == *self.id) {
+            if let Some(name) = field.show(ui, &self.kind.label, &format!("New name of {title}")) {
+                *renaming = None;
+                let name = name.filter(|name| *name != self.node.name);
+                let edit = |name| Edit::SetName { graph: GraphId::Look, id: self.id.clone(), name };
+                out.extend(name.map(|name| Command::Edit(edit(name))));
+                ui.memory_mut(|memory| memory.request_focus(focus_id(self.id)));
+            }
+            return;
+        }
+        let colors = theme::of(ui);
+        let text = RichText::new(title).color(if is_faint { colors.dim } else { colors.text });
+        let text = if self.node.muted { text.strikethrough() } else { text };
+        let response = ui.add(Label::new(text).truncate().selectable(false).sense(Sense::click()));
+        if response.double_clicked() {
+            *renaming = Some(Renaming::new(self.id.clone(), &self.node.name));
+        } else if response.clicked() {
+            self.select(ui, &response, out);
+            ui.memory_mut(|memory| memory.request_focus(focus_id(self.id)));
+        }
+        response.on_hover_text("Double click to rename");
+    }
+
+    fn blending(&self, ui: &mut Ui, title: &str, out: &mut Vec<Command>) {
+        let Some(port) = self.mode_port() else { return };
+        let word = self.mode().unwrap_or_default();
+        let label =
+            |word: &str| port.options.iter().find(|(known, _)| known == word).map_or(word.to_owned(), |o| o.1.clone());
+        let combo = ComboBox::from_id_salt("mode").width(82.0).selected_text(label(&word)).show_ui(ui, |ui| {
+            for (known, label) in &port.options {
+                if ui.selectable_label(*known == word, label).clicked() && *known != word {
+                    out.push(Command::Edit(set(self.id, port.name.as_str(), Value::Text(known.clone()))));
+                }
+            }
+        });
+        let value = label(&word);
+        combo.response.widget_info(|| {
+            let mut info = WidgetInfo::labeled(Role::ComboBox, true, format!("Blending of {title}"));
+            info.current_text_value = Some(value.clone());
+            info
+        });
+        combo.response.on_hover_text(&port.help);
+    }
+
+    fn opacity(&self, ui: &mut Ui, title: &str, out: &mut Vec<Command>) {
+        let Some(port) = self.port(OPACITY) else { return };
+        if self.session.look().graph.wire_into(self.id, &port.name).is_some() {
+            let text = RichText::new("opacity by wire").small().color(theme::of(ui).dim);
+            ui.add(Label::new(text).truncate()).on_hover_text("A wire decides the opacity");
+            return;
+        }
+        let value = values::current(port, self.node.values.get(&port.name));
+        let mut percent = values::number(value) * 100.0;
+        let number_width = 46.0;
+        ui.spacing_mut().slider_width = (ui.available_width() - number_width - 6.0).max(20.0);
+        let has_slider = ui.available_width() > number_width + 36.0;
+        let slider = Slider::new(&mut percent, 0.0..=100.0).clamping(egui::SliderClamping::Edits).show_value(false);
+        let name = format!("Opacity of {title}");
+        let on_slider = has_slider.then(|| ui.add(slider.trailing_fill(true)).on_hover_text(&port.help));
+        let drag = DragValue::new(&mut percent).range(0.0..=100.0).clamp_existing_to_range(false);
+        let drag = drag.max_decimals(0).suffix("%").speed(0.5);
+        let on_number = ui.add_sized(vec2(number_width, 20.0), drag).on_hover_text(&port.help);
+        let slider = on_slider.iter().map(|response| (response, Role::Slider));
+        for (response, role) in slider.chain([(&on_number, Role::SpinButton)]) {
+            response.widget_info(|| {
+                let mut info = WidgetInfo::labeled(role, true, &name);
+                info.value = Some(percent);
+                info
+            });
+            if response.changed() && percent.is_finite() {
+                // Whole percents, as nobody sees less, and files stay readable.
+                let value = Value::Number(percent.round() / 100.0);
+                out.push(Command::EditHeld(response.id, set(self.id, OPACITY, value)));
+            }
+        }
+    }
+}
+
+/// A row of widgets in a part of a row.
+fn row_in(ui: &mut Ui, rect: Rect, salt: &str) -> Ui {
+    ui.new_child(UiBuilder::new().id_salt(salt).max_rect(rect).layout(Layout::left_to_right(Align::Center)))
+}

@@ -1,0 +1,76 @@
+//! The panels beside the picture and the graph: layers, lights, problems, history and the library.
+
+mod history;
+mod layers;
+pub(crate) mod library;
+pub(crate) mod lights;
+pub(crate) mod problems;
+pub(crate) mod solo;
+pub(crate) mod stack;
+mod thumbs;
+mod widgets;
+
+use eframe::egui::Ui;
+
+use super::command::Command;
+use super::dock::Panel;
+use super::session::Session;
+use crate::render::Gpu;
+use thumbs::Thumbs;
+
+/// The panels, and what they remember.
+pub(crate) struct Panels {
+    layers: layers::Layers,
+    lights: lights::Lights,
+    history: history::History,
+    library: library::Library,
+    thumbs: Thumbs,
+}
+
+impl Panels {
+    /// `wake` is called from another thread when there is a new small picture.
+    pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Send + 'static) -> Self {
+        Self {
+            layers: layers::Layers::default(),
+            lights: lights::Lights::default(),
+            history: history::History::default(),
+            library: library::Library::default(),
+            thumbs: Thumbs::new(gpu, wake),
+        }
+    }
+
+    /// Shows one of them; nothing for a panel that is none of them.
+    pub(crate) fn show(&mut self, ui: &mut Ui, panel: Panel, session: &Session) -> Vec<Command> {
+        match panel {
+            Panel::Layers => self.layers.show(ui, session, &self.thumbs),
+            Panel::Lights => self.lights.show(ui, session),
+            Panel::Problems => problems::show(ui, session),
+            Panel::History => self.history.show(ui, session),
+            Panel::Library => self.library.show(ui, session, &self.thumbs),
+            _ => Vec::new(),
+        }
+    }
+
+    /// Learns which files were opened before, with whether each is still there.
+    pub(crate) fn know_recent<'p>(&mut self, files: impl Iterator<Item = (&'p std::path::PathBuf, bool)>) {
+        self.library.know_recent(files);
+    }
+
+    /// What is due once a frame, whichever are seen.
+    pub(crate) fn update(&mut self, ui: &Ui, session: &Session) {
+        self.thumbs.update(ui, session);
+    }
+
+    /// How many small pictures there are.
+    pub(crate) fn pictures(&self) -> usize {
+        self.thumbs.count()
+    }
+
+    pub(crate) fn is_busy(&self) -> bool {
+        self.thumbs.is_busy()
+    }
+
+    pub(crate) fn wait(&self) {
+        self.thumbs.wait();
+    }
+}

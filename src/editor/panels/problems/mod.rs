@@ -1,0 +1,199 @@
+//! Everything that is wrong, worst first: what, where (a click leads there), what to do, and a button that does it where
+//! one edit is enough. The status bar counts it and says the first.
+
+mod fix;
+
+use eframe::egui;
+use eframe::egui::{
+    Label, Pos2, Response, RichText, Role, ScrollArea, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+};
+
+use super::super::command::Command;
+use super::super::dock::{self, hint};
+use super::super::session::Session;
+use super::super::theme::{self, Colors};
+use crate::diag::{Diagnostic, Severity};
+
+/// As many problems are listed; mending those shows the others.
+const MAX_LISTED: usize = 100;
+/// Worst first.
+const SEVERITIES: [Severity; 3] = [Severity::Error, Severity::Warning, Severity::Note];
+
+/// A problem with what to do about it, for people.
+pub(crate) fn sentence(problem: &Diagnostic) -> String {
+    let mut text = problem.message.clone();
+    for hint in &problem.hints {
+        text += "\n";
+        text += hint;
+    }
+    text
+}
+
+/// Lists everything that is wrong.
+pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
+    let mut sorted: Vec<&Diagnostic> = session.all_problems().collect();
+    if sorted.is_empty() {
+        hint(ui, "No problems. What is wrong with the look, its file or its mesh is listed here.");
+        return Vec::new();
+    }
+    sorted.sort_by_key(|problem| std::cmp::Reverse(problem.severity));
+    let mut out = Vec::new();
+    ui.horizontal(|ui| {
+        counts(ui, &sorted);
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            if ui.button("Copy all").on_hover_text("Copies the list as text, to ask somebody").clicked() {
+                let lines: Vec<String> = sorted.iter().map(ToString::to_string).collect();
+                out.push(Command::Copy(lines.join("\n")));
+            }
+        });
+    });
+    ui.separator();
+    ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+        for (index, problem) in sorted.iter().take(MAX_LISTED).enumerate() {
+            ui.push_id(index, |ui| row(ui, session, problem, &mut out));
+        }
+        if sorted.len() > MAX_LISTED {
+            hint(ui, &format!("and {} more, listed once these are mended", sorted.len() - MAX_LISTED));
+        }
+    });
+    out
+}
+
+fn row(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Command>) {
+    ui.horizontal_top(|ui| {
+        mark(ui, problem.severity);
+        let mended = fix::of(session, problem);
+        let width = ui.available_width() - if mended.is_some() { 150.0 } else { 10.0 };
+        ui.vertical(|ui| {
+            ui.set_width(width.max(120.0));
+            ui.horizontal_wrapped(|ui| {
+                ui.spacing_mut().item_spacing.x = 5.0;
+                place(ui, session, problem, out);
+                ui.label(plain(&problem.message)).on_hover_text(format!("Code {}", problem.code));
+            });
+            // What the button does need not be asked.
+            let is_asked = |hint: &&String| mended.is_none() || !hint.starts_with("did you mean");
+            for hint in problem.hints.iter().filter(is_asked) {
+                ui.label(RichText::new(plain(hint)).small().color(theme::of(ui).dim));
+            }
+        });
+        if let Some(fix) = mended {
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Min), |ui| {
+                ui.add_space(10.0);
+                let button = egui::Button::new(&fix.label).truncate();
+                if ui.add(button).on_hover_text(format!("{}. Undo takes it back.", fix.help)).clicked() {
+                    out.extend(fix.commands);
+                }
+            });
+        }
+    });
+    ui.add_space(4.0);
+}
+
+/// A text without the marks of code, which are for terminals.
+fn plain(text: &str) -> String {
+    text.replace('`', "\"")
+}
+
+/// Where the problem is: a node that a click leads to, a line of a file.
+fn place(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Command>) {
+    if let Some(path) = &problem.place.node
+        && let Some(node) = path.outermost()
+    {
+        let names: Vec<String> = path.ids().iter().map(ToString::to_string).collect();
+        let mut text = names.join(" / ");
+        if let Some(port) = &problem.place.port {
+            text = format!("{text}.{port}");
+        }
+        let title = session.title(node);
+        let link = ui.link(RichText::new(text).color(theme::of(ui).accent));
+        if link.on_hover_text(format!("Selects {title} and brings it into view")).clicked() {
+            out.push(Command::Show(path.clone()));
+        }
+    }
+    if let Some(at) = problem.place.at {
+        let file = problem.place.file.as_deref().map(|file| format!("{file}, ")).unwrap_or_default();
+        ui.label(RichText::new(format!("line {}", at.line)).color(theme::of(ui).dim))
+            .on_hover_text(format!("{file}line {}, column {}", at.line, at.column));
+    }
+}
+
+fn word(severity: Severity, count: usize) -> &'static str {
+    match (severity, count) {
+        (Severity::Error, 1) => "error",
+        (Severity::Error, _) => "errors",
+        (Severity::Warning, 1) => "warning",
+        (Severity::Warning, _) => "warnings",
+        (Severity::Note, 1) => "note",
+        (Severity::Note, _) => "notes",
+    }
+}
+
+fn color(severity: Severity, colors: &Colors) -> egui::Color32 {
+    match severity {
+        Severity::Error => colors.error,
+        Severity::Warning => colors.warning,
+        Severity::Note => colors.dim,
+    }
+}
+
+/// A severity's mark, told by shape as well as by colour.
+fn mark(ui: &mut Ui, severity: Severity) -> Response {
+    let (rect, response) = ui.allocate_exact_size(vec2(14.0, 18.0), Sense::hover());
+    let (at, ink) = (rect.center(), color(severity, theme::of(ui)));
+    let ground = theme::of(ui).panel;
+    let bar = |ui: &Ui, from: Pos2, to: Pos2| ui.painter().line_segment([from, to], Stroke::new(1.6, ground));
+    match severity {
+        Severity::Error => {
+            ui.painter().circle_filled(at, 6.0, ink);
+            bar(ui, at - vec2(2.2, 2.2), at + vec2(2.2, 2.2));
+            bar(ui, at + vec2(-2.2, 2.2), at + vec2(2.2, -2.2));
+        }
+        Severity::Warning => {
+            let corners = vec![at + vec2(0.0, -6.0), at + vec2(6.5, 5.5), at + vec2(-6.5, 5.5)];
+            ui.painter().add(Shape::convex_polygon(corners, ink, Stroke::NONE));
+            bar(ui, at - vec2(0.0, 2.5), at + vec2(0.0, 1.8));
+        }
+        Severity::Note => drop(ui.painter().circle_stroke(at, 5.0, Stroke::new(1.6, ink))),
+    }
+    response
+}
+
+/// How many there are of each severity.
+fn counts(ui: &mut Ui, problems: &[&Diagnostic]) {
+    for severity in SEVERITIES {
+        let count = problems.iter().filter(|problem| problem.severity == severity).count();
+        if count > 0 {
+            mark(ui, severity);
+            let text =
+                RichText::new(format!("{count} {}", word(severity, count))).color(color(severity, theme::of(ui)));
+            ui.add(Label::new(text).selectable(false));
+        }
+    }
+}
+
+/// For the status bar: how many there are, and the worst in words. A click opens the panel.
+pub(crate) fn status(ui: &mut Ui, session: &Session) -> Option<Command> {
+    let problems: Vec<&Diagnostic> = session.all_problems().collect();
+    // The first of the worst.
+    let first = problems.iter().rev().max_by_key(|problem| problem.severity)?;
+    let start = ui.cursor().min;
+    let room = ui.available_width() * 0.6;
+    let shown = ui.scope(|ui| {
+        ui.set_max_width(room);
+        counts(ui, &problems);
+        let node = first.place.node.as_ref().and_then(|path| path.outermost());
+        let node = node.map(|id| format!("{}: ", session.title(id))).unwrap_or_default();
+        ui.add(Label::new(format!("{node}{}", plain(&first.message))).selectable(false).truncate());
+    });
+    let rect = shown.response.rect.union(egui::Rect::from_min_size(pos2(start.x, start.y), vec2(1.0, 1.0)));
+    let response = ui.interact(rect, ui.scope_id().with("problems"), Sense::click());
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Open the list of problems"));
+    if response.has_focus() || response.hovered() {
+        ui.painter().hline(rect.x_range(), rect.bottom(), Stroke::new(1.0, theme::of(ui).accent));
+    }
+    ui.separator();
+    let clicked = response.clicked();
+    response.on_hover_cursor(egui::CursorIcon::PointingHand).on_hover_text("Lists all problems, with what mends them");
+    clicked.then_some(Command::ShowPanel(dock::Panel::Problems))
+}

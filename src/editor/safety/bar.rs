@@ -1,0 +1,147 @@
+//! The bar that tells of work to be taken back and of files that changed. There is none while there is nothing to tell.
+
+use std::path::PathBuf;
+
+use eframe::egui;
+use eframe::egui::{Panel, RichText, Ui};
+
+use super::disk::Conflict;
+use super::offers::Offer;
+use super::{Safety, Wish};
+use crate::editor::session::Session;
+
+/// As many offers are shown; deciding on those shows the others.
+const MAX_SHOWN: usize = 4;
+
+impl Safety {
+    /// Shows the bar, if there is anything to tell.
+    pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Wish> {
+        let problem = session.keeping_problem();
+        self.is_problem_read &= problem.is_some();
+        let problem = problem.filter(|_| !self.is_problem_read);
+        let count = self.offers.shown().count();
+        if problem.is_none() && self.disk.conflict.is_none() && count == 0 {
+            return Vec::new();
+        }
+        let mut wishes = Vec::new();
+        let frame = egui::Frame::side_top_panel(ui.style());
+        Panel::top("safety").frame(frame).resizable(false).show(ui, |ui| {
+            if let Some(problem) = problem {
+                let hint = problem.hints.join("\n");
+                row(ui, Tone::Warning, &problem.message, |ui| {
+                    ask(ui, "Understood", &hint, Wish::Hide, &mut wishes);
+                });
+            }
+            if let Some(conflict) = &self.disk.conflict {
+                self.conflict(ui, conflict, session, &mut wishes);
+            }
+            for (number, offer) in self.offers.shown().take(MAX_SHOWN) {
+                offered(ui, number, offer, &mut wishes);
+            }
+            if count > MAX_SHOWN {
+                ui.label(RichText::new(format!("and {} more", count - MAX_SHOWN)).weak());
+            }
+        });
+        wishes
+    }
+
+    fn conflict(&self, ui: &mut Ui, conflict: &Conflict, session: &Session, wishes: &mut Vec<Wish>) {
+        let name = session.path().and_then(|path| path.file_name()).map(|name| name.to_string_lossy().into_owned());
+        let name = name.unwrap_or_default();
+        match conflict {
+            Conflict::Changed(_) => {
+                let text = format!("{name} was changed by another program, and by you");
+                row(ui, Tone::Warning, &text, |ui| {
+                    let help = "Takes the file as it is now, as one step: Undo brings your version back";
+                    ask(ui, "Load the file's version", help, Wish::Reload, wishes);
+                    let help = "Saving then writes your version over the other one";
+                    ask(ui, "Keep mine", help, Wish::KeepMine, wishes);
+                });
+            }
+            Conflict::Broken(_) => {
+                let text = format!("{name} was changed by another program and cannot be read now; your version stays");
+                row(ui, Tone::Warning, &text, |ui| {
+                    let help = "Saving then writes your version over the other one";
+                    ask(ui, "Keep mine", help, Wish::KeepMine, wishes);
+                });
+            }
+            Conflict::Gone => {
+                let text = format!("{name} was removed or moved by another program; saving writes it again");
+                row(ui, Tone::Warning, &text, |ui| ask(ui, "Understood", "Hides this", Wish::Hide, wishes));
+            }
+        }
+    }
+
+    /// The menu of files that were open. Returns the one that is wanted.
+    pub(crate) fn recent_menu(&self, ui: &mut Ui) -> Option<PathBuf> {
+        let mut wanted = None;
+        let menu = ui.menu_button("Recent", |ui| {
+            let mut is_empty = true;
+            for (path, is_there) in self.recent() {
+                is_empty = false;
+                let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+                let help = path.display().to_string();
+                let button = ui.add_enabled(is_there, egui::Button::new(name));
+                let button =
+                    button.on_hover_text(&help).on_disabled_hover_text(format!("{help} is not there any more"));
+                if button.clicked() {
+                    wanted = Some(path.clone());
+                    ui.close();
+                }
+            }
+            if is_empty {
+                ui.label(RichText::new("Files that you open are listed here").weak());
+            }
+        });
+        menu.response.on_hover_text("Looks that were open, the newest first");
+        wanted
+    }
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Tone {
+    Note,
+    Warning,
+}
+
+fn row(ui: &mut Ui, tone: Tone, text: &str, buttons: impl FnOnce(&mut Ui)) {
+    ui.horizontal(|ui| {
+        let color = match tone {
+            Tone::Note => ui.visuals().strong_text_color(),
+            Tone::Warning => ui.visuals().warn_fg_color,
+        };
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            buttons(ui);
+            ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
+                ui.add(egui::Label::new(RichText::new(text).color(color)).truncate());
+            });
+        });
+    });
+}
+
+fn ask(ui: &mut Ui, label: &str, help: &str, wish: Wish, wishes: &mut Vec<Wish>) {
+    if ui.button(label).on_hover_text(help).clicked() {
+        wishes.push(wish);
+    }
+}
+
+fn offered(ui: &mut Ui, number: usize, offer: &Offer, wishes: &mut Vec<Wish>) {
+    if offer.is_thrown {
+        let text = format!("{} is thrown away when this window closes", offer.name);
+        row(ui, Tone::Note, &text, |ui| {
+            ask(ui, "Keep it", "It is offered again", Wish::Throw(number, false), wishes);
+        });
+        return;
+    }
+    let tone = if offer.damage.is_empty() { Tone::Note } else { Tone::Warning };
+    row(ui, tone, &format!("Work that was not saved: {}", offer.summary()), |ui| {
+        let help = "It goes when this window closes; until then you can still keep it";
+        ask(ui, "Throw it away", help, Wish::Throw(number, true), wishes);
+        if offer.is_readable {
+            let path =
+                offer.path.as_ref().map_or_else(|| "It has no file yet".to_owned(), |path| path.display().to_string());
+            let help = format!("{path}\nOpens it as it was, with everything that can be undone");
+            ask(ui, "Take it back", &help, Wish::TakeBack(number), wishes);
+        }
+    });
+}

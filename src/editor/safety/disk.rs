@@ -1,0 +1,241 @@
+//! Files that the look lives on, changed by other programs: its own, the project's nodes, its mesh and images.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::{Duration, SystemTime};
+
+use super::super::session::Session;
+use super::super::session::keeping::OnDisk;
+use super::watch::{Watch, Watched};
+use crate::compile::CompiledShader;
+use crate::frame::SHAPE_PREFIX;
+
+/// After a change nothing is read for so long, in seconds: whoever writes may not be done.
+const CALM: f64 = 0.15;
+/// As many files of a project's nodes are looked at.
+const MAX_NODE_FILES: usize = 4096;
+
+type Stamp = Option<(SystemTime, u64)>;
+
+/// The look's own file is not what it was.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Conflict {
+    /// Both sides have changed it; the text is theirs.
+    Changed(String),
+    /// Another program wrote what cannot be read without an error.
+    Broken(String),
+    /// It was removed or moved away.
+    Gone,
+}
+
+/// What decides which files there are.
+#[derive(Clone, Default)]
+struct Use {
+    document: u64,
+    path: Option<PathBuf>,
+    mesh: String,
+    shader: Option<Arc<CompiledShader>>,
+}
+
+impl Use {
+    fn is(&self, session: &Session) -> bool {
+        let same_shader = match (&self.shader, session.baked()) {
+            (Some(old), Some(new)) => Arc::ptr_eq(old, new),
+            (None, None) => true,
+            _ => false,
+        };
+        same_shader
+            && self.document == session.document_number()
+            && self.path.as_deref() == session.path()
+            && self.mesh == session.view.mesh
+    }
+}
+
+/// Looks after files.
+pub(crate) struct Disk {
+    watch: Watch,
+    of: Use,
+    is_new: bool,
+    look: Option<PathBuf>,
+    nodes: Option<PathBuf>,
+    node_stamps: BTreeMap<PathBuf, Stamp>,
+    assets: BTreeMap<PathBuf, Stamp>,
+    /// When to look, on the window's clock.
+    due: Option<f64>,
+    /// What is to be decided.
+    pub(crate) conflict: Option<Conflict>,
+    /// Whether there was a file, and nobody knows yet that it is gone.
+    was_there: bool,
+}
+
+impl Disk {
+    /// `wake` is called from another thread when something happened.
+    pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
+        Self {
+            watch: Watch::new(wake),
+            of: Use::default(),
+            is_new: true,
+            look: None,
+            nodes: None,
+            node_stamps: BTreeMap::new(),
+            assets: BTreeMap::new(),
+            due: None,
+            conflict: None,
+            was_there: false,
+        }
+    }
+
+    /// Looks at files when it is time to. Returns what to tell, and when to call again.
+    pub(crate) fn tick(
+        &mut self,
+        session: &mut Session,
+        now: f64,
+        came_back: bool,
+    ) -> (Option<String>, Option<Duration>) {
+        if (self.is_new || !self.of.is(session)) && self.use_of(session) {
+            // Work that is taken back may be older than its file.
+            self.due = Some(now);
+        }
+        if self.watch.take() {
+            self.due = Some(now + CALM);
+        }
+        if came_back {
+            self.due = Some(now);
+        }
+        match self.due {
+            Some(due) if now >= due => {
+                self.due = None;
+                (self.check(session), None)
+            }
+            Some(due) => (None, Some(Duration::from_secs_f64((due - now).max(0.01)))),
+            None => (None, None),
+        }
+    }
+
+    /// Finds out which files there are now. Returns whether they are another look's.
+    fn use_of(&mut self, session: &Session) -> bool {
+        let is_other =
+            self.is_new || self.of.document != session.document_number() || self.of.path.as_deref() != session.path();
+        self.is_new = false;
+        self.of = Use {
+            document: session.document_number(),
+            path: session.path().map(Path::to_path_buf),
+            mesh: session.view.mesh.clone(),
+            shader: session.baked().cloned(),
+        };
+        if is_other {
+            self.conflict = None;
+            self.look = session.path().and_then(|path| std::path::absolute(path).ok());
+            self.was_there = self.look.as_ref().is_some_and(|path| path.exists());
+            self.nodes = self.look.as_ref().and_then(|path| path.parent()).map(|folder| folder.join("nodes"));
+            self.node_stamps = self.nodes.as_deref().map(stamps_below).unwrap_or_default();
+        }
+        let folder = session.folder();
+        let images =
+            session.baked().into_iter().flat_map(|shader| &shader.named_images).map(|image| image.path.as_str());
+        let mesh = Some(session.view.mesh.as_str()).filter(|mesh| !mesh.starts_with(SHAPE_PREFIX));
+        let paths = images.map(|path| folder.join(path)).chain(mesh.map(PathBuf::from));
+        let paths = paths.filter_map(|path| std::path::absolute(path).ok());
+        let known = std::mem::take(&mut self.assets);
+        self.assets =
+            paths.map(|path| (path.clone(), known.get(&path).copied().unwrap_or_else(|| stamp(&path)))).collect();
+        let links = self.look.iter().filter_map(|path| path.canonicalize().ok());
+        let files = self.assets.keys().cloned().chain(self.look.clone()).chain(links).collect();
+        self.watch.set(Watched { files, folder: self.nodes.clone() });
+        is_other
+    }
+
+    /// The note that the file is gone was read.
+    pub(crate) fn forget_gone(&mut self) {
+        if self.conflict == Some(Conflict::Gone) {
+            self.conflict = None;
+            self.was_there = false;
+        }
+    }
+
+    /// Looks at all files. Returns what to tell.
+    pub(crate) fn check(&mut self, session: &mut Session) -> Option<String> {
+        let mut told = self.check_look(session);
+        let nodes = self.nodes.as_deref().map(stamps_below).unwrap_or_default();
+        if nodes != self.node_stamps {
+            // The folder may be new, and is watched from now on.
+            self.is_new |= self.node_stamps.is_empty() || nodes.is_empty();
+            self.node_stamps = nodes;
+            session.reload_library();
+            told = told.or_else(|| Some("The project's nodes were loaded again".to_owned()));
+        }
+        let mut changed = None;
+        for (path, old) in &mut self.assets {
+            let new = stamp(path);
+            if *old != new {
+                *old = new;
+                changed = path.file_name().map(|name| name.to_string_lossy().into_owned());
+            }
+        }
+        if let Some(name) = changed {
+            session.files_changed();
+            told = told.or_else(|| Some(format!("{name} was loaded again")));
+        }
+        told
+    }
+
+    fn check_look(&mut self, session: &mut Session) -> Option<String> {
+        match session.on_disk() {
+            OnDisk::Same => {
+                self.was_there |= self.look.is_some();
+                if let Some(Conflict::Broken(_)) = self.conflict.take() {
+                    session.load_problems.clear();
+                }
+                None
+            }
+            OnDisk::Gone => {
+                self.conflict = self.was_there.then_some(Conflict::Gone);
+                None
+            }
+            OnDisk::Unreadable => None,
+            OnDisk::Changed(text) if session.is_dirty() => {
+                self.conflict = Some(Conflict::Changed(text));
+                None
+            }
+            OnDisk::Changed(text) => {
+                if !session.reload(&text) {
+                    self.conflict = Some(Conflict::Broken(text));
+                    return None;
+                }
+                self.conflict = None;
+                let name = self.look.as_ref().and_then(|path| path.file_name()).map(|name| name.to_string_lossy());
+                Some(format!("{} was changed by another program and loaded again", name.unwrap_or_default()))
+            }
+        }
+    }
+}
+
+fn stamp(path: &Path) -> Stamp {
+    let data = std::fs::metadata(path).ok()?;
+    Some((data.modified().ok()?, data.len()))
+}
+
+/// The files of a project's nodes.
+fn stamps_below(folder: &Path) -> BTreeMap<PathBuf, Stamp> {
+    const MAX_DEPTH: usize = 8;
+    let mut found = BTreeMap::new();
+    let mut folders = vec![(folder.to_owned(), 0)];
+    while let Some((folder, depth)) = folders.pop() {
+        let Ok(entries) = std::fs::read_dir(&folder) else { continue };
+        for path in entries.flatten().map(|entry| entry.path()) {
+            if path.is_dir() {
+                if depth < MAX_DEPTH {
+                    folders.push((path, depth + 1));
+                }
+            } else if path.extension().is_some_and(|ending| ending == "wgsl" || ending == "json") {
+                let stamp = stamp(&path);
+                found.insert(path, stamp);
+            }
+            if found.len() >= MAX_NODE_FILES {
+                return found;
+            }
+        }
+    }
+    found
+}

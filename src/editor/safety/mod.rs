@@ -1,0 +1,199 @@
+//! Nothing is ever lost: unsaved work is kept in a journal and offered again, files changed by other programs are
+//! noticed, and what the window remembers is saved. All of it is told in a bar below the top one, and nothing asks in the
+//! middle of the work.
+
+mod bar;
+mod disk;
+pub(crate) mod keeper;
+mod offers;
+pub(crate) mod places;
+mod watch;
+
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use eframe::egui;
+use eframe::egui::Ui;
+
+use super::session::Session;
+use super::settings::{Settings, Theme};
+use crate::frame::SHAPE_PREFIX;
+use disk::{Conflict, Disk};
+use offers::Offers;
+use places::Places;
+
+/// What the bar asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Wish {
+    /// Opens what is offered under this number.
+    TakeBack(usize),
+    /// Throws it away when the window closes, or does not.
+    Throw(usize, bool),
+    /// Takes the file as another program left it.
+    Reload,
+    /// Lets saving write over it.
+    KeepMine,
+    /// The note was read.
+    Hide,
+}
+
+/// What looks after a window's work.
+pub(crate) struct Safety {
+    places: Option<Places>,
+    disk: Disk,
+    offers: Offers,
+    pub(crate) settings: Settings,
+    /// The theme and the scale that the window had in the last frame.
+    window: Option<(Theme, f32)>,
+    /// Whether the note that nothing is kept was read.
+    is_problem_read: bool,
+}
+
+impl Safety {
+    /// One that notices changed files, and keeps nothing until it is told where. `wake` is called from another thread
+    /// when a file may have changed.
+    pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
+        Self {
+            places: None,
+            disk: Disk::new(wake),
+            offers: Offers::default(),
+            settings: Settings::default(),
+            window: None,
+            is_problem_read: false,
+        }
+    }
+
+    /// Keeps journals and settings here from now on, and looks for what was left behind.
+    pub(crate) fn keep_in(&mut self, places: Places, session: &mut Session, wake: impl Fn() + Send + 'static) {
+        session.keep_in(&places.journals(), wake);
+        self.settings = Settings::load(&places.settings());
+        if let Some(mesh) = &self.settings.mesh
+            && (mesh.starts_with(SHAPE_PREFIX) || Path::new(mesh).exists())
+        {
+            mesh.clone_into(&mut session.view.mesh);
+        }
+        self.places = Some(places);
+        self.look();
+    }
+
+    /// Looks for work that nobody holds.
+    pub(crate) fn look(&mut self) {
+        if let Some(places) = &self.places {
+            self.offers.look(&places.journals());
+        }
+    }
+
+    /// Goes on where the last window was closed, if anything was not saved then. A window that crashed is not gone on
+    /// with unasked: what it was at may be what broke it.
+    pub(crate) fn resume(&mut self, session: &mut Session) -> Option<String> {
+        let number = self.offers.closed()?;
+        Some(self.take_back(number, session))
+    }
+
+    /// Opens a file with the past or the unsaved work that a journal has of it, where the file is what that was based on.
+    /// Returns what to tell; `None` where the file is to be read.
+    pub(crate) fn reopen(&mut self, path: &Path, session: &mut Session) -> Option<String> {
+        if let Some(number) = self.offers.of_file(path, false) {
+            return Some(self.take_back(number, session));
+        }
+        let number = self.offers.of_file(path, true)?;
+        self.take_back(number, session);
+        Some(String::new())
+    }
+
+    fn take_back(&mut self, number: usize, session: &mut Session) -> String {
+        if session.is_dirty() && !session.keeps_work() {
+            return "Save this look first: its changes cannot be put aside now".to_owned();
+        }
+        session.leave_journal(false);
+        let told = match self.offers.take_back(number, session) {
+            Ok(name) => format!("{name} is as it was, with all its changes"),
+            Err(problem) => problem.message,
+        };
+        self.look();
+        told
+    }
+
+    /// Remembers that a file was opened or saved.
+    pub(crate) fn opened(&mut self, path: &Path) {
+        self.change_settings(|settings| settings.opened(path));
+    }
+
+    /// Remembers a mesh.
+    pub(crate) fn shown_on(&mut self, mesh: &str) {
+        let path = std::path::absolute(mesh).ok().filter(|_| !mesh.starts_with(SHAPE_PREFIX));
+        let mesh = path.and_then(|path| path.to_str().map(str::to_owned)).unwrap_or_else(|| mesh.to_owned());
+        self.change_settings(|settings| settings.mesh = Some(mesh));
+    }
+
+    /// Whether anything is remembered from one time to the next.
+    pub(crate) fn remembers(&self) -> bool {
+        self.places.is_some()
+    }
+
+    /// Remembers theme and scale, and an arrangement of panels, where this window has changed them.
+    pub(crate) fn remember(&mut self, ctx: &egui::Context, layout: Option<serde_json::Value>) {
+        let now = Settings::of_window(ctx);
+        let is_other = self.window.replace(now).is_some_and(|before| before != now);
+        if self.remembers() && (is_other || layout.is_some()) {
+            self.change_settings(|settings| {
+                if is_other {
+                    (settings.theme, settings.scale) = now;
+                }
+                settings.layout = layout.or(settings.layout.take());
+            });
+        }
+    }
+
+    /// Changes what is remembered, and saves it.
+    pub(crate) fn change_settings(&mut self, change: impl FnOnce(&mut Settings)) {
+        match self.places.as_ref().map(Places::settings) {
+            // Where they cannot be saved, the window goes on with what it knew: nothing of anybody's work is lost.
+            Some(path) => self.settings = Settings::change(&path, &self.settings, change),
+            None => change(&mut self.settings),
+        }
+    }
+
+    /// Looks at files when it is time to. Returns what to tell, and when to call again.
+    pub(crate) fn tick(&mut self, ui: &Ui, session: &mut Session) -> (Option<String>, Option<Duration>) {
+        let came_back = ui.input(|input| input.events.contains(&egui::Event::WindowFocused(true)));
+        self.disk.tick(session, ui.input(|input| input.time), came_back)
+    }
+
+    /// Looks at files now. Returns what to tell.
+    pub(crate) fn look_at_files(&mut self, session: &mut Session) -> Option<String> {
+        self.disk.check(session)
+    }
+
+    /// Does what the bar asks for. Returns what to tell.
+    pub(crate) fn apply(&mut self, wish: Wish, session: &mut Session) -> Option<String> {
+        match wish {
+            Wish::TakeBack(number) => return Some(self.take_back(number, session)),
+            Wish::Throw(number, is_thrown) => self.offers.throw(number, is_thrown),
+            Wish::Reload => {
+                if let Some(Conflict::Changed(text)) = self.disk.conflict.take() {
+                    if session.reload(&text) {
+                        return Some("Loaded again; Undo brings your changes back".to_owned());
+                    }
+                    self.disk.conflict = Some(Conflict::Broken(text));
+                }
+            }
+            Wish::KeepMine => {
+                if let Some(Conflict::Changed(text) | Conflict::Broken(text)) = self.disk.conflict.take() {
+                    session.keep_mine(text);
+                    return Some("Saving will write over the other version".to_owned());
+                }
+            }
+            Wish::Hide => {
+                self.is_problem_read = session.keeping_problem().is_some();
+                self.disk.forget_gone();
+            }
+        }
+        None
+    }
+
+    /// The files that were open, the newest first, each with whether it is still there.
+    pub(crate) fn recent(&self) -> impl Iterator<Item = (&PathBuf, bool)> {
+        self.settings.recent.iter().map(|path| (path, path.exists()))
+    }
+}

@@ -1,0 +1,194 @@
+//! Work that was left behind: by a window that crashed, by one that was closed, or put aside for another document.
+
+use std::path::{Path, PathBuf};
+use std::time::{Duration, SystemTime};
+
+use super::super::session::Session;
+use crate::clock;
+use crate::diag::Diagnostic;
+use crate::document::journal::{Recovered, Slot, left_behind, recover};
+use crate::document::{Look, read_text};
+
+/// Nobody asks any more what could be undone in a saved look after so long.
+const FORGOTTEN: Duration = Duration::from_secs(7 * 24 * 60 * 60);
+
+/// Unsaved work that can be taken back.
+#[derive(Debug)]
+pub(crate) struct Offer {
+    slot: Slot,
+    /// What people call it.
+    pub(crate) name: String,
+    /// Its file, if it has one.
+    pub(crate) path: Option<PathBuf>,
+    /// How many undo steps would be lost; `None` where nobody knows.
+    pub(crate) steps: Option<usize>,
+    /// When it was worked on last.
+    pub(crate) written: Option<SystemTime>,
+    /// Whether the window was closed as windows are.
+    pub(crate) is_closed: bool,
+    /// Whether it is to be thrown away when this window closes.
+    pub(crate) is_thrown: bool,
+    /// What is wrong with the journal.
+    pub(crate) damage: Vec<Diagnostic>,
+    /// Whether anything can be taken back.
+    pub(crate) is_readable: bool,
+    /// Whether its file holds it all: only its past is worth anything, to who opens the file again.
+    is_saved: bool,
+}
+
+impl Offer {
+    fn of(slot: Slot) -> Option<Self> {
+        let written = slot.written();
+        match recover::<Look>(slot.path()) {
+            Ok(found) => {
+                let path = found.about.path.as_ref().map(PathBuf::from);
+                let is_saved = found.history.is_saved() || is_in_file(&found, path.as_deref());
+                if is_saved && written.is_none_or(|written| clock::age(written) > FORGOTTEN) {
+                    slot.discard();
+                    return None;
+                }
+                Some(Self {
+                    slot,
+                    name: found.about.name,
+                    path,
+                    steps: found.history.unsaved_steps().or(Some(found.history.steps().0)),
+                    written,
+                    is_closed: found.is_closed,
+                    is_thrown: false,
+                    damage: found.damage,
+                    is_readable: true,
+                    is_saved,
+                })
+            }
+            Err(problem) => Some(Self {
+                name: "a damaged journal".to_owned(),
+                path: None,
+                steps: None,
+                written,
+                is_closed: false,
+                is_thrown: false,
+                damage: vec![*problem],
+                is_readable: false,
+                is_saved: false,
+                slot,
+            }),
+        }
+    }
+
+    /// What people are told of it.
+    pub(crate) fn summary(&self) -> String {
+        let steps = match self.steps {
+            Some(1) => "1 change, ".to_owned(),
+            Some(count) => format!("{count} changes, "),
+            None => String::new(),
+        };
+        let ago = self.written.map_or_else(String::new, |written| ago(clock::age(written)));
+        let damaged = match (self.damage.is_empty(), self.is_readable) {
+            (true, _) => "",
+            (false, true) => "; a part of it was damaged and is lost",
+            (false, false) => "; nothing in it can be read",
+        };
+        format!("{}, {steps}{ago}{damaged}", self.name)
+    }
+}
+
+/// Whether the file holds the document as it is: it was saved, and the journal did not come to know.
+fn is_in_file(found: &Recovered<Look>, path: Option<&Path>) -> bool {
+    let text = path.and_then(|path| read_text(path).ok());
+    let in_file = text.and_then(|text| Look::read(&text, "").value);
+    in_file.is_some_and(|look| look.to_text() == found.history.document().to_text())
+}
+
+/// How long ago, as people say it.
+fn ago(age: Duration) -> String {
+    let count = |number: u64, unit: &str| format!("{number} {unit}{} ago", if number == 1 { "" } else { "s" });
+    match age.as_secs() {
+        0..60 => "just now".to_owned(),
+        seconds @ 60..3600 => count(seconds / 60, "minute"),
+        seconds @ 3600..86_400 => count(seconds / 3600, "hour"),
+        seconds => count(seconds / 86_400, "day"),
+    }
+}
+
+/// What was left behind, the newest first.
+#[derive(Debug, Default)]
+pub(crate) struct Offers {
+    all: Vec<Offer>,
+}
+
+impl Offers {
+    /// Looks for what nobody holds.
+    pub(crate) fn look(&mut self, folder: &Path) {
+        let mut all: Vec<Offer> = left_behind(folder).into_iter().filter_map(Offer::of).collect();
+        all.append(&mut self.all);
+        self.all = all;
+    }
+
+    /// What is offered, each with its number.
+    pub(crate) fn shown(&self) -> impl Iterator<Item = (usize, &Offer)> {
+        self.all.iter().enumerate().filter(|(_, offer)| !offer.is_saved)
+    }
+
+    /// The newest that a window left when it was closed.
+    pub(crate) fn closed(&self) -> Option<usize> {
+        self.shown().find(|(_, offer)| offer.is_closed && offer.is_readable).map(|(number, _)| number)
+    }
+
+    /// What was left of the look in this file, if the file is still what it was based on: `is_saved` asks for the past
+    /// of a saved look, else for unsaved work of a window that was closed.
+    pub(crate) fn of_file(&self, path: &Path, is_saved: bool) -> Option<usize> {
+        let path = std::path::absolute(path).ok()?;
+        let is_it = |offer: &Offer| {
+            offer.path.as_ref() == Some(&path) && offer.is_saved == is_saved && (is_saved || offer.is_closed)
+        };
+        let number = self.all.iter().position(is_it)?;
+        let found = recover::<Look>(self.all[number].slot.path()).ok()?;
+        let text = read_text(&path).ok()?;
+        let is_same = match is_saved {
+            true => found.source.as_ref() == Some(&text) && found.history.is_saved(),
+            false => found.source.as_ref() == Some(&text),
+        };
+        is_same.then_some(number)
+    }
+
+    /// Opens what is offered in the window, in place of the open look, which the caller has put aside.
+    ///
+    /// # Errors
+    /// Why it cannot be read; it is still offered then.
+    pub(crate) fn take_back(&mut self, number: usize, session: &mut Session) -> Result<String, Box<Diagnostic>> {
+        let Some(offer) = self.all.get(number) else { return Ok(String::new()) };
+        let found = recover::<Look>(offer.slot.path())?;
+        let offer = self.all.remove(number);
+        session.take_back(found, offer.slot);
+        Ok(offer.name)
+    }
+
+    /// Marks it to be thrown away, or not.
+    pub(crate) fn throw(&mut self, number: usize, is_thrown: bool) {
+        if let Some(offer) = self.all.get_mut(number) {
+            offer.is_thrown = is_thrown;
+        }
+    }
+}
+
+impl Drop for Offers {
+    fn drop(&mut self) {
+        for offer in self.all.drain(..).filter(|offer| offer.is_thrown) {
+            offer.slot.discard();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ages_are_said_as_people_say_them() {
+        let said = |seconds| ago(Duration::from_secs(seconds));
+        assert_eq!(said(59), "just now");
+        assert_eq!(said(60), "1 minute ago");
+        assert_eq!(said(7199), "1 hour ago");
+        assert_eq!(said(200_000), "2 days ago");
+    }
+}

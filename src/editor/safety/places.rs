@@ -1,0 +1,72 @@
+//! Where the window keeps what is not part of any document.
+
+use std::env::var_os;
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+/// Folders of the user's.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Places {
+    /// For work that is not saved yet.
+    pub state: PathBuf,
+    /// For settings.
+    pub config: PathBuf,
+}
+
+impl Places {
+    /// Those of the system (XDG on Linux), or what `CHIARO_STATE_DIR` and `CHIARO_CONFIG_DIR` name. `None` where the user
+    /// has no home.
+    pub fn of_user() -> Option<Self> {
+        Self::from(|name| var_os(name))
+    }
+
+    fn from(variable: impl Fn(&str) -> Option<OsString>) -> Option<Self> {
+        let folder = |name: &str| variable(name).map(PathBuf::from).filter(|path| path.is_absolute());
+        let home = |below: &str| folder("HOME").map(|home| home.join(below));
+        let (state, config) = if cfg!(target_os = "windows") {
+            (folder("LOCALAPPDATA"), folder("APPDATA"))
+        } else if cfg!(target_os = "macos") {
+            let support = home("Library/Application Support");
+            (support.clone(), support)
+        } else {
+            (
+                folder("XDG_STATE_HOME").or_else(|| home(".local/state")),
+                folder("XDG_CONFIG_HOME").or_else(|| home(".config")),
+            )
+        };
+        let own = |name: &str, system: Option<PathBuf>| {
+            let named = variable(name).filter(|name| !name.is_empty()).map(PathBuf::from);
+            named.or_else(|| system.map(|folder| folder.join("chiaro")))
+        };
+        Some(Self { state: own("CHIARO_STATE_DIR", state)?, config: own("CHIARO_CONFIG_DIR", config)? })
+    }
+
+    /// Where journals lie.
+    pub fn journals(&self) -> PathBuf {
+        self.state.join("journals")
+    }
+
+    /// The settings.
+    pub fn settings(&self) -> PathBuf {
+        self.config.join("settings.json")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn places_are_those_of_the_system_unless_named() {
+        let from = |pairs: &[(&str, &str)]| {
+            Places::from(|name| pairs.iter().find(|(key, _)| *key == name).map(|(_, value)| OsString::from(value)))
+        };
+        assert_eq!(from(&[]), None);
+        let home = from(&[("HOME", "/home/a"), ("XDG_CONFIG_HOME", "not/absolute")]).unwrap();
+        assert_eq!(home.journals(), PathBuf::from("/home/a/.local/state/chiaro/journals"));
+        assert_eq!(home.settings(), PathBuf::from("/home/a/.config/chiaro/settings.json"));
+        let named = from(&[("XDG_STATE_HOME", "/s"), ("CHIARO_CONFIG_DIR", "c"), ("HOME", "/h")]).unwrap();
+        assert_eq!((named.state, named.config), ("/s/chiaro".into(), "c".into()));
+    }
+}

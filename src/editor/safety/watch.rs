@@ -1,0 +1,99 @@
+//! Tells when files may have changed. What changed, and whether it did, is for others to see: events come several at a
+//! time, for half-written files, and on some systems not at all.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use notify::{EventKind, RecommendedWatcher, RecursiveMode, Watcher as _};
+
+/// What is watched.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Watched {
+    /// Files, which need not be there yet.
+    pub(super) files: BTreeSet<PathBuf>,
+    /// A folder with all in it.
+    pub(super) folder: Option<PathBuf>,
+}
+
+impl Watched {
+    fn holds(&self, path: &Path) -> bool {
+        self.files.contains(path) || self.folder.as_ref().is_some_and(|folder| path.starts_with(folder))
+    }
+
+    /// The folders to ask the system for. A file is watched by its folder, since a save puts another in its place.
+    fn folders(&self) -> BTreeMap<PathBuf, RecursiveMode> {
+        let parents = self.files.iter().chain(&self.folder).filter_map(|path| path.parent());
+        let mut folders: BTreeMap<PathBuf, RecursiveMode> = parents
+            .filter(|folder| folder.is_dir())
+            .map(|folder| (folder.to_owned(), RecursiveMode::NonRecursive))
+            .collect();
+        if let Some(folder) = self.folder.as_ref().filter(|folder| folder.is_dir()) {
+            folders.insert(folder.clone(), RecursiveMode::Recursive);
+        }
+        folders
+    }
+}
+
+#[derive(Default)]
+struct Shared {
+    watched: Mutex<Watched>,
+    happened: AtomicBool,
+}
+
+/// The system's watch on files.
+pub(super) struct Watch {
+    shared: Arc<Shared>,
+    /// `None` where the system has none; then files are looked at when the window is come back to.
+    watcher: Option<RecommendedWatcher>,
+    folders: BTreeMap<PathBuf, RecursiveMode>,
+}
+
+impl Watch {
+    /// `wake` is called from another thread when something happened.
+    pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
+        let shared = Arc::new(Shared::default());
+        let seen = shared.clone();
+        let watcher = notify::recommended_watcher(move |event: notify::Result<notify::Event>| {
+            let watched = seen.watched.lock().unwrap_or_else(PoisonError::into_inner);
+            let is_ours = match event {
+                // Reading is no change. An event without a path says that events were lost.
+                Ok(event) if matches!(event.kind, EventKind::Access(_)) => false,
+                Ok(event) => event.paths.is_empty() || event.paths.iter().any(|path| watched.holds(path)),
+                Err(_) => true,
+            };
+            drop(watched);
+            if is_ours {
+                seen.happened.store(true, Ordering::Relaxed);
+                wake();
+            }
+        });
+        Self { shared, watcher: watcher.ok(), folders: BTreeMap::new() }
+    }
+
+    /// Watches these and nothing else.
+    pub(super) fn set(&mut self, watched: Watched) {
+        let folders = watched.folders();
+        *self.shared.watched.lock().unwrap_or_else(PoisonError::into_inner) = watched;
+        let Some(watcher) = &mut self.watcher else { return };
+        for (folder, mode) in &self.folders {
+            if folders.get(folder) != Some(mode) {
+                // A folder that is gone is not watched any more anyway.
+                let _ = watcher.unwatch(folder);
+            }
+        }
+        let is_watched = |folder: &PathBuf, mode: &RecursiveMode| self.folders.get(folder) == Some(mode);
+        let new: Vec<_> = folders.iter().filter(|(folder, mode)| !is_watched(folder, mode)).collect();
+        for (folder, mode) in new {
+            // Where the system has no more watches to give, files are looked at when the window is come back to.
+            let _ = watcher.watch(folder, *mode);
+        }
+        self.folders = folders;
+    }
+
+    /// Whether anything happened since the last call.
+    pub(super) fn take(&self) -> bool {
+        self.shared.happened.swap(false, Ordering::Relaxed)
+    }
+}

@@ -1,0 +1,192 @@
+//! What the window remembers from one time to the next. A setting that cannot be understood has its default, and what
+//! this version does not know stays in the file.
+
+use std::path::{Path, PathBuf};
+
+use eframe::egui;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+
+use crate::diag::Diagnostic;
+use crate::document::{read_text, write_atomic};
+
+/// As many files are remembered.
+const MAX_RECENT: usize = 20;
+/// What the interface may be scaled by.
+const SCALE: std::ops::RangeInclusive<f32> = 0.5..=3.0;
+
+/// Dark, light, or as the system is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Theme {
+    /// Light on dark.
+    #[default]
+    Dark,
+    /// Dark on light.
+    Light,
+    /// What the desktop has.
+    System,
+}
+
+/// What is remembered.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// Looks that were open, the newest first.
+    pub recent: Vec<PathBuf>,
+    /// Colours.
+    pub theme: Theme,
+    /// How large everything is: 1 is as the system says.
+    pub scale: f32,
+    /// How panels are laid out, as the panels themselves write it.
+    pub layout: Option<Value>,
+    /// What looks were seen on last: a path, or `shape:` and a name.
+    pub mesh: Option<String>,
+    /// What other versions remember.
+    unknown: Map<String, Value>,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { recent: Vec::new(), theme: Theme::default(), scale: 1.0, layout: None, mesh: None, unknown: Map::new() }
+    }
+}
+
+impl Settings {
+    /// Reads settings; whatever is missing or damaged has its default.
+    pub fn load(path: &Path) -> Self {
+        read_text(path).map_or_else(|_| Self::default(), |text| Self::read(&text))
+    }
+
+    fn read(text: &str) -> Self {
+        let Ok(Value::Object(mut members)) = serde_json::from_str(text) else { return Self::default() };
+        let mut take = |name: &str| members.remove(name).unwrap_or_default();
+        let recent = take("recent").as_array().map_or_else(Vec::new, |paths| {
+            paths.iter().filter_map(Value::as_str).map(PathBuf::from).take(MAX_RECENT).collect()
+        });
+        let theme = serde_json::from_value(take("theme")).unwrap_or_default();
+        let scale = take("scale").as_f64().map_or(1.0, |scale| scale as f32);
+        let scale = if SCALE.contains(&scale) { scale } else { 1.0 };
+        let layout = Some(take("layout")).filter(|layout| !layout.is_null());
+        let mesh = take("mesh").as_str().map(str::to_owned);
+        Self { recent, theme, scale, layout, mesh, unknown: members }
+    }
+
+    fn to_text(&self) -> String {
+        let mut members = Map::new();
+        let recent = self.recent.iter().filter_map(|path| path.to_str()).map(Value::from).collect();
+        members.insert("recent".into(), Value::Array(recent));
+        members.insert("theme".into(), serde_json::to_value(self.theme).unwrap_or_default());
+        members.insert("scale".into(), self.scale.into());
+        members.extend(self.layout.clone().map(|layout| ("layout".into(), layout)));
+        members.extend(self.mesh.clone().map(|mesh| ("mesh".into(), mesh.into())));
+        members.extend(self.unknown.clone());
+        let mut text = serde_json::to_string_pretty(&Value::Object(members)).unwrap_or_default();
+        text.push('\n');
+        text
+    }
+
+    /// Saves them, whole or not at all.
+    ///
+    /// # Errors
+    /// Why they cannot be written; the window works without.
+    pub fn save(&self, path: &Path) -> Result<(), Box<Diagnostic>> {
+        if let Some(folder) = path.parent() {
+            // If it cannot be made, writing tells why.
+            let _ = std::fs::create_dir_all(folder);
+        }
+        write_atomic(path, self.to_text().as_bytes())
+    }
+
+    /// Changes the settings in a file: what another window has changed meanwhile stays. Returns them as they are then.
+    /// Where they cannot be saved the change holds for this window, over what it knew: no work of anybody's is lost.
+    pub fn change(path: &Path, known: &Self, change: impl FnOnce(&mut Self)) -> Self {
+        let before = if path.exists() { Self::load(path) } else { known.clone() };
+        let mut settings = before.clone();
+        change(&mut settings);
+        if settings != before {
+            // Next time it is tried again.
+            let _ = settings.save(path);
+        }
+        settings
+    }
+
+    /// Gives a window the theme and the scale.
+    pub(crate) fn apply(&self, ctx: &egui::Context) {
+        ctx.set_theme(match self.theme {
+            Theme::Dark => egui::ThemePreference::Dark,
+            Theme::Light => egui::ThemePreference::Light,
+            Theme::System => egui::ThemePreference::System,
+        });
+        ctx.set_zoom_factor(self.scale);
+    }
+
+    /// The theme and the scale of a window.
+    pub(crate) fn of_window(ctx: &egui::Context) -> (Theme, f32) {
+        let theme = match ctx.options(|options| options.theme_preference) {
+            egui::ThemePreference::Dark => Theme::Dark,
+            egui::ThemePreference::Light => Theme::Light,
+            egui::ThemePreference::System => Theme::System,
+        };
+        (theme, ctx.zoom_factor().clamp(*SCALE.start(), *SCALE.end()))
+    }
+
+    /// Puts a file first among those that were open.
+    pub fn opened(&mut self, path: &Path) {
+        let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+        self.recent.retain(|other| *other != path);
+        self.recent.insert(0, path);
+        self.recent.truncate(MAX_RECENT);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn settings_are_read_back() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("made/settings.json");
+        assert_eq!(Settings::load(&path), Settings::default());
+        let mut settings = Settings { theme: Theme::Light, scale: 1.5, ..Settings::default() };
+        settings.layout = Some(serde_json::json!({"left": 0.3}));
+        settings.mesh = Some("shape:torus".to_owned());
+        settings.opened(Path::new("/a/one.json"));
+        settings.save(&path).unwrap();
+        assert_eq!(Settings::load(&path), settings);
+    }
+
+    #[test]
+    fn the_newest_file_comes_first_and_once() {
+        let mut settings = Settings::default();
+        for index in 0..30 {
+            settings.opened(Path::new(&format!("/a/{index}.json")));
+        }
+        settings.opened(Path::new("/a/25.json"));
+        assert_eq!(settings.recent.len(), MAX_RECENT);
+        let first: Vec<_> = settings.recent.iter().take(3).map(|path| path.to_str().unwrap()).collect();
+        assert_eq!(first, ["/a/25.json", "/a/29.json", "/a/28.json"]);
+    }
+
+    #[test]
+    fn damage_costs_only_what_is_damaged() {
+        for text in ["", "[]", "{", "null", "{\"recent\": 5, \"theme\": 7, \"scale\": \"x\", \"mesh\": []}"] {
+            assert_eq!(Settings::read(text), Settings::default(), "{text}");
+        }
+        let settings = Settings::read(r#"{"recent": ["/a", 3, "/b"], "theme": "mauve", "scale": 900, "mine": 1}"#);
+        assert_eq!(settings.recent, [PathBuf::from("/a"), PathBuf::from("/b")]);
+        assert_eq!((settings.theme, settings.scale), (Theme::Dark, 1.0));
+        assert!(settings.to_text().contains("\"mine\": 1"), "what others remember stays");
+    }
+
+    #[test]
+    fn two_windows_do_not_undo_each_other() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("settings.json");
+        let nothing = Settings::default();
+        Settings::change(&path, &nothing, |settings| settings.opened(Path::new("/a.json")));
+        Settings::change(&path, &nothing, |settings| settings.theme = Theme::System);
+        let settings = Settings::load(&path);
+        assert_eq!((settings.recent.len(), settings.theme), (1, Theme::System));
+    }
+}
