@@ -91,6 +91,10 @@ slug_type!(
     FrameId
 );
 slug_type!(
+    /// A text on the canvas.
+    NoteId
+);
+slug_type!(
     /// An object of a scene.
     ObjectId
 );

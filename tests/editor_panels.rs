@@ -284,9 +284,8 @@ fn tiers_are_measured_when_asked_and_adopted_by_a_click() {
     hand.click(measure);
     let stop = hand.harness.get_by_label("Stop").rect().center();
     hand.click(stop);
-    let clock = std::time::Instant::now();
     hand.settle();
-    assert!(clock.elapsed().as_secs() < 60 && !hand.app().is_busy());
+    assert!(!hand.app().is_busy());
     assert_eq!(hand.app().cost().report().unwrap().rows.len(), rows);
 }
 

@@ -6,8 +6,9 @@ mod editor_support;
 use chiaro::editor::App;
 use chiaro::render::{Gpu, block_on};
 use editor_support::Hand;
-use eframe::egui::vec2;
+use eframe::egui::{Key, vec2};
 use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
 
 /// A window that draws.
@@ -101,4 +102,213 @@ fn the_look_is_seen_on_another_mesh_and_on_one_from_a_file() {
     // The problem that is told makes the viewport lower, so only what it shows is held, not where.
     let shown = middle_row(&mut hand);
     assert_eq!(shown[shown.len() / 2], wedge[wedge.len() / 2]);
+}
+
+/// A look that shows a painted ball.
+const LITSPHERE: &str = r##"{
+  "name": "Ball",
+  "nodes": [
+    {"id": "ball", "kind": "litsphere", "at": [0, 0], "values": {"image": "ball.png", "lookup": "camera"}},
+    {"id": "output", "kind": "output", "at": [260, 0]}
+  ],
+  "wires": [{"from": "ball", "to": "output.color"}]
+}"##;
+
+#[test]
+fn a_baked_ball_shows_what_the_look_shows() {
+    let mut hand = window();
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name);
+    hand.app_mut().show_on("shape:knot");
+    // From aside, with the lights turned, and without perspective, where normals turn away from the camera a little.
+    let rect = hand.app().viewport().rect().unwrap();
+    hand.hover(rect.center());
+    hand.key(Key::P);
+    hand.drag(rect.min + vec2(4.0, 30.0), rect.min + vec2(60.0, 50.0));
+    hand.drag(rect.center(), rect.center() + vec2(30.0, 20.0));
+    hand.app_mut().bake_litsphere(512, &file("ball.png"));
+    hand.app_mut().save_picture([320, 240], &file("own.png"));
+    hand.settle();
+    let orbit = hand.app().session().orbit().clone();
+    std::fs::write(file("ball.json"), LITSPHERE).unwrap();
+    hand.app_mut().open(&file("ball.json"));
+    hand.app_mut().show_on("shape:knot");
+    hand.hover(rect.center());
+    hand.key(Key::P);
+    hand.drag(rect.min + vec2(4.0, 30.0), rect.min + vec2(60.0, 50.0));
+    hand.settle();
+    assert!((hand.app().session().orbit().direction() - orbit.direction()).length() < 1e-9, "seen from the same place");
+    hand.app_mut().save_picture([320, 240], &file("baked.png"));
+    hand.settle();
+    let [own, baked] = ["own.png", "baked.png"].map(|name| image::open(file(name)).unwrap().into_rgba8());
+    let backdrop = own.get_pixel(0, 0).0;
+    let (mut sum, mut count, mut far) = (0.0, 0, 0);
+    for (a, b) in own.pixels().zip(baked.pixels()).filter(|(a, _)| a.0 != backdrop) {
+        let difference = (0..3).map(|k| a.0[k].abs_diff(b.0[k])).max().unwrap();
+        // Near the rim of the ball's picture a pixel is several degrees.
+        far += u32::from(difference > 6);
+        sum += f64::from(difference);
+        count += 1;
+    }
+    assert!(count > 5000, "{count}");
+    let mean = sum / f64::from(count);
+    assert!(mean < 0.6 && far * 100 < count, "mean {mean} of 255, {far} of {count} pixels are far off");
+}
+
+#[test]
+fn a_picture_is_saved_in_its_size_and_on_its_backdrop() {
+    let mut hand = window();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("picture.png");
+    hand.app_mut().save_picture([123, 77], &path);
+    hand.settle();
+    let picture = image::open(&path).unwrap().into_rgba8();
+    assert_eq!(picture.dimensions(), (123, 77));
+    assert_eq!(picture.get_pixel(0, 0).0[3], 255);
+    assert_ne!(picture.get_pixel(0, 0), picture.get_pixel(61, 38));
+    assert!(hand.harness.query_by_label_contains("Saved").is_some(), "it is told");
+}
+
+#[test]
+fn what_a_hand_does_is_in_the_frame_that_follows() {
+    let mut hand = window();
+    hand.app_mut().show_on("shape:sphere");
+    hand.app_mut().session_mut().select(vec!["diffuse".into()]);
+    hand.settle();
+    let slider = hand.slider("Cut-off");
+    let from = slider.left_center() + vec2(slider.width() * 0.5, 0.0);
+    // A first drag, for the live shader's pipeline.
+    hand.drag(from, from + vec2(5.0, 0.0));
+    hand.settle();
+    let before = middle_row(&mut hand);
+    let wishes = hand.app().pictures();
+    let slider = hand.slider("Cut-off");
+    let from = slider.left_center() + vec2(slider.width() * 0.5, 0.0);
+    hand.press(from);
+    hand.move_to(from + vec2(40.0, 0.0));
+    // This frame's edit has asked for its picture before the frame ended.
+    assert!(hand.app().pictures() > wishes);
+    hand.app().wait();
+    let after = middle_row(&mut hand);
+    assert_ne!(before, after, "and the frame shows it");
+    hand.release(from + vec2(40.0, 0.0));
+    hand.settle();
+    assert_eq!(hand.app().coarseness(), 1, "at rest the picture is whole");
+}
+
+#[test]
+fn an_image_is_held_beside_the_picture_and_over_it() {
+    let mut hand = window();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("paint.png");
+    image::RgbaImage::from_pixel(8, 8, image::Rgba([250, 20, 10, 255])).save(&path).unwrap();
+    let room = hand.app().viewport().rect().unwrap();
+    hand.app_mut().show_reference(&path);
+    hand.settle();
+    let rect = hand.app().viewport().rect().unwrap();
+    assert!((rect.width() - room.width() / 2.0).abs() < 1.0, "the picture has the right half");
+    let at = room.left_center() + vec2(room.width() / 4.0, 0.0);
+    let color = |hand: &mut Hand| hand.harness.render().unwrap().get_pixel(at.x as u32, at.y as u32).0;
+    assert_eq!(color(&mut hand), [250, 20, 10, 255]);
+    let options = hand.harness.get_by_label("Options").rect().center();
+    hand.click(options);
+    let over = hand.harness.get_by_label("Over").rect().center();
+    hand.click(over);
+    assert!(hand.harness.query_by_label("Opacity of the image").is_some(), "the menu stays open");
+    hand.settle();
+    assert_eq!(hand.app().viewport().rect().unwrap().width(), room.width());
+    let away = hand.harness.get_by_label("Take away").rect().center();
+    hand.click(away);
+    hand.settle();
+    assert!(color(&mut hand)[0] < 200);
+}
+
+#[test]
+fn exposure_changes_what_is_shown_and_not_the_look() {
+    let mut hand = window();
+    hand.app_mut().show_on("shape:sphere");
+    hand.settle();
+    let dim = middle_row(&mut hand);
+    let options = hand.harness.get_by_label("Options").rect().center();
+    hand.click(options);
+    let sliders = hand.harness.get_all_by_label("Exposure").map(|node| node.rect());
+    let slider = sliders.max_by(|a, b| a.width().total_cmp(&b.width())).unwrap();
+    hand.click(slider.left_center() + vec2(slider.width() * 0.625, 0.0));
+    hand.click(options);
+    hand.settle();
+    let bright = middle_row(&mut hand);
+    let middle = dim.len() / 2;
+    // Half of the way from 0 to 4 stops on the right is 1 stop: about 2^(1 / 2.2) of what is shown.
+    let gain = f64::from(bright[middle][1]) / f64::from(dim[middle][1]);
+    assert!((1.25..1.5).contains(&gain), "{gain}");
+    assert!(!hand.app().session().is_dirty());
+}
+
+/// Times in milliseconds, in order.
+fn told(what: &str, mut times: Vec<f64>) {
+    times.sort_by(f64::total_cmp);
+    let (median, p95) = (times[times.len() / 2], times[times.len() * 95 / 100]);
+    println!("{what:<60} median {median:6.2} ms, p95 {p95:6.2} ms");
+}
+
+/// What the viewport costs while its handles are dragged, and how soon the picture follows.
+#[test]
+#[ignore = "prints how long it takes, and judges nothing"]
+fn the_viewport_is_measured() {
+    use chiaro::clock::Clock;
+    let mut hand = window();
+    let rect = hand.app().viewport().rect().unwrap();
+    println!("picture of {} x {} pixels", rect.width(), rect.height());
+    hand.app_mut().open(std::path::Path::new("examples/looks/figure1-layers.json"));
+    let models = std::env::var("CHIARO_MODELS").ok();
+    let meshes = ["shape:creature".to_owned()].into_iter();
+    let meshes = meshes.chain(models.map(|folder| format!("{folder}/nefertiti.obj")));
+    for mesh in meshes {
+        hand.app_mut().show_on(&mesh);
+        for selected in [false, true] {
+            let ids = if selected { vec!["diffuse".into()] } else { Vec::new() };
+            hand.app_mut().session_mut().select(ids);
+            hand.settle();
+            hand.hover(rect.center());
+            let mut frames = Vec::new();
+            for _ in 0..60 {
+                let clock = Clock::start();
+                hand.harness.step();
+                frames.push(clock.seconds() * 1e3);
+            }
+            let what = if selected { "with handles" } else { "without" };
+            told(&format!("{mesh}: a frame of the window at rest, {what}"), frames);
+        }
+        let port = "cutoff";
+        let points = hand.app().viewport().curve(port);
+        let from = points[points.len() / 2];
+        hand.press(from);
+        let (mut frames, mut pictures) = (Vec::new(), Vec::new());
+        for step in 0_u8..60 {
+            let to = from + vec2(f32::from(step % 20) * 2.0 + 8.0, 0.0);
+            let clock = Clock::start();
+            hand.move_to(to);
+            frames.push(clock.seconds() * 1e3);
+            hand.app().wait();
+            hand.harness.render().unwrap();
+            pictures.push(clock.seconds() * 1e3);
+        }
+        hand.release(from);
+        told(&format!("{mesh}: an isocurve is dragged, a frame"), frames);
+        told(&format!("{mesh}: until the window with the picture is read back"), pictures);
+        hand.settle();
+        let middle = hand.app().viewport().middle().unwrap_or(rect.center());
+        hand.press(middle);
+        let mut frames = Vec::new();
+        for step in 0_u8..60 {
+            let clock = Clock::start();
+            hand.move_to(rect.center() + vec2(f32::from(step % 20) * 3.0, 10.0));
+            frames.push(clock.seconds() * 1e3);
+        }
+        hand.release(rect.center());
+        told(&format!("{mesh}: the light is dragged, a frame"), frames);
+        println!("coarseness {}", hand.app().coarseness());
+        hand.undo();
+        hand.undo();
+    }
 }

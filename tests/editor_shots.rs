@@ -10,7 +10,7 @@ use std::sync::Arc;
 use chiaro::editor::App;
 use chiaro::render::device_descriptor;
 use editor_support::Hand;
-use eframe::egui::{Role, Theme, vec2};
+use eframe::egui::{Key, Role, Theme, vec2};
 use eframe::egui_wgpu::WgpuSetup;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -49,6 +49,47 @@ fn shots() {
     let tab = hand.harness.get_by_label("Code").rect().center();
     hand.click(tab);
     save(&mut hand, "light");
+}
+
+/// The viewport's handles on every mesh of a folder that `CHIARO_MODELS` names, and on own shapes.
+#[test]
+#[ignore = "writes pictures to be looked at"]
+fn viewport_shots() {
+    let mut hand = window();
+    hand.app_mut().open(Path::new("examples/looks/figure1-layers.json"));
+    let folder = std::env::var_os("CHIARO_MODELS").map(PathBuf::from);
+    let own = ["shape:sphere".to_owned(), "shape:creature".to_owned()];
+    let meshes = ["spot", "stanford-bunny", "nefertiti"];
+    let of_folder = folder
+        .iter()
+        .flat_map(|folder| meshes.map(|mesh| folder.join(mesh).with_extension("obj").display().to_string()));
+    let ids: Vec<_> = hand
+        .look()
+        .graph
+        .nodes
+        .iter()
+        .filter(|(_, node)| node.kind == "light_layer")
+        .map(|(id, _)| id.clone())
+        .collect();
+    for (number, mesh) in own.into_iter().chain(of_folder).enumerate() {
+        hand.app_mut().show_on(&mesh);
+        let id = ids[number % ids.len()].clone();
+        hand.app_mut().session_mut().select(vec![id.clone()]);
+        hand.settle();
+        let rect = hand.app().viewport().rect().unwrap();
+        hand.hover(rect.center() + vec2(30.0, 10.0));
+        save(&mut hand, &format!("view-{number}-{id}"));
+        if number == 1 {
+            click_label(&mut hand, "Options");
+            save(&mut hand, "view-options");
+            hand.key(Key::Escape);
+        }
+        if number % 2 == 1 {
+            hand.harness.ctx.set_theme(Theme::Light);
+        } else {
+            hand.harness.ctx.set_theme(Theme::Dark);
+        }
+    }
 }
 
 fn click_label(hand: &mut Hand, label: &str) {
@@ -119,4 +160,58 @@ fn shots_of_truth() {
     hand.settle();
     click_label(&mut hand, "Isolines");
     save(&mut hand, "isolines");
+}
+
+/// The canvas with all that it draws, in both themes.
+#[test]
+#[ignore = "writes pictures to be looked at"]
+fn canvas_shots() {
+    use chiaro::document::{Edit, GraphId, Node, Note};
+    use eframe::egui::{Key, Modifiers};
+    let mut hand = window();
+    hand.app_mut().open(Path::new("examples/looks/figure1-layers.json"));
+    hand.settle();
+    let ids: Vec<_> = hand.look().graph.nodes.keys().cloned().collect();
+    let graph = || GraphId::Look;
+    let add = |id: &str, kind: &str, at: [f64; 2]| {
+        let node = Node { kind: kind.to_owned(), position: at, ..Node::default() };
+        Edit::AddNode { graph: graph(), id: id.into(), node, index: None }
+    };
+    let text = "The rim comes last, so that it lies over everything.\n\nTry 60° here.".to_owned();
+    let note = Note { text, position: [20.0, 560.0], ..Note::default() };
+    let edits = vec![
+        add("noise", "map_range", [300.0, 560.0]),
+        add("spare", "mix_values", [560.0, 560.0]),
+        add("lost", "nothing_such", [820.0, 560.0]),
+        Edit::AddNote { graph: graph(), id: "why".into(), note, index: None },
+        Edit::SetMuted { graph: graph(), id: ids[2].clone(), muted: true },
+        Edit::SetCollapsed { graph: graph(), id: "spare".into(), collapsed: true },
+    ];
+    hand.app_mut().session_mut().apply(Edit::Group { edits }, None).unwrap();
+    hand.app_mut().session_mut().select(ids[1..3].to_vec());
+    hand.settle();
+    let over = hand.app().canvas().node_rect(ids[1].as_str()).unwrap().center();
+    hand.hover(over);
+    hand.key_with(Modifiers::COMMAND, Key::J);
+    hand.type_text("Both sides");
+    hand.key(Key::Enter);
+    hand.key(Key::Home);
+    save(&mut hand, "canvas");
+    hand.key_with(Modifiers::SHIFT, Key::Questionmark);
+    save(&mut hand, "shortcuts");
+    hand.key(Key::Escape);
+    hand.key_with(Modifiers::COMMAND, Key::P);
+    save(&mut hand, "commands");
+    hand.key(Key::Escape);
+    hand.app_mut().session_mut().select(ids[1..3].to_vec());
+    hand.settle();
+    hand.hover(over);
+    hand.key_with(Modifiers::COMMAND, Key::G);
+    hand.key_with(Modifiers::COMMAND, Key::Enter);
+    save(&mut hand, "group");
+    hand.key(Key::U);
+    hand.undo();
+    hand.app_mut().canvas_mut().set_zoom_and_center(1.2, eframe::egui::pos2(300.0, 200.0));
+    hand.harness.ctx.set_theme(Theme::Light);
+    save(&mut hand, "canvas-light");
 }

@@ -134,7 +134,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     warnings.extend(planner.warnings);
     output.diagnostics(&warnings);
     let Drawn { picture, passes, adapter } = draw(&plan, arguments.on, output).map_err(one)?;
-    write_png(&arguments.output, &picture).map_err(one)?;
+    let png = picture.to_png().map_err(one)?;
+    write_atomic(&arguments.output, &png).map_err(|problem| one(*problem))?;
     let [width, height] = picture.size;
     let file = arguments.output.display().to_string();
     if arguments.json {
@@ -211,17 +212,6 @@ fn check_target(path: &Path) -> Result<(), Diagnostic> {
     // A file without a name, gone as soon as it is closed.
     let tried = tempfile::tempfile_in(folder);
     tried.map(drop).map_err(|error| problem(format!("nothing can be written into `{}`: {error}", folder.display())))
-}
-
-/// Writes a picture as PNG: straight alpha, 8 bits a channel.
-pub(super) fn write_png(path: &Path, picture: &Picture) -> Result<(), Diagnostic> {
-    let mut bytes = Vec::new();
-    let encoder = image::codecs::png::PngEncoder::new(&mut bytes);
-    let [width, height] = picture.size;
-    let encoded =
-        image::ImageEncoder::write_image(encoder, &picture.to_rgba8(), width, height, image::ExtendedColorType::Rgba8);
-    encoded.map_err(|error| Diagnostic::error("png", format!("the picture cannot be encoded: {error}")))?;
-    write_atomic(path, &bytes).map_err(|problem| *problem)
 }
 
 fn adjust(scene: &mut Scene, arguments: &Arguments) -> Result<(), Diagnostic> {

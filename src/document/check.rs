@@ -146,6 +146,11 @@ impl Check {
             }
         }
         self.frames(graph, prefix);
+        let mut keys = HashSet::new();
+        for (index, bookmark) in graph.bookmarks.iter().enumerate().filter(|(_, bookmark)| !keys.insert(bookmark.key)) {
+            let problem = Diagnostic::warning("duplicate-id", format!("another bookmark has the key {}", bookmark.key));
+            self.push(format!("{prefix}bookmarks[{index}].key"), problem.hint("the first one counts; remove this one"));
+        }
     }
 
     fn wire_end(&mut self, graph: &Graph, end: &Endpoint, path: String, is_inner: bool, wrong_end: &str) {

@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::value::{Interpolation, Value, Values};
-use crate::ids::{DefinitionId, FrameId, LightId, NodeId, NodePath, PortName};
+use crate::ids::{DefinitionId, FrameId, LightId, NodeId, NodePath, NoteId, PortName};
 
 /// Fields that this version does not know. They survive a save, and loading warns about them.
 ///
@@ -72,6 +72,10 @@ pub struct Graph {
     pub wires: Vec<Wire>,
     /// Titled frames on the canvas.
     pub frames: IndexMap<FrameId, Frame>,
+    /// Texts on the canvas.
+    pub notes: IndexMap<NoteId, Note>,
+    /// Views of the canvas that a key brings back.
+    pub bookmarks: Vec<Bookmark>,
 }
 
 impl Graph {
@@ -97,6 +101,8 @@ pub struct Node {
     pub tier: Option<Tier>,
     /// Whether it is left out: what comes in goes out as it is.
     pub muted: bool,
+    /// Whether the canvas shows no more of it than its title.
+    pub collapsed: bool,
     /// Fields of later versions or of other programs.
     #[serde(default, skip_serializing_if = "Unknown::is_empty")]
     pub unknown: Unknown,
@@ -179,6 +185,43 @@ pub struct Frame {
     pub color: Vec<f64>,
     /// The nodes in it; the rectangle is drawn around them.
     pub nodes: Vec<NodeId>,
+}
+
+/// A text on the canvas.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Note {
+    /// What it says; lines end where the text says so, or at the width.
+    pub text: String,
+    /// Where its corner lies, in points, x right and y down.
+    pub position: [f64; 2],
+    /// How wide it is, in points.
+    pub width: f64,
+    /// Straight RGB; empty for the theme's own.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub color: Vec<f64>,
+}
+
+impl Note {
+    /// How wide a note is that does not say it.
+    pub const WIDTH: f64 = 220.0;
+}
+
+impl Default for Note {
+    fn default() -> Self {
+        Self { text: String::new(), position: [0.0; 2], width: Self::WIDTH, color: Vec::new() }
+    }
+}
+
+/// A view of the canvas that a key brings back.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Bookmark {
+    /// The key, 1 to 9.
+    pub key: u8,
+    /// The point of the graph at the canvas's centre.
+    pub position: [f64; 2],
+    /// Points of the screen for each point of the graph.
+    pub zoom: f64,
 }
 
 /// A group: a graph with an interface, opened and edited as a graph, used by any number of nodes.

@@ -8,6 +8,7 @@
 mod check;
 mod color;
 mod edit;
+pub mod grouping;
 mod image;
 pub mod journal;
 mod json;

@@ -5,13 +5,13 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use eframe::egui::{Key, KeyboardShortcut, Modifiers, Panel, RichText, Ui, ViewportCommand};
+use eframe::egui::{Key, Modifiers, Panel, RichText, Ui, ViewportCommand};
 
 use super::canvas::{Canvas, edits};
 use super::code::Code;
 use super::command::Command;
 use super::cost::Cost;
-use super::dialogs::{Dialogs, MESHES, Purpose};
+use super::dialogs::{Dialogs, IMAGES, MESHES, Purpose};
 use super::dock::Dock;
 use super::dock::effects::Effects;
 use super::panels::{Panels, library, problems, solo};
@@ -21,7 +21,9 @@ use super::safety::Safety;
 use super::safety::places::Places;
 use super::session::Session;
 use super::settings::Settings;
-use super::viewport::Viewport;
+use super::sheet::Sheet;
+use super::shortcuts::{self, Action, Place};
+use super::viewport::{Export, Viewport};
 use super::wipe::Wipe;
 use super::{dock, inspector, theme};
 use crate::diag::Diagnostic;
@@ -43,6 +45,7 @@ pub struct App {
     cost: Cost,
     panels: Panels,
     safety: Safety,
+    sheet: Sheet,
     /// What is done once unsaved changes are dealt with.
     pending: Option<Pending>,
     /// What went wrong with a file or an edit, until the next command.
@@ -73,12 +76,13 @@ impl App {
         let library = Arc::new(Library::built_in().clone());
         let picture = render_state.map(|state| Picture::new(state, waker()));
         let wipe = Wipe::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
+        let viewport = Viewport::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         let cost = Cost::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         let panels = Panels::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         Self {
             session: Session::new(library, waker()),
             canvas: Canvas::default(),
-            viewport: Viewport::default(),
+            viewport,
             code: Code::default(),
             picture,
             dialogs: Dialogs::new(waker()),
@@ -89,6 +93,7 @@ impl App {
             cost,
             panels,
             safety: Safety::new(waker()),
+            sheet: Sheet::default(),
             pending: None,
             message: None,
             presses: 0,
@@ -147,6 +152,21 @@ impl App {
         self
     }
 
+    /// Writes the picture, in so many pixels, to a PNG file; what becomes of it is told in the status bar.
+    pub fn save_picture(&mut self, size: [u32; 2], path: &Path) {
+        self.viewport.export(&self.session, Export::Picture(size), path.to_owned());
+    }
+
+    /// Writes the look on a ball, so many pixels wide, to a PNG file, as an image for a LitSphere node.
+    pub fn bake_litsphere(&mut self, side: u32, path: &Path) {
+        self.viewport.export(&self.session, Export::LitSphere(side), path.to_owned());
+    }
+
+    /// Shows an image beside the picture, to work from.
+    pub fn show_reference(&mut self, path: &Path) {
+        self.viewport.show_reference(path.to_owned());
+    }
+
     /// The open look.
     pub fn session(&self) -> &Session {
         &self.session
@@ -199,15 +219,22 @@ impl App {
 
     /// Whether shaders, pictures or values are being made.
     pub fn is_busy(&self) -> bool {
-        let is_drawing = self.picture.as_ref().is_some_and(Picture::is_busy);
-        let others = self.probe.is_busy() || self.wipe.is_busy() || self.cost.is_busy() || self.panels.is_busy();
-        is_drawing || self.session.is_compiling() || others
+        let is_drawing = self.picture.as_ref().is_some_and(Picture::is_busy) || self.viewport.is_busy();
+        is_drawing
+            || self.session.is_compiling()
+            || self.canvas.is_busy()
+            || self.probe.is_busy()
+            || self.wipe.is_busy()
+            || self.cost.is_busy()
+            || self.panels.is_busy()
     }
 
     /// Waits for them; for tests.
     pub fn wait(&self) {
         self.session.wait();
+        self.canvas.wait();
         self.probe.wait();
+        self.viewport.wait();
         self.wipe.wait();
         self.cost.wait();
         self.panels.wait();
@@ -224,6 +251,11 @@ impl App {
     /// How many small pictures of layers and looks there are.
     pub fn small_pictures(&self) -> usize {
         self.panels.pictures()
+    }
+
+    /// How many times coarser than the screen the picture is; 1 at rest.
+    pub fn coarseness(&self) -> u32 {
+        self.picture.as_ref().map_or(1, Picture::coarseness)
     }
 
     /// Opens a look and tells where that fails.
@@ -263,18 +295,25 @@ impl App {
         if ui.input(|input| input.pointer.any_pressed()) {
             self.presses += 1;
         }
+        self.sheet.take_escape(ui);
         self.canvas.claim_tab(ui);
         let mut commands = Vec::new();
         self.shortcuts(ui, &mut commands);
         let dropped = ui.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_path_buf()));
         commands.extend(dropped.map(|path| {
             let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_lowercase();
-            if MESHES.contains(&ending.as_str()) { Command::ShowOn(Some(path)) } else { Command::Open(Some(path)) }
+            match ending.as_str() {
+                mesh if MESHES.contains(&mesh) => Command::ShowOn(Some(path)),
+                image if IMAGES.contains(&image) => Command::ShowReference(Some(path)),
+                _ => Command::Open(Some(path)),
+            }
         }));
         commands.extend(self.dialogs.answers().map(|(purpose, path)| match purpose {
             Purpose::Open => Command::Open(Some(path)),
             Purpose::Save => Command::SaveTo(path),
             Purpose::Mesh => Command::ShowOn(Some(path)),
+            Purpose::Export(export) => Command::Export(export, Some(path)),
+            Purpose::Reference => Command::ShowReference(Some(path)),
         }));
         if let Some(again) = self.session.tick(ui.input(|input| input.time)) {
             ui.ctx().request_repaint_after(again);
@@ -286,6 +325,7 @@ impl App {
         }
         self.panels(ui, &mut commands);
         self.ask_about_changes(ui, &mut commands);
+        commands.extend(self.sheet.show(ui).map(Command::Act));
         for command in commands {
             self.apply(ui, command);
             // What was changed in this frame is seen in the next one.
@@ -297,6 +337,8 @@ impl App {
         if !is_held {
             let layout = self.safety.remembers().then(|| self.dock.changed()).flatten();
             self.safety.remember(ui.ctx(), layout);
+        } else if let Some(picture) = &mut self.picture {
+            picture.hurry(&mut self.session);
         }
         self.close_or_stay(ui.ctx());
         self.set_title(ui.ctx());
@@ -327,7 +369,7 @@ impl App {
         commands.extend(match panel {
             dock::Panel::Picture => {
                 let Self { viewport, session, picture, probe, wipe, .. } = self;
-                viewport.show(ui, session, picture.as_mut(), probe, wipe).into_iter().collect()
+                viewport.show(ui, session, picture.as_mut(), probe, wipe)
             }
             dock::Panel::Graph => {
                 let rect = ui.max_rect();
@@ -460,32 +502,27 @@ impl App {
 
     fn shortcuts(&self, ui: &Ui, commands: &mut Vec<Command>) {
         let is_typing = ui.ctx().egui_wants_keyboard_input();
-        let shift = Modifiers::COMMAND | Modifiers::SHIFT;
-        let always = [
-            (shift, Key::S, Command::SaveAs),
-            (Modifiers::COMMAND, Key::S, Command::Save),
-            (Modifiers::COMMAND, Key::O, Command::Open(None)),
-            (Modifiers::COMMAND, Key::N, Command::New),
-        ];
-        // A field that is being typed in has an undo of its own.
-        let elsewhere = [
-            (shift, Key::Z, Command::Redo),
-            (Modifiers::COMMAND, Key::Y, Command::Redo),
-            (Modifiers::COMMAND, Key::Z, Command::Undo),
-        ];
-        let probe = (Modifiers::NONE, Key::I, Command::Probe(!self.probe.is_on()));
-        let leave = self.probe.is_on().then_some((Modifiers::NONE, Key::Escape, Command::LeaveProbe));
-        let elsewhere = elsewhere.into_iter().chain([probe]).chain(leave).filter(|_| !is_typing);
-        for (modifiers, key, command) in always.into_iter().chain(elsewhere) {
-            let shortcut = KeyboardShortcut::new(modifiers, key);
-            if ui.input_mut(|input| input.consume_shortcut(&shortcut)) {
-                commands.push(command);
+        // A field that is being typed in has an undo of its own, and question marks.
+        let is_text = |action| matches!(action, Action::Undo | Action::Redo | Action::Shortcuts);
+        for row in shortcuts::ALL.iter().filter(|row| row.place != Place::Graph) {
+            if is_typing && (is_text(row.action) || row.place == Place::Picture) {
+                continue;
             }
+            if row.keys.iter().any(|&key| shortcuts::take(ui, key)) {
+                commands.push(Command::Act(row.action));
+            }
+        }
+        let escape = (Modifiers::NONE, Key::Escape);
+        if self.probe.is_on() && !is_typing && shortcuts::take(ui, escape) {
+            commands.push(Command::LeaveProbe);
         }
     }
 
     fn apply(&mut self, ui: &Ui, command: Command) {
-        if !matches!(command, Command::Select(_) | Command::Reveal(_)) {
+        if !matches!(
+            command,
+            Command::Act(_) | Command::Select(_) | Command::Reveal(_) | Command::Show(_) | Command::OpenGraph(_)
+        ) {
             self.message = None;
         }
         match command {
@@ -502,6 +539,15 @@ impl App {
                 self.session.select(vec![id.clone()]);
                 self.canvas.reveal(id);
             }
+            Command::Show(path) => {
+                let ids = path.ids();
+                self.session.open_graph(&ids[..ids.len().saturating_sub(1)]);
+                if let Some(id) = self.session.step_here(&path).cloned() {
+                    self.session.select(vec![id.clone()]);
+                    self.canvas.reveal(id);
+                }
+            }
+            Command::OpenGraph(path) => self.session.open_graph(&path),
             Command::Undo => drop(self.session.undo()),
             Command::Redo => drop(self.session.redo()),
             Command::New => self.do_or_ask(Pending::New),
@@ -523,6 +569,11 @@ impl App {
                 }
             }
             Command::ShowWire(wire) => self.session.show_wire(wire),
+            Command::Export(export, Some(path)) => self.viewport.export(&self.session, export, path),
+            Command::Export(export, None) => self.dialogs.ask(Purpose::Export(export), self.session.path()),
+            Command::CopyPicture => self.viewport.copy(&self.session, ui.pixels_per_point()),
+            Command::ShowReference(Some(path)) => self.viewport.show_reference(path),
+            Command::ShowReference(None) => self.dialogs.ask(Purpose::Reference, self.session.path()),
             Command::LeaveProbe => self.probe.escape(),
             Command::Solo(solo) => self.session.set_solo(solo),
             Command::ShowPanel(panel) => self.dock.open(panel),
@@ -531,15 +582,33 @@ impl App {
             Command::OpenExample(index) => self.do_or_ask(Pending::Example(index)),
             Command::Copy(text) => ui.ctx().copy_text(text),
             Command::Safety(wish) => self.message = self.safety.apply(wish, &mut self.session),
+            Command::Tell(text) => self.message = Some(text),
+            Command::Act(action) => self.act(ui, action),
         }
     }
 
     fn add_node(&mut self, kind: &str, at: Option<egui::Pos2>) {
         let Some(kind) = self.session.catalog.all().find(|known| known.id == kind).cloned() else { return };
         let at = self.canvas.place_for(at);
-        let (id, edits) = edits::add(self.session.look(), &kind, at);
+        let (id, edits) = edits::add(&self.session, &kind, at);
         self.tell(|session| session.apply(Edit::Group { edits }, None));
         self.session.select(vec![id]);
+    }
+
+    /// Does what the command palette chose.
+    fn act(&mut self, ui: &Ui, action: Action) {
+        let command = match action {
+            Action::New => Command::New,
+            Action::Open => Command::Open(None),
+            Action::Save => Command::Save,
+            Action::SaveAs => Command::SaveAs,
+            Action::Undo => Command::Undo,
+            Action::Redo => Command::Redo,
+            Action::Probe => Command::Probe(!self.probe.is_on()),
+            Action::Commands | Action::Shortcuts => return self.sheet.open(action),
+            action => return self.canvas.ask(action),
+        };
+        self.apply(ui, command);
     }
 
     fn tell(&mut self, edit: impl FnOnce(&mut Session) -> Result<(), Box<Diagnostic>>) {

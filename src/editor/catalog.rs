@@ -1,6 +1,6 @@
 //! What the window knows of kinds of nodes: nodes of the library, groups and custom WGSL nodes, all alike.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use crate::document::{Definition, Graph, InterfacePort, Look, Node, Tier, Value};
@@ -203,8 +203,11 @@ impl Catalog {
             (id.to_string(), Arc::new(group_kind(id.as_str(), definition, library, &find, 0)))
         };
         self.definitions = look.definitions.iter().map(group).collect();
-        let codes: Vec<&str> = look.graph.nodes.values().filter_map(custom_code).collect();
-        self.custom.retain(|code, _| codes.contains(&code.as_str()));
+        let own = look.definitions.values().map(|definition| &definition.graph);
+        let others = library.groups.values().map(|group| &group.definition.graph);
+        let graphs = std::iter::once(&look.graph).chain(own).chain(others);
+        let codes: HashSet<&str> = graphs.flat_map(|graph| graph.nodes.values()).filter_map(custom_code).collect();
+        self.custom.retain(|code, _| codes.contains(code.as_str()));
         for code in codes {
             if !self.custom.contains_key(code) {
                 self.custom.insert(code.to_owned(), Arc::new(custom_kind(code)));
@@ -228,6 +231,25 @@ impl Catalog {
     /// What can be added: the look's own groups first, then the library.
     pub(crate) fn all(&self) -> impl Iterator<Item = &Arc<Kind>> {
         self.definitions.values().chain(&self.order)
+    }
+
+    /// The two ends of a group, seen from inside: what its inputs give and what its outputs take.
+    pub(crate) fn ends(&self, group: &str) -> Option<[Kind; 2]> {
+        let kind = self.get(group)?;
+        let end = |id: &str, label: &str, help: &str, inputs: Vec<Port>, outputs: Vec<Port>| {
+            let known = Self::stand_in(id, &[], &[]);
+            let (label, help) = (label.into(), help.to_owned());
+            Kind { label, help, category: "input".to_owned(), inputs, outputs, is_missing: false, ..known }
+        };
+        let mut outputs = kind.outputs.clone();
+        for port in &mut outputs {
+            // What an output takes is what comes out: anything, as wired first.
+            port.accepts = vec![port.ty.clone()];
+        }
+        Some([
+            end(GROUP_INPUTS, "Group inputs", "What comes into the group.", Vec::new(), kind.inputs.clone()),
+            end(GROUP_OUTPUTS, "Group outputs", "What the group gives.", outputs, Vec::new()),
+        ])
     }
 
     /// Stands in for a kind that does not exist, with the ports that the look names.

@@ -44,7 +44,7 @@ impl Code {
         area.show_rows(ui, row, self.lines.len(), |ui, rows| {
             for line in rows {
                 if let Some(node) = self.show_line(ui, &shader, line, row, marked.binary_search(&line).is_ok()) {
-                    commands.push(Command::Reveal(node));
+                    commands.push(Command::Show(crate::ids::NodePath::root(node)));
                 }
             }
         });

@@ -6,9 +6,11 @@ use std::path::PathBuf;
 use super::dock::Panel;
 use super::panels::solo::Solo;
 use super::safety::Wish;
+use super::shortcuts::Action;
+use super::viewport::Export;
 use super::wire::ShownWire;
 use crate::document::Edit;
-use crate::ids::NodeId;
+use crate::ids::{NodeId, NodePath};
 
 /// Something that a panel asks for.
 #[derive(Clone, Debug)]
@@ -21,6 +23,10 @@ pub(crate) enum Command {
     Select(Vec<NodeId>),
     /// Selects a node and brings it into view.
     Reveal(NodeId),
+    /// Selects a node in whichever group it lies, opens that, and brings it into view.
+    Show(NodePath),
+    /// Opens the graph that these nodes of groups lead to; none for the look's own.
+    OpenGraph(Vec<NodeId>),
     Undo,
     Redo,
     New,
@@ -52,6 +58,16 @@ pub(crate) enum Command {
     },
     /// Begins a new look with an example of the library, by its number.
     OpenExample(usize),
+    /// Tells something in the status line.
+    Tell(String),
+    /// Does what a key, a menu or the command palette asks for.
+    Act(Action),
+    /// Writes a picture to a file; asks for one where there is none.
+    Export(Export, Option<PathBuf>),
+    /// Copies the picture to the clipboard.
+    CopyPicture,
+    /// Shows an image with the picture; asks for one where there is none.
+    ShowReference(Option<PathBuf>),
     /// Copies text to the clipboard.
     Copy(String),
     /// What the bar of unsaved work and changed files asks for.

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
+use super::viewport::Export;
 use super::worker::start;
 use crate::render::block_on;
 
@@ -12,10 +13,17 @@ pub(crate) enum Purpose {
     Open,
     Save,
     Mesh,
+    /// A picture is written.
+    Export(Export),
+    /// An image is shown.
+    Reference,
 }
 
 /// The endings of meshes that can be read.
 pub(crate) const MESHES: [&str; 5] = ["obj", "ply", "stl", "gltf", "glb"];
+
+/// The endings of images that can be read.
+pub(crate) const IMAGES: [&str; 5] = ["png", "jpg", "jpeg", "exr", "hdr"];
 
 /// Dialogs that are open, and what became of them.
 pub(crate) struct Dialogs {
@@ -40,22 +48,33 @@ impl Dialogs {
         let mut dialog = match purpose {
             Purpose::Open | Purpose::Save => dialog.add_filter("Chiaro look", &["json"]),
             Purpose::Mesh => dialog.add_filter("Mesh", &MESHES),
+            Purpose::Export(_) => dialog.add_filter("PNG", &["png"]),
+            Purpose::Reference => dialog.add_filter("Image", &IMAGES),
         };
         if let Some(folder) = near.and_then(Path::parent).filter(|folder| folder.is_dir()) {
             dialog = dialog.set_directory(folder);
         }
         let name =
             near.and_then(Path::file_name).map_or("look.json".into(), |name| name.to_string_lossy().into_owned());
+        let name = match purpose {
+            Purpose::Export(_) => Path::new(&name).with_extension("png").to_string_lossy().into_owned(),
+            _ => name,
+        };
         let (answers, wake) = (self.answers.clone(), self.wake.clone());
         let _ = start("dialog", move || {
             let file = match purpose {
-                Purpose::Open | Purpose::Mesh => block_on(dialog.pick_file()),
-                Purpose::Save => block_on(dialog.set_file_name(name).save_file()),
+                Purpose::Open | Purpose::Mesh | Purpose::Reference => block_on(dialog.pick_file()),
+                Purpose::Save | Purpose::Export(_) => block_on(dialog.set_file_name(name).save_file()),
             };
             if let Some(file) = file {
                 let mut path = file.path().to_path_buf();
-                if purpose == Purpose::Save && path.extension().is_none() {
-                    path.set_extension("json");
+                let ending = match purpose {
+                    Purpose::Save => "json",
+                    Purpose::Export(_) => "png",
+                    Purpose::Open | Purpose::Mesh | Purpose::Reference => "",
+                };
+                if !ending.is_empty() && path.extension().is_none() {
+                    path.set_extension(ending);
                 }
                 answers.lock().unwrap_or_else(PoisonError::into_inner).push((purpose, path));
                 wake();

@@ -20,6 +20,8 @@ mod probe;
 pub(crate) mod safety;
 pub mod session;
 pub mod settings;
+mod sheet;
+mod shortcuts;
 mod still;
 mod theme;
 mod values;

@@ -23,6 +23,10 @@ pub struct Orbit {
     pub target: DVec3,
     /// The vertical field of view, in radians.
     pub fov: f64,
+    /// Perspective, or parallel lines.
+    pub projection: Projection,
+    /// Straight RGBA behind the object; `None` for what a scene has.
+    pub backdrop: Option<[f64; 4]>,
     /// World from illumination frame.
     pub illumination: DQuat,
     /// A path, or `shape:` and the name of an own shape.
@@ -40,6 +44,8 @@ impl Default for Orbit {
             distance: DVec3::from(camera.eye).distance(camera.target.into()),
             target: camera.target.into(),
             fov: camera.fov,
+            projection: Projection::Perspective,
+            backdrop: None,
             illumination: DQuat::IDENTITY,
             mesh: DEFAULT_MESH.to_owned(),
             z_is_up: false,
@@ -67,10 +73,16 @@ impl Orbit {
             eye: (self.target + self.direction() * self.distance).to_array(),
             target: self.target.to_array(),
             up: [0.0, 1.0, 0.0],
-            projection: Projection::Perspective,
+            projection: self.projection,
             fov: self.fov,
-            height: Camera::default().height,
+            height: self.height(),
         }
+    }
+
+    /// The height of the picture, in scene units, at the target: the same in either projection, so that the object
+    /// stays as large when that changes.
+    pub fn height(&self) -> f64 {
+        2.0 * self.distance * (self.fov / 2.0).tan()
     }
 
     /// Turns the camera by a drag, in parts of the picture's height: right drags show what is left.
@@ -83,8 +95,7 @@ impl Orbit {
     /// Moves the target with the pointer, by a drag in parts of the picture's height.
     pub fn pan(&mut self, dx: f64, dy: f64) {
         let (right, up) = self.right_and_up();
-        let height = 2.0 * self.distance * (self.fov / 2.0).tan();
-        self.target += (up * dy - right * dx) * height;
+        self.target += (up * dy - right * dx) * self.height();
     }
 
     /// Brings the eye nearer (`factor` below 1) or farther.
@@ -104,6 +115,9 @@ impl Orbit {
 
     /// The radius, in parts of the picture's height, of the sphere of radius 1 around the target.
     pub fn radius_in_picture(&self) -> f64 {
+        if self.projection == Projection::Orthographic {
+            return 1.0 / self.height();
+        }
         let sine = (1.0 / self.distance.max(1.001)).min(1.0);
         sine.asin().tan() / (2.0 * (self.fov / 2.0).tan())
     }
@@ -116,7 +130,13 @@ impl Orbit {
 
     /// As in the beginning; the mesh stays.
     pub fn reset(&mut self) {
-        *self = Self { mesh: std::mem::take(&mut self.mesh), z_is_up: self.z_is_up, ..Self::default() };
+        *self = Self {
+            mesh: std::mem::take(&mut self.mesh),
+            z_is_up: self.z_is_up,
+            projection: self.projection,
+            backdrop: self.backdrop,
+            ..Self::default()
+        };
     }
 }
 
@@ -127,7 +147,8 @@ mod tests {
     #[test]
     fn the_camera_starts_as_a_scene_has_it() {
         let camera = Orbit::default().camera();
-        assert_eq!(camera, Camera::default());
+        let height = camera.height;
+        assert_eq!(camera, Camera { height, ..Camera::default() }, "perspective has no height");
     }
 
     #[test]

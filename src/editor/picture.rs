@@ -3,6 +3,7 @@
 
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::time::Duration;
 
 use eframe::egui::TextureId;
 use eframe::egui_wgpu::RenderState;
@@ -43,6 +44,59 @@ struct Drawn {
     effects: Option<Vec<Effect>>,
 }
 
+/// How long a frame waits for the picture of its own edit.
+const HURRY: Duration = Duration::from_millis(8);
+/// Frames that take longer than this, in seconds, are too slow for a hand at work.
+const SLOW: f32 = 1.0 / 25.0;
+/// Frames that take less leave room for a finer picture.
+const QUICK: f32 = 1.0 / 100.0;
+/// As many slow frames in a row make the picture coarser.
+const PATIENCE: u32 = 2;
+/// As many quick ones finer.
+const TRUST: u32 = 20;
+/// The coarsest picture, in parts of the screen's pixels along each side.
+const COARSEST: u32 = 4;
+
+/// How coarse a picture may be drawn while a hand is at work, so that it keeps up with the hand.
+#[derive(Debug)]
+struct Pace {
+    /// 1 at rest.
+    coarseness: u32,
+    /// What the last hand came to: the next one begins with it.
+    last: u32,
+    slow: u32,
+    quick: u32,
+    /// Whether the last frame asked for a picture: only then its time tells anything.
+    has_wished: bool,
+}
+
+impl Default for Pace {
+    fn default() -> Self {
+        Self { coarseness: 1, last: 1, slow: 0, quick: 0, has_wished: false }
+    }
+}
+
+impl Pace {
+    fn tell(&mut self, is_at_work: bool, dt: f32) {
+        if !is_at_work {
+            *self = Self { last: self.last, ..Self::default() };
+            return;
+        }
+        if self.has_wished {
+            self.slow = if dt > SLOW { self.slow + 1 } else { 0 };
+            self.quick = if dt < QUICK { self.quick + 1 } else { 0 };
+        }
+        if self.slow >= PATIENCE {
+            self.last = (self.last * 2).min(COARSEST);
+            self.slow = 0;
+        } else if self.quick >= TRUST {
+            self.last = (self.last / 2).max(1);
+            self.quick = 0;
+        }
+        self.coarseness = self.last;
+    }
+}
+
 /// The viewport's picture.
 pub(crate) struct Picture {
     state: RenderState,
@@ -50,6 +104,9 @@ pub(crate) struct Picture {
     worker: Worker<Wish, Drawn>,
     texture: Option<TextureId>,
     wished: Option<Wished>,
+    pace: Pace,
+    /// The size that was asked for last, before it was made coarser.
+    size: [u32; 2],
     /// How many pictures were asked for.
     pub(crate) wishes: u64,
     /// What keeps the picture from being drawn, or was odd about it.
@@ -74,6 +131,8 @@ impl Picture {
             worker,
             texture: None,
             wished: None,
+            pace: Pace::default(),
+            size: [0; 2],
             wishes: 0,
             problems: Vec::new(),
             tells_effects: false,
@@ -86,8 +145,32 @@ impl Picture {
         &self.gpu
     }
 
-    /// Asks for a picture of `size` pixels if anything changed, and returns the newest there is.
-    pub(crate) fn update(&mut self, session: &mut Session, size: [u32; 2]) -> Option<TextureId> {
+    /// Asks for a picture of `size` pixels if anything changed, and returns the newest there is. While a hand is at work
+    /// the picture may be coarser, if frames come too slowly otherwise; `dt` is how long the last one took, in seconds.
+    pub(crate) fn update(
+        &mut self,
+        session: &mut Session,
+        size: [u32; 2],
+        is_at_work: bool,
+        dt: f32,
+    ) -> Option<TextureId> {
+        self.take();
+        self.size = size;
+        self.pace.tell(is_at_work, dt);
+        self.pace.has_wished = self.ask(session);
+        self.texture
+    }
+
+    /// Asks for what an edit of this very frame changes, and gives the thread a moment to have it drawn: the picture is
+    /// drawn into the texture that the window shows, so that this frame may show it already.
+    pub(crate) fn hurry(&mut self, session: &mut Session) {
+        self.pace.has_wished |= self.ask(session);
+        if self.worker.is_busy() {
+            self.worker.wait_at_most(HURRY);
+        }
+    }
+
+    fn take(&mut self) {
         for drawn in self.worker.answers() {
             if let Some(view) = drawn.texture {
                 self.show(&view);
@@ -97,6 +180,10 @@ impl Picture {
                 self.effects = Arc::new(effects);
             }
         }
+    }
+
+    fn ask(&mut self, session: &mut Session) -> bool {
+        let size = self.size.map(|side| if side > 0 { side.div_ceil(self.pace.coarseness).max(1) } else { 0 });
         let wished = Some(Wished {
             picture: session.picture(),
             orbit: session.view.clone(),
@@ -113,8 +200,14 @@ impl Picture {
             let still = session.still_of(showing.look.clone());
             let wish = Wish { showing, still, size, tells_effects: self.tells_effects };
             self.worker.request(|_| wish);
+            return true;
         }
-        self.texture
+        false
+    }
+
+    /// How many times coarser than the screen the picture is; 1 at rest.
+    pub(crate) fn coarseness(&self) -> u32 {
+        self.pace.coarseness
     }
 
     /// Whether one is being made.
@@ -185,5 +278,32 @@ impl Artist {
             set_times(effects, &times);
         }
         Ok(effects)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_slow_picture_is_coarser_while_a_hand_is_at_work() {
+        let mut pace = Pace::default();
+        let mut frames = |is_at_work: bool, dt: f32, count: u32| {
+            for _ in 0..count {
+                pace.tell(is_at_work, dt);
+                pace.has_wished = true;
+            }
+            pace.coarseness
+        };
+        assert_eq!(frames(true, 0.016, 10), 1);
+        assert_eq!(frames(true, 0.1, 2), 2);
+        assert_eq!(frames(true, 0.1, 9), 4, "and no coarser");
+        assert_eq!(frames(false, 0.1, 1), 1, "at rest it is whole");
+        assert_eq!(frames(true, 0.016, 1), 4, "the next hand begins where the last one ended");
+        assert_eq!(frames(true, 0.005, TRUST), 2);
+        // A hand that rests in between took no long frame.
+        pace.has_wished = false;
+        pace.tell(true, 3.0);
+        assert_eq!(pace.slow, 0);
     }
 }

@@ -36,6 +36,7 @@ impl Still {
             setup.stand_up();
         }
         setup.scene.camera = self.orbit.camera();
+        setup.scene.backdrop = self.orbit.backdrop.or(setup.scene.backdrop);
         setup.scene.illumination = DQuat::to_array(&self.orbit.illumination);
         Ok((setup, notes))
     }

@@ -2,6 +2,7 @@
 
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
+use std::time::Duration;
 
 struct State<Q, A> {
     waiting: Option<Q>,
@@ -78,6 +79,16 @@ impl<Q: Send + 'static, A: Send + 'static> Worker<Q, A> {
         if self.thread.is_some() {
             let is_busy = |state: &mut State<Q, A>| state.is_busy || state.waiting.is_some();
             drop(self.shared.changed.wait_while(self.shared.lock(), is_busy));
+        }
+    }
+}
+
+impl<Q: Send + 'static, A: Send + 'static> Worker<Q, A> {
+    /// Waits until there is nothing to be done, but no longer than this.
+    pub(crate) fn wait_at_most(&self, time: Duration) {
+        if self.thread.is_some() {
+            let is_busy = |state: &mut State<Q, A>| state.is_busy || state.waiting.is_some();
+            drop(self.shared.changed.wait_timeout_while(self.shared.lock(), time, is_busy));
         }
     }
 }

@@ -1,5 +1,7 @@
 //! What comes out, whoever draws it.
 
+use crate::diag::Diagnostic;
+
 /// A finished picture: straight RGBA, display-referred, rows from the top.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
@@ -14,6 +16,20 @@ impl Picture {
     pub fn to_rgba8(&self) -> Vec<u8> {
         let byte = |x: f32| (x.clamp(0.0, 1.0) * 255.0).round() as u8;
         self.rgba.iter().flat_map(|pixel| pixel.map(byte)).collect()
+    }
+
+    /// As PNG: straight alpha, 8 bits a channel.
+    ///
+    /// # Errors
+    /// `png`: why it cannot be encoded.
+    pub fn to_png(&self) -> Result<Vec<u8>, Diagnostic> {
+        let mut bytes = Vec::new();
+        let encoder = image::codecs::png::PngEncoder::new(&mut bytes);
+        let [width, height] = self.size;
+        let kind = image::ExtendedColorType::Rgba8;
+        image::ImageEncoder::write_image(encoder, &self.to_rgba8(), width, height, kind)
+            .map_err(|error| Diagnostic::error("png", format!("the picture cannot be encoded: {error}")))?;
+        Ok(bytes)
     }
 
     /// A pixel by column and row.

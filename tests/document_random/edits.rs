@@ -24,12 +24,20 @@ impl Random {
         let kinds: Vec<String> = look.definitions.keys().map(ToString::to_string).collect();
         let id = self.pick(&ids).cloned().filter(|_| self.chance(9)).unwrap_or_else(|| self.slug().into());
         let light = look.lights.keys().nth(self.below(3)).cloned().unwrap_or_else(|| self.slug().into());
-        match self.below(30) {
+        match self.below(35) {
             0 => Edit::AddNode { graph, id: self.slug().into(), node: self.node(&kinds), index: self.index(ids.len()) },
             1 | 2 => Edit::RemoveNode { graph, id },
             3 => Edit::SetName { graph, id, name: format!("name {}", self.below(9)) },
             4 => Edit::SetKind { graph, id, kind: self.pick(&kinds).cloned().unwrap_or("base".to_owned()) },
             29 => Edit::SetMuted { graph, id, muted: self.chance(2) },
+            30 => Edit::SetCollapsed { graph, id, collapsed: self.chance(2) },
+            31 => Edit::AddNote { graph, id: self.slug().as_str().into(), note: self.note(), index: self.index(2) },
+            32 => match of.notes.keys().next().cloned() {
+                Some(note) if self.chance(5) => Edit::SetNote { graph, id: note, note: self.note() },
+                Some(note) => Edit::RemoveNote { graph, id: note },
+                None => Edit::SetBookmarks { graph, bookmarks: self.bookmarks() },
+            },
+            33 => Edit::SetBookmarks { graph, bookmarks: self.bookmarks() },
             5 => Edit::SetTier { graph, id, tier: self.node(&[]).tier },
             6 => Edit::MoveNodes { graph, positions: [(id, [1.5, -2.0])].into() },
             7 => {

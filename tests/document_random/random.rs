@@ -1,9 +1,10 @@
 //! Random documents and edits from a seed; small sizes make small ones.
 
 use chiaro::document::{
-    Camera, ColorSpace, Curve, Definition, DirectionKey, DirectionKeys, Endpoint, Exposed, Frame, Graph, InterfacePort,
-    Interpolation, KeyDirection, KeyScheme, Light, LightKind, LightSpace, Look, Node, Object, Projection, Ramp,
-    RampStop, Scene, Target, Tier, TimeKey, TimeKeys, TimeRange, Transform, Unknown, Value, Values, Wire,
+    Bookmark, Camera, ColorSpace, Curve, Definition, DirectionKey, DirectionKeys, Endpoint, Exposed, Frame, Graph,
+    InterfacePort, Interpolation, KeyDirection, KeyScheme, Light, LightKind, LightSpace, Look, Node, Note, Object,
+    Projection, Ramp, RampStop, Scene, Target, Tier, TimeKey, TimeKeys, TimeRange, Transform, Unknown, Value, Values,
+    Wire,
 };
 use chiaro::ids::{LightId, NodeId, NodePath, PortName};
 use serde_json::json;
@@ -192,6 +193,7 @@ impl Random {
             values: self.values(),
             tier: self.choose(&[None, Some(Tier::Exact), Some(Tier::Balanced), Some(Tier::Fast)]),
             muted: self.chance(5),
+            collapsed: self.chance(5),
             unknown: self.unknown(),
         };
         let with_fields = |value: &&PortName| matches!(node.values[*value], Value::Curve(_) | Value::Ramp(_));
@@ -205,6 +207,18 @@ impl Random {
     pub(crate) fn frame(&mut self, nodes: Vec<NodeId>) -> Frame {
         let color = if self.chance(5) { Vec::new() } else { self.numbers::<3>(1.0).to_vec() };
         Frame { title: self.text(), color, nodes }
+    }
+
+    pub(crate) fn note(&mut self) -> Note {
+        let color = if self.chance(5) { Vec::new() } else { self.numbers::<3>(1.0).to_vec() };
+        let width = if self.chance(5) { Note::WIDTH } else { 40.0 + self.below(900) as f64 };
+        Note { text: self.text(), position: self.numbers::<2>(1000.0), width, color }
+    }
+
+    pub(crate) fn bookmarks(&mut self) -> Vec<Bookmark> {
+        let count = self.below(4) as u8;
+        let bookmark = |key| Bookmark { key, position: self.numbers::<2>(1000.0), zoom: 0.25 + f64::from(key) };
+        (1..=count).map(bookmark).collect()
     }
 
     fn graph(&mut self, kinds: &[String], unknown: &mut Unknown) -> Graph {
@@ -231,6 +245,13 @@ impl Random {
             }
         }
         self.shadows(unknown, "frames", graph.frames.keys().map(ToString::to_string).collect::<Vec<_>>().into_iter());
+        for _ in 0..self.below(3) {
+            graph.notes.insert(self.slug().into(), self.note());
+        }
+        self.shadows(unknown, "notes", graph.notes.keys().map(ToString::to_string).collect::<Vec<_>>().into_iter());
+        graph.bookmarks = self.bookmarks();
+        let keys: Vec<String> = graph.bookmarks.iter().map(|bookmark| bookmark.key.to_string()).collect();
+        self.shadows(unknown, "bookmarks", keys.into_iter());
         graph
     }
 

@@ -116,15 +116,48 @@ impl Hand {
 
     /// Presses, moves in steps, lets go; the pointer stays.
     pub(crate) fn drag(&mut self, from: Pos2, to: Pos2) {
+        self.drag_with(Modifiers::NONE, from, to);
+    }
+
+    pub(crate) fn drag_with(&mut self, modifiers: Modifiers, from: Pos2, to: Pos2) {
+        self.drag_along(modifiers, &[from, to]);
+    }
+
+    /// Presses and holds.
+    pub(crate) fn press(&mut self, at: Pos2) {
+        self.hover(at);
+        self.button(Modifiers::NONE, at, true);
+    }
+
+    /// Moves the pointer, in one frame.
+    pub(crate) fn move_to(&mut self, at: Pos2) {
+        self.event(Event::PointerMoved(at));
+    }
+
+    /// Lets go.
+    pub(crate) fn release(&mut self, at: Pos2) {
+        self.button(Modifiers::NONE, at, false);
+    }
+
+    /// A drag through several points.
+    pub(crate) fn drag_through(&mut self, points: &[Pos2]) {
+        self.drag_along(Modifiers::NONE, points);
+    }
+
+    fn drag_along(&mut self, modifiers: Modifiers, points: &[Pos2]) {
         const STEPS: u8 = 6;
-        self.hover(from);
-        self.button(Modifiers::NONE, from, true);
-        for step in 1..=STEPS {
-            let t = f32::from(step) / f32::from(STEPS);
-            self.event(Event::PointerMoved(from + (to - from) * t));
+        let [first, .., last] = points else { return };
+        self.hover(*first);
+        self.button(modifiers, *first, true);
+        for pair in points.windows(2) {
+            for step in 1..=STEPS {
+                let t = f32::from(step) / f32::from(STEPS);
+                self.event(Event::PointerMoved(pair[0] + (pair[1] - pair[0]) * t));
+            }
         }
         self.harness.step();
-        self.button(Modifiers::NONE, to, false);
+        self.button(modifiers, *last, false);
+        self.event(Event::ModifiersChanged(Modifiers::NONE));
         self.harness.run_steps(2);
     }
 

@@ -5,8 +5,8 @@ use indexmap::IndexMap;
 use super::parts::{insert, remove_named};
 use super::{Applied, Edit, group, impossible, missing, nothing};
 use crate::diag::Diagnostic;
-use crate::document::{Frame, Graph, GraphId, Look, Node, Target, Value, Wire};
-use crate::ids::{DefinitionId, FrameId, NodeId, PortName};
+use crate::document::{Bookmark, Frame, Graph, GraphId, Look, Node, Note, Target, Value, Wire};
+use crate::ids::{DefinitionId, FrameId, NodeId, NoteId, PortName};
 
 fn graph_mut<'l>(look: &'l mut Look, graph: &GraphId) -> Result<&'l mut Graph, Box<Diagnostic>> {
     match graph {
@@ -208,4 +208,25 @@ pub(super) fn set_frame(look: &mut Look, graph: GraphId, id: FrameId, frame: Fra
 pub(super) fn remove_frame(look: &mut Look, graph: GraphId, id: FrameId) -> Applied<Edit> {
     let (index, frame) = remove_named(&mut graph_mut(look, &graph)?.frames, "frame", &id)?;
     Ok(Edit::AddFrame { graph, id, frame, index: Some(index) })
+}
+
+pub(super) fn add_note(look: &mut Look, graph: GraphId, id: NoteId, note: Note, index: Option<usize>) -> Applied<Edit> {
+    insert(&mut graph_mut(look, &graph)?.notes, "note", id.clone(), note, index)?;
+    Ok(Edit::RemoveNote { graph, id })
+}
+
+pub(super) fn set_note(look: &mut Look, graph: GraphId, id: NoteId, note: Note) -> Applied<Edit> {
+    let old = graph_mut(look, &graph)?.notes.get_mut(&id).ok_or_else(|| missing("note", &id))?;
+    let note = std::mem::replace(old, note);
+    Ok(Edit::SetNote { graph, id, note })
+}
+
+pub(super) fn remove_note(look: &mut Look, graph: GraphId, id: NoteId) -> Applied<Edit> {
+    let (index, note) = remove_named(&mut graph_mut(look, &graph)?.notes, "note", &id)?;
+    Ok(Edit::AddNote { graph, id, note, index: Some(index) })
+}
+
+pub(super) fn set_bookmarks(look: &mut Look, graph: GraphId, bookmarks: Vec<Bookmark>) -> Applied<Edit> {
+    let bookmarks = std::mem::replace(&mut graph_mut(look, &graph)?.bookmarks, bookmarks);
+    Ok(Edit::SetBookmarks { graph, bookmarks })
 }

@@ -16,11 +16,11 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    ColorSpace, Definition, DirectionKeys, Exposed, Frame, GraphId, InterfacePort, Light, Look, Node, Tier, TimeKeys,
-    Value, Wire,
+    Bookmark, ColorSpace, Definition, DirectionKeys, Exposed, Frame, GraphId, InterfacePort, Light, Look, Node, Note,
+    Tier, TimeKeys, Value, Wire,
 };
 use crate::diag::Diagnostic;
-use crate::ids::{DefinitionId, FrameId, LightId, NodeId, PortName};
+use crate::ids::{DefinitionId, FrameId, LightId, NodeId, NoteId, PortName};
 
 pub use history::{Editable, History};
 pub(in crate::document) use history::{Numbers, Step};
@@ -62,6 +62,8 @@ pub enum Edit {
     SetTier { graph: GraphId, id: NodeId, tier: Option<Tier> },
     /// Leaves a node out, or takes it in again.
     SetMuted { graph: GraphId, id: NodeId, muted: bool },
+    /// Shows no more of a node than its title, or all of it.
+    SetCollapsed { graph: GraphId, id: NodeId, collapsed: bool },
     /// Moves nodes on the canvas, to these places.
     MoveNodes { graph: GraphId, positions: IndexMap<NodeId, [f64; 2]> },
     /// Gives an input a value.
@@ -80,6 +82,15 @@ pub enum Edit {
     SetFrame { graph: GraphId, id: FrameId, frame: Frame },
     /// Removes a frame; its nodes stay.
     RemoveFrame { graph: GraphId, id: FrameId },
+
+    /// Adds a note under a new id.
+    AddNote { graph: GraphId, id: NoteId, note: Note, index: Option<usize> },
+    /// Changes a note's text, place, width or colour.
+    SetNote { graph: GraphId, id: NoteId, note: Note },
+    /// Removes a note.
+    RemoveNote { graph: GraphId, id: NoteId },
+    /// Changes the views that keys bring back.
+    SetBookmarks { graph: GraphId, bookmarks: Vec<Bookmark> },
 
     /// Adds a light under a new id.
     AddLight { id: LightId, light: Light, index: Option<usize> },
@@ -139,6 +150,8 @@ impl Edit {
             Self::SetTier { id, .. } => format!("change the tier of {id}"),
             Self::SetMuted { id, muted: true, .. } => format!("mute {id}"),
             Self::SetMuted { id, .. } => format!("unmute {id}"),
+            Self::SetCollapsed { id, collapsed: true, .. } => format!("collapse {id}"),
+            Self::SetCollapsed { id, .. } => format!("expand {id}"),
             Self::MoveNodes { positions, .. } => match positions.keys().next() {
                 Some(id) if positions.len() == 1 => format!("move {id}"),
                 _ => format!("move {} nodes", positions.len()),
@@ -150,6 +163,10 @@ impl Edit {
             Self::AddFrame { .. } => "add a frame".to_owned(),
             Self::SetFrame { .. } => "change a frame".to_owned(),
             Self::RemoveFrame { .. } => "remove a frame".to_owned(),
+            Self::AddNote { .. } => "add a note".to_owned(),
+            Self::SetNote { .. } => "change a note".to_owned(),
+            Self::RemoveNote { .. } => "remove a note".to_owned(),
+            Self::SetBookmarks { .. } => "change bookmarks".to_owned(),
             Self::AddLight { id, .. } => format!("add the light {id}"),
             Self::SetLight { id, .. } => format!("change the light {id}"),
             Self::RemoveLight { id } => format!("remove the light {id}"),
@@ -205,6 +222,7 @@ impl Editable for Look {
             }
             (Edit::SetName { graph: g, id: i, .. }, Edit::SetName { graph, id, .. }) => (g, i) == (graph, id),
             (Edit::SetFrame { graph: g, id: i, .. }, Edit::SetFrame { graph, id, .. }) => (g, i) == (graph, id),
+            (Edit::SetNote { graph: g, id: i, .. }, Edit::SetNote { graph, id, .. }) => (g, i) == (graph, id),
             (Edit::SetDirectionKeys { index: i, .. }, Edit::SetDirectionKeys { index, .. })
             | (Edit::SetTimeKeys { index: i, .. }, Edit::SetTimeKeys { index, .. }) => i == index,
             _ => false,
@@ -242,6 +260,10 @@ fn apply(look: &mut Look, edit: Edit, is_known_good: bool) -> Applied<Edit> {
             let muted = std::mem::replace(&mut graph::node_mut(look, &graph, &id)?.muted, muted);
             Ok(Edit::SetMuted { graph, id, muted })
         }
+        Edit::SetCollapsed { graph, id, collapsed } => {
+            let collapsed = std::mem::replace(&mut graph::node_mut(look, &graph, &id)?.collapsed, collapsed);
+            Ok(Edit::SetCollapsed { graph, id, collapsed })
+        }
         Edit::MoveNodes { graph, positions } => graph::move_nodes(look, graph, positions),
         Edit::SetValue { graph, id, port, value, index } => graph::set_value(look, graph, id, port, value, index),
         Edit::ClearValue { graph, id, port } => graph::clear_value(look, graph, id, port),
@@ -250,6 +272,10 @@ fn apply(look: &mut Look, edit: Edit, is_known_good: bool) -> Applied<Edit> {
         Edit::AddFrame { graph, id, frame, index } => graph::add_frame(look, graph, id, frame, index),
         Edit::SetFrame { graph, id, frame } => graph::set_frame(look, graph, id, frame),
         Edit::RemoveFrame { graph, id } => graph::remove_frame(look, graph, id),
+        Edit::AddNote { graph, id, note, index } => graph::add_note(look, graph, id, note, index),
+        Edit::SetNote { graph, id, note } => graph::set_note(look, graph, id, note),
+        Edit::RemoveNote { graph, id } => graph::remove_note(look, graph, id),
+        Edit::SetBookmarks { graph, bookmarks } => graph::set_bookmarks(look, graph, bookmarks),
         part => parts::apply(look, part),
     }
 }

@@ -42,6 +42,12 @@ pub(super) fn check(look: &Look, edit: &Edit) -> Check {
             check_frame(look, graph, frame)
         }
         Edit::SetFrame { graph, frame, .. } => check_frame(look, graph, frame),
+        Edit::AddNote { id, note, .. } => {
+            slug(id.as_str())?;
+            readable(|trial| drop(trial.graph.notes.insert("trial".into(), note.clone())))
+        }
+        Edit::SetNote { note, .. } => readable(|trial| drop(trial.graph.notes.insert("trial".into(), note.clone()))),
+        Edit::SetBookmarks { bookmarks, .. } => readable(|trial| trial.graph.bookmarks.clone_from(bookmarks)),
         Edit::AddLight { id, light, .. } | Edit::SetLight { id, light } => {
             slug(id.as_str())?;
             readable(|trial| drop(trial.lights.insert(id.clone(), light.clone())))

@@ -6,12 +6,12 @@ use super::reader::{Fields, Reader};
 use crate::diag::Diagnostic;
 use crate::document::json::{At, Kind};
 use crate::document::shape::{
-    DEFINITION, DIRECTION_KEY, DIRECTION_KEYS, EXPOSED, FRAME, INTERFACE_PORT, LIGHT, LOOK, NODE, TIME_KEY, TIME_KEYS,
-    WIRE,
+    BOOKMARK, DEFINITION, DIRECTION_KEY, DIRECTION_KEYS, EXPOSED, FRAME, INTERFACE_PORT, LIGHT, LOOK, NODE, NOTE,
+    TIME_KEY, TIME_KEYS, WIRE,
 };
 use crate::document::{
-    Definition, DirectionKey, DirectionKeys, Exposed, Frame, Graph, InterfacePort, KeyDirection, Light, Look, Node,
-    Target, TimeKey, TimeKeys, Unknown, Value, Wire,
+    Bookmark, Definition, DirectionKey, DirectionKeys, Exposed, Frame, Graph, InterfacePort, KeyDirection, Light, Look,
+    Node, Note, Target, TimeKey, TimeKeys, Unknown, Value, Wire,
 };
 use crate::ids::{NodeId, is_slug, make_slug};
 
@@ -87,6 +87,8 @@ fn graph(r: &mut Reader<'_>, fields: &mut Fields) -> Graph {
         fields.shadow("wires", Some(&to), unknown);
     }
     graph.frames = r.map(fields, "frames", frame);
+    graph.notes = r.map(fields, "notes", note);
+    graph.bookmarks = parts(r, fields, "bookmarks", |bookmark: &Bookmark| bookmark.key.to_string(), bookmark);
     graph
 }
 
@@ -138,6 +140,7 @@ fn node(r: &mut Reader<'_>, at: At) -> Option<(Option<NodeId>, Node)> {
         values: r.values(&mut fields),
         tier: r.word(&fields, "tier"),
         muted: r.bool(&fields, "muted").unwrap_or_default(),
+        collapsed: r.bool(&fields, "collapsed").unwrap_or_default(),
         unknown: fields.unknown,
     };
     is_some.then_some((id, node))
@@ -155,6 +158,28 @@ fn frame(r: &mut Reader<'_>, at: At, extras: &mut Unknown) -> Option<Frame> {
     r.color_space = space;
     *extras = fields.unknown;
     Some(frame)
+}
+
+fn note(r: &mut Reader<'_>, at: At, extras: &mut Unknown) -> Option<Note> {
+    let fields = r.object(at, &NOTE)?;
+    let space = std::mem::take(&mut r.color_space);
+    let note = Note {
+        text: r.text(&fields, "text").unwrap_or_default(),
+        position: r.array(&fields, "at").unwrap_or_default(),
+        width: r.number(&fields, "width").unwrap_or(Note::WIDTH),
+        color: r.field(&fields, "color", |r, at, _| r.color_at(at, false)).unwrap_or_default(),
+    };
+    r.color_space = space;
+    *extras = fields.unknown;
+    Some(note)
+}
+
+fn bookmark(r: &mut Reader<'_>, at: At) -> Option<(Bookmark, Unknown)> {
+    let fields = r.object(at, &BOOKMARK)?;
+    let key = r.number(&fields, "key");
+    let position = r.array(&fields, "at").unwrap_or_default();
+    let zoom = r.number(&fields, "zoom").unwrap_or(1.0);
+    Some((Bookmark { key: key? as u8, position, zoom }, fields.unknown))
 }
 
 fn definition(r: &mut Reader<'_>, at: At) -> Option<Definition> {

@@ -36,7 +36,7 @@ pub(super) struct Reader<'t> {
 pub(super) struct Fields {
     shape: &'static Shape,
     at: At,
-    found: [Option<At>; 16],
+    found: [Option<At>; 24],
     /// What the shape does not know. Unknown fields of a field's own parts lie here too, under the field's name and
     /// the part's id, so that each part's type need not hold them.
     pub(super) unknown: Unknown,
@@ -125,7 +125,7 @@ impl<'t> Reader<'t> {
             self.wrong_type(at, &format!("{} (an object)", with_article(shape.name)));
             return None;
         }
-        let mut fields = Fields { shape, at, found: [None; 16], unknown: Unknown::new() };
+        let mut fields = Fields { shape, at, found: [None; 24], unknown: Unknown::new() };
         let tree = self.tree;
         for member in tree.children(at) {
             let name = tree.key(member);

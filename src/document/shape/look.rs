@@ -15,9 +15,20 @@ const NAME: Field = field("name", Text(LINE), Json("\"\""), "What the artist cal
 const A_NODE: &Kind = &Object(&NODE);
 const A_WIRE: &Kind = &Object(&WIRE);
 const A_FRAME: &Kind = &Object(&FRAME);
+const A_NOTE: &Kind = &Object(&NOTE);
+const A_BOOKMARK: &Kind = &Object(&BOOKMARK);
 const NODES: Field = field("nodes", List(A_NODE, MAX_NODES), Json("[]"), "The nodes of the graph.");
 const WIRES: Field = field("wires", List(A_WIRE, MAX_WIRES), Json("[]"), "The wires between them.");
 const FRAMES: Field = field("frames", Map(A_FRAME, 10_000), Json("{}"), "Titled frames on the canvas, by id.");
+const NOTES: Field = field("notes", Map(A_NOTE, 10_000), Json("{}"), "Texts on the canvas, by id.");
+const BOOKMARKS: Field =
+    field("bookmarks", List(A_BOOKMARK, 9), Json("[]"), "Views of the canvas that a key brings back.");
+const AT: Field = field(
+    "at",
+    Numbers(2, 2, Bounds::new(-1e9, 1e9)),
+    Json("[0, 0]"),
+    "Where it lies on the canvas, in points, x right and y down.",
+);
 const INTERPOLATION: Field = field(
     "interpolation",
     Word(Interpolation::WORDS),
@@ -45,6 +56,8 @@ pub(in crate::document) static LOOK: Shape = Shape {
         NODES,
         WIRES,
         FRAMES,
+        NOTES,
+        BOOKMARKS,
         field(
             "definitions",
             Map(&Object(&DEFINITION), 10_000),
@@ -128,12 +141,7 @@ pub(in crate::document) static NODE: Shape = Shape {
         ),
         field("kind", Text(64), Required, "A node of the library, or the id of a definition."),
         field("name", Text(LINE), Json("\"\""), "What the artist calls it; empty for the kind's label."),
-        field(
-            "at",
-            Numbers(2, 2, Bounds::new(-1e9, 1e9)),
-            Json("[0, 0]"),
-            "Where it lies on the canvas, in points, x right and y down.",
-        ),
+        AT,
         field("values", Map(&Value, 1000), Json("{}"), "The values of unwired inputs, by port."),
         field(
             "tier",
@@ -142,6 +150,7 @@ pub(in crate::document) static NODE: Shape = Shape {
             "Which implementation is asked for; of a group's node, for every node in it.",
         ),
         field("muted", Bool, Json("false"), "Whether it is left out: what comes in goes out as it is."),
+        field("collapsed", Bool, Json("false"), "Whether the canvas shows no more of it than its title."),
     ],
 };
 
@@ -161,6 +170,37 @@ pub(in crate::document) static FRAME: Shape = Shape {
         field("title", Text(LINE), Json("\"\""), "What is written on it; names the function that its nodes become."),
         field("color", Color { alpha: false }, Words("the theme's own"), "Straight RGB, as shown."),
         field("nodes", List(&Slug, MAX_NODES), Json("[]"), "The ids of the nodes in it."),
+    ],
+};
+
+pub(in crate::document) static NOTE: Shape = Shape {
+    name: "note",
+    help: "A text on the canvas.",
+    fields: &[
+        field("text", Text(LONG), Json("\"\""), "What it says."),
+        AT,
+        field("width", Number(Bounds::new(40.0, 1e4)), Json("220"), "How wide it is, in points."),
+        field("color", Color { alpha: false }, Words("the theme's own"), "Straight RGB, as shown."),
+    ],
+};
+
+pub(in crate::document) static BOOKMARK: Shape = Shape {
+    name: "bookmark",
+    help: "A view of the canvas that a key brings back.",
+    fields: &[
+        field("key", Number(Bounds::whole(1.0, 9.0)), Required, "The key."),
+        field(
+            "at",
+            Numbers(2, 2, Bounds::new(-1e9, 1e9)),
+            Json("[0, 0]"),
+            "The point of the graph at the canvas's centre, x right and y down.",
+        ),
+        field(
+            "zoom",
+            Number(Bounds::new(0.001, 1000.0)),
+            Json("1"),
+            "Points of the screen for each point of the graph.",
+        ),
     ],
 };
 
@@ -185,6 +225,8 @@ pub(in crate::document) static DEFINITION: Shape = Shape {
         NODES,
         WIRES,
         FRAMES,
+        NOTES,
+        BOOKMARKS,
     ],
 };
 

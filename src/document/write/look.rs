@@ -4,12 +4,12 @@ use super::value::{value, values};
 use super::{part, top};
 use crate::document::json::{Layout, Writer};
 use crate::document::shape::{
-    DEFINITION, DIRECTION_KEY, DIRECTION_KEYS, EXPOSED, FRAME, INTERFACE_PORT, LIGHT, LOOK, NODE, TIME_KEY, TIME_KEYS,
-    WIRE,
+    BOOKMARK, DEFINITION, DIRECTION_KEY, DIRECTION_KEYS, EXPOSED, FRAME, INTERFACE_PORT, LIGHT, LOOK, NODE, NOTE,
+    TIME_KEY, TIME_KEYS, WIRE,
 };
 use crate::document::{
-    Definition, DirectionKey, DirectionKeys, Graph, Interpolation, KeyDirection, KeyScheme, Light, Look, Node, Tier,
-    TimeKeys, Unknown,
+    Definition, DirectionKey, DirectionKeys, Graph, Interpolation, KeyDirection, KeyScheme, Light, Look, Node, Note,
+    Tier, TimeKeys, Unknown,
 };
 use crate::ids::{LightId, NodeId};
 use indexmap::IndexMap;
@@ -89,6 +89,39 @@ fn graph(w: &mut Writer, graph: &Graph, unknown: &Unknown) {
             w.member("to", |w| w.string(&to));
         });
     });
+    frames(w, graph, unknown);
+    notes(w, graph, unknown);
+    w.lines("bookmarks", &graph.bookmarks, |w, bookmark| {
+        let extras = part(Some(unknown), "bookmarks", Some(&bookmark.key.to_string()));
+        w.shaped(Layout::Inline, &BOOKMARK, extras, |w| {
+            w.member("key", |w| w.number(f64::from(bookmark.key)));
+            w.numbers_unless("at", &bookmark.position, &[0.0; 2]);
+            w.number_unless("zoom", bookmark.zoom, 1.0);
+        });
+    });
+}
+
+fn notes(w: &mut Writer, graph: &Graph, unknown: &Unknown) {
+    if graph.notes.is_empty() {
+        return;
+    }
+    w.member("notes", |w| {
+        w.object(Layout::Lines, |w| {
+            for (id, note) in &graph.notes {
+                w.member(id.as_str(), |w| {
+                    w.shaped(Layout::Inline, &NOTE, part(Some(unknown), "notes", Some(id.as_str())), |w| {
+                        w.text_unless_empty("text", &note.text);
+                        w.numbers_unless("at", &note.position, &[0.0; 2]);
+                        w.number_unless("width", note.width, Note::WIDTH);
+                        w.numbers_unless("color", &note.color, &[]);
+                    });
+                });
+            }
+        });
+    });
+}
+
+fn frames(w: &mut Writer, graph: &Graph, unknown: &Unknown) {
     if graph.frames.is_empty() {
         return;
     }
@@ -119,6 +152,9 @@ fn node(w: &mut Writer, id: &NodeId, node: &Node) {
         w.word_if("tier", node.tier);
         if node.muted {
             w.member("muted", |w| w.bool(true));
+        }
+        if node.collapsed {
+            w.member("collapsed", |w| w.bool(true));
         }
     });
 }

@@ -16,19 +16,20 @@ use super::table::{Hit, Socket, curve_between};
 use super::text::lay_out;
 use super::{Canvas, Gesture};
 use crate::diag::Severity;
+use crate::document::Node;
 
-const ALL_TEXT: f32 = 0.4;
-const SOCKETS: f32 = 0.25;
+pub(super) const ALL_TEXT: f32 = 0.4;
+pub(super) const SOCKETS: f32 = 0.25;
 const BOXES: f32 = 0.1;
 
 /// What a frame's drawing needs again and again.
-struct Pen<'a> {
-    painter: &'a Painter,
-    colors: &'static Colors,
-    uv: egui::Vec2,
-    pixels: f32,
-    zoom: f32,
-    visible: Rect,
+pub(super) struct Pen<'a> {
+    pub(super) painter: &'a Painter,
+    pub(super) colors: &'static Colors,
+    pub(super) uv: egui::Vec2,
+    pub(super) pixels: f32,
+    pub(super) zoom: f32,
+    pub(super) visible: Rect,
     session: &'a Session,
     /// While a wire is drawn: the sockets that it may end at.
     fits: Option<&'a dyn Fn(Socket) -> bool>,
@@ -62,6 +63,8 @@ impl Canvas {
         };
         mesh.add_colored_rect(self.view.screen, pen.colors.canvas);
         self.draw_grid(mesh, pen.colors);
+        self.draw_frames(mesh, &pen);
+        self.draw_notes(mesh, &pen);
         self.draw_wires(mesh, &pen);
         for index in 0..self.table.nodes.len() {
             if self.table.nodes[index].rect.expand(8.0).intersects(pen.visible) {
@@ -69,10 +72,7 @@ impl Canvas {
             }
         }
         self.draw_loose_wire(mesh, pen.colors, loose_end);
-        if let (Gesture::Box { from, .. }, Some(to)) = (&self.gesture, loose_end) {
-            let r = Rect::from_two_pos(self.view.to_screen(*from), to);
-            rounded(mesh, r, 2.0, (true, true), pen.colors.accent.gamma_multiply(0.12));
-        }
+        self.draw_gesture(mesh, &pen, loose_end);
         painter.add(Shape::Mesh(buffer.clone()));
         self.buffer = buffer;
     }
@@ -108,6 +108,10 @@ impl Canvas {
             Gesture::Wire(drag) => drag.picked,
             _ => None,
         };
+        let cut = match &self.gesture {
+            Gesture::Cut { path } => Some(path.as_slice()),
+            _ => None,
+        };
         for (index, wire) in self.table.wires.iter().enumerate() {
             if !wire.bounds.intersects(pen.visible) || picked == Some(wire.index) {
                 continue;
@@ -115,9 +119,23 @@ impl Canvas {
             let c = self.table.curve(wire).map(|p| self.view.to_screen(p));
             let is_hovered = self.hovered == Some(Hit::Wire(index));
             let color = pen.colors.of_type(&wire.ty);
-            let (width, color) =
-                if is_hovered { (width + 1.5, lighter(color)) } else { (width, color.gamma_multiply(fade)) };
+            let is_marked = match &self.gesture {
+                Gesture::Move(drag) => drag.into == Some(index),
+                _ => is_hovered,
+            };
+            let is_cut = cut.is_some_and(|path| self.is_cut(wire, path));
+            let (width, color) = match (is_cut, is_marked) {
+                (true, _) => (width + 1.5, pen.colors.error),
+                (_, true) => (width + 1.5, lighter(color)),
+                _ if self.table.nodes[wire.from.node].is_unused => (width, color.gamma_multiply(fade * 0.4)),
+                _ => (width, color.gamma_multiply(fade)),
+            };
             ribbon(mesh, &c, width, color, clip, tolerance);
+            if let Some(becomes) = &wire.becomes
+                && zoom > ALL_TEXT
+            {
+                self.draw_conversion(mesh, pen, &c, (&wire.ty, becomes));
+            }
         }
     }
 
@@ -161,25 +179,46 @@ impl Canvas {
         rounded(mesh, r, round, (true, true), pen.colors.node);
         let head = Rect::from_min_size(r.min, vec2(r.width(), TITLE_HEIGHT * pen.zoom));
         let is_hovered = self.hovered == Some(Hit::Node(index));
-        rounded(mesh, head, round, (true, false), if is_hovered { lighter(title) } else { title });
+        let is_head = row.is_collapsed;
+        rounded(mesh, head, round, (true, is_head), if is_hovered { lighter(title) } else { title });
+        let is_dim = row.is_muted || self.idle_of(row).is_some();
         if pen.zoom > SOCKETS {
-            self.draw_sockets(mesh, pen, index);
             self.draw_text(mesh, pen, index);
+        }
+        if is_dim {
+            rounded(mesh, r, round, (true, true), pen.colors.canvas.gamma_multiply(0.55));
+        }
+        if pen.zoom > SOCKETS {
+            self.draw_sockets(mesh, pen, index, is_dim);
+        }
+        if pen.zoom > SOCKETS
+            && let Some((offset, tag)) = &self.table.nodes[index].text.tag
+        {
+            glyphs(mesh, r.min + *offset * pen.zoom, tag, pen.uv, pen.pixels);
         }
         if let Some(severity) = mark {
             self.draw_badge(mesh, pen, r, severity);
         }
     }
 
-    fn draw_sockets(&self, mesh: &mut Mesh, pen: &Pen<'_>, index: usize) {
-        for at in self.table.sockets(index) {
+    fn draw_sockets(&self, mesh: &mut Mesh, pen: &Pen<'_>, index: usize, is_dim: bool) {
+        // Those of a collapsed node lie on one another: the first of each side is seen, and whatever fits a wire.
+        let row = &self.table.nodes[index];
+        let is_first = |at: &Socket| {
+            let mut sockets = self.table.sockets(index).filter(|other| other.is_output == at.is_output);
+            sockets.next() == Some(*at) || pen.fits.is_some_and(|fits| fits(*at))
+        };
+        for at in self.table.sockets(index).filter(|at| !row.is_collapsed || is_first(at)) {
             let ty = &self.table.socket_type(at);
             let center = self.view.to_screen(self.table.place(at));
             let is_hovered = self.hovered == Some(Hit::Socket(at));
             let is_out = pen.fits.is_some_and(|fits| !fits(at));
             let radius = theme::SOCKET * pen.zoom * if is_hovered && !is_out { 1.4 } else { 1.0 };
-            let color =
-                if is_out { mixed(pen.colors.of_type(ty), pen.colors.node, 0.8) } else { pen.colors.of_type(ty) };
+            let color = match (is_out, is_dim) {
+                (true, _) => mixed(pen.colors.of_type(ty), pen.colors.node, 0.8),
+                (_, true) => mixed(pen.colors.of_type(ty), pen.colors.canvas, 0.55),
+                _ => pen.colors.of_type(ty),
+            };
             if pen.zoom > ALL_TEXT {
                 socket(mesh, type_shape(ty), center, radius + 1.5, pen.colors.node_edge);
             }
@@ -189,10 +228,27 @@ impl Canvas {
 
     fn draw_text(&mut self, mesh: &mut Mesh, pen: &Pen<'_>, index: usize) {
         let look = pen.session.look();
+        let row = &self.table.nodes[index];
+        let tag = if row.is_muted { "muted" } else { self.idle_of(row).map_or("", |idle| idle.word) };
+        let id = row.id.clone();
+        let value = if tag.is_empty() { self.value_of(pen.session, &id).map(str::to_owned) } else { None };
         let row = &mut self.table.nodes[index];
-        let Some(node) = look.graph.nodes.get(&row.id) else { return };
+        let end = Node::default();
+        let node = match pen.session.graph().nodes.get(&row.id) {
+            Some(node) => node,
+            None if row.is_end => &end,
+            None => return,
+        };
         let has_rows = pen.zoom > ALL_TEXT;
-        lay_out(row, pen.painter, pen.colors, (pen.zoom, has_rows), pen.session.revision(), look, node);
+        lay_out(
+            row,
+            (pen.painter, pen.colors),
+            (pen.zoom, has_rows),
+            pen.session.revision(),
+            look,
+            node,
+            (tag, value.as_deref()),
+        );
         let corner = self.view.to_screen(row.rect.min);
         for (offset, galley) in &row.text.lines {
             glyphs(mesh, corner + *offset * pen.zoom, galley, pen.uv, pen.pixels);
@@ -227,11 +283,11 @@ impl Canvas {
     }
 }
 
-fn lighter(color: Color32) -> Color32 {
+pub(super) fn lighter(color: Color32) -> Color32 {
     mixed(color, Color32::WHITE, 0.14)
 }
 
-fn mixed(a: Color32, b: Color32, t: f32) -> Color32 {
+pub(super) fn mixed(a: Color32, b: Color32, t: f32) -> Color32 {
     let mix = |a: u8, b: u8| (f32::from(a) + (f32::from(b) - f32::from(a)) * t).round() as u8;
     Color32::from_rgb(mix(a.r(), b.r()), mix(a.g(), b.g()), mix(a.b(), b.b()))
 }

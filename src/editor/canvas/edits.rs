@@ -1,28 +1,32 @@
-//! The edits that the canvas proposes.
+//! The edits that the canvas proposes, of the graph that is open.
 
 use eframe::egui;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
-use eframe::egui::Pos2;
+use eframe::egui::{Pos2, Rect};
 use indexmap::IndexMap;
 
 use super::super::catalog::{CODE, CUSTOM_CODE, CUSTOM_KIND, Kind};
-use crate::document::{Edit, Endpoint, GraphId, Light, Look, Node, Value, Wire};
-use crate::ids::{LightId, NodeId, make_slug};
+use super::super::session::Session;
+use crate::document::{Edit, Endpoint, Frame, Light, Node, Note, Value, Wire, grouping};
+use crate::ids::{FrameId, GROUP_INPUTS, GROUP_OUTPUTS, LightId, NodeId, NoteId, PortName, make_slug};
 use crate::library::Type;
 
 /// How far a copy lies from what it was made of.
 const COPY_OFFSET: f64 = 32.0;
 
 /// Removes nodes.
-pub(crate) fn delete(nodes: impl Iterator<Item = NodeId>) -> Option<Edit> {
-    let edits: Vec<Edit> = nodes.map(|id| Edit::RemoveNode { graph: GraphId::Look, id }).collect();
+pub(crate) fn delete(session: &Session, nodes: impl Iterator<Item = NodeId>) -> Option<Edit> {
+    let graph = session.graph_id();
+    let there = nodes.filter(|id| session.graph().nodes.contains_key(id));
+    let edits: Vec<Edit> = there.map(|id| Edit::RemoveNode { graph: graph.clone(), id }).collect();
     (!edits.is_empty()).then_some(Edit::Group { edits })
 }
 
 /// Adds a node of a kind with its corner at a place of the graph. Returns its id and the edits.
-pub(crate) fn add(look: &Look, kind: &Kind, at: Pos2) -> (NodeId, Vec<Edit>) {
-    let id = NodeId::new(make_slug(&kind.id, |slug| is_taken(look, slug)));
+pub(crate) fn add(session: &Session, kind: &Kind, at: Pos2) -> (NodeId, Vec<Edit>) {
+    let look = session.look();
+    let id = NodeId::new(make_slug(&kind.id, |slug| is_taken(session, slug)));
     let position = [f64::from(at.x).round(), f64::from(at.y).round()];
     let mut node = Node { kind: kind.id.clone(), position, ..Node::default() };
     if kind.id == CUSTOM_KIND {
@@ -40,51 +44,335 @@ pub(crate) fn add(look: &Look, kind: &Kind, at: Pos2) -> (NodeId, Vec<Edit>) {
         });
         node.values.insert(input.name.clone(), Value::Text(light.to_string()));
     }
-    edits.push(Edit::AddNode { graph: GraphId::Look, id: id.clone(), node, index: None });
+    edits.push(Edit::AddNode { graph: session.graph_id().clone(), id: id.clone(), node, index: None });
     (id, edits)
 }
 
 /// Ids that a new node cannot have.
-fn is_taken(look: &Look, slug: &str) -> bool {
-    look.graph.nodes.contains_key(slug)
+fn is_taken(session: &Session, slug: &str) -> bool {
+    session.graph().nodes.contains_key(slug) || matches!(slug, GROUP_INPUTS | GROUP_OUTPUTS)
 }
 
 /// Wires an output to an input, in place of what fed it.
-pub(crate) fn connect(from: Endpoint, to: Endpoint) -> Edit {
-    Edit::AddWire { graph: GraphId::Look, wire: Wire { from, to }, index: None }
+pub(crate) fn connect(session: &Session, from: Endpoint, to: Endpoint) -> Edit {
+    Edit::AddWire { graph: session.graph_id().clone(), wire: Wire { from, to }, index: None }
+}
+
+/// Removes a wire.
+pub(crate) fn disconnect(session: &Session, wire: Wire) -> Edit {
+    Edit::RemoveWire { graph: session.graph_id().clone(), wire }
 }
 
 /// Copies nodes with the wires between them and into them. Returns the new ids and the edit.
-pub(crate) fn duplicate(look: &Look, nodes: &[NodeId]) -> (Vec<NodeId>, Edit) {
+pub(crate) fn duplicate(session: &Session, nodes: &[NodeId]) -> (Vec<NodeId>, Edit) {
+    let of = session.graph();
+    let graph = session.graph_id();
     let mut new_ids: IndexMap<&NodeId, NodeId> = IndexMap::new();
     let mut edits = Vec::new();
     for id in nodes {
-        let Some(node) = look.graph.nodes.get(id) else { continue };
+        let Some(node) = of.nodes.get(id) else { continue };
         let is_new = |slug: &str| new_ids.values().any(|id| id.as_str() == slug);
         let base = id.as_str().trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('_');
         let base = if base.is_empty() { id.as_str() } else { base };
-        let new = NodeId::new(make_slug(base, |slug| is_taken(look, slug) || is_new(slug)));
+        let new = NodeId::new(make_slug(base, |slug| is_taken(session, slug) || is_new(slug)));
         let mut node = node.clone();
         node.position = node.position.map(|x| x + COPY_OFFSET);
-        edits.push(Edit::AddNode { graph: GraphId::Look, id: new.clone(), node, index: None });
+        edits.push(Edit::AddNode { graph: graph.clone(), id: new.clone(), node, index: None });
         new_ids.insert(id, new);
     }
-    for wire in &look.graph.wires {
+    for wire in &of.wires {
         let Some(to) = new_ids.get(&wire.to.node) else { continue };
         let from = new_ids.get(&wire.from.node).unwrap_or(&wire.from.node);
         let from = Endpoint { node: from.clone(), port: wire.from.port.clone() };
-        edits.push(connect(from, Endpoint { node: to.clone(), port: wire.to.port.clone() }));
+        edits.push(connect(session, from, Endpoint { node: to.clone(), port: wire.to.port.clone() }));
     }
     (new_ids.into_values().collect(), Edit::Group { edits })
 }
 
 /// Moves nodes by the same way.
-pub(crate) fn translate<'a>(look: &Look, nodes: impl Iterator<Item = &'a NodeId>, by: egui::Vec2) -> Edit {
-    let places: HashMap<&NodeId, [f64; 2]> = look.graph.nodes.iter().map(|(id, node)| (id, node.position)).collect();
+pub(crate) fn translate<'a>(session: &Session, nodes: impl Iterator<Item = &'a NodeId>, by: egui::Vec2) -> Edit {
+    let of = session.graph();
     let moved = nodes.filter_map(|id| {
-        let [x, y] = *places.get(id)?;
+        let [x, y] = of.nodes.get(id)?.position;
         // Whole points, so that files stay readable.
         Some((id.clone(), [(x + f64::from(by.x)).round(), (y + f64::from(by.y)).round()]))
     });
-    Edit::MoveNodes { graph: GraphId::Look, positions: moved.collect() }
+    Edit::MoveNodes { graph: session.graph_id().clone(), positions: moved.collect() }
+}
+
+/// Moves nodes to places.
+pub(crate) fn put(session: &Session, places: impl Iterator<Item = (NodeId, Pos2)>) -> Edit {
+    let there = places.filter(|(id, _)| session.graph().nodes.contains_key(id));
+    let positions = there.map(|(id, at)| (id, [f64::from(at.x).round(), f64::from(at.y).round()]));
+    Edit::MoveNodes { graph: session.graph_id().clone(), positions: positions.collect() }
+}
+
+/// Makes a group of nodes. Returns its node and the edit.
+pub(crate) fn group(session: &Session, nodes: &[NodeId]) -> Option<(NodeId, Edit)> {
+    // The look's output stays in the look.
+    let nodes: Vec<NodeId> = nodes.iter().filter(|id| !is_output(session, id)).cloned().collect();
+    let taken = |slug: &str| session.catalog.get(slug).is_some();
+    let first = |node: &Node| session.catalog.of(node)?.outputs.first().map(|port| port.name.clone());
+    let grouped = grouping::group(session.look(), session.graph_id(), &nodes, "Group", taken, first)?;
+    Some((grouped.node, grouped.edit))
+}
+
+fn is_output(session: &Session, id: &NodeId) -> bool {
+    session.graph().nodes.get(id).is_some_and(|node| node.kind == "output")
+}
+
+/// Dissolves groups one after the other. Returns the nodes that take their place and the edit, or why it cannot be.
+pub(crate) fn ungroup(session: &Session, nodes: &[NodeId]) -> Result<Option<(Vec<NodeId>, Edit)>, String> {
+    let mut trial = session.look().clone();
+    let (mut all, mut edits) = (Vec::new(), Vec::new());
+    for id in nodes {
+        let Some(node) = session.graph().nodes.get(id) else { continue };
+        let Some(definition) = session.definition_of(&node.kind).cloned() else { continue };
+        let dissolved = grouping::dissolve(&trial, session.graph_id(), id, &definition)
+            .map_err(|problem| super::super::problems::sentence(&problem))?;
+        // The next one finds the look as this one leaves it.
+        trial.apply(dissolved.edit.clone()).map_err(|problem| problem.message)?;
+        all.extend(dissolved.nodes);
+        edits.push(dissolved.edit);
+    }
+    Ok((!edits.is_empty()).then_some((all, Edit::Group { edits })))
+}
+
+/// Puts a frame around nodes, out of the frames that they are in.
+pub(crate) fn frame(session: &Session, nodes: &[NodeId]) -> Option<(FrameId, Edit)> {
+    let of = session.graph();
+    let nodes: Vec<NodeId> = nodes.iter().filter(|id| of.nodes.contains_key(*id)).cloned().collect();
+    if nodes.is_empty() {
+        return None;
+    }
+    let mut edits = leave_frames(session, &nodes);
+    let id = FrameId::new(make_slug("frame", |slug| of.frames.contains_key(slug)));
+    let frame = Frame { title: "Frame".to_owned(), color: Vec::new(), nodes };
+    edits.push(Edit::AddFrame { graph: session.graph_id().clone(), id: id.clone(), frame, index: None });
+    Some((id, Edit::Group { edits }))
+}
+
+/// Takes nodes out of their frames; a frame without nodes goes.
+pub(crate) fn leave_frames(session: &Session, nodes: &[NodeId]) -> Vec<Edit> {
+    let graph = session.graph_id();
+    let mut edits = Vec::new();
+    for (id, frame) in &session.graph().frames {
+        let rest: Vec<NodeId> = frame.nodes.iter().filter(|id| !nodes.contains(id)).cloned().collect();
+        if rest.len() == frame.nodes.len() {
+            continue;
+        }
+        edits.push(if rest.is_empty() {
+            Edit::RemoveFrame { graph: graph.clone(), id: id.clone() }
+        } else {
+            let frame = Frame { nodes: rest, ..frame.clone() };
+            Edit::SetFrame { graph: graph.clone(), id: id.clone(), frame }
+        });
+    }
+    edits
+}
+
+/// Puts nodes into a frame, or where there is none, out of those they are in.
+pub(crate) fn join_frame(session: &Session, nodes: &[NodeId], to: Option<&FrameId>) -> Vec<Edit> {
+    let frames = &session.graph().frames;
+    let target = to.and_then(|id| Some((id, frames.get(id)?)));
+    let moving: Vec<NodeId> =
+        nodes.iter().filter(|id| target.is_none_or(|(_, frame)| !frame.nodes.contains(id))).cloned().collect();
+    if moving.is_empty() {
+        return Vec::new();
+    }
+    let mut edits = leave_frames(session, &moving);
+    if let Some((id, frame)) = target {
+        let mut frame = frame.clone();
+        frame.nodes.extend(moving);
+        edits.push(Edit::SetFrame { graph: session.graph_id().clone(), id: id.clone(), frame });
+    }
+    edits
+}
+
+/// Changes a frame.
+pub(crate) fn set_frame(session: &Session, id: &FrameId, change: impl FnOnce(&mut Frame)) -> Option<Edit> {
+    let mut frame = session.graph().frames.get(id)?.clone();
+    change(&mut frame);
+    Some(Edit::SetFrame { graph: session.graph_id().clone(), id: id.clone(), frame })
+}
+
+/// Changes a note.
+pub(crate) fn set_note(session: &Session, id: &NoteId, change: impl FnOnce(&mut Note)) -> Option<Edit> {
+    let mut note = session.graph().notes.get(id)?.clone();
+    change(&mut note);
+    Some(Edit::SetNote { graph: session.graph_id().clone(), id: id.clone(), note })
+}
+
+/// Adds a note.
+pub(crate) fn note(session: &Session, at: Pos2) -> (NoteId, Edit) {
+    let id = NoteId::new(make_slug("note", |slug| session.graph().notes.contains_key(slug)));
+    let position = [f64::from(at.x).round(), f64::from(at.y).round()];
+    let note = Note { text: "Note".to_owned(), position, ..Note::default() };
+    let edit = Edit::AddNote { graph: session.graph_id().clone(), id: id.clone(), note, index: None };
+    (id, edit)
+}
+
+/// The output of a kind that fits an input best, and the input: exact types first, then what loses nothing.
+pub(crate) fn best_pair(from: &Kind, to: &Kind, is_free: impl Fn(usize) -> bool) -> Option<(usize, usize)> {
+    let mut best: Option<(i32, usize, usize)> = None;
+    for (output, out) in from.outputs.iter().enumerate() {
+        for (input, port) in to.inputs.iter().enumerate().filter(|(_, port)| port.is_wirable()) {
+            if !port.takes(&out.ty) && !from.is_reroute {
+                continue;
+            }
+            let exact = if port.ty == out.ty { 4 } else { i32::from(out.ty.converts_without_loss(&port.ty)) * 2 };
+            let free = if is_free(input) { 8 } else { 0 };
+            // What a node is about comes in first.
+            let score = exact + free - (input as i32 + output as i32).min(3);
+            if best.is_none_or(|(known, ..)| score > known) {
+                best = Some((score, output, input));
+            }
+        }
+    }
+    best.map(|(_, output, input)| (output, input))
+}
+
+/// Removes nodes and wires what fed each to what it fed, where it would let it through were it muted.
+pub(crate) fn dissolve(session: &Session, nodes: &[NodeId]) -> Option<Edit> {
+    let of = session.graph();
+    let gone: HashSet<&NodeId> = nodes.iter().filter(|id| of.nodes.contains_key(*id)).collect();
+    let mut edits = Vec::new();
+    for wire in of.wires.iter().filter(|wire| gone.contains(&wire.from.node) && !gone.contains(&wire.to.node)) {
+        let mut from = wire.from.clone();
+        // Through all that go; rings end this.
+        for _ in 0..=gone.len() {
+            if !gone.contains(&from.node) {
+                break;
+            }
+            let Some(next) = through(session, &from) else { break };
+            from = next;
+        }
+        if !gone.contains(&from.node) {
+            edits.push(connect(session, from, wire.to.clone()));
+        }
+    }
+    edits.extend(delete(session, nodes.iter().cloned()));
+    (!gone.is_empty()).then_some(Edit::Group { edits })
+}
+
+/// What feeds the input that is most like an output.
+fn through(session: &Session, from: &Endpoint) -> Option<Endpoint> {
+    let of = session.graph();
+    let kind = session.catalog.of(of.nodes.get(&from.node)?)?;
+    let output = &kind.outputs[kind.output(from.port.as_str())?];
+    let like = |wire: &&Wire| {
+        let input = kind.input(wire.to.port.as_str()).map(|index| &kind.inputs[index]);
+        wire.to.node == from.node && input.is_some_and(|input| input.ty == output.ty || kind.is_reroute)
+    };
+    let mut wires: Vec<&Wire> = of.wires.iter().filter(like).collect();
+    wires.sort_by_key(|wire| (wire.to.port != output.name, kind.input(wire.to.port.as_str())));
+    wires.first().map(|wire| wire.from.clone())
+}
+
+/// Makes a node another kind; wires and values that fit stay, by name or else in order.
+pub(crate) fn swap(session: &Session, id: &NodeId, kind: &Kind) -> Option<Edit> {
+    let of = session.graph();
+    let graph = session.graph_id();
+    let node = of.nodes.get(id)?;
+    let old = session.catalog.of(node);
+    let mut edits = vec![Edit::SetKind { graph: graph.clone(), id: id.clone(), kind: kind.id.clone() }];
+    let mut claimed: HashSet<usize> = HashSet::new();
+    let into: Vec<&Wire> = of.wires.iter().filter(|wire| wire.to.node == *id).collect();
+    let mut rest = Vec::new();
+    for wire in into {
+        let ty = type_of(session, &wire.from);
+        let fits = |index: usize| ty.as_ref().is_none_or(|ty| kind.inputs[index].takes(ty));
+        match kind.input(wire.to.port.as_str()).filter(|&index| fits(index)) {
+            Some(index) => drop(claimed.insert(index)),
+            None => rest.push((wire, ty)),
+        }
+    }
+    for (wire, ty) in rest {
+        edits.push(disconnect(session, wire.clone()));
+        let takes = |index: &usize| ty.as_ref().is_some_and(|ty| kind.inputs[*index].takes(ty));
+        let free = (0..kind.inputs.len()).filter(|index| !claimed.contains(index)).find(takes);
+        if let Some(index) = free {
+            claimed.insert(index);
+            let to = Endpoint { node: id.clone(), port: kind.inputs[index].name.clone() };
+            edits.push(connect(session, wire.from.clone(), to));
+        }
+    }
+    for wire in of.wires.iter().filter(|wire| wire.from.node == *id) {
+        let takes = |index: &usize| takes(session, &wire.to, &kind.outputs[*index].ty) || kind.is_reroute;
+        if wire.from.port.as_str().is_empty() && kind.output("").is_some_and(|index| takes(&index)) {
+            continue;
+        }
+        if kind.output(wire.from.port.as_str()).is_some_and(|index| takes(&index)) {
+            continue;
+        }
+        edits.push(disconnect(session, wire.clone()));
+        if let Some(index) = (0..kind.outputs.len()).find(takes) {
+            let from = Endpoint { node: id.clone(), port: kind.outputs[index].name.clone() };
+            edits.push(connect(session, from, wire.to.clone()));
+        }
+    }
+    edits.extend(swap_values(session, id, node, old.map(|kind| &**kind), kind));
+    Some(Edit::Group { edits })
+}
+
+/// Values that the new kind does not know, or knows as something else, go.
+fn swap_values(session: &Session, id: &NodeId, node: &Node, old: Option<&Kind>, kind: &Kind) -> Vec<Edit> {
+    let graph = session.graph_id();
+    let type_in = |kind: &Kind, port: &PortName| Some(kind.inputs[kind.input(port.as_str())?].ty.clone());
+    let mut edits = Vec::new();
+    for port in node.values.keys() {
+        let stays =
+            type_in(kind, port).is_some_and(|ty| old.and_then(|old| type_in(old, port)).is_none_or(|old| old == ty));
+        if !stays {
+            edits.push(Edit::ClearValue { graph: graph.clone(), id: id.clone(), port: port.clone() });
+        }
+    }
+    let mut set = |port: PortName, value: Value| {
+        edits.push(Edit::SetValue { graph: graph.clone(), id: id.clone(), port, value, index: None });
+    };
+    if kind.id == CUSTOM_KIND && !node.values.contains_key(CODE) {
+        set(CODE.into(), Value::Text(CUSTOM_CODE.to_owned()));
+    }
+    if let Some(light) = session.look().lights.keys().next() {
+        let lights = kind.inputs.iter().filter(|input| input.ty == Type::LightName);
+        for input in lights.filter(|input| !node.values.contains_key(&input.name)) {
+            set(input.name.clone(), Value::Text(light.to_string()));
+        }
+    }
+    edits
+}
+
+/// The type of an output of the graph that is open.
+fn type_of(session: &Session, from: &Endpoint) -> Option<Type> {
+    let kind = session.catalog.of(session.graph().nodes.get(&from.node)?)?;
+    (!kind.is_reroute).then(|| Some(kind.outputs[kind.output(from.port.as_str())?].ty.clone()))?
+}
+
+/// Whether an input of the graph that is open takes a type; what is not known takes any.
+fn takes(session: &Session, to: &Endpoint, ty: &Type) -> bool {
+    let kind = session.graph().nodes.get(&to.node).and_then(|node| session.catalog.of(node));
+    let port = kind.and_then(|kind| Some(&kind.inputs[kind.input(to.port.as_str())?]));
+    port.is_none_or(|port| port.takes(ty))
+}
+
+/// Nodes that these lead to or come from, and they themselves.
+pub(crate) fn stream(session: &Session, nodes: &[NodeId], is_up: bool) -> Vec<NodeId> {
+    let mut next: HashMap<&NodeId, Vec<&NodeId>> = HashMap::new();
+    for wire in &session.graph().wires {
+        let (a, b) = (&wire.from.node, &wire.to.node);
+        let (from, to) = if is_up { (b, a) } else { (a, b) };
+        next.entry(from).or_default().push(to);
+    }
+    let mut found: indexmap::IndexSet<&NodeId> = nodes.iter().collect();
+    let mut at = 0;
+    while let Some(&id) = found.get_index(at) {
+        found.extend(next.get(id).into_iter().flatten());
+        at += 1;
+    }
+    found.into_iter().cloned().collect()
+}
+
+/// Around rectangles.
+pub(crate) fn around(rects: impl Iterator<Item = Rect>) -> Rect {
+    rects.fold(Rect::NOTHING, |all, rect| all.union(rect))
 }

@@ -1,19 +1,19 @@
-//! What a hand does on the canvas: the state machine of drags, the wheel, clicks and keys.
+//! What a hand does on the canvas: the wheel, clicks, and which drag begins where.
 
 use eframe::egui;
 use std::collections::HashSet;
 
-use eframe::egui::{Key, Modifiers, PointerButton, Pos2, Rect, Response, Ui, Vec2, vec2};
+use eframe::egui::{Key, Modifiers, PointerButton, Pos2, Response, Ui, Vec2};
 
 use super::super::command::Command;
 use super::super::session::Session;
-use super::super::theme::{ROW_HEIGHT, TITLE_HEIGHT};
-use super::Canvas;
-use super::edits;
+use super::super::theme::{NODE_WIDTH, ROW_HEIGHT, TITLE_HEIGHT};
+use super::inplace::Item;
 use super::palette::{Loose, Outcome, Palette};
 use super::table::{Hit, Socket};
-use crate::document::{Edit, GraphId};
-use crate::ids::NodeId;
+use super::{Canvas, edits};
+use crate::document::{Edit, Endpoint};
+use crate::ids::{FrameId, NodeId, NoteId};
 
 /// A drag that is going on.
 #[derive(Default)]
@@ -25,10 +25,35 @@ pub(super) enum Gesture {
     Pan,
     /// A rectangle from a point of the graph; with the nodes that were selected before.
     Box { from: Pos2, before: Vec<NodeId> },
+    /// A loop around nodes, in points of the graph; with the nodes that were selected before.
+    Lasso { path: Vec<Pos2>, before: Vec<NodeId> },
+    /// A stroke that cuts the wires it crosses, in points of the graph.
+    Cut { path: Vec<Pos2> },
     /// Nodes follow the pointer.
-    Move { nodes: HashSet<usize>, by: Vec2 },
+    Move(Move),
+    /// A note follows the pointer, or its right edge does.
+    Note { id: NoteId, from: Pos2, by: Vec2, is_resize: bool },
     /// A wire's loose end follows the pointer.
     Wire(WireDrag),
+}
+
+/// Nodes that follow the pointer, and what would become of them now.
+#[derive(Default)]
+pub(super) struct Move {
+    pub(super) nodes: HashSet<usize>,
+    /// Where the pointer took hold, in points of the graph, and how far the nodes went.
+    pub(super) from: Pos2,
+    pub(super) by: Vec2,
+    /// Lines that edges lie on: across or not, where, from where to where.
+    pub(super) guides: Vec<(bool, f32, [f32; 2])>,
+    /// The wire that the node would be put into, by index in the table.
+    pub(super) into: Option<usize>,
+    /// The wire that would join it to a node nearby: output and input.
+    pub(super) joins: Option<(Socket, Socket)>,
+    /// The frame that it would lie in.
+    pub(super) frame: Option<FrameId>,
+    /// Whether frames may be left and joined: a frame that is dragged as a whole is not.
+    pub(super) is_frame: bool,
 }
 
 /// A wire with a loose end.
@@ -42,7 +67,7 @@ pub(super) struct WireDrag {
 }
 
 impl Canvas {
-    /// The wheel zooms about the pointer; middle, right or space drags move the view.
+    /// The wheel zooms about the pointer; middle, right or space drags move the view; a right drag with Ctrl cuts.
     pub(super) fn navigate(&mut self, ui: &Ui, response: &Response, pointer: Option<Pos2>) {
         if let Some(at) = pointer.filter(|_| self.palette.is_none()) {
             let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
@@ -51,15 +76,26 @@ impl Canvas {
                 self.view.zoom_about(at, factor);
             }
         }
+        let modifiers = ui.input(|input| input.modifiers);
+        let origin = ui.input(|input| input.pointer.press_origin());
+        let is_idle = matches!(self.gesture, Gesture::Idle);
+        if is_idle
+            && (modifiers.command || modifiers.ctrl)
+            && response.drag_started_by(PointerButton::Secondary)
+            && let Some(origin) = origin
+        {
+            self.gesture = Gesture::Cut { path: vec![self.view.to_graph(origin)] };
+            return;
+        }
         let with_space = response.dragged_by(PointerButton::Primary) && ui.input(|input| input.key_down(Key::Space));
         let is_pan = response.dragged_by(PointerButton::Middle) || response.dragged_by(PointerButton::Secondary);
-        if is_pan || with_space && matches!(self.gesture, Gesture::Idle | Gesture::Pan) {
+        if (is_pan || with_space) && matches!(self.gesture, Gesture::Idle | Gesture::Pan) {
             self.view.pan(response.drag_delta());
             self.gesture = Gesture::Pan;
         }
     }
 
-    /// Clicks and drags with the first button.
+    /// Clicks and drags.
     pub(super) fn gestures(&mut self, ui: &Ui, response: &Response, session: &Session, out: &mut Vec<Command>) {
         let modifiers = ui.input(|input| input.modifiers);
         if response.drag_started_by(PointerButton::Primary)
@@ -68,8 +104,8 @@ impl Canvas {
         {
             self.start_drag(origin, modifiers, session, out);
         }
-        if response.dragged_by(PointerButton::Primary) {
-            self.go_on(ui, response.drag_delta(), session, out);
+        if response.dragged() {
+            self.go_on(ui, session, out);
         }
         if response.drag_stopped() {
             let at = ui.input(|input| input.pointer.latest_pos());
@@ -78,21 +114,71 @@ impl Canvas {
             self.gesture = Gesture::Idle;
         }
         let Some(at) = response.interact_pointer_pos() else { return };
-        if response.double_clicked() && self.hit(at).is_none() {
-            self.palette = Some(Palette::new(at, None));
+        if response.double_clicked() {
+            self.double_click(at, session, out);
         } else if response.clicked() {
             self.click(at, modifiers, session, out);
         }
+        if response.secondary_clicked() {
+            self.menu_at = Some(at);
+            self.menu_hit = self.hit(at);
+            if let Some(Hit::Node(index) | Hit::Socket(Socket { node: index, .. })) = self.menu_hit
+                && !session.selection.contains(&self.table.nodes[index].id)
+            {
+                out.push(Command::Select(vec![self.table.nodes[index].id.clone()]));
+            }
+            self.item = self.item_of(self.menu_hit);
+        }
     }
 
-    fn click(&self, at: Pos2, modifiers: Modifiers, session: &Session, out: &mut Vec<Command>) {
-        let is_adding = modifiers.shift || modifiers.command;
+    /// The frame or note under the pointer.
+    fn item_of(&self, hit: Option<Hit>) -> Option<Item> {
+        match hit? {
+            Hit::Frame(index) => Some(Item::Frame(self.table.frames[index].id.clone())),
+            Hit::Note(index) => Some(Item::Note(self.table.notes[index].id.clone())),
+            _ => None,
+        }
+    }
+
+    fn double_click(&mut self, at: Pos2, session: &Session, out: &mut Vec<Command>) {
         match self.hit(at) {
+            None => self.palette = Some(Palette::new(at, None)),
+            Some(Hit::Node(index)) => {
+                let row = &self.table.nodes[index];
+                let is_title = self.view.to_graph(at).y < row.rect.min.y + TITLE_HEIGHT;
+                match self.open(session, &row.id) {
+                    Some(open) => out.push(open),
+                    None if is_title && !row.is_end => self.edit_when_there = Some(Item::Node(row.id.clone())),
+                    None => {}
+                }
+            }
+            Some(Hit::Wire(index)) => self.add_reroute(index, at, session, out),
+            hit => self.edit_when_there = self.item_of(hit),
+        }
+    }
+
+    /// Puts a reroute into a wire.
+    fn add_reroute(&mut self, wire: usize, at: Pos2, session: &Session, out: &mut Vec<Command>) {
+        let Some(kind) = session.catalog.get("reroute") else { return };
+        let at = self.view.to_graph(at) - egui::vec2(NODE_WIDTH / 2.0, TITLE_HEIGHT + ROW_HEIGHT);
+        let (id, mut all) = edits::add(session, kind, at);
+        let (Some(input), Some(output)) = (kind.inputs.first(), kind.outputs.first()) else { return };
+        let row = &self.table.wires[wire];
+        let into = Endpoint { node: id.clone(), port: input.name.clone() };
+        let from = Endpoint { node: id.clone(), port: output.name.clone() };
+        all.push(edits::connect(session, self.endpoint(row.from), into));
+        all.push(edits::connect(session, from, self.endpoint(row.to)));
+        out.extend([Command::Edit(Edit::Group { edits: all }), Command::Select(vec![id])]);
+    }
+
+    fn click(&mut self, at: Pos2, modifiers: Modifiers, session: &Session, out: &mut Vec<Command>) {
+        let is_adding = modifiers.shift || modifiers.command;
+        let hit = self.hit(at);
+        self.item = self.item_of(hit);
+        match hit {
             Some(Hit::Wire(index)) if modifiers.alt => {
-                let wire = session.look().graph.wires.get(self.table.wires[index].index);
-                out.extend(
-                    wire.map(|wire| Command::Edit(Edit::RemoveWire { graph: GraphId::Look, wire: wire.clone() })),
-                );
+                let wire = session.graph().wires.get(self.table.wires[index].index);
+                out.extend(wire.map(|wire| Command::Edit(edits::disconnect(session, wire.clone()))));
             }
             Some(Hit::Node(index) | Hit::Socket(Socket { node: index, .. })) => {
                 let id = self.table.nodes[index].id.clone();
@@ -111,24 +197,43 @@ impl Canvas {
     }
 
     fn start_drag(&mut self, origin: Pos2, modifiers: Modifiers, session: &Session, out: &mut Vec<Command>) {
+        let keep = modifiers.shift || modifiers.command;
+        let before = || if keep { session.selected().cloned().collect() } else { Vec::new() };
+        let from = self.view.to_graph(origin);
         self.gesture = match self.hit(origin) {
             Some(Hit::Socket(socket)) => Gesture::Wire(self.start_wire(socket)),
+            // A group's ends have places of their own.
+            Some(Hit::Node(index)) if self.table.nodes[index].is_end => Gesture::Pan,
             Some(Hit::Node(index)) => {
                 let id = &self.table.nodes[index].id;
-                let selection: Vec<&NodeId> = session.selected().collect();
-                let nodes = if selection.contains(&id) {
-                    selection.iter().filter_map(|id| self.table.index_of(id)).collect()
+                let nodes = if session.selection.contains(id) {
+                    let chosen = session.selected().filter_map(|id| self.table.index_of(id));
+                    chosen.filter(|&index| !self.table.nodes[index].is_end).collect()
                 } else {
                     out.push(Command::Select(vec![id.clone()]));
                     HashSet::from([index])
                 };
-                Gesture::Move { nodes, by: Vec2::ZERO }
+                self.item = None;
+                Gesture::Move(Move { nodes, from, ..Move::default() })
             }
-            _ => {
-                let keep = modifiers.shift || modifiers.command;
-                let before = if keep { session.selected().cloned().collect() } else { Vec::new() };
-                Gesture::Box { from: self.view.to_graph(origin), before }
+            Some(Hit::Frame(index)) => {
+                let frame = &self.table.frames[index];
+                self.item = Some(Item::Frame(frame.id.clone()));
+                Gesture::Move(Move {
+                    from,
+                    nodes: frame.nodes.iter().copied().collect(),
+                    is_frame: true,
+                    ..Move::default()
+                })
             }
+            Some(Hit::Note(index)) => {
+                let note = &self.table.notes[index];
+                self.item = Some(Item::Note(note.id.clone()));
+                let is_resize = note.rect.max.x - from.x < 8.0 / self.view.zoom;
+                Gesture::Note { id: note.id.clone(), from, by: Vec2::ZERO, is_resize }
+            }
+            _ if modifiers.alt => Gesture::Lasso { path: vec![from], before: before() },
+            _ => Gesture::Box { from, before: before() },
         };
     }
 
@@ -142,71 +247,7 @@ impl Canvas {
         WireDrag { fixed: socket, picked: None, target: None }
     }
 
-    fn go_on(&mut self, ui: &Ui, delta: Vec2, session: &Session, out: &mut Vec<Command>) {
-        let Some(at) = ui.input(|input| input.pointer.latest_pos()) else { return };
-        let graph_at = self.view.to_graph(at);
-        match &mut self.gesture {
-            Gesture::Move { nodes, by } => {
-                let step = delta / self.view.zoom;
-                *by += step;
-                self.table.translate(nodes, step);
-            }
-            Gesture::Box { from, before } => {
-                let area = Rect::from_two_pos(*from, graph_at);
-                let mut selection = before.clone();
-                let inside = self.table.nodes.iter().filter(|row| row.rect.intersects(area)).map(|row| row.id.clone());
-                selection.extend(inside.filter(|id| !before.contains(id)));
-                if !selection.iter().eq(session.selected()) {
-                    out.push(Command::Select(selection));
-                }
-            }
-            Gesture::Wire(drag) => {
-                let fixed = drag.fixed;
-                let radius = 16.0 / self.view.zoom.max(0.4);
-                let target = self.table.socket_at(graph_at, radius, |socket| self.fits(fixed, socket));
-                if let Gesture::Wire(drag) = &mut self.gesture {
-                    drag.target = target;
-                }
-            }
-            Gesture::Idle | Gesture::Pan => {}
-        }
-    }
-
-    fn finish(&mut self, at: Option<Pos2>, session: &Session, out: &mut Vec<Command>) {
-        match std::mem::take(&mut self.gesture) {
-            Gesture::Move { nodes, by } if by != Vec2::ZERO => {
-                let ids = nodes.iter().map(|&index| &self.table.nodes[index].id);
-                out.push(Command::Edit(edits::translate(session.look(), ids, by)));
-                self.table.forget();
-            }
-            Gesture::Wire(drag) => self.finish_wire(&drag, at, session, out),
-            _ => {}
-        }
-    }
-
-    fn finish_wire(&mut self, drag: &WireDrag, at: Option<Pos2>, session: &Session, out: &mut Vec<Command>) {
-        let picked = drag.picked.and_then(|index| session.look().graph.wires.get(index)).cloned();
-        let Some(target) = drag.target else {
-            if let Some(wire) = picked {
-                out.push(Command::Edit(Edit::RemoveWire { graph: GraphId::Look, wire }));
-            } else if let Some(at) = at.filter(|at| self.view.screen.contains(*at)) {
-                self.palette = Some(Palette::new(at, Some(self.loose(drag.fixed))));
-            }
-            return;
-        };
-        let (from, to) = if drag.fixed.is_output { (drag.fixed, target) } else { (target, drag.fixed) };
-        let connect = edits::connect(self.endpoint(from), self.endpoint(to));
-        match picked {
-            Some(wire) if wire.to == self.endpoint(to) => {}
-            Some(wire) => {
-                let remove = Edit::RemoveWire { graph: GraphId::Look, wire };
-                out.push(Command::Edit(Edit::Group { edits: vec![remove, connect] }));
-            }
-            None => out.push(Command::Edit(connect)),
-        }
-    }
-
-    fn loose(&self, socket: Socket) -> Loose {
+    pub(super) fn loose(&self, socket: Socket) -> Loose {
         let kind = &self.table.nodes[socket.node].kind;
         let accepts = if socket.is_output { Vec::new() } else { kind.inputs[socket.port].accepts.clone() };
         let ty = self.table.socket_type(socket);
@@ -225,62 +266,6 @@ impl Canvas {
         }
     }
 
-    /// Keys, while no text is being typed.
-    pub(super) fn keys(&mut self, ui: &Ui, pointer: Option<Pos2>, session: &Session, out: &mut Vec<Command>) {
-        if self.palette.is_some() || ui.ctx().egui_wants_keyboard_input() {
-            return;
-        }
-        let pressed = |modifiers, key| ui.input_mut(|input| input.consume_key(modifiers, key));
-        if pressed(Modifiers::NONE, Key::Escape) {
-            self.gesture = Gesture::Idle;
-            self.table.forget();
-        }
-        if let Some(at) = pointer
-            && (std::mem::take(&mut self.wants_search) || pressed(Modifiers::NONE, Key::A))
-        {
-            self.palette = Some(Palette::new(at, None));
-        }
-        let mut is_delete = false;
-        for key in [Key::Delete, Key::Backspace, Key::X] {
-            is_delete |= pressed(Modifiers::NONE, key);
-        }
-        if is_delete {
-            out.extend(edits::delete(session.selected().cloned()).map(Command::Edit));
-        }
-        if pressed(Modifiers::COMMAND, Key::A) {
-            out.push(Command::Select(session.look().graph.nodes.keys().cloned().collect()));
-        }
-        if pressed(Modifiers::COMMAND, Key::D) {
-            let selected: Vec<NodeId> = session.selected().cloned().collect();
-            let (ids, edit) = edits::duplicate(session.look(), &selected);
-            if !ids.is_empty() {
-                out.extend([Command::Edit(edit), Command::Select(ids)]);
-            }
-        }
-        if pointer.is_some() && pressed(Modifiers::NONE, Key::F) {
-            self.fit();
-        }
-        self.nudge(&pressed, session, out);
-    }
-
-    /// Arrow keys move what is selected.
-    fn nudge(&self, pressed: &dyn Fn(Modifiers, Key) -> bool, session: &Session, out: &mut Vec<Command>) {
-        const STEP: f32 = 12.0;
-        let ways = [
-            (Key::ArrowLeft, vec2(-STEP, 0.0)),
-            (Key::ArrowRight, vec2(STEP, 0.0)),
-            (Key::ArrowUp, vec2(0.0, -STEP)),
-            (Key::ArrowDown, vec2(0.0, STEP)),
-        ];
-        if session.selection.is_empty() {
-            return;
-        }
-        for (_, by) in ways.into_iter().filter(|(key, _)| pressed(Modifiers::NONE, *key)) {
-            let edit = edits::translate(session.look(), session.selected(), by);
-            out.push(Command::EditHeld(egui::Id::unique("nudge"), edit));
-        }
-    }
-
     /// Shows the search, and adds what is chosen.
     pub(super) fn show_palette(&mut self, ui: &Ui, session: &Session, out: &mut Vec<Command>) {
         let Some(palette) = &mut self.palette else { return };
@@ -293,6 +278,10 @@ impl Canvas {
             Outcome::Chosen(kind) => kind,
         };
         let Some(palette) = self.palette.take() else { return };
+        if let Some(id) = &palette.swaps {
+            out.extend(edits::swap(session, id, &kind).map(Command::Edit));
+            return;
+        }
         let mut at = self.view.to_graph(palette.at);
         let fit = palette.loose.as_ref().and_then(|loose| Some((loose, loose.fit(&kind)?.0)));
         if let Some((loose, port)) = fit {
@@ -300,15 +289,15 @@ impl Canvas {
             let row = if loose.is_output { kind.outputs.len() + port } else { port };
             at.y -= TITLE_HEIGHT + ROW_HEIGHT * (row as f32 + 0.5);
             if !loose.is_output {
-                at.x -= super::theme::NODE_WIDTH;
+                at.x -= NODE_WIDTH;
             }
         }
-        let (id, mut all) = edits::add(session.look(), &kind, at);
+        let (id, mut all) = edits::add(session, &kind, at);
         if let Some((loose, port)) = fit {
             let ports = if loose.is_output { &kind.inputs } else { &kind.outputs };
-            let new = crate::document::Endpoint { node: id.clone(), port: ports[port].name.clone() };
+            let new = Endpoint { node: id.clone(), port: ports[port].name.clone() };
             let (from, to) = if loose.is_output { (loose.end.clone(), new) } else { (new, loose.end.clone()) };
-            all.push(edits::connect(from, to));
+            all.push(edits::connect(session, from, to));
         }
         out.push(Command::Edit(Edit::Group { edits: all }));
         out.push(Command::Select(vec![id]));

@@ -4,11 +4,19 @@
 //! One widget covers the canvas, and what lies under the pointer is found in the table; 5,000 nodes as widgets of their
 //! own would cost tens of milliseconds a frame (docs/decisions.md has the measurements).
 
+mod actions;
+mod arrange;
+mod drag;
 mod draw;
+mod draw_items;
 pub(crate) mod edits;
 mod gesture;
+mod inplace;
+mod marks;
 mod mesh;
+mod overlay;
 mod palette;
+mod preview;
 mod table;
 mod text;
 mod view;
@@ -22,11 +30,14 @@ use eframe::egui::{Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo};
 
 use super::command::Command;
 use super::session::Session;
+use super::shortcuts::Action;
 use super::theme;
-use crate::diag::{Diagnostic, Severity};
-use crate::document::Endpoint;
+use crate::diag::Severity;
+use crate::document::GraphId;
 use crate::ids::NodeId;
 use gesture::Gesture;
+use inplace::{Editing, Item};
+use marks::{Idle, Mark};
 use palette::Palette;
 use table::{Hit, Socket, Table};
 use view::View;
@@ -34,11 +45,8 @@ use view::View;
 /// As many nodes in view are named for screen readers; a far view of more is a picture, not a form.
 const MAX_NAMED: usize = 120;
 
-/// What a node is marked with.
-struct Mark {
-    severity: Severity,
-    text: String,
-}
+/// What is told to who would change a group of the library.
+const READ_ONLY: &str = "This group is of the library: make it the look's own to change it";
 
 /// The canvas and what it remembers between frames.
 #[derive(Default)]
@@ -54,6 +62,23 @@ pub struct Canvas {
     /// How full the font image was, pixels a point, and whether the theme was dark.
     fonts: (f32, f32, bool),
     document: Option<u64>,
+    /// Which graph is open, and where others were left.
+    place: Vec<NodeId>,
+    views: HashMap<Vec<NodeId>, (f32, Pos2)>,
+    /// Nodes that add nothing.
+    idle: HashMap<NodeId, Idle>,
+    /// The frame or the note that is selected.
+    item: Option<Item>,
+    editing: Option<Editing>,
+    /// What is to be edited in place once it is there.
+    edit_when_there: Option<Item>,
+    menu_at: Option<Pos2>,
+    menu_hit: Option<Hit>,
+    previews: preview::Previews,
+    /// What the command palette asked for.
+    asked: Option<Action>,
+    snaps_to_grid: bool,
+    hides_minimap: bool,
     reveal: Option<NodeId>,
     wants_search: bool,
     hint: String,
@@ -77,9 +102,25 @@ impl Canvas {
         self.keys(ui, pointer, session, &mut commands);
         let latest = ui.input(|input| input.pointer.latest_pos());
         self.draw(ui, session, latest);
+        self.draw_previews(ui, session);
         self.name_nodes(ui, session);
-        self.tell(ui, &response);
+        self.minimap(ui);
+        self.crumbs(ui, session, &mut commands);
+        self.tell(ui, &response, session);
+        self.menu(ui, &response, session, &mut commands);
         self.show_palette(ui, session, &mut commands);
+        self.edit_in_place(ui, session, &mut commands);
+        if session.is_read_only() {
+            let is_edit = |command: &Command| matches!(command, Command::Edit(_) | Command::EditHeld(..));
+            let owns =
+                |command: &Command| matches!(command, Command::Edit(crate::document::Edit::AddDefinition { .. }));
+            let count = commands.len();
+            commands.retain(|command| !is_edit(command) || owns(command));
+            if commands.len() < count {
+                self.table.forget();
+                commands.push(Command::Tell(READ_ONLY.to_owned()));
+            }
+        }
         commands
     }
 
@@ -89,15 +130,31 @@ impl Canvas {
     }
 
     fn sync(&mut self, ui: &Ui, session: &Session) {
-        let key = (session.document_number(), session.revision());
-        if self.table.sync(key, &session.look().graph, &session.catalog) {
+        let key = (session.document_number(), session.revision(), session.place_number());
+        let group = match session.graph_id() {
+            GraphId::Look => None,
+            GraphId::Definition(id) => Some(id.as_str()),
+        };
+        if self.table.sync(key, session.graph(), &session.catalog, group) {
             // Indices are others now.
             self.gesture = Gesture::Idle;
+            self.menu_hit = None;
         }
+        self.measure_notes(ui);
         if self.document != Some(session.document_number()) {
             self.document = Some(session.document_number());
+            self.views.clear();
+            self.place = session.open_groups().to_vec();
             self.view.fit(self.table.bounds());
-            self.palette = None;
+            (self.palette, self.editing, self.item) = (None, None, None);
+        } else if self.place != session.open_groups() {
+            let left = std::mem::replace(&mut self.place, session.open_groups().to_vec());
+            self.views.insert(left, (self.view.zoom, self.view.center));
+            match self.views.get(&self.place) {
+                Some(&(zoom, center)) => self.set_zoom_and_center(zoom, center),
+                None => self.view.fit(self.table.bounds()),
+            }
+            (self.palette, self.editing, self.item) = (None, None, None);
         }
         // Where the font image was made anew, galleys point at what is no longer there.
         let fill = ui.fonts(|fonts| fonts.font_atlas_fill_ratio());
@@ -108,7 +165,8 @@ impl Canvas {
         self.fonts = fonts;
         if self.marks_number != Some(session.problems_number()) {
             self.marks_number = Some(session.problems_number());
-            self.marks = marks(session.all_problems());
+            self.marks = marks::marks(session);
+            self.idle = marks::idle(session);
         }
         if let Some(id) = self.reveal.take()
             && let Some(index) = self.table.index_of(&id)
@@ -140,13 +198,9 @@ impl Canvas {
         let (output, input) = if a.is_output { (a, b) } else { (b, a) };
         let port = &self.table.nodes[input.node].kind.inputs[input.port];
         let from = self.table.socket_type(output);
-        port.takes(&from) || self.table.nodes[output.node].kind.is_reroute && port.is_wirable()
-    }
-
-    fn endpoint(&self, socket: Socket) -> Endpoint {
-        let row = &self.table.nodes[socket.node];
-        let ports = if socket.is_output { &row.kind.outputs } else { &row.kind.inputs };
-        Endpoint { node: row.id.clone(), port: ports[socket.port].name.clone() }
+        port.takes(&from)
+            || self.table.nodes[output.node].kind.is_reroute && port.is_wirable()
+            || self.table.nodes[input.node].is_end
     }
 
     /// Gives the nodes in view names that screen readers and tests find.
@@ -162,27 +216,48 @@ impl Canvas {
             response.widget_info(|| {
                 let problem = self.marks.get(&row.id).map(|mark| format!(", {}", mark.text));
                 let selected = if session.selection.contains(&row.id) { ", selected" } else { "" };
-                let name = format!("Node {}{selected}{}", row.title, problem.unwrap_or_default());
+                let muted = if row.is_muted { ", muted" } else { "" };
+                let idle = self.idle_of(row).map(|idle| format!(", {}", idle.word)).unwrap_or_default();
+                let name = format!("Node {}{selected}{muted}{idle}{}", row.title, problem.unwrap_or_default());
                 WidgetInfo::labeled(Role::Label, true, name)
             });
+        }
+        let frames = self.table.frames.iter().map(|row| (row.rect, format!("Frame {}", row.title)));
+        let notes = self.table.notes.iter().map(|row| (row.rect, format!("Note {}", row.content)));
+        for (index, (rect, name)) in frames.chain(notes).enumerate().take(MAX_NAMED) {
+            let rect = self.view.rect_to_screen(rect).intersect(self.view.screen);
+            if rect.is_positive() {
+                let response = ui.interact(rect, ui.scope_id().with(("item", index)), Sense::hover());
+                response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &name));
+            }
         }
     }
 
     /// Says what is under the pointer, and what may be done with it.
-    fn tell(&mut self, ui: &Ui, response: &Response) {
+    fn tell(&mut self, ui: &Ui, response: &Response, session: &Session) {
         self.hint = self.hint_text().to_owned();
         if self.palette.is_some() || !matches!(self.gesture, Gesture::Idle) || ui.input(|i| i.pointer.any_down()) {
             return;
         }
         let text = match self.hovered {
             Some(Hit::Socket(socket)) => self.socket_text(socket),
-            Some(Hit::Node(index)) => self.marks.get(&self.table.nodes[index].id).map(|mark| mark.text.clone()),
+            Some(Hit::Node(index)) => self.node_text(index),
+            Some(Hit::Wire(index)) => self.wire_text(index),
+            _ => None,
+        };
+        let ball = match self.hovered {
+            Some(Hit::Socket(Socket { node, is_output: true, port: 0 })) => {
+                self.ball_of(session, &self.table.nodes[node].id)
+            }
             _ => None,
         };
         if let Some(text) = text {
             response.clone().on_hover_ui_at_pointer(|ui| {
                 ui.set_max_width(340.0);
                 ui.label(text);
+                if let Some(ball) = ball {
+                    preview::large(ui, ball);
+                }
             });
         }
     }
@@ -195,18 +270,57 @@ impl Canvas {
         Some(format!("{} ({ty}){help}", port.label))
     }
 
+    /// What is wrong with a node, or why it adds nothing.
+    fn node_text(&self, index: usize) -> Option<String> {
+        let row = &self.table.nodes[index];
+        if let Some(mark) = self.marks.get(&row.id) {
+            let fixes = mark.fixes.iter().map(|fix| format!("\nRight-click to fix: {}", fix.label));
+            return Some(mark.text.clone() + &fixes.collect::<String>());
+        }
+        if row.is_muted {
+            return Some("Muted: what comes in goes out as it is. M unmutes".to_owned());
+        }
+        self.idle_of(row).map(|idle| idle.reason.clone())
+    }
+
+    /// Why a node adds nothing: what the compiler found, or that nothing leads on from it.
+    fn idle_of(&self, row: &table::NodeRow) -> Option<&Idle> {
+        static UNWIRED: std::sync::LazyLock<Idle> = std::sync::LazyLock::new(marks::unwired);
+        if row.is_unused { Some(&UNWIRED) } else { self.idle.get(&row.id) }
+    }
+
+    /// What a wire carries, and what it is made on its way.
+    fn wire_text(&self, index: usize) -> Option<String> {
+        let wire = self.table.wires.get(index)?;
+        let becomes = wire.becomes.as_ref()?;
+        let loses = if wire.ty.converts_without_loss(becomes) { "" } else { "; something is lost on the way" };
+        Some(format!("{} becomes {becomes} here{loses}", wire.ty))
+    }
+
     fn hint_text(&self) -> &'static str {
         match (&self.gesture, self.hovered) {
             (Gesture::Wire(_), _) => "Let go on a bright socket to wire it, on nothing to add a node that fits",
-            (Gesture::Move { .. }, _) => "Let go to put down · Esc puts back",
+            (Gesture::Move(drag), _) if drag.into.is_some() => "Let go to put the node into this wire · Esc puts back",
+            (Gesture::Move(drag), _) if drag.joins.is_some() => "Let go to wire it to its neighbour",
+            (Gesture::Move(drag), _) if drag.frame.is_some() => "Let go to put it into the frame",
+            (Gesture::Move(_), _) => {
+                "Let go to put down · Alt wires to a neighbour, Ctrl does not snap · Esc puts back"
+            }
+            (Gesture::Note { .. }, _) => "Let go to put down · the right edge sets the width",
+            (Gesture::Cut { .. }, _) => "Let go to cut the wires that are crossed",
+            (Gesture::Lasso { .. }, _) => "Let go to select what is inside",
             (Gesture::Box { .. }, _) => "Let go to select what is inside · Shift adds",
             (Gesture::Pan, _) => "Moving the view",
             (_, Some(Hit::Socket(Socket { is_output: true, .. }))) => "Drag to an input to wire it",
             (_, Some(Hit::Socket(_))) => "Drag to an output to wire it; a wire that is there is picked up",
-            (_, Some(Hit::Node(_))) => "Click to select, drag to move · Del removes · Ctrl+D duplicates",
-            (_, Some(Hit::Wire(_))) => "Drag its end at the input to pick it up · Alt-click removes it",
+            (_, Some(Hit::Node(_))) => {
+                "Click to select, drag to move · Del removes · Ctrl+D duplicates · Ctrl+G groups · M mutes · S swaps"
+            }
+            (_, Some(Hit::Wire(_))) => "Double-click adds a reroute · Alt-click removes it · Ctrl+right-drag cuts",
+            (_, Some(Hit::Frame(_))) => "Drag to move all of it · double-click renames · right-click colors",
+            (_, Some(Hit::Note(_))) => "Drag to move · double-click edits · right-click colors",
             _ => {
-                "Double-click or Tab adds a node · drag selects · wheel zooms · right or middle drag moves · F shows all"
+                "Double-click or Tab adds a node · drag selects · wheel zooms · right or middle drag moves · F shows all · ? lists keys"
             }
         }
     }
@@ -214,6 +328,39 @@ impl Canvas {
     /// What may be done at the pointer.
     pub(crate) fn hint(&self) -> &str {
         &self.hint
+    }
+
+    /// Does what the command palette chose, in the next frame.
+    pub(crate) fn ask(&mut self, action: Action) {
+        self.asked = Some(action);
+    }
+
+    /// What a node's first output gives, where it is the same everywhere; for tests.
+    pub fn value_text(&self, session: &Session, id: &str) -> Option<&str> {
+        self.value_of(session, &id.into())
+    }
+
+    /// Whether a node has a picture of what it gives; for tests.
+    pub fn has_ball(&self, session: &Session, id: &str) -> bool {
+        self.ball_of(session, &id.into()).is_some()
+    }
+
+    /// Where the title of a frame is on the screen; for tests.
+    pub fn frame_title(&self, id: &str) -> Option<Rect> {
+        let frame = self.table.frames.iter().find(|frame| frame.id.as_str() == id)?;
+        Some(self.view.rect_to_screen(frame.title_rect()))
+    }
+
+    /// Where a note is on the screen; for tests.
+    pub fn note_rect(&self, id: &str) -> Option<Rect> {
+        let note = self.table.notes.iter().find(|note| note.id.as_str() == id)?;
+        Some(self.view.rect_to_screen(note.rect))
+    }
+
+    /// What a node adds nothing for, in a word; for tests.
+    pub fn idle_word(&self, id: &str) -> Option<&'static str> {
+        let row = &self.table.nodes[self.table.index_of(&id.into())?];
+        self.idle_of(row).map(|idle| idle.word)
     }
 
     /// Brings a node into view in the next frame.
@@ -262,22 +409,4 @@ impl Canvas {
     pub fn has_error(&self, id: &str) -> bool {
         self.marks.get(id).is_some_and(|mark| mark.severity == Severity::Error)
     }
-}
-
-/// The worst problem of each node of the look's own graph, and the text of all of them.
-fn marks<'a>(problems: impl Iterator<Item = &'a Diagnostic>) -> HashMap<NodeId, Mark> {
-    let mut marks: HashMap<NodeId, Mark> = HashMap::new();
-    for problem in problems.filter(|problem| problem.severity > Severity::Note) {
-        let Some(id) = problem.place.node.as_ref().and_then(|path| path.outermost()) else { continue };
-        let text = super::problems::sentence(problem);
-        match marks.get_mut(id) {
-            Some(mark) => {
-                mark.severity = mark.severity.max(problem.severity);
-                mark.text += "\n";
-                mark.text += &text;
-            }
-            None => drop(marks.insert(id.clone(), Mark { severity: problem.severity, text })),
-        }
-    }
-    marks
 }

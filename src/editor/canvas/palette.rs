@@ -8,6 +8,7 @@ use eframe::egui::{Align2, Area, Id, Key, Modifiers, Order, Pos2, RichText, Scro
 use super::super::catalog::{Catalog, Kind, Port};
 use super::super::theme;
 use crate::document::Endpoint;
+use crate::ids::NodeId;
 use crate::library::Type;
 
 const WIDTH: f32 = 300.0;
@@ -63,6 +64,8 @@ pub(crate) struct Palette {
     /// Where it was opened, on the screen.
     pub(crate) at: Pos2,
     pub(crate) loose: Option<Loose>,
+    /// The node that is to be swapped for what is chosen.
+    pub(crate) swaps: Option<NodeId>,
     query: String,
     index: usize,
     is_new: bool,
@@ -77,7 +80,12 @@ pub(crate) enum Outcome {
 
 impl Palette {
     pub(crate) fn new(at: Pos2, loose: Option<Loose>) -> Self {
-        Self { at, loose, query: String::new(), index: 0, is_new: true }
+        Self { at, loose, swaps: None, query: String::new(), index: 0, is_new: true }
+    }
+
+    /// A search for what a node is to be swapped for.
+    pub(crate) fn swapping(at: Pos2, node: NodeId) -> Self {
+        Self { swaps: Some(node), ..Self::new(at, None) }
     }
 
     /// Shows the search within `screen`.
@@ -122,7 +130,11 @@ impl Palette {
     }
 
     fn show_query(&mut self, ui: &mut Ui) {
-        let hint = if self.loose.is_some() { "Search for what fits this wire" } else { "Search for a node" };
+        let hint = match (&self.loose, &self.swaps) {
+            (Some(_), _) => "Search for what fits this wire",
+            (_, Some(_)) => "Swap for: search for a node",
+            _ => "Search for a node",
+        };
         let edit = TextEdit::singleline(&mut self.query).hint_text(hint).desired_width(f32::INFINITY);
         let response = ui.add(edit.id(Id::unique("palette query")));
         if self.is_new {
@@ -141,23 +153,28 @@ impl Palette {
         }
         let mut chosen = None;
         ui.spacing_mut().item_spacing.y = 0.0;
-        ScrollArea::vertical().max_height(ROW * ROWS).auto_shrink([false, true]).show(ui, |ui| {
-            for (index, kind) in found.iter().enumerate() {
-                let is_current = index == self.index;
-                let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), egui::Sense::click());
-                response
-                    .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Add {}", kind.label)));
-                if is_current && ui.input(|input| input.keys_down.len()) > 0 {
-                    response.scroll_to_me(None);
+        ScrollArea::vertical().max_height(ROW * ROWS).min_scrolled_height(ROW * ROWS).auto_shrink([false, true]).show(
+            ui,
+            |ui| {
+                for (index, kind) in found.iter().enumerate() {
+                    let is_current = index == self.index;
+                    let (rect, response) =
+                        ui.allocate_exact_size(vec2(ui.available_width(), ROW), egui::Sense::click());
+                    response.widget_info(|| {
+                        egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Add {}", kind.label))
+                    });
+                    if is_current && ui.input(|input| input.keys_down.len()) > 0 {
+                        response.scroll_to_me(None);
+                    }
+                    if ui.is_rect_visible(rect) {
+                        paint_row(ui, rect, kind, is_current, response.hovered());
+                    }
+                    if response.on_hover_text(first_sentence(&kind.help)).clicked() {
+                        chosen = Some(kind.clone());
+                    }
                 }
-                if ui.is_rect_visible(rect) {
-                    paint_row(ui, rect, kind, is_current, response.hovered());
-                }
-                if response.on_hover_text(first_sentence(&kind.help)).clicked() {
-                    chosen = Some(kind.clone());
-                }
-            }
-        });
+            },
+        );
         chosen
     }
 

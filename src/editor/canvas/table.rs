@@ -6,15 +6,21 @@
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-use eframe::egui::{Pos2, Rect, Vec2, pos2, vec2};
+use eframe::egui::{Galley, Pos2, Rect, Vec2, pos2, vec2};
 
 use super::super::catalog::{Catalog, Kind};
 use super::super::theme::{NODE_FOOT, NODE_WIDTH, ROW_HEIGHT, TITLE_HEIGHT};
 use super::text::NodeText;
 use crate::document::Graph;
-use crate::ids::{NodeId, PortName};
+use crate::ids::{FrameId, NodeId, NoteId, PortName};
 use crate::library::Type;
 
+/// Between the nodes of a group and its ends.
+const END_GAP: f32 = 70.0;
+/// Between a frame and its nodes.
+const FRAME_MARGIN: f32 = 16.0;
+/// The height of a frame's title.
+pub(crate) const FRAME_TITLE: f32 = 28.0;
 /// Reroutes are followed this far for their type.
 const MAX_REROUTES: usize = 64;
 
@@ -32,6 +38,9 @@ pub(crate) enum Hit {
     Socket(Socket),
     Node(usize),
     Wire(usize),
+    Note(usize),
+    /// The title of a frame.
+    Frame(usize),
 }
 
 /// A node as it is drawn.
@@ -44,7 +53,44 @@ pub(crate) struct NodeRow {
     pub(crate) is_wired: Vec<bool>,
     /// What a reroute passes on.
     passes: Option<Type>,
+    pub(crate) is_collapsed: bool,
+    pub(crate) is_muted: bool,
+    /// Whether it is one of the two ends of a group, which are no nodes of the document.
+    pub(crate) is_end: bool,
+    /// Whether nothing that the graph gives depends on it.
+    pub(crate) is_unused: bool,
     pub(crate) text: NodeText,
+}
+
+/// A frame as it is drawn.
+pub(crate) struct FrameRow {
+    pub(crate) id: FrameId,
+    pub(crate) title: String,
+    /// Straight RGB.
+    pub(crate) color: Option<[f64; 3]>,
+    /// Its nodes, by index.
+    pub(crate) nodes: Vec<usize>,
+    pub(crate) rect: Rect,
+    pub(crate) text: Line,
+}
+
+/// A note as it is drawn.
+pub(crate) struct NoteRow {
+    pub(crate) id: NoteId,
+    pub(crate) content: String,
+    pub(crate) color: Option<[f64; 3]>,
+    pub(crate) rect: Rect,
+    pub(crate) text: Line,
+}
+
+/// Text that was laid out, with the size in half points.
+pub(crate) type Line = Option<(i32, Arc<Galley>)>;
+
+impl FrameRow {
+    /// Where it is taken hold of.
+    pub(crate) fn title_rect(&self) -> Rect {
+        Rect::from_min_max(self.rect.min, pos2(self.rect.max.x, self.rect.min.y + FRAME_TITLE))
+    }
 }
 
 /// A wire as it is drawn.
@@ -56,21 +102,26 @@ pub(crate) struct WireRow {
     pub(crate) bounds: Rect,
     /// Of what comes out.
     pub(crate) ty: Type,
+    /// What it is made, where the input takes something else.
+    pub(crate) becomes: Option<Type>,
 }
 
 /// Nodes and wires in document order.
 #[derive(Default)]
 pub(crate) struct Table {
-    key: Option<(u64, u64)>,
+    key: Option<(u64, u64, u64)>,
     pub(crate) nodes: Vec<NodeRow>,
     pub(crate) wires: Vec<WireRow>,
+    /// The largest first.
+    pub(crate) frames: Vec<FrameRow>,
+    pub(crate) notes: Vec<NoteRow>,
     by_id: HashMap<NodeId, usize>,
 }
 
 impl Table {
-    /// Makes the table again if `key` (which document, which revision) is another.
-    /// Whether it was.
-    pub(crate) fn sync(&mut self, key: (u64, u64), graph: &Graph, catalog: &Catalog) -> bool {
+    /// Makes the table again if `key` (which document, which revision, which of its graphs) is another; `group` is the
+    /// kind whose graph it is. Whether it was.
+    pub(crate) fn sync(&mut self, key: (u64, u64, u64), graph: &Graph, catalog: &Catalog, group: Option<&str>) -> bool {
         if self.key == Some(key) {
             return false;
         }
@@ -80,8 +131,7 @@ impl Table {
         for (id, node) in &graph.nodes {
             let kind = missing.get(id).or_else(|| catalog.of(node)).cloned();
             let Some(kind) = kind else { continue };
-            let rows = kind.inputs.len() + kind.outputs.len();
-            let height = TITLE_HEIGHT + ROW_HEIGHT * rows as f32 + NODE_FOOT;
+            let height = if node.collapsed { TITLE_HEIGHT } else { height(&kind) };
             // A position may be any finite number, and beyond f32 nothing can be drawn.
             let [x, y] = node.position.map(|x| (x as f32).clamp(-1e7, 1e7));
             let title = if node.name.is_empty() { kind.label.to_string() } else { node.name.clone() };
@@ -92,12 +142,123 @@ impl Table {
                 is_wired: vec![false; kind.inputs.len()],
                 passes: None,
                 kind,
+                is_collapsed: node.collapsed,
+                is_muted: node.muted,
+                is_end: false,
+                is_unused: false,
                 text: NodeText::default(),
             });
         }
+        if let Some(ends) = group.and_then(|group| catalog.ends(group)) {
+            self.add_ends(ends);
+        }
         self.by_id = self.nodes.iter().enumerate().map(|(index, row)| (row.id.clone(), index)).collect();
         self.sync_wires(graph);
+        self.level_ends();
+        self.find_unused();
+        self.sync_frames(graph);
         true
+    }
+
+    /// The ends of a group lie left and right of all that is in it.
+    fn add_ends(&mut self, ends: [Kind; 2]) {
+        let bounds = self.nodes.iter().fold(Rect::NOTHING, |bounds, row| bounds.union(row.rect));
+        let bounds = if bounds.is_positive() { bounds } else { Rect::from_min_size(Pos2::ZERO, vec2(60.0, 80.0)) };
+        for (index, kind) in ends.into_iter().enumerate() {
+            let size = vec2(NODE_WIDTH, height(&kind));
+            let x = if index == 0 { bounds.min.x - END_GAP - NODE_WIDTH } else { bounds.max.x + END_GAP };
+            let corner = pos2(x, (bounds.center().y - size.y / 2.0).round());
+            self.nodes.push(NodeRow {
+                id: kind.id.as_str().into(),
+                title: kind.label.to_string(),
+                rect: Rect::from_min_size(corner, size),
+                is_wired: vec![false; kind.inputs.len()],
+                passes: None,
+                kind: Arc::new(kind),
+                is_collapsed: false,
+                is_muted: false,
+                is_end: true,
+                is_unused: false,
+                text: NodeText::default(),
+            });
+        }
+    }
+
+    /// Moves the ends of a group up or down so that their wires run level, on the whole.
+    fn level_ends(&mut self) {
+        for end in (0..self.nodes.len()).filter(|&index| self.nodes[index].is_end).collect::<Vec<_>>() {
+            let rise = |wire: &WireRow| self.place(wire.to).y - self.place(wire.from).y;
+            let way = |wire: &WireRow| if wire.from.node == end { rise(wire) } else { -rise(wire) };
+            let own = self.wires.iter().filter(|wire| wire.from.node == end || wire.to.node == end);
+            let ways: Vec<f32> = own.map(way).collect();
+            if !ways.is_empty() {
+                let mean = (ways.iter().sum::<f32>() / ways.len() as f32).round();
+                self.nodes[end].rect = self.nodes[end].rect.translate(vec2(0.0, mean));
+            }
+        }
+        for index in 0..self.wires.len() {
+            if self.nodes[self.wires[index].from.node].is_end || self.nodes[self.wires[index].to.node].is_end {
+                self.wires[index].bounds = self.wire_bounds(index);
+            }
+        }
+    }
+
+    /// Marks what no output depends on, where there is one.
+    fn find_unused(&mut self) {
+        let is_root = |row: &NodeRow| row.kind.id == "output" || row.is_end && row.kind.outputs.is_empty();
+        let mut open: Vec<usize> = (0..self.nodes.len()).filter(|&index| is_root(&self.nodes[index])).collect();
+        if open.is_empty() {
+            return;
+        }
+        let mut into: HashMap<usize, Vec<usize>> = HashMap::new();
+        for wire in &self.wires {
+            into.entry(wire.to.node).or_default().push(wire.from.node);
+        }
+        let mut is_used = vec![false; self.nodes.len()];
+        while let Some(index) = open.pop() {
+            if !std::mem::replace(&mut is_used[index], true) {
+                open.extend(into.get(&index).into_iter().flatten());
+            }
+        }
+        for (row, is_used) in self.nodes.iter_mut().zip(is_used) {
+            row.is_unused = !is_used && !row.is_end;
+        }
+    }
+
+    fn sync_frames(&mut self, graph: &Graph) {
+        let color = |color: &[f64]| <[f64; 3]>::try_from(color).ok();
+        let frame = |(id, frame): (&FrameId, &crate::document::Frame)| FrameRow {
+            id: id.clone(),
+            title: frame.title.clone(),
+            color: color(&frame.color),
+            nodes: frame.nodes.iter().filter_map(|id| self.index_of(id)).collect(),
+            rect: Rect::NOTHING,
+            text: None,
+        };
+        self.frames = graph.frames.iter().map(frame).collect();
+        (0..self.frames.len()).for_each(|index| self.fit_frame(index));
+        self.frames.retain(|frame| !frame.nodes.is_empty());
+        self.frames.sort_by(|a, b| b.rect.area().total_cmp(&a.rect.area()));
+        let note = |(id, note): (&NoteId, &crate::document::Note)| {
+            let [x, y] = note.position.map(|x| (x as f32).clamp(-1e7, 1e7));
+            NoteRow {
+                id: id.clone(),
+                content: note.text.clone(),
+                color: color(&note.color),
+                rect: Rect::from_min_size(pos2(x, y), vec2(note.width as f32, TITLE_HEIGHT)),
+                text: None,
+            }
+        };
+        self.notes = graph.notes.iter().map(note).collect();
+    }
+
+    /// Puts a frame around its nodes.
+    fn fit_frame(&mut self, index: usize) {
+        let nodes = self.frames[index].nodes.iter();
+        let rect = nodes.fold(Rect::NOTHING, |all, &node| all.union(self.nodes[node].rect));
+        let mut rect = rect.expand(FRAME_MARGIN);
+        rect.min.y -= FRAME_TITLE - 6.0;
+        self.frames[index].rect = rect;
     }
 
     /// Lets go of text that was laid out with fonts that are no more.
@@ -105,6 +266,8 @@ impl Table {
         for row in &mut self.nodes {
             row.text = NodeText::default();
         }
+        self.frames.iter_mut().for_each(|frame| frame.text = None);
+        self.notes.iter_mut().for_each(|note| note.text = None);
     }
 
     /// Forces the next [`sync`](Self::sync) to make the table again.
@@ -124,7 +287,7 @@ impl Table {
             self.nodes[to].is_wired[input] = true;
             let from = Socket { node: from, port: output, is_output: true };
             let to = Socket { node: to, port: input, is_output: false };
-            self.wires.push(WireRow { index, from, to, bounds: Rect::NOTHING, ty: Type::Float });
+            self.wires.push(WireRow { index, from, to, bounds: Rect::NOTHING, ty: Type::Float, becomes: None });
         }
         let into: HashMap<usize, usize> = self.wires.iter().enumerate().map(|(i, wire)| (wire.to.node, i)).collect();
         for node in 0..self.nodes.len() {
@@ -134,7 +297,14 @@ impl Table {
             }
         }
         for index in 0..self.wires.len() {
-            self.wires[index].ty = self.socket_type(self.wires[index].from);
+            let ty = self.socket_type(self.wires[index].from);
+            let to = self.wires[index].to;
+            let target = &self.nodes[to.node];
+            let accepts = &target.kind.inputs[to.port].accepts;
+            let is_free = target.kind.is_reroute || target.kind.is_missing || target.is_end;
+            let becomes = || accepts.iter().find(|accepted| ty.convert_to(accepted).is_some());
+            self.wires[index].becomes = if is_free || accepts.contains(&ty) { None } else { becomes().cloned() };
+            self.wires[index].ty = ty;
             self.wires[index].bounds = self.wire_bounds(index);
         }
     }
@@ -180,6 +350,12 @@ impl Table {
         for &index in nodes {
             self.nodes[index].rect = self.nodes[index].rect.translate(delta);
         }
+        for index in 0..self.frames.len() {
+            // One of which nodes stay behind stays too, so that nodes can be taken out of it.
+            if self.frames[index].nodes.iter().all(|node| nodes.contains(node)) {
+                self.fit_frame(index);
+            }
+        }
         for index in 0..self.wires.len() {
             let wire = &self.wires[index];
             if nodes.contains(&wire.from.node) || nodes.contains(&wire.to.node) {
@@ -191,6 +367,10 @@ impl Table {
     /// Where a socket is.
     pub(crate) fn place(&self, socket: Socket) -> Pos2 {
         let row = &self.nodes[socket.node];
+        if row.is_collapsed {
+            let x = if socket.is_output { NODE_WIDTH } else { 0.0 };
+            return row.rect.min + vec2(x, TITLE_HEIGHT / 2.0);
+        }
         if socket.is_output {
             return row.rect.min + vec2(NODE_WIDTH, row_center(socket.port));
         }
@@ -202,9 +382,10 @@ impl Table {
         curve_between(self.place(wire.from), self.place(wire.to))
     }
 
-    /// Around all nodes.
+    /// Around all nodes, frames and notes.
     pub(crate) fn bounds(&self) -> Rect {
-        self.nodes.iter().fold(Rect::NOTHING, |bounds, row| bounds.union(row.rect))
+        let rects = self.nodes.iter().map(|row| row.rect).chain(self.frames.iter().map(|row| row.rect));
+        rects.chain(self.notes.iter().map(|row| row.rect)).fold(Rect::NOTHING, |bounds, rect| bounds.union(rect))
     }
 
     /// The sockets of a node that wires may be drawn to.
@@ -234,7 +415,25 @@ impl Table {
         let near = self.wires.iter().enumerate().filter(|(_, wire)| wire.bounds.expand(radius).contains(p));
         let by_distance = near.map(|(index, wire)| (index, curve_distance(p, &self.curve(wire))));
         let hits = by_distance.filter(|(_, distance)| *distance < radius);
-        hits.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(index, _)| Hit::Wire(index))
+        if let Some((index, _)) = hits.min_by(|a, b| a.1.total_cmp(&b.1)) {
+            return Some(Hit::Wire(index));
+        }
+        if let Some(index) = self.notes.iter().rposition(|note| note.rect.contains(p)) {
+            return Some(Hit::Note(index));
+        }
+        self.frames.iter().rposition(|frame| frame.title_rect().contains(p)).map(Hit::Frame)
+    }
+
+    /// The smallest frame around a point, other than those that hold all of `moved`.
+    pub(crate) fn frame_at(&self, p: Pos2, moved: &HashSet<usize>) -> Option<usize> {
+        self.frames
+            .iter()
+            .rposition(|frame| frame.rect.contains(p) && !frame.nodes.iter().all(|node| moved.contains(node)))
+    }
+
+    /// The frame that a node is in.
+    pub(crate) fn frame_of(&self, node: usize) -> Option<usize> {
+        self.frames.iter().position(|frame| frame.nodes.contains(&node))
     }
 
     /// The wire into an input, by index.
@@ -275,6 +474,11 @@ fn missing_kinds(graph: &Graph, catalog: &Catalog) -> HashMap<NodeId, Arc<Kind>>
         (id.clone(), Arc::new(stand_in))
     };
     ports.into_iter().map(stand_in).collect()
+}
+
+/// How high a node of a kind is.
+pub(crate) fn height(kind: &Kind) -> f32 {
+    TITLE_HEIGHT + ROW_HEIGHT * (kind.inputs.len() + kind.outputs.len()) as f32 + NODE_FOOT
 }
 
 /// The middle of a row below a node's top.
@@ -319,7 +523,7 @@ mod tests {
         let mut table = Table::default();
         let mut catalog = Catalog::new(Library::built_in());
         catalog.sync(&look, Library::built_in());
-        table.sync((0, 0), &look.graph, &catalog);
+        table.sync((0, 0, 0), &look.graph, &catalog, None);
         (look, table)
     }
 

@@ -16,9 +16,11 @@ use crate::library::{Fallback, Type};
 #[derive(Default)]
 pub(crate) struct NodeText {
     /// The size in half points, the revision, and whether there is more than a title.
-    key: Option<(i32, u64, bool)>,
+    key: Option<(i32, u64, bool, &'static str, Option<String>)>,
     /// The title comes first. Where, from the node's corner, in points of the graph; and what.
     pub(crate) lines: Vec<(Vec2, Arc<Galley>)>,
+    /// What is said of the node beside its title.
+    pub(crate) tag: Option<(Vec2, Arc<Galley>)>,
     /// Colours shown in rows: where their middle is, and straight RGBA.
     pub(crate) swatches: Vec<(Vec2, [f64; 4])>,
 }
@@ -29,16 +31,17 @@ const LEAST_TITLE: f32 = 10.0;
 /// Lays a node's text out anew where the size or the document changed.
 pub(crate) fn lay_out(
     row: &mut NodeRow,
-    painter: &Painter,
-    colors: &Colors,
+    (painter, colors): (&Painter, &Colors),
     (zoom, has_rows): (f32, bool),
     revision: u64,
     look: &Look,
     node: &Node,
+    (tag, value): (&'static str, Option<&str>),
 ) {
     // Half points, or zooming would fill the font image.
     let half_points = (theme::TEXT_SIZE * zoom * 2.0).round() as i32;
-    let key = Some((half_points, revision, has_rows));
+    let has_rows = has_rows && !row.is_collapsed;
+    let key = Some((half_points, revision, has_rows, tag, value.map(str::to_owned)));
     if row.text.key == key {
         return;
     }
@@ -47,7 +50,14 @@ pub(crate) fn lay_out(
     let line = |text: &str, width: f32, color| one_line(painter, text, size, width * zoom, color);
     let centered = |galley: &Galley, y: f32| y - galley.size().y / zoom / 2.0;
 
-    let title = one_line(painter, &row.title, size.max(LEAST_TITLE), (NODE_WIDTH - 18.0) * zoom, colors.text);
+    let mut room = (NODE_WIDTH - 18.0) * zoom;
+    if !tag.is_empty() {
+        let tag = one_line(painter, tag, (size * 0.85).max(LEAST_TITLE - 1.0), room * 0.6, colors.dim);
+        let width = tag.size().x;
+        room -= width + 6.0 * zoom;
+        text.tag = Some((vec2(NODE_WIDTH - 10.0 - width / zoom, centered(&tag, TITLE_HEIGHT / 2.0)), tag));
+    }
+    let title = one_line(painter, &row.title, size.max(LEAST_TITLE), room, colors.text);
     text.lines.push((vec2(10.0, centered(&title, TITLE_HEIGHT / 2.0)), title));
     if !has_rows {
         row.text = text;
@@ -56,6 +66,10 @@ pub(crate) fn lay_out(
     for (index, port) in row.kind.outputs.iter().enumerate() {
         let label = line(&port.label, NODE_WIDTH - 24.0, colors.text);
         let x = NODE_WIDTH - 12.0 - label.size().x / zoom;
+        if let Some(value) = value.filter(|_| index == 0) {
+            let value = line(value, (x - 20.0).max(1.0), colors.second);
+            text.lines.push((vec2(12.0, centered(&value, row_center(index))), value));
+        }
         text.lines.push((vec2(x, centered(&label, row_center(index))), label));
     }
     for (index, port) in row.kind.inputs.iter().enumerate() {
@@ -117,7 +131,7 @@ fn shown_value(port: &Port, node: &Node, look: &Look, colors: &Colors) -> Shown 
 }
 
 /// One line, cut off with an ellipsis where it is longer than `width`.
-fn one_line(painter: &Painter, text: &str, size: f32, width: f32, color: Color32) -> Arc<Galley> {
+pub(super) fn one_line(painter: &Painter, text: &str, size: f32, width: f32, color: Color32) -> Arc<Galley> {
     let format = TextFormat { font_id: FontId::proportional(size), color, ..TextFormat::default() };
     let mut job = LayoutJob::single_section(text.replace(['\n', '\r'], " "), format);
     job.wrap = TextWrapping::truncate_at_width(width.max(1.0));

@@ -5,6 +5,11 @@ use eframe::egui::{Pos2, Rect, Vec2, vec2};
 /// How far out and in the canvas goes.
 const ZOOM: std::ops::RangeInclusive<f32> = 0.03..=3.0;
 
+/// A zoom that the canvas goes to.
+pub(crate) fn bounded(zoom: f32) -> f32 {
+    zoom.clamp(*ZOOM.start(), *ZOOM.end())
+}
+
 /// A pan and a zoom.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct View {

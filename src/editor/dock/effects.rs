@@ -179,7 +179,7 @@ fn row(ui: &mut Ui, effect: &Effect) -> Option<Command> {
     let clicked = response.clicked();
     let verb = if is_dropped { "Saves" } else { "Costs" };
     response.on_hover_text(format!("{name}: {state}\n{verb} {}\n{reason}{proof}{lead}", effect.cost));
-    node.filter(|_| clicked).map(Command::Reveal)
+    node.filter(|_| clicked).map(|id| Command::Show(NodePath::root(id)))
 }
 
 /// The weightiest part of what an effect costs, in few letters; what would be saved stands after a minus.

@@ -20,7 +20,14 @@ pub(crate) fn edit(
     swatch.or(hex)
 }
 
-fn swatch(ui: &mut Ui, label: Id, color: [f64; 4], space: ColorSpace, with_alpha: bool) -> Option<(Id, [f64; 4])> {
+/// The swatch alone.
+pub(in super::super) fn swatch(
+    ui: &mut Ui,
+    label: Id,
+    color: [f64; 4],
+    space: ColorSpace,
+    with_alpha: bool,
+) -> Option<(Id, [f64; 4])> {
     // egui's picker thinks in linear light; a look's colours are as shown unless it says otherwise.
     let to_linear = |x: f64| match space {
         ColorSpace::Display => linear_from_gamma(x.clamp(0.0, 1.0) as f32),

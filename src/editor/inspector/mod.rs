@@ -2,8 +2,11 @@
 
 pub(super) mod color;
 mod curve;
+mod interface;
 mod ramp;
 pub(super) mod row;
+
+pub(crate) use interface::{free_port, set as set_interface};
 
 use eframe::egui;
 use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
@@ -15,8 +18,8 @@ use super::panels::lights;
 use super::session::Session;
 use super::wire::{ShownWire, Style};
 use super::{theme, values};
-use crate::document::{ColorSpace, Edit, GraphId, Node, Tier, Value};
-use crate::ids::{NodeId, NodePath};
+use crate::document::{ColorSpace, Edit, Node, Tier, Value};
+use crate::ids::NodeId;
 use crate::library::Type;
 
 /// What every part of the inspector works with.
@@ -30,11 +33,19 @@ struct Subject<'a> {
 /// Shows the node that was selected last, or the look itself.
 pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
     let mut commands = Vec::new();
-    let look = session.look();
-    let selected = session.selection.last().and_then(|id| Some((id, look.graph.nodes.get(id)?)));
+    let selected = session.selection.last().and_then(|id| Some((id, session.graph().nodes.get(id)?)));
     ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
         // Room for the scroll bar.
         ui.set_max_width(ui.available_width() - 8.0);
+        if session.is_read_only() {
+            let text = "This group is of the library. Make it the look's own to change it.";
+            ui.label(RichText::new(text).color(theme::of(ui).dim));
+            if ui.button("Make it the look's own").clicked() {
+                commands.extend(session.own_group().map(Command::Edit));
+            }
+            ui.add_space(4.0);
+            ui.disable();
+        }
         match selected {
             Some((id, node)) => match session.catalog.of(node) {
                 Some(kind) => show_node(ui, &Subject { session, id, node, kind }, &mut commands),
@@ -43,6 +54,7 @@ pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
                     ui.label(format!("There is no node of kind \"{}\".", node.kind));
                 }
             },
+            None if session.definition().is_some() => interface::show(ui, session, &mut commands),
             None => show_look(ui, session, &mut commands),
         }
     });
@@ -78,19 +90,19 @@ fn show_node(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
     lights_of(ui, subject, out);
 }
 
-fn name_row(ui: &mut Ui, Subject { id, node, kind, .. }: &Subject<'_>, out: &mut Vec<Command>) {
+fn name_row(ui: &mut Ui, Subject { session, id, node, kind }: &Subject<'_>, out: &mut Vec<Command>) {
     row::labelled(ui, "Name", "What you call it; the generated code uses it", |ui, label| {
         let mut name = node.name.clone();
         let edit = TextEdit::singleline(&mut name).hint_text(&*kind.label).desired_width(f32::INFINITY).char_limit(80);
         let response = ui.add(edit).labelled_by(label);
         if response.changed() {
-            let edit = Edit::SetName { graph: GraphId::Look, id: (*id).clone(), name };
+            let edit = Edit::SetName { graph: session.graph_id().clone(), id: (*id).clone(), name };
             out.push(Command::EditHeld(response.id, edit));
         }
     });
 }
 
-fn presets(ui: &mut Ui, Subject { id, kind, .. }: &Subject<'_>, out: &mut Vec<Command>) {
+fn presets(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: &mut Vec<Command>) {
     if kind.presets.is_empty() {
         return;
     }
@@ -98,7 +110,7 @@ fn presets(ui: &mut Ui, Subject { id, kind, .. }: &Subject<'_>, out: &mut Vec<Co
         for preset in &kind.presets {
             if ui.button(&preset.label).on_hover_text("Sets the values of this preset").clicked() {
                 let edits = preset.values.iter().map(|(port, value)| Edit::SetValue {
-                    graph: GraphId::Look,
+                    graph: session.graph_id().clone(),
                     id: (*id).clone(),
                     port: port.clone(),
                     value: value.clone(),
@@ -110,7 +122,7 @@ fn presets(ui: &mut Ui, Subject { id, kind, .. }: &Subject<'_>, out: &mut Vec<Co
     });
 }
 
-fn tier_row(ui: &mut Ui, Subject { id, node, kind, .. }: &Subject<'_>, out: &mut Vec<Command>) {
+fn tier_row(ui: &mut Ui, Subject { session, id, node, kind }: &Subject<'_>, out: &mut Vec<Command>) {
     if kind.tiers.len() < 2 {
         return;
     }
@@ -119,7 +131,11 @@ fn tier_row(ui: &mut Ui, Subject { id, node, kind, .. }: &Subject<'_>, out: &mut
         let combo = egui::ComboBox::from_id_salt("tier").selected_text(name(node.tier)).show_ui(ui, |ui| {
             for tier in std::iter::once(None).chain(kind.tiers.iter().copied().map(Some)) {
                 if ui.selectable_label(node.tier == tier, name(tier)).clicked() {
-                    out.push(Command::Edit(Edit::SetTier { graph: GraphId::Look, id: (*id).clone(), tier }));
+                    out.push(Command::Edit(Edit::SetTier {
+                        graph: session.graph_id().clone(),
+                        id: (*id).clone(),
+                        tier,
+                    }));
                 }
             }
         });
@@ -132,7 +148,7 @@ fn shown_row(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: 
     if kind.outputs.is_empty() {
         return;
     }
-    let shown = session.wire().filter(|wire| matches!(wire.node.ids(), [only] if only == *id));
+    let shown = session.wire().filter(|wire| wire.node == session.path_of(id));
     row::labelled(ui, "View wire", "Shows an output of this node in place of the picture", |ui, label| {
         let name = |port: &super::catalog::Port| port.label.to_string();
         let port = shown.and_then(|wire| kind.outputs.iter().find(|port| port.name == wire.port));
@@ -146,7 +162,7 @@ fn shown_row(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: 
                 if ui.selectable_label(is_it, &*port.label).clicked() {
                     let style = shown.map(|wire| wire.style).unwrap_or_default();
                     out.push(Command::ShowWire(Some(ShownWire {
-                        node: NodePath::root((*id).clone()),
+                        node: session.path_of(id),
                         port: port.name.clone(),
                         style,
                     })));

@@ -7,7 +7,7 @@ use super::super::catalog::Port;
 use super::super::command::Command;
 use super::super::{theme, values};
 use super::{Subject, color, curve, ramp};
-use crate::document::{Edit, Endpoint, GraphId, Value, Wire};
+use crate::document::{Edit, Endpoint, Value, Wire};
 use crate::ids::PortName;
 use crate::library::{Fallback, Type};
 
@@ -38,7 +38,7 @@ fn labelled_in(ui: &mut Ui, label: &str, help: &str, color: egui::Color32, add: 
 /// Shows an input.
 pub(super) fn show(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Vec<Command>) {
     ui.push_id(&port.name, |ui| {
-        if let Some(wire) = subject.session.look().graph.wire_into(subject.id, &port.name) {
+        if let Some(wire) = subject.session.graph().wire_into(subject.id, &port.name) {
             return wired(ui, subject, port, wire, out);
         }
         let own = subject.node.values.get(&port.name);
@@ -74,14 +74,20 @@ fn held(subject: &Subject<'_>, port: &Port, widget: Id, value: Value) -> Command
 }
 
 fn set(subject: &Subject<'_>, port: &PortName, value: Value) -> Edit {
-    Edit::SetValue { graph: GraphId::Look, id: subject.id.clone(), port: port.clone(), value, index: None }
+    Edit::SetValue {
+        graph: subject.session.graph_id().clone(),
+        id: subject.id.clone(),
+        port: port.clone(),
+        value,
+        index: None,
+    }
 }
 
 /// What feeds a wired input.
 fn wired(ui: &mut Ui, subject: &Subject<'_>, port: &Port, wire: &Wire, out: &mut Vec<Command>) {
     labelled(ui, &port.label, &help_of(port), |ui, _| {
         let Endpoint { node, .. } = &wire.from;
-        let from = subject.session.look().graph.nodes.get(node);
+        let from = subject.session.graph().nodes.get(node);
         let kind = from.and_then(|from| subject.session.catalog.of(from));
         let name = match (from, kind) {
             (Some(from), _) if !from.name.is_empty() => from.name.clone(),
@@ -92,7 +98,7 @@ fn wired(ui: &mut Ui, subject: &Subject<'_>, port: &Port, wire: &Wire, out: &mut
             out.push(Command::Reveal(node.clone()));
         }
         if ui.small_button("Unwire").on_hover_text("Removes the wire").clicked() {
-            out.push(Command::Edit(Edit::RemoveWire { graph: GraphId::Look, wire: wire.clone() }));
+            out.push(Command::Edit(Edit::RemoveWire { graph: subject.session.graph_id().clone(), wire: wire.clone() }));
         }
     });
 }
@@ -103,7 +109,11 @@ fn reset(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Vec<Command>
     let is_own = subject.node.values.contains_key(&port.name);
     let is_read = matches!(port.fallback, Fallback::Context(_) | Fallback::Same(_));
     if is_own && is_read && ui.small_button("Default").clicked() {
-        let edit = Edit::ClearValue { graph: GraphId::Look, id: subject.id.clone(), port: port.name.clone() };
+        let edit = Edit::ClearValue {
+            graph: subject.session.graph_id().clone(),
+            id: subject.id.clone(),
+            port: port.name.clone(),
+        };
         out.push(Command::Edit(edit));
     }
 }

@@ -70,7 +70,7 @@ impl Probe {
                     let help = "Shows the node whose value is the first that is not a finite number";
                     if ui.button(text).on_hover_text(help).clicked() {
                         self.jump = true;
-                        commands.push(Command::Reveal(node));
+                        commands.push(Command::Show(NodePath::root(node)));
                     }
                 });
             }
@@ -145,7 +145,10 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
     };
     let text = if difference == 0.0 { "0".to_owned() } else { format!("{difference:.1e}") };
     cell(ui, column(rect, 3), &text, FontId::monospace(11.0), ink);
-    let mut command = response.clicked().then(|| wire.node.outermost().cloned().map(Command::Reveal)).flatten();
+    let mut command = response
+        .clicked()
+        .then(|| wire.node.outermost().cloned().map(|id| Command::Show(NodePath::root(id))))
+        .flatten();
     response.context_menu(|ui| {
         let node = node_at(session.look(), &session.library, wire.node.ids());
         let Some(kind) = node.and_then(|node| session.catalog.of(node)) else { return };

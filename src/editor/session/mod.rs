@@ -1,6 +1,7 @@
 //! One open look: the document and its past, the file, what is selected, and the shaders made of it.
 
 pub(super) mod keeping;
+mod place;
 mod shading;
 
 use std::borrow::Cow;
@@ -16,7 +17,7 @@ use super::panels::solo::Solo;
 use super::wire::ShownWire;
 use crate::diag::Diagnostic;
 use crate::document::journal::Op;
-use crate::document::{Edit, History, Look, SourceMap, remove_abandoned, write_atomic};
+use crate::document::{Edit, GraphId, History, Look, SourceMap, remove_abandoned, write_atomic};
 use crate::ids::NodeId;
 use crate::library::{Fallback, Library};
 use keeping::{Keeping, OnDisk};
@@ -34,7 +35,7 @@ pub struct Session {
     is_partial: bool,
     pub(crate) library: Arc<Library>,
     pub(crate) catalog: Catalog,
-    /// Nodes of the look's own graph, the first one selected last.
+    /// Nodes of the graph that is open, the first one selected last.
     pub(crate) selection: IndexSet<NodeId>,
     pub(crate) view: Orbit,
     /// What reading the file told.
@@ -60,6 +61,7 @@ pub struct Session {
     /// How often files that the look uses have changed.
     files: u64,
     keeping: Keeping,
+    place: place::OpenGroups,
 }
 
 /// Consecutive edits by the same hand, as one step.
@@ -100,6 +102,7 @@ impl Session {
             solo_number: 0,
             files: 0,
             keeping: Keeping::default(),
+            place: Default::default(),
         };
         session.start_new();
         session
@@ -198,6 +201,7 @@ impl Session {
         self.picture += 1;
         self.catalog.sync(self.history.document(), &self.library);
         self.place_library_problems();
+        self.reset_place();
     }
 
     /// The look as it is.
@@ -242,8 +246,7 @@ impl Session {
 
     /// Selects nodes and no others.
     pub fn select(&mut self, ids: Vec<NodeId>) {
-        let nodes = &self.history.document().graph.nodes;
-        self.selection = ids.into_iter().filter(|id| nodes.contains_key(id)).collect();
+        self.selection = ids.into_iter().filter(|id| self.is_here(id)).collect();
     }
 
     /// Lets unsaved changes go: they are no longer asked about.
@@ -381,9 +384,12 @@ impl Session {
             self.shaders.structure = self.history.revision();
             self.catalog.sync(self.history.document(), &self.library);
         }
-        let nodes = &self.history.document().graph.nodes;
-        self.selection.retain(|id| nodes.contains_key(id));
+        self.check_place();
+        let mut selection = std::mem::take(&mut self.selection);
+        selection.retain(|id| self.is_here(id));
+        self.selection = selection;
         self.solo.keep(self.history.document());
+        let nodes = &self.history.document().graph.nodes;
         self.wire = self.wire.take().filter(|wire| wire.node.outermost().is_some_and(|id| nodes.contains_key(id)));
         self.picture += 1;
     }
@@ -392,7 +398,15 @@ impl Session {
     fn is_structural(&self, edit: &Edit) -> bool {
         match edit {
             Edit::Group { edits } => edits.iter().any(|edit| self.is_structural(edit)),
-            Edit::MoveNodes { .. } | Edit::SetLookName { .. } => false,
+            Edit::MoveNodes { .. }
+            | Edit::SetCollapsed { .. }
+            | Edit::AddNote { .. }
+            | Edit::SetNote { .. }
+            | Edit::RemoveNote { .. }
+            | Edit::SetBookmarks { .. }
+            | Edit::SetLookName { .. } => false,
+            // A long look's uniforms are told by paths, and a group's node lies at many of them.
+            Edit::SetValue { graph: GraphId::Definition(_), .. } if self.shaders.is_long() => true,
             Edit::SetLight { id, light } => {
                 self.look().lights.get(id).is_none_or(|old| (old.kind, &old.name) != (light.kind, &light.name))
             }

@@ -61,6 +61,11 @@ impl Shown {
         self.requested_touched != self.touched.len() && self.touched.iter().any(|value| !known.contains(value))
     }
 
+    /// Whether only the values that were touched are uniforms.
+    pub(super) fn is_long(&self) -> bool {
+        self.live.as_ref().is_some_and(|shader| matches!(shader.live, Live::Touched(_)))
+    }
+
     /// Remembers which inputs an edit sets.
     pub(super) fn touch(&mut self, edit: &Edit) {
         match edit {

@@ -119,6 +119,20 @@ const fn rgb(hex: u32) -> Color32 {
     Color32::from_rgb((hex >> 16) as u8, (hex >> 8) as u8, hex as u8)
 }
 
+/// What lies on a picture is told from it by a dark rim, in both themes alike.
+pub(crate) const HALO: Color32 = Color32::from_black_alpha(130);
+/// Behind text on a picture.
+pub(crate) const PLATE: Color32 = Color32::from_black_alpha(165);
+/// The middle of what a light lights, on a picture.
+pub(crate) const SUN: Color32 = rgb(0xfff3c4);
+/// Offset, fall-off and cut-off on a picture.
+const CURVES: [Color32; 3] = [rgb(0xffd166), rgb(0x4fd1ff), rgb(0xff7eb6)];
+
+/// The colour of a layer's offset, fall-off or cut-off (0, 1, 2) on a picture.
+pub(crate) fn curve(index: usize) -> Color32 {
+    CURVES[index.min(CURVES.len() - 1)]
+}
+
 /// A calm dark ground with one warm accent.
 pub(super) static DARK: Colors = Colors {
     panel: rgb(0x222327),

@@ -9,7 +9,7 @@ use eframe::egui;
 use eframe::egui::{CornerRadius, FontFamily, FontId, Margin, Stroke, TextStyle, Visuals};
 
 use crate::library::Type;
-pub(crate) use colors::Colors;
+pub(crate) use colors::{Colors, HALO, PLATE, SUN, curve};
 
 /// The colours of the theme that is shown.
 pub(crate) fn of(ui: &egui::Ui) -> &'static Colors {

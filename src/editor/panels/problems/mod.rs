@@ -108,7 +108,7 @@ fn place(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Com
         let title = session.title(node);
         let link = ui.link(RichText::new(text).color(theme::of(ui).accent));
         if link.on_hover_text(format!("Selects {title} and brings it into view")).clicked() {
-            out.push(Command::Reveal(node.clone()));
+            out.push(Command::Show(path.clone()));
         }
     }
     if let Some(at) = problem.place.at {

@@ -1,0 +1,345 @@
+//! What keys, menus and the command palette do on the canvas.
+
+use eframe::egui;
+use eframe::egui::{Event, Id, Pos2, Rect, Ui, Vec2, pos2};
+
+use super::super::command::Command;
+use super::super::session::Session;
+use super::super::shortcuts::{self, Action, Place, Way};
+use super::arrange::{self, Link, Side};
+use super::inplace::Item;
+use super::palette::Palette;
+use super::{Canvas, edits};
+use crate::document::{Bookmark, Edit, grouping};
+use crate::ids::NodeId;
+
+/// How far arrow keys move.
+const STEP: f32 = 12.0;
+
+impl Canvas {
+    /// Keys, while no text is being typed, and what the command palette chose.
+    pub(super) fn keys(&mut self, ui: &Ui, pointer: Option<Pos2>, session: &Session, out: &mut Vec<Command>) {
+        let mut actions: Vec<Action> = self.asked.take().into_iter().collect();
+        if self.palette.is_some() || self.editing.is_some() {
+            return;
+        }
+        let is_typing = ui.ctx().egui_wants_keyboard_input();
+        if !is_typing {
+            if shortcuts::take(ui, (egui::Modifiers::NONE, egui::Key::Escape)) {
+                self.cancel();
+            }
+            actions.extend(std::mem::take(&mut self.wants_search).then_some(Action::AddNode));
+            actions.extend(shortcuts::pressed(ui, Place::Graph));
+            self.clipboard(ui, pointer, session, out);
+        }
+        for action in actions {
+            self.run(action, pointer, session, out);
+        }
+    }
+
+    /// Copy, cut and paste, as the window system sends them.
+    fn clipboard(&mut self, ui: &Ui, pointer: Option<Pos2>, session: &Session, out: &mut Vec<Command>) {
+        let events: Vec<Event> = ui.input_mut(|input| {
+            let is_it = |event: &Event| matches!(event, Event::Copy | Event::Cut | Event::Paste(_));
+            let (ours, others) = std::mem::take(&mut input.events).into_iter().partition(is_it);
+            input.events = others;
+            ours
+        });
+        for event in events {
+            match event {
+                Event::Copy => self.run(Action::Copy, pointer, session, out),
+                Event::Cut => self.run(Action::Cut, pointer, session, out),
+                Event::Paste(text) => self.paste(&text, pointer, session, out),
+                _ => {}
+            }
+        }
+    }
+
+    /// Adds nodes that were copied here, in another window or in a text editor.
+    pub(super) fn paste(&mut self, text: &str, pointer: Option<Pos2>, session: &Session, out: &mut Vec<Command>) {
+        let at = pointer.map(|at| self.view.to_graph(at));
+        let at = at.map(|at| [at.x - super::theme::NODE_WIDTH / 2.0, at.y].map(f64::from));
+        match grouping::paste_text(session.look(), session.graph_id(), text, at) {
+            Ok(pasted) => {
+                self.item = pasted.notes.first().cloned().filter(|_| pasted.nodes.is_empty()).map(Item::Note);
+                out.extend([Command::Edit(pasted.edit), Command::Select(pasted.nodes)]);
+            }
+            Err(problem) => out.push(Command::Tell(super::super::problems::sentence(&problem).replace('\n', ": "))),
+        }
+    }
+
+    fn cancel(&mut self) {
+        let was_idle = matches!(self.gesture, super::Gesture::Idle);
+        self.gesture = super::Gesture::Idle;
+        if !was_idle {
+            self.table.forget();
+        }
+    }
+
+    /// The nodes that are selected, without the ends of a group.
+    fn chosen(session: &Session) -> Vec<NodeId> {
+        session.selected().filter(|id| session.graph().nodes.contains_key(*id)).cloned().collect()
+    }
+
+    /// Does what was asked for.
+    pub(super) fn run(&mut self, action: Action, pointer: Option<Pos2>, session: &Session, out: &mut Vec<Command>) {
+        if session.is_read_only() && changes(action) {
+            out.push(Command::Tell("This group is of the library: make it the look's own to change it".to_owned()));
+            return;
+        }
+        let chosen = Self::chosen(session);
+        let at = pointer.unwrap_or(self.view.screen.center());
+        match action {
+            Action::AddNode => self.palette = Some(Palette::new(at, None)),
+            Action::Swap => {
+                self.palette = chosen.last().cloned().map(|id| Palette::swapping(at, id));
+            }
+            Action::Note => {
+                let (id, edit) = edits::note(session, self.view.to_graph(at));
+                out.push(Command::Edit(edit));
+                self.edit_when_there = Some(Item::Note(id));
+            }
+            Action::ShowAll => self.fit(),
+            Action::ShowSelected => self.fit_selected(session),
+            Action::SnapGrid => {
+                self.snaps_to_grid = !self.snaps_to_grid;
+                let what = if self.snaps_to_grid { "Nodes snap to the grid" } else { "Nodes move freely" };
+                out.push(Command::Tell(what.to_owned()));
+            }
+            Action::Minimap => self.hides_minimap = !self.hides_minimap,
+            Action::GoTo(key) => self.go_to(session, key),
+            Action::Remember(key) => out.push(Command::Edit(self.remember(session, key))),
+            Action::LeaveGroup => {
+                let path = session.open_groups();
+                if let Some((_, outer)) = path.split_last() {
+                    out.push(Command::OpenGraph(outer.to_vec()));
+                }
+            }
+            Action::Nudge(way) => self.nudge(way, &chosen, session, out),
+            Action::SelectNext(way) => self.select_next(way, session, out),
+            Action::SelectAll => {
+                out.push(Command::Select(session.graph().nodes.keys().cloned().collect()));
+            }
+            Action::SelectNone => out.push(Command::Select(Vec::new())),
+            Action::Invert => {
+                let others = session.graph().nodes.keys().filter(|id| !session.selection.contains(*id));
+                out.push(Command::Select(others.cloned().collect()));
+            }
+            Action::Delete if self.item.is_some() => self.delete_item(session, out),
+            Action::Rename if self.item.is_some() || chosen.is_empty() => {
+                self.edit_when_there = self.item.clone();
+            }
+            _ if !chosen.is_empty() => self.run_on(action, &chosen, session, out),
+            Action::Connect => self.fit(),
+            Action::Layout => self.lay_out(&chosen, session, out),
+            _ => {}
+        }
+    }
+
+    /// What needs selected nodes.
+    fn run_on(&mut self, action: Action, chosen: &[NodeId], session: &Session, out: &mut Vec<Command>) {
+        let graph = session.graph_id();
+        let of = session.graph();
+        match action {
+            Action::Delete => out.extend(edits::delete(session, chosen.iter().cloned()).map(Command::Edit)),
+            Action::Dissolve => out.extend(edits::dissolve(session, chosen).map(Command::Edit)),
+            Action::Duplicate => {
+                let (ids, edit) = edits::duplicate(session, chosen);
+                out.extend([Command::Edit(edit), Command::Select(ids)]);
+            }
+            Action::Copy | Action::Cut => {
+                let text = grouping::copy_text(session.look(), of, chosen, &[]);
+                out.push(Command::Copy(text));
+                if action == Action::Cut {
+                    out.extend(edits::delete(session, chosen.iter().cloned()).map(Command::Edit));
+                }
+            }
+            Action::Upstream => out.push(Command::Select(edits::stream(session, chosen, true))),
+            Action::Downstream => out.push(Command::Select(edits::stream(session, chosen, false))),
+            Action::Rename => self.edit_when_there = chosen.last().cloned().map(Item::Node),
+            Action::Mute => {
+                let muted = chosen.iter().any(|id| !of.nodes[id].muted);
+                let mute = |id: &NodeId| Edit::SetMuted { graph: graph.clone(), id: id.clone(), muted };
+                out.push(Command::Edit(Edit::Group { edits: chosen.iter().map(mute).collect() }));
+            }
+            Action::Collapse => {
+                let collapsed = chosen.iter().any(|id| !of.nodes[id].collapsed);
+                let collapse = |id: &NodeId| Edit::SetCollapsed { graph: graph.clone(), id: id.clone(), collapsed };
+                out.push(Command::Edit(Edit::Group { edits: chosen.iter().map(collapse).collect() }));
+            }
+            Action::Group => {
+                if let Some((id, edit)) = edits::group(session, chosen) {
+                    out.extend([Command::Edit(edit), Command::Select(vec![id])]);
+                }
+            }
+            Action::Ungroup => match edits::ungroup(session, chosen) {
+                Ok(Some((ids, edit))) => out.extend([Command::Edit(edit), Command::Select(ids)]),
+                Ok(None) => out.push(Command::Tell("No group is selected".to_owned())),
+                Err(problem) => out.push(Command::Tell(problem)),
+            },
+            Action::OpenGroup => out.extend(chosen.last().and_then(|id| self.open(session, id))),
+            Action::Frame => {
+                if let Some((id, edit)) = edits::frame(session, chosen) {
+                    out.push(Command::Edit(edit));
+                    self.edit_when_there = Some(Item::Frame(id));
+                }
+            }
+            Action::Unframe => {
+                let edits = edits::leave_frames(session, chosen);
+                out.extend((!edits.is_empty()).then_some(Command::Edit(Edit::Group { edits })));
+            }
+            Action::Connect => self.connect_chosen(chosen, session, out),
+            Action::Layout => self.lay_out(chosen, session, out),
+            _ => self.arrange(action, chosen, session, out),
+        }
+    }
+
+    /// The command that opens a group's graph; `None` where the node is no group.
+    pub(super) fn open(&self, session: &Session, id: &NodeId) -> Option<Command> {
+        let kind = &session.graph().nodes.get(id)?.kind;
+        session.definition_of(kind)?;
+        Some(Command::OpenGraph(session.path_of(id).ids().to_vec()))
+    }
+
+    fn delete_item(&mut self, session: &Session, out: &mut Vec<Command>) {
+        let graph = session.graph_id().clone();
+        out.extend(match self.item.take() {
+            Some(Item::Frame(id)) => Some(Command::Edit(Edit::RemoveFrame { graph, id })),
+            Some(Item::Note(id)) => Some(Command::Edit(Edit::RemoveNote { graph, id })),
+            _ => None,
+        });
+    }
+
+    /// Wires selected nodes from left to right.
+    fn connect_chosen(&mut self, chosen: &[NodeId], session: &Session, out: &mut Vec<Command>) {
+        let mut indices: Vec<usize> = chosen.iter().filter_map(|id| self.table.index_of(id)).collect();
+        indices.sort_by(|&a, &b| self.table.nodes[a].rect.min.x.total_cmp(&self.table.nodes[b].rect.min.x));
+        let pairs = indices.windows(2).filter_map(|pair| self.pair(pair[0], pair[1]));
+        let edits: Vec<Edit> =
+            pairs.map(|(from, to)| edits::connect(session, self.endpoint(from), self.endpoint(to))).collect();
+        if edits.is_empty() {
+            self.fit();
+        } else {
+            out.push(Command::Edit(Edit::Group { edits }));
+        }
+    }
+
+    fn arrange(&mut self, action: Action, chosen: &[NodeId], session: &Session, out: &mut Vec<Command>) {
+        let indices: Vec<usize> = chosen.iter().filter_map(|id| self.table.index_of(id)).collect();
+        let rects: Vec<Rect> = indices.iter().map(|&index| self.table.nodes[index].rect).collect();
+        let places = match action {
+            Action::AlignLeft => arrange::align(&rects, Side::Left),
+            Action::AlignRight => arrange::align(&rects, Side::Right),
+            Action::AlignTop => arrange::align(&rects, Side::Top),
+            Action::AlignBottom => arrange::align(&rects, Side::Bottom),
+            Action::DistributeAcross => arrange::distribute(&rects, true),
+            Action::DistributeDown => arrange::distribute(&rects, false),
+            _ => return,
+        };
+        let ids = indices.iter().map(|&index| self.table.nodes[index].id.clone());
+        out.push(Command::Edit(edits::put(session, ids.zip(places))));
+    }
+
+    /// Lays out what is selected, or everything.
+    fn lay_out(&mut self, chosen: &[NodeId], session: &Session, out: &mut Vec<Command>) {
+        let all: Vec<usize> = (0..self.table.nodes.len()).filter(|&index| !self.table.nodes[index].is_end).collect();
+        let some: Vec<usize> = chosen.iter().filter_map(|id| self.table.index_of(id)).collect();
+        let indices = if some.len() < 2 { all } else { some };
+        let mut own = vec![None; self.table.nodes.len()];
+        indices.iter().enumerate().for_each(|(place, &index)| own[index] = Some(place));
+        let link = |wire: &super::table::WireRow| {
+            let below =
+                |socket: super::table::Socket| self.table.place(socket).y - self.table.nodes[socket.node].rect.min.y;
+            let (from, to) = (own[wire.from.node]?, own[wire.to.node]?);
+            Some(Link { from, to, from_y: below(wire.from), to_y: below(wire.to) })
+        };
+        let links: Vec<Link> = self.table.wires.iter().filter_map(link).collect();
+        let rects: Vec<Rect> = indices.iter().map(|&index| self.table.nodes[index].rect).collect();
+        let places = arrange::layers(&rects, &links);
+        let ids = indices.iter().map(|&index| self.table.nodes[index].id.clone());
+        let edit = edits::put(session, ids.zip(places));
+        out.push(Command::Edit(edit));
+    }
+
+    /// Arrow keys move what is selected; with nothing selected they select the node in the middle.
+    fn nudge(&self, way: Way, chosen: &[NodeId], session: &Session, out: &mut Vec<Command>) {
+        if chosen.is_empty() {
+            return self.select_next(way, session, out);
+        }
+        let edit = edits::translate(session, chosen.iter(), way.step() * STEP);
+        out.push(Command::EditHeld(Id::unique("nudge"), edit));
+    }
+
+    /// Goes on to the nearest node in a direction.
+    fn select_next(&self, way: Way, session: &Session, out: &mut Vec<Command>) {
+        let current = session.selection.last().and_then(|id| self.table.index_of(id));
+        let step = way.step();
+        let from = current.map_or(self.view.center, |index| self.table.nodes[index].rect.center());
+        let cost = |rect: &Rect| {
+            let way: Vec2 = rect.center() - from;
+            let along = way.dot(step);
+            let aside = (way - step * along).length();
+            match current {
+                // Straight on rather than near.
+                Some(_) => (along > 1.0 && aside < along * 3.0).then_some(along + aside * 2.0),
+                None => Some(way.length()),
+            }
+        };
+        let others = self.table.nodes.iter().enumerate().filter(|(index, _)| Some(*index) != current);
+        let found = others.filter_map(|(_, row)| Some((cost(&row.rect)?, &row.id))).min_by(|a, b| a.0.total_cmp(&b.0));
+        if let Some((_, id)) = found {
+            out.push(Command::Reveal(id.clone()));
+        }
+    }
+
+    fn fit_selected(&mut self, session: &Session) {
+        let indices = session.selected().filter_map(|id| self.table.index_of(id));
+        let bounds = edits::around(indices.map(|index| self.table.nodes[index].rect));
+        self.view.fit(if bounds.is_positive() { bounds } else { self.table.bounds() });
+    }
+
+    fn go_to(&mut self, session: &Session, key: u8) {
+        if let Some(bookmark) = session.graph().bookmarks.iter().find(|bookmark| bookmark.key == key) {
+            let [x, y] = bookmark.position.map(|x| x as f32);
+            self.set_zoom_and_center(super::view::bounded(bookmark.zoom as f32), pos2(x, y));
+        }
+    }
+
+    fn remember(&self, session: &Session, key: u8) -> Edit {
+        let position = [self.view.center.x, self.view.center.y].map(|x| f64::from(x).round());
+        // Three decimals are more than is seen.
+        let zoom = (f64::from(self.view.zoom) * 1000.0).round() / 1000.0;
+        let mut bookmarks = session.graph().bookmarks.clone();
+        bookmarks.retain(|bookmark| bookmark.key != key);
+        bookmarks.push(Bookmark { key, position, zoom });
+        bookmarks.sort_by_key(|bookmark| bookmark.key);
+        Edit::SetBookmarks { graph: session.graph_id().clone(), bookmarks }
+    }
+
+    /// Renames a node, or the group that it is where it has no name of its own.
+    pub(super) fn rename(session: &Session, id: &NodeId, name: String) -> Edit {
+        Edit::SetName { graph: session.graph_id().clone(), id: id.clone(), name }
+    }
+}
+
+/// Whether an action changes the document.
+fn changes(action: Action) -> bool {
+    !matches!(
+        action,
+        Action::Copy
+            | Action::SelectAll
+            | Action::SelectNone
+            | Action::Invert
+            | Action::Upstream
+            | Action::Downstream
+            | Action::OpenGroup
+            | Action::LeaveGroup
+            | Action::Connect
+            | Action::ShowAll
+            | Action::ShowSelected
+            | Action::SnapGrid
+            | Action::Minimap
+            | Action::GoTo(_)
+            | Action::SelectNext(_)
+    )
+}

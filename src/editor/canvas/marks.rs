@@ -1,0 +1,145 @@
+//! What nodes are marked with: errors and warnings with what would mend them, and why a node adds nothing.
+
+use std::collections::HashMap;
+
+use super::super::session::Session;
+use crate::compile::{Proof, Removal};
+use crate::diag::{Diagnostic, Severity};
+use crate::document::{Edit, Value};
+use crate::ids::NodeId;
+
+/// What is wrong with a node.
+pub(super) struct Mark {
+    pub(super) severity: Severity,
+    pub(super) text: String,
+    pub(super) fixes: Vec<Fix>,
+}
+
+/// Something that mends a problem.
+#[derive(Clone)]
+pub(super) struct Fix {
+    pub(super) label: String,
+    pub(super) edit: Edit,
+}
+
+/// Why a node adds nothing.
+pub(super) struct Idle {
+    /// In a word or two, for the node itself.
+    pub(super) word: &'static str,
+    pub(super) reason: String,
+}
+
+/// The worst problem of each node of the open graph, and the text of all of them.
+pub(super) fn marks(session: &Session) -> HashMap<NodeId, Mark> {
+    let mut marks: HashMap<NodeId, Mark> = HashMap::new();
+    for problem in session.all_problems().filter(|problem| problem.severity > Severity::Note) {
+        let Some(path) = &problem.place.node else { continue };
+        let Some(id) = session.step_here(path) else { continue };
+        let text = super::super::problems::sentence(problem);
+        let fixes = if path.last() == Some(id) { fixes(session, id, problem) } else { Vec::new() };
+        match marks.get_mut(id) {
+            // A group that is used more than once has the same problem as often.
+            Some(mark) if mark.text.contains(&text) => {}
+            Some(mark) => {
+                mark.severity = mark.severity.max(problem.severity);
+                mark.text += "\n";
+                mark.text += &text;
+                mark.fixes.extend(fixes);
+            }
+            None => drop(marks.insert(id.clone(), Mark { severity: problem.severity, text, fixes })),
+        }
+    }
+    marks
+}
+
+/// What would mend a problem of a node.
+fn fixes(session: &Session, id: &NodeId, problem: &Diagnostic) -> Vec<Fix> {
+    let graph = session.graph_id();
+    let of = session.graph();
+    let Some(node) = of.nodes.get(id).filter(|_| !session.is_read_only()) else { return Vec::new() };
+    let mut fixes = Vec::new();
+    let mut fix = |label: String, edit: Edit| fixes.push(Fix { label, edit });
+    if problem.code == "unknown-kind" {
+        let known = session.catalog.all().map(|kind| kind.id.as_str());
+        for kind in crate::diag::nearest(&node.kind, known) {
+            let label = session.catalog.get(kind).map_or(kind, |kind| &kind.label);
+            let edit = Edit::SetKind { graph: graph.clone(), id: id.clone(), kind: kind.to_owned() };
+            fix(format!("Make it {label}"), edit);
+        }
+    }
+    if problem.code == "recursive-group" {
+        fix("Remove this node".to_owned(), Edit::RemoveNode { graph: graph.clone(), id: id.clone() });
+    }
+    let Some(port) = &problem.place.port else { return fixes };
+    if problem.code == "unknown-light" {
+        for (light, of_light) in session.look().lights.iter().take(4) {
+            let name = if of_light.name.is_empty() { light.as_str() } else { &of_light.name };
+            let value = Value::Text(light.to_string());
+            let edit = Edit::SetValue { graph: graph.clone(), id: id.clone(), port: port.clone(), value, index: None };
+            fix(format!("Use the light {name}"), edit);
+        }
+        return fixes;
+    }
+    match of.wire_into(id, port) {
+        Some(wire) if problem.severity == Severity::Error => {
+            fix(format!("Remove the wire into {port}"), Edit::RemoveWire { graph: graph.clone(), wire: wire.clone() });
+        }
+        _ if node.values.contains_key(port) && port.as_str() != super::super::catalog::CODE => {
+            let edit = Edit::ClearValue { graph: graph.clone(), id: id.clone(), port: port.clone() };
+            fix(format!("Reset {port}"), edit);
+        }
+        _ => {}
+    }
+    fixes
+}
+
+/// Nodes of the open graph that the compiler found to add nothing, with its reason.
+pub(super) fn idle(session: &Session) -> HashMap<NodeId, Idle> {
+    let mut found = HashMap::new();
+    let Some(shader) = session.baked().filter(|_| session.wire().is_none()) else { return found };
+    let here = session.open_groups();
+    let mut by_step: HashMap<&NodeId, Vec<&Removal>> = HashMap::new();
+    for removal in shader.removed.iter().filter(|removal| removal.path.ids().starts_with(here)) {
+        if let Some(id) = removal.path.ids().get(here.len()) {
+            by_step.entry(id).or_default().push(removal);
+        }
+    }
+    // A group is idle where nothing of it is left in the shader.
+    let mut is_left: std::collections::HashSet<&NodeId> = std::collections::HashSet::new();
+    for path in shader.spans.nodes().filter(|path| path.ids().starts_with(here)) {
+        is_left.extend(path.ids().get(here.len()));
+    }
+    for (id, removals) in by_step {
+        let own = removals.iter().find(|removal| removal.path.ids().len() == here.len() + 1);
+        let inner = || removals.iter().find(|removal| word(removal).is_some_and(|word| word != UNUSED));
+        let removal = match own {
+            Some(own) => Some(own),
+            None if is_left.contains(id) => None,
+            None => inner(),
+        };
+        if let Some(removal) = removal
+            && let Some(word) = word(removal)
+        {
+            found.insert(id.clone(), Idle { word, reason: format!("Adds nothing: {}.", removal.reason) });
+        }
+    }
+    found
+}
+
+const UNUSED: &str = "unused";
+
+/// What a proof is called on a node; `None` where the node still gives its value.
+fn word(removal: &Removal) -> Option<&'static str> {
+    match removal.proof {
+        Proof::Unreachable => Some(UNUSED),
+        Proof::ZeroWeight | Proof::NoEffect => Some("no effect"),
+        // Bounds also prove that something is the same everywhere, which is then its value.
+        Proof::Ranges if !removal.reason.contains("everywhere") => Some("no effect"),
+        _ => None,
+    }
+}
+
+/// What is said of a node from which no wire leads to the output.
+pub(super) fn unwired() -> Idle {
+    Idle { word: UNUSED, reason: "Nothing that reaches the output uses it.".to_owned() }
+}

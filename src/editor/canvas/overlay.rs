@@ -1,0 +1,293 @@
+//! What lies over the canvas: the way into groups, the map of the whole, and the menu of a right click.
+
+use eframe::egui;
+use eframe::egui::epaint::Mesh;
+use eframe::egui::{Color32, Pos2, Rect, Response, RichText, Sense, Shape, Ui, UiBuilder, WidgetInfo, vec2};
+
+use super::super::command::Command;
+use super::super::session::Session;
+use super::super::shortcuts::{self, Action};
+use super::super::theme;
+use super::inplace::Item;
+use super::mesh::{plain, rounded};
+use super::table::{Hit, Socket};
+use super::{Canvas, edits};
+use crate::ids::NodeId;
+
+/// The map's size, on the screen.
+const MAP: egui::Vec2 = vec2(168.0, 112.0);
+
+/// Colours for frames and notes: name, straight RGB.
+const TINTS: [(&str, [f64; 3]); 7] = [
+    ("Red", [0.72, 0.28, 0.26]),
+    ("Orange", [0.78, 0.5, 0.22]),
+    ("Yellow", [0.72, 0.66, 0.26]),
+    ("Green", [0.32, 0.58, 0.34]),
+    ("Teal", [0.22, 0.56, 0.56]),
+    ("Blue", [0.3, 0.42, 0.74]),
+    ("Violet", [0.54, 0.36, 0.7]),
+];
+
+impl Canvas {
+    /// The groups that were opened, and the way back.
+    pub(super) fn crumbs(&self, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+        let path = session.open_groups();
+        if path.is_empty() {
+            return;
+        }
+        let bar = Rect::from_min_size(self.view.screen.min, vec2(self.view.screen.width(), 34.0));
+        ui.painter().rect_filled(bar, 0.0, theme::of(ui).panel);
+        let line = bar.left_bottom()..=bar.right_bottom();
+        ui.painter().line_segment([*line.start(), *line.end()], (1.0, theme::of(ui).grid));
+        let builder = UiBuilder::new().max_rect(bar.shrink2(vec2(10.0, 5.0))).id_salt("crumbs");
+        ui.scope_builder(builder, |ui| {
+            ui.horizontal(|ui| {
+                let mut crumb = |ui: &mut Ui, name: &str, depth: usize| {
+                    let is_here = depth == path.len();
+                    let text = RichText::new(name);
+                    let text = if is_here { text.strong() } else { text.color(theme::of(ui).accent) };
+                    let response = ui.add(egui::Button::new(text).frame(false));
+                    response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, !is_here, format!("Go to {name}")));
+                    if response.clicked() && !is_here {
+                        out.push(Command::OpenGraph(path[..depth].to_vec()));
+                    }
+                };
+                crumb(ui, "Look", 0);
+                for (depth, name) in crumb_names(session, path).iter().enumerate() {
+                    ui.label(RichText::new("›").color(theme::of(ui).dim));
+                    crumb(ui, name, depth + 1);
+                }
+                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                    if session.is_read_only() {
+                        let help = "Puts this group into the look's file, for all its nodes in the look. Then it can be changed";
+                        if ui.button("Make it the look's own").on_hover_text(help).clicked() {
+                            out.extend(session.own_group().map(Command::Edit));
+                        }
+                        ui.label(RichText::new("From the library: look, don't touch").color(theme::of(ui).dim));
+                    }
+                });
+            });
+        });
+    }
+
+    /// The whole graph, small, in the corner; a drag there moves the view. Only while there is more than is in view.
+    pub(super) fn minimap(&mut self, ui: &Ui) {
+        let all = self.table.bounds();
+        let visible = self.view.visible();
+        let screen = self.view.screen;
+        let is_small = screen.width() < MAP.x * 2.5 || screen.height() < MAP.y * 2.5;
+        if self.hides_minimap || is_small || !all.is_positive() || visible.contains_rect(all) {
+            return;
+        }
+        let place = Rect::from_min_size(screen.max - MAP - vec2(12.0, 12.0), MAP);
+        let response = ui.interact(place, ui.scope_id().with("minimap"), Sense::click_and_drag());
+        response.widget_info(|| WidgetInfo::labeled(egui::Role::Image, true, "Map of the graph"));
+        // The view may lie outside of everything.
+        let world = all.union(visible).expand(40.0);
+        let scale = (place.width() / world.width()).min(place.height() / world.height());
+        let to_map = |p: Pos2| place.center() + (p - world.center()) * scale;
+        let map_rect = |r: Rect| Rect::from_min_max(to_map(r.min), to_map(r.max));
+        if let Some(at) = response.interact_pointer_pos().filter(|_| response.dragged() || response.clicked()) {
+            self.view.center = world.center() + (at - place.center()) / scale;
+        }
+        let colors = theme::of(ui);
+        let mut mesh = Mesh::default();
+        rounded(&mut mesh, place.expand(1.0), 5.0, (true, true), colors.window_edge);
+        rounded(&mut mesh, place, 4.0, (true, true), colors.panel.gamma_multiply(0.94));
+        for frame in &self.table.frames {
+            plain(&mut mesh, map_rect(frame.rect), colors.grid);
+        }
+        for row in &self.table.nodes {
+            plain(&mut mesh, map_rect(row.rect), super::draw::lighter(colors.of_category(&row.kind.category)));
+        }
+        let painter = ui.painter_at(place.expand(1.0));
+        painter.add(Shape::mesh(mesh));
+        let seen = map_rect(visible).intersect(place);
+        painter.rect(seen, 2.0, colors.accent.gamma_multiply(0.08), (1.0, colors.accent), egui::StrokeKind::Inside);
+    }
+
+    /// The menu of a right click.
+    pub(super) fn menu(&mut self, ui: &Ui, response: &Response, session: &Session, out: &mut Vec<Command>) {
+        let mut chosen = None;
+        response.context_menu(|ui| {
+            ui.set_min_width(210.0);
+            match self.menu_hit {
+                Some(Hit::Node(index) | Hit::Socket(Socket { node: index, .. })) if index < self.table.nodes.len() => {
+                    chosen = self.node_menu(ui, index, session, out);
+                }
+                Some(Hit::Wire(index)) => self.wire_menu(ui, index, session, out),
+                Some(Hit::Frame(_) | Hit::Note(_)) => self.item_menu(ui, session, out),
+                _ => {
+                    use Action as A;
+                    const ROWS: [&[A]; 3] = [
+                        &[A::AddNode, A::Note, A::Paste],
+                        &[A::SelectAll, A::Layout],
+                        &[A::ShowAll, A::Minimap, A::SnapGrid],
+                    ];
+                    chosen = rows(ui, &ROWS);
+                    if !session.open_groups().is_empty() {
+                        chosen = chosen.or(rows(ui, &[&[A::LeaveGroup]]));
+                    }
+                }
+            }
+        });
+        if chosen == Some(Action::Paste) {
+            ui.ctx().send_viewport_cmd(egui::ViewportCommand::RequestPaste);
+        } else if let Some(action) = chosen {
+            self.run(action, self.menu_at, session, out);
+        }
+    }
+
+    fn node_menu(&self, ui: &mut Ui, index: usize, session: &Session, out: &mut Vec<Command>) -> Option<Action> {
+        use Action as A;
+        let row = &self.table.nodes[index];
+        let fixes = self.marks.get(&row.id).map_or(&[][..], |mark| &mark.fixes);
+        for fix in fixes {
+            if ui.button(RichText::new(format!("Fix: {}", fix.label)).color(theme::of(ui).accent)).clicked() {
+                out.push(Command::Edit(fix.edit.clone()));
+            }
+        }
+        if !fixes.is_empty() {
+            ui.separator();
+        }
+        if row.is_end {
+            return rows(ui, &[&[A::LeaveGroup]]);
+        }
+        let group: &[A] =
+            if self.open(session, &row.id).is_some() { &[A::OpenGroup, A::Group, A::Ungroup] } else { &[A::Group] };
+        let frame: &[A] = if self.table.frame_of(index).is_some() { &[A::Frame, A::Unframe] } else { &[A::Frame] };
+        let chosen = rows(
+            ui,
+            &[
+                &[A::Rename, A::Swap, A::Mute, A::Collapse],
+                group,
+                frame,
+                &[A::Copy, A::Cut, A::Duplicate],
+                &[A::Upstream, A::Downstream],
+                &[A::Delete, A::Dissolve],
+            ],
+        );
+        if session.selection.len() < 2 {
+            return chosen;
+        }
+        let arranged = ui.menu_button("Arrange", |ui| {
+            rows(
+                ui,
+                &[
+                    &[A::AlignLeft, A::AlignRight, A::AlignTop, A::AlignBottom],
+                    &[A::DistributeAcross, A::DistributeDown],
+                    &[A::Layout, A::Connect],
+                ],
+            )
+        });
+        chosen.or(arranged.inner.flatten())
+    }
+
+    fn wire_menu(&mut self, ui: &mut Ui, index: usize, session: &Session, out: &mut Vec<Command>) {
+        let Some(wire) = self.table.wires.get(index).and_then(|row| session.graph().wires.get(row.index)) else {
+            return;
+        };
+        if ui.button("Remove the wire").clicked() {
+            out.push(Command::Edit(edits::disconnect(session, wire.clone())));
+        }
+        if ui.button("Show where it comes from").clicked() {
+            out.push(Command::Reveal(wire.from.node.clone()));
+        }
+        if ui.button("Show where it leads").clicked() {
+            out.push(Command::Reveal(wire.to.node.clone()));
+        }
+    }
+
+    fn item_menu(&mut self, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+        let Some(item) = self.item.clone() else { return };
+        if session.is_read_only() {
+            ui.label("From the library");
+            return;
+        }
+        if ui.button("Edit the text").clicked() {
+            self.edit_when_there = Some(item.clone());
+        }
+        if let Item::Frame(id) = &item
+            && ui.button("Select its nodes").clicked()
+        {
+            let nodes = session.graph().frames.get(id).map(|frame| frame.nodes.clone());
+            out.extend(nodes.map(Command::Select));
+        }
+        ui.separator();
+        let mut tint = None;
+        ui.horizontal(|ui| {
+            for (name, rgb) in TINTS {
+                let (rect, response) = ui.allocate_exact_size(vec2(20.0, 20.0), Sense::click());
+                response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, format!("Color {name}")));
+                ui.painter().rect_filled(rect.shrink(1.0), 4.0, color(rgb));
+                if response.on_hover_text(name).clicked() {
+                    tint = Some(rgb.to_vec());
+                    ui.close();
+                }
+            }
+        });
+        if ui.button("No color").clicked() {
+            tint = Some(Vec::new());
+        }
+        if let Some(tint) = tint {
+            let edit = match &item {
+                Item::Frame(id) => edits::set_frame(session, id, |frame| frame.color = tint),
+                Item::Note(id) => edits::set_note(session, id, |note| note.color = tint),
+                Item::Node(_) => None,
+            };
+            out.extend(edit.map(Command::Edit));
+        }
+        ui.separator();
+        let (what, graph) = (if matches!(item, Item::Frame(_)) { "frame" } else { "note" }, session.graph_id().clone());
+        if ui.button(format!("Remove the {what}")).clicked() {
+            out.push(Command::Edit(match item {
+                Item::Frame(id) => crate::document::Edit::RemoveFrame { graph, id },
+                Item::Note(id) => crate::document::Edit::RemoveNote { graph, id },
+                Item::Node(id) => crate::document::Edit::RemoveNode { graph, id },
+            }));
+        }
+    }
+}
+
+/// A colour of a document, for the screen.
+pub(super) fn color(rgb: [f64; 3]) -> Color32 {
+    let [r, g, b] = rgb.map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
+    Color32::from_rgb(r, g, b)
+}
+
+/// Menu entries in blocks; the one that was chosen.
+fn rows(ui: &mut Ui, blocks: &[&[Action]]) -> Option<Action> {
+    let mut chosen = None;
+    for (index, block) in blocks.iter().enumerate() {
+        if index > 0 {
+            ui.separator();
+        }
+        for row in block.iter().filter_map(|action| shortcuts::of(*action)) {
+            let button = egui::Button::new(row.label).shortcut_text(row.text());
+            let response = ui.add(button);
+            response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, row.label));
+            if response.clicked() {
+                chosen = Some(row.action);
+                ui.close();
+            }
+        }
+    }
+    chosen
+}
+
+/// What the groups on a path are called.
+fn crumb_names(session: &Session, path: &[NodeId]) -> Vec<String> {
+    let mut graph = Some(&session.look().graph);
+    let mut names = Vec::with_capacity(path.len());
+    for id in path {
+        let node = graph.and_then(|graph| graph.nodes.get(id));
+        let kind = node.and_then(|node| session.catalog.of(node));
+        names.push(match (node, kind) {
+            (Some(node), _) if !node.name.is_empty() => node.name.clone(),
+            (_, Some(kind)) => kind.label.to_string(),
+            _ => id.to_string(),
+        });
+        graph = node.and_then(|node| session.definition_of(&node.kind)).map(|definition| &definition.graph);
+    }
+    names
+}

@@ -1,0 +1,281 @@
+//! What the outputs of nodes give: a ball shaded by them, or, where it is the same everywhere, the value in a few letters.
+//!
+//! A thread evaluates one node at a time in the interpreter, on a small grid of points of a ball: those in view first,
+//! and only once nothing was changed for a moment. So neither the window nor the renderer waits for it.
+
+use eframe::egui;
+use std::collections::HashMap;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use eframe::egui::{Color32, ColorImage, Context, Rect, TextureHandle, TextureOptions, Ui, pos2, vec2};
+
+use super::super::session::Session;
+use super::super::theme::{NODE_WIDTH, TITLE_HEIGHT};
+use super::super::values::number_text;
+use super::super::worker::Worker;
+use super::Canvas;
+use crate::compile::Options;
+use crate::document::{Look, SourceMap};
+use crate::frame::{Assets, EvalSample, SetupLook, eval_batches};
+use crate::ids::{NodeId, NodePath, PortName};
+use crate::interp::Precision;
+use crate::library::{Library, Type};
+use crate::reference;
+
+/// Points across the ball.
+const SIZE: usize = 28;
+/// Nothing is asked for until the look was left alone for so long, in seconds.
+const REST: f64 = 0.35;
+/// Longer looks take too long to compile for each of their nodes.
+const MAX_NODES: usize = 1500;
+/// Below this zoom nothing is seen of them.
+const MIN_ZOOM: f32 = 0.42;
+/// On a node, in points.
+const SIDE: f32 = 22.0;
+
+/// What an output gives.
+#[derive(Clone)]
+pub(super) enum Preview {
+    /// A ball.
+    Ball(TextureHandle),
+    /// The same everywhere.
+    Value(String),
+    /// It cannot be shown, or not evaluated.
+    Nothing,
+}
+
+/// What is to be evaluated.
+struct Request {
+    key: Key,
+    look: Arc<Look>,
+    source: Arc<SourceMap>,
+    library: Arc<Library>,
+    folder: PathBuf,
+    root: (NodePath, PortName),
+    samples: Arc<Vec<EvalSample>>,
+}
+
+struct Answer {
+    key: Key,
+    /// Of each point of the ball, with the type; `None` where the look is wrong.
+    values: Option<(Vec<[f64; 4]>, Type)>,
+}
+
+/// Which node of which state of the look.
+type Key = (NodePath, (u64, u64));
+
+/// The previews of nodes.
+#[derive(Default)]
+pub(super) struct Previews {
+    worker: Option<Worker<Request, Answer>>,
+    known: HashMap<NodePath, ((u64, u64), Preview)>,
+    /// The state that was seen last, since when, and a copy of it.
+    seen: Option<((u64, u64), f64)>,
+    look: Option<((u64, u64), Arc<Look>)>,
+    samples: Option<Arc<Vec<EvalSample>>>,
+    waits: bool,
+}
+
+impl Previews {
+    pub(super) fn is_busy(&self) -> bool {
+        self.waits || self.worker.as_ref().is_some_and(Worker::is_busy)
+    }
+
+    pub(super) fn wait(&self) {
+        if let Some(worker) = &self.worker {
+            worker.wait();
+        }
+    }
+
+    /// Takes what was evaluated, and asks for what is missing among `visible`.
+    fn update(&mut self, ctx: &Context, session: &Session, visible: impl Iterator<Item = (NodePath, PortName)>) {
+        let state = (session.document_number(), session.revision());
+        for Answer { key: (path, of), values } in self.worker.iter().flat_map(Worker::answers) {
+            let shown = values.map_or(Preview::Nothing, |(values, ty)| show(ctx, &path, &values, &ty));
+            self.known.insert(path, (of, shown));
+            self.waits = false;
+        }
+        let now = ctx.input(|input| input.time);
+        if self.seen.is_none_or(|(seen, _)| seen != state) {
+            self.seen = Some((state, now));
+        }
+        let rested = now - self.seen.map_or(now, |(_, since)| since);
+        if self.waits || session.graph().nodes.len() > MAX_NODES || session.look().graph.nodes.len() > MAX_NODES {
+            return;
+        }
+        let is_missing = |(path, _): &(NodePath, PortName)| self.known.get(path).is_none_or(|(of, _)| *of != state);
+        let mut missing = visible.filter(is_missing);
+        let Some(root) = missing.next() else { return };
+        drop(missing);
+        if rested < REST {
+            ctx.request_repaint_after(std::time::Duration::from_secs_f64((REST - rested).max(0.01)));
+            return;
+        }
+        if self.look.as_ref().is_none_or(|(of, _)| *of != state) {
+            self.look = Some((state, Arc::new(session.look().clone())));
+        }
+        let Some((_, look)) = &self.look else { return };
+        let request = Request {
+            key: (root.0.clone(), state),
+            look: look.clone(),
+            source: session.source().clone(),
+            library: session.library.clone(),
+            folder: session.path().and_then(|path| path.parent()).map(PathBuf::from).unwrap_or_default(),
+            root,
+            samples: self.samples.get_or_insert_with(|| Arc::new(ball())).clone(),
+        };
+        let worker = self.worker.get_or_insert_with(|| {
+            let (ctx, mut assets) = (ctx.clone(), Assets::default());
+            Worker::new("previews", move || ctx.request_repaint(), move |request| evaluate(request, &mut assets))
+        });
+        worker.request(|_| request);
+        self.waits = true;
+    }
+}
+
+/// Points of a ball as the camera sees it, row by row; those of the corners lie on its rim and are not shown.
+fn ball() -> Vec<EvalSample> {
+    let sample = |index: usize| {
+        let along = |i: usize| (i as f64 + 0.5) / SIZE as f64 * 2.0 - 1.0;
+        let (x, y) = (along(index % SIZE), -along(index / SIZE));
+        let length = x.hypot(y).max(1.0);
+        let (x, y) = (x / length, y / length);
+        let normal = glam::DVec3::new(x, y, (1.0 - x * x - y * y).max(0.0).sqrt()).normalize();
+        let uv = glam::DVec2::new(0.5 + x / 2.0, 0.5 - y / 2.0);
+        // A ball as high as the picture.
+        EvalSample { normal, position: normal, uv, kappa: 2.0, ..EvalSample::default() }
+    };
+    (0..SIZE * SIZE).map(sample).collect()
+}
+
+fn evaluate(request: Request, assets: &mut Assets) -> Answer {
+    let Request { key, look, source, library, folder, root, samples } = request;
+    let setup = SetupLook { look: (*look).clone(), source, folder };
+    let options = Options { root: Some(root), ..Options::default() };
+    let evaluated = eval_batches(&setup, &library, &samples, &options, assets).ok().and_then(|batches| {
+        let mut values = vec![[0.0; 4]; samples.len()];
+        let mut ty = None;
+        for batch in &batches {
+            let found = reference::evaluate(batch, Precision::F32).ok()?;
+            for (&index, value) in batch.indices.iter().zip(found) {
+                values[index] = value;
+            }
+            ty = Some(batch.shader.root_type.clone());
+        }
+        Some((values, ty?))
+    });
+    Answer { key, values: evaluated }
+}
+
+/// Points as a picture, or as the one value that they all have.
+fn show(ctx: &Context, path: &NodePath, values: &[[f64; 4]], ty: &Type) -> Preview {
+    let Some(width) = (if *ty == Type::Angle { Some(1) } else { ty.width() }) else { return Preview::Nothing };
+    // An angle is given as the sine and cosine of its half.
+    let number = |value: &[f64; 4]| if *ty == Type::Angle { 2.0 * value[0].atan2(value[1]) } else { value[0] };
+    let is_color = matches!(ty, Type::Color | Type::Composite);
+    if let Some(first) = values.first()
+        && !is_color
+        && values.iter().all(|value| value[..width] == first[..width])
+    {
+        let text = match ty {
+            Type::Angle => format!("{}°", number_text(number(first).to_degrees(), 1)),
+            Type::Bool => if first[0] > 0.5 { "on" } else { "off" }.to_owned(),
+            _ if width == 1 => number_text(first[0], 3),
+            _ => first[..width].iter().map(|x| number_text(*x, 2)).collect::<Vec<_>>().join(", "),
+        };
+        return Preview::Value(text);
+    }
+    let byte = |x: f64| if x.is_finite() { (x.clamp(0.0, 1.0) * 255.0).round() as u8 } else { 0 };
+    let pixel = |value: &[f64; 4]| match width {
+        _ if value.iter().any(|x| !x.is_finite()) => Color32::from_rgb(255, 0, 255),
+        1 if *ty == Type::Angle => Color32::from_gray(byte(number(value) / std::f64::consts::PI)),
+        1 => Color32::from_gray(byte(value[0])),
+        2 => Color32::from_rgb(byte(value[0]), byte(value[1]), 0),
+        4 if is_color => {
+            let [r, g, b, a] = value.map(byte);
+            Color32::from_rgba_unmultiplied(r, g, b, a)
+        }
+        // Directions, from -1 to 1, as normal maps have them.
+        _ => Color32::from_rgb(byte(value[0] * 0.5 + 0.5), byte(value[1] * 0.5 + 0.5), byte(value[2] * 0.5 + 0.5)),
+    };
+    let pixels = values.iter().enumerate().map(|(index, value)| {
+        let along = |i: usize| i as f32 + 0.5 - SIZE as f32 / 2.0;
+        let radius = along(index % SIZE).hypot(along(index / SIZE));
+        // A soft rim, one point wide.
+        pixel(value).gamma_multiply((SIZE as f32 / 2.0 - radius).clamp(0.0, 1.0))
+    });
+    let image = ColorImage::new([SIZE, SIZE], pixels.collect());
+    Preview::Ball(ctx.load_texture(format!("preview {path}"), image, TextureOptions::LINEAR))
+}
+
+impl Canvas {
+    /// Keeps previews of the nodes in view, and draws the balls.
+    pub(super) fn draw_previews(&mut self, ui: &Ui, session: &Session) {
+        if self.view.zoom < MIN_ZOOM {
+            return;
+        }
+        let visible = self.view.visible();
+        let rows = self.table.nodes.iter().enumerate();
+        let rows = rows.filter(|(_, row)| row.rect.intersects(visible) && !row.is_end && !row.kind.is_missing);
+        let shown: Vec<(usize, NodePath)> = rows
+            .filter(|(_, row)| row.kind.outputs.first().is_some_and(|port| can_be_shown(&port.ty)))
+            .map(|(index, row)| (index, session.path_of(&row.id)))
+            .collect();
+        let roots = shown.iter().map(|(index, path)| {
+            let port = self.table.nodes[*index].kind.outputs[0].name.clone();
+            (path.clone(), port)
+        });
+        self.previews.update(ui.ctx(), session, roots);
+        let painter = ui.painter_at(self.view.screen);
+        for (index, path) in shown {
+            let row = &self.table.nodes[index];
+            let Some((_, Preview::Ball(texture))) = self.previews.known.get(&path) else { continue };
+            let center = row.rect.min + vec2(NODE_WIDTH - SIDE / 2.0 - 4.0, TITLE_HEIGHT / 2.0);
+            let is_tagged = row.is_muted || self.idle_of(row).is_some();
+            // What lies on top is drawn already.
+            let is_covered = self.table.nodes[index + 1..].iter().any(|other| other.rect.contains(center));
+            if !is_tagged && !is_covered {
+                let place = self.view.rect_to_screen(Rect::from_center_size(center, vec2(SIDE, SIDE)));
+                let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+                painter.image(texture.id(), place, uv, Color32::WHITE);
+            }
+        }
+    }
+
+    /// The value of a node's first output, where it is the same everywhere.
+    pub(super) fn value_of(&self, session: &Session, id: &NodeId) -> Option<&str> {
+        match self.previews.known.get(&session.path_of(id)) {
+            Some((_, Preview::Value(text))) => Some(text),
+            _ => None,
+        }
+    }
+
+    /// The ball of a node, for a closer look.
+    pub(super) fn ball_of(&self, session: &Session, id: &NodeId) -> Option<&TextureHandle> {
+        match self.previews.known.get(&session.path_of(id)) {
+            Some((_, Preview::Ball(texture))) => Some(texture),
+            _ => None,
+        }
+    }
+
+    /// Whether values of nodes are being evaluated.
+    pub(crate) fn is_busy(&self) -> bool {
+        self.previews.is_busy()
+    }
+
+    /// Waits for them; for tests.
+    pub(crate) fn wait(&self) {
+        self.previews.wait();
+    }
+}
+
+/// Whether a type has numbers.
+fn can_be_shown(ty: &Type) -> bool {
+    *ty == Type::Angle || *ty != Type::Mat3 && ty.width().is_some()
+}
+
+/// How large a ball is shown beside the pointer.
+pub(super) fn large(ui: &mut egui::Ui, texture: &TextureHandle) {
+    ui.add(egui::Image::new((texture.id(), vec2(96.0, 96.0))));
+}

@@ -1,0 +1,130 @@
+//! Which graph of the look is open: its own, or that of a group, the library's groups included.
+
+use super::Session;
+use crate::document::{Definition, Edit, Graph, GraphId};
+use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, NodeId, NodePath};
+
+/// The groups that were opened, one in the other.
+#[derive(Default)]
+pub(super) struct OpenGroups {
+    /// The nodes through which one came here, outermost first.
+    path: Vec<NodeId>,
+    /// The graph that the last of them leads to.
+    graph: GraphId,
+    /// Grows whenever another graph is open.
+    number: u64,
+}
+
+impl Session {
+    /// The graph that is open.
+    pub fn graph_id(&self) -> &GraphId {
+        &self.place.graph
+    }
+
+    /// The graph that is open.
+    pub fn graph(&self) -> &Graph {
+        self.definition().map_or(&self.look().graph, |definition| &definition.graph)
+    }
+
+    /// The group that is open; `None` in the look's own graph.
+    pub(crate) fn definition(&self) -> Option<&Definition> {
+        match &self.place.graph {
+            GraphId::Look => None,
+            GraphId::Definition(id) => self.definition_of(id.as_str()),
+        }
+    }
+
+    /// The group of a kind, the look's own before the library's.
+    pub(crate) fn definition_of(&self, kind: &str) -> Option<&Definition> {
+        let own = self.look().definitions.get(kind);
+        own.or_else(|| self.library.groups.get(kind).map(|group| &group.definition))
+    }
+
+    /// Whether the graph that is open is of the library, and so cannot be changed.
+    pub fn is_read_only(&self) -> bool {
+        matches!(&self.place.graph, GraphId::Definition(id) if !self.look().definitions.contains_key(id))
+    }
+
+    /// The nodes of groups that lead to the open graph, outermost first.
+    pub fn open_groups(&self) -> &[NodeId] {
+        &self.place.path
+    }
+
+    /// Grows whenever another graph is open.
+    pub(crate) fn place_number(&self) -> u64 {
+        self.place.number
+    }
+
+    /// A node of the open graph, from the look's own graph on.
+    pub(crate) fn path_of(&self, id: &NodeId) -> NodePath {
+        let mut ids = self.place.path.iter().chain([id]);
+        let first = NodePath::root(ids.next().unwrap_or(id).clone());
+        ids.fold(first, |path, id| path.join(id.clone()))
+    }
+
+    /// Opens the graph that these nodes of groups lead to, as far as they do.
+    pub fn open_graph(&mut self, path: &[NodeId]) {
+        let (mut graph, mut known) = (GraphId::Look, Vec::new());
+        for id in path {
+            let Some(next) = self.graph_within(&graph, id) else { break };
+            graph = next;
+            known.push(id.clone());
+        }
+        if (&graph, &known) == (&self.place.graph, &self.place.path) {
+            return;
+        }
+        let was = std::mem::replace(&mut self.place.path, known);
+        self.place.graph = graph;
+        self.place.number += 1;
+        // Who comes out of a group sees which one it was.
+        let left = was.get(self.place.path.len()).filter(|_| was.starts_with(&self.place.path)).cloned();
+        self.selection = left.into_iter().collect();
+        self.problems_number += 1;
+    }
+
+    /// What a node of a graph opens.
+    fn graph_within(&self, graph: &GraphId, id: &NodeId) -> Option<GraphId> {
+        let graph = match graph {
+            GraphId::Look => &self.look().graph,
+            GraphId::Definition(id) => &self.definition_of(id.as_str())?.graph,
+        };
+        let kind = graph.nodes.get(id)?.kind.as_str();
+        self.definition_of(kind).map(|_| GraphId::Definition(DefinitionId::from(kind)))
+    }
+
+    /// Whether there is such a node in the open graph; a group's ends count.
+    pub(super) fn is_here(&self, id: &NodeId) -> bool {
+        let is_end = matches!(id.as_str(), GROUP_INPUTS | GROUP_OUTPUTS) && self.place.graph != GraphId::Look;
+        is_end || self.graph().nodes.contains_key(id)
+    }
+
+    /// Leaves groups that are no more.
+    pub(super) fn check_place(&mut self) {
+        let path = self.place.path.clone();
+        self.open_graph(&path);
+    }
+
+    /// Goes back to the look's own graph, of another look.
+    pub(super) fn reset_place(&mut self) {
+        self.place = OpenGroups { number: self.place.number + 1, ..OpenGroups::default() };
+    }
+
+    /// Of a path, the node that lies in the open graph: where this graph, or another use of its group, lies on the way.
+    pub(crate) fn step_here<'p>(&self, path: &'p NodePath) -> Option<&'p NodeId> {
+        let mut graph = GraphId::Look;
+        for id in path.ids() {
+            if graph == self.place.graph {
+                return Some(id);
+            }
+            graph = self.graph_within(&graph, id)?;
+        }
+        None
+    }
+
+    /// Makes the library's group that is open the look's own, so that it can be changed: for every node of it in the look.
+    pub(crate) fn own_group(&self) -> Option<Edit> {
+        let GraphId::Definition(id) = &self.place.graph else { return None };
+        let definition = self.definition().filter(|_| self.is_read_only())?.clone();
+        Some(Edit::AddDefinition { id: id.clone(), definition, index: None })
+    }
+}

@@ -1,0 +1,296 @@
+//! Every key of the window in one table: what it does, what it is called, where it works. The canvas takes its keys from
+//! here, and the sheet of shortcuts, menus and the command palette list what is here.
+
+use eframe::egui;
+use eframe::egui::{Key, Modifiers};
+
+/// Where a key works.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Place {
+    /// Everywhere.
+    Window,
+    /// Over the graph, while no text is typed.
+    Graph,
+    /// Over the picture.
+    Picture,
+}
+
+impl Place {
+    pub(crate) const ALL: [Self; 3] = [Self::Window, Self::Graph, Self::Picture];
+
+    pub(crate) fn label(self) -> &'static str {
+        match self {
+            Self::Window => "Everywhere",
+            Self::Graph => "In the graph",
+            Self::Picture => "In the picture",
+        }
+    }
+}
+
+/// Something that a key, a menu or the command palette asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Action {
+    New,
+    Open,
+    Save,
+    SaveAs,
+    Undo,
+    Redo,
+    Probe,
+    Commands,
+    Shortcuts,
+    AddNode,
+    Swap,
+    Delete,
+    Dissolve,
+    Duplicate,
+    Copy,
+    Cut,
+    Paste,
+    SelectAll,
+    SelectNone,
+    Invert,
+    Upstream,
+    Downstream,
+    Rename,
+    Mute,
+    Collapse,
+    Connect,
+    Group,
+    Ungroup,
+    OpenGroup,
+    LeaveGroup,
+    Frame,
+    Unframe,
+    Note,
+    ShowAll,
+    ShowSelected,
+    AlignLeft,
+    AlignRight,
+    AlignTop,
+    AlignBottom,
+    DistributeAcross,
+    DistributeDown,
+    Layout,
+    SnapGrid,
+    Minimap,
+    Nudge(Way),
+    SelectNext(Way),
+    GoTo(u8),
+    Remember(u8),
+}
+
+/// A way on the canvas.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Way {
+    Left,
+    Right,
+    Up,
+    Down,
+}
+
+impl Way {
+    /// One step.
+    pub(crate) fn step(self) -> egui::Vec2 {
+        match self {
+            Self::Left => egui::vec2(-1.0, 0.0),
+            Self::Right => egui::vec2(1.0, 0.0),
+            Self::Up => egui::vec2(0.0, -1.0),
+            Self::Down => egui::vec2(0.0, 1.0),
+        }
+    }
+}
+
+/// A row of the table.
+pub(crate) struct Shortcut {
+    pub(crate) action: Action,
+    pub(crate) label: &'static str,
+    /// Any of them will do; the first is told.
+    pub(crate) keys: &'static [(Modifiers, Key)],
+    pub(crate) place: Place,
+}
+
+const fn row(action: Action, label: &'static str, keys: &'static [(Modifiers, Key)], place: Place) -> Shortcut {
+    Shortcut { action, label, keys, place }
+}
+
+const NONE: Modifiers = Modifiers::NONE;
+const CTRL: Modifiers = Modifiers::COMMAND;
+const SHIFT: Modifiers = Modifiers::SHIFT;
+const ALT: Modifiers = Modifiers::ALT;
+const CTRL_SHIFT: Modifiers = Modifiers { shift: true, ..Modifiers::COMMAND };
+
+use Action as A;
+use Place::{Graph, Window};
+use Way::{Down, Left, Right, Up};
+
+/// All of them. What needs more modifiers stands before what needs fewer, as the first that fits takes a key.
+#[rustfmt::skip]
+pub(crate) static ALL: &[Shortcut] = &[
+    row(A::New, "New look", &[(CTRL, Key::N)], Window),
+    row(A::Open, "Open a look", &[(CTRL, Key::O)], Window),
+    row(A::SaveAs, "Save under another name", &[(CTRL_SHIFT, Key::S)], Window),
+    row(A::Save, "Save", &[(CTRL, Key::S)], Window),
+    row(A::Redo, "Redo", &[(CTRL_SHIFT, Key::Z), (CTRL, Key::Y)], Window),
+    row(A::Undo, "Undo", &[(CTRL, Key::Z)], Window),
+    row(A::Commands, "Find a command", &[(CTRL, Key::P)], Window),
+    row(A::Shortcuts, "Show all shortcuts", &[(NONE, Key::Questionmark), (SHIFT, Key::Questionmark), (NONE, Key::F1)], Window),
+    row(A::Probe, "Probe a pixel", &[(NONE, Key::I)], Place::Picture),
+    row(A::AddNode, "Add a node", &[(NONE, Key::Tab), (NONE, Key::A), (SHIFT, Key::A)], Graph),
+    row(A::Swap, "Swap the node for another", &[(NONE, Key::S)], Graph),
+    row(A::Dissolve, "Delete, keep the wires through", &[(SHIFT, Key::Delete), (SHIFT, Key::X)], Graph),
+    row(A::Delete, "Delete", &[(NONE, Key::Delete), (NONE, Key::Backspace), (NONE, Key::X)], Graph),
+    row(A::Duplicate, "Duplicate", &[(CTRL, Key::D), (SHIFT, Key::D)], Graph),
+    row(A::Copy, "Copy as text", &[(CTRL, Key::C)], Graph),
+    row(A::Cut, "Cut", &[(CTRL, Key::X)], Graph),
+    row(A::Paste, "Paste", &[(CTRL, Key::V)], Graph),
+    row(A::SelectAll, "Select all", &[(CTRL, Key::A)], Graph),
+    row(A::SelectNone, "Select nothing", &[(CTRL_SHIFT, Key::A)], Graph),
+    row(A::Invert, "Invert the selection", &[(CTRL, Key::I)], Graph),
+    row(A::Upstream, "Select what leads here", &[(NONE, Key::OpenBracket)], Graph),
+    row(A::Downstream, "Select what this leads to", &[(NONE, Key::CloseBracket)], Graph),
+    row(A::Rename, "Rename", &[(NONE, Key::F2)], Graph),
+    row(A::Mute, "Mute or unmute", &[(NONE, Key::M)], Graph),
+    row(A::Collapse, "Collapse or expand", &[(NONE, Key::H)], Graph),
+    row(A::Ungroup, "Dissolve the group", &[(CTRL_SHIFT, Key::G)], Graph),
+    row(A::Group, "Make a group", &[(CTRL, Key::G)], Graph),
+    row(A::OpenGroup, "Open the group", &[(CTRL, Key::Enter)], Graph),
+    row(A::LeaveGroup, "Leave the group", &[(NONE, Key::U), (CTRL, Key::Backspace)], Graph),
+    row(A::Unframe, "Take out of the frame", &[(CTRL_SHIFT, Key::J), (ALT, Key::P)], Graph),
+    row(A::Frame, "Put a frame around", &[(CTRL, Key::J)], Graph),
+    row(A::Note, "Add a note", &[(NONE, Key::N)], Graph),
+    row(A::Connect, "Wire the selected nodes, else show all", &[(NONE, Key::F)], Graph),
+    row(A::ShowAll, "Show all", &[(NONE, Key::Home)], Graph),
+    row(A::ShowSelected, "Show what is selected", &[(NONE, Key::Period)], Graph),
+    row(A::AlignLeft, "Align left edges", &[(SHIFT, Key::ArrowLeft)], Graph),
+    row(A::AlignRight, "Align right edges", &[(SHIFT, Key::ArrowRight)], Graph),
+    row(A::AlignTop, "Align tops", &[(SHIFT, Key::ArrowUp)], Graph),
+    row(A::AlignBottom, "Align bottoms", &[(SHIFT, Key::ArrowDown)], Graph),
+    row(A::DistributeAcross, "Space out evenly across", &[(SHIFT, Key::H)], Graph),
+    row(A::DistributeDown, "Space out evenly downward", &[(SHIFT, Key::V)], Graph),
+    row(A::Layout, "Tidy up", &[(NONE, Key::L)], Graph),
+    row(A::SnapGrid, "Snap to the grid, or not", &[(NONE, Key::G)], Graph),
+    row(A::Minimap, "Show or hide the minimap", &[(SHIFT, Key::M)], Graph),
+    row(A::SelectNext(Left), "Select the next node to the left", &[(CTRL, Key::ArrowLeft)], Graph),
+    row(A::SelectNext(Right), "Select the next node to the right", &[(CTRL, Key::ArrowRight)], Graph),
+    row(A::SelectNext(Up), "Select the next node above", &[(CTRL, Key::ArrowUp)], Graph),
+    row(A::SelectNext(Down), "Select the next node below", &[(CTRL, Key::ArrowDown)], Graph),
+    row(A::Nudge(Left), "Move left, or select", &[(NONE, Key::ArrowLeft)], Graph),
+    row(A::Nudge(Right), "Move right, or select", &[(NONE, Key::ArrowRight)], Graph),
+    row(A::Nudge(Up), "Move up, or select", &[(NONE, Key::ArrowUp)], Graph),
+    row(A::Nudge(Down), "Move down, or select", &[(NONE, Key::ArrowDown)], Graph),
+    row(A::Remember(1), "Bookmark this view as 1", &[(CTRL, Key::Num1)], Graph),
+    row(A::Remember(2), "Bookmark this view as 2", &[(CTRL, Key::Num2)], Graph),
+    row(A::Remember(3), "Bookmark this view as 3", &[(CTRL, Key::Num3)], Graph),
+    row(A::Remember(4), "Bookmark this view as 4", &[(CTRL, Key::Num4)], Graph),
+    row(A::Remember(5), "Bookmark this view as 5", &[(CTRL, Key::Num5)], Graph),
+    row(A::Remember(6), "Bookmark this view as 6", &[(CTRL, Key::Num6)], Graph),
+    row(A::Remember(7), "Bookmark this view as 7", &[(CTRL, Key::Num7)], Graph),
+    row(A::Remember(8), "Bookmark this view as 8", &[(CTRL, Key::Num8)], Graph),
+    row(A::Remember(9), "Bookmark this view as 9", &[(CTRL, Key::Num9)], Graph),
+    row(A::GoTo(1), "Go to bookmark 1", &[(NONE, Key::Num1)], Graph),
+    row(A::GoTo(2), "Go to bookmark 2", &[(NONE, Key::Num2)], Graph),
+    row(A::GoTo(3), "Go to bookmark 3", &[(NONE, Key::Num3)], Graph),
+    row(A::GoTo(4), "Go to bookmark 4", &[(NONE, Key::Num4)], Graph),
+    row(A::GoTo(5), "Go to bookmark 5", &[(NONE, Key::Num5)], Graph),
+    row(A::GoTo(6), "Go to bookmark 6", &[(NONE, Key::Num6)], Graph),
+    row(A::GoTo(7), "Go to bookmark 7", &[(NONE, Key::Num7)], Graph),
+    row(A::GoTo(8), "Go to bookmark 8", &[(NONE, Key::Num8)], Graph),
+    row(A::GoTo(9), "Go to bookmark 9", &[(NONE, Key::Num9)], Graph),
+];
+
+/// What the pointer does on the graph, for the sheet of shortcuts.
+pub(crate) const POINTER: &[(&str, &str)] = &[
+    ("Double-click on nothing", "Add a node"),
+    ("Double-click on a title", "Open the group, or rename"),
+    ("Double-click on a wire", "Add a reroute"),
+    ("Drag from a socket", "Draw a wire; on nothing: add what fits"),
+    ("Drag a node onto a wire", "Insert it there"),
+    ("Alt-drag a node", "Wire it to what it comes near"),
+    ("Alt-drag on nothing", "Select by a lasso"),
+    ("Drag on nothing", "Select by a box"),
+    ("Ctrl+right-drag", "Cut wires"),
+    ("Alt-click on a wire", "Remove it"),
+    ("Wheel", "Zoom"),
+    ("Middle or right drag, Space+drag", "Move the view"),
+    ("Right-click", "Menu"),
+];
+
+impl Shortcut {
+    /// The key as people read it.
+    pub(crate) fn text(&self) -> String {
+        self.keys.first().map_or_else(String::new, |&(modifiers, key)| key_text(modifiers, key))
+    }
+}
+
+fn key_text(modifiers: Modifiers, key: Key) -> String {
+    let names = [(modifiers.command || modifiers.ctrl, "Ctrl+"), (modifiers.shift, "Shift+"), (modifiers.alt, "Alt+")];
+    let mut text: String = names.into_iter().filter(|(is_on, _)| *is_on).map(|(_, name)| name).collect();
+    text += match key {
+        Key::ArrowLeft => "Left",
+        Key::ArrowRight => "Right",
+        Key::ArrowUp => "Up",
+        Key::ArrowDown => "Down",
+        Key::Delete => "Del",
+        Key::OpenBracket => "[",
+        Key::CloseBracket => "]",
+        Key::Questionmark => "?",
+        Key::Period => ".",
+        other => other.name(),
+    };
+    text
+}
+
+/// The row of an action.
+pub(crate) fn of(action: Action) -> Option<&'static Shortcut> {
+    ALL.iter().find(|row| row.action == action)
+}
+
+/// Takes the keys of a place that were pressed. Copy, cut and paste come as events of their own, and Tab must be taken
+/// earlier than here, before it moves the focus.
+pub(crate) fn pressed(ui: &egui::Ui, place: Place) -> Vec<Action> {
+    let rows = ALL.iter().filter(|row| row.place == place);
+    let rows = rows.filter(|row| !matches!(row.action, A::Copy | A::Cut | A::Paste));
+    // Nothing is pressed in most frames.
+    if !ui.input(|input| input.events.iter().any(|event| matches!(event, egui::Event::Key { pressed: true, .. }))) {
+        return Vec::new();
+    }
+    rows.filter(|row| row.keys.iter().any(|&key| take(ui, key))).map(|row| row.action).collect()
+}
+
+/// Takes a key with just these modifiers, which egui's own way would not ask for: to it Shift+D is D too.
+pub(crate) fn take(ui: &egui::Ui, (wanted, wanted_key): (Modifiers, Key)) -> bool {
+    ui.input_mut(|input| {
+        let count = input.events.len();
+        input.events.retain(|event| match event {
+            egui::Event::Key { key, modifiers, pressed: true, .. } => {
+                *key != wanted_key || !modifiers.matches_exact(wanted)
+            }
+            _ => true,
+        });
+        input.events.len() < count
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_key_does_two_things_in_one_place() {
+        for (index, row) in ALL.iter().enumerate() {
+            for other in &ALL[index + 1..] {
+                let meet = row.place == other.place || row.place == Window || other.place == Window;
+                let same = row.keys.iter().any(|key| other.keys.contains(key));
+                assert!(!(meet && same), "{:?} and {:?}", row.action, other.action);
+                assert_ne!(row.action, other.action);
+            }
+        }
+    }
+
+    #[test]
+    fn keys_are_told() {
+        assert_eq!(of(A::Ungroup).unwrap().text(), "Ctrl+Shift+G");
+        assert_eq!(of(A::Shortcuts).unwrap().text(), "?");
+    }
+}

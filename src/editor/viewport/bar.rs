@@ -1,0 +1,211 @@
+//! What is above the picture: the mesh that the look is seen on, and how it is seen.
+
+use eframe::egui;
+use eframe::egui::containers::menu::{MenuButton, MenuConfig};
+use eframe::egui::{PopupCloseBehavior, Ui};
+use std::path::Path;
+
+use super::super::command::Command;
+use super::super::probe::{Probe, picture_size, wire_name};
+use super::super::session::Session;
+use super::super::theme;
+use super::super::wipe::Wipe;
+use super::super::wire::node_at;
+use super::Viewport;
+use super::export::Export;
+use super::show::{self, Place};
+use crate::document::{Projection, Scene};
+use crate::frame::SHAPE_PREFIX;
+use crate::geometry::SHAPES;
+
+impl Viewport {
+    /// The mesh that the look is seen on, and how it stands.
+    pub(super) fn bar(
+        &mut self,
+        ui: &mut Ui,
+        session: &mut Session,
+        probe: &Probe,
+        wipe: &mut Wipe,
+        out: &mut Vec<Command>,
+    ) {
+        ui.horizontal(|ui| {
+            mesh_choice(ui, session, out);
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+                let (menu, _) = MenuButton::new("Options").config(stays).ui(ui, |ui| self.options(ui, session, out));
+                menu.on_hover_text("Turntable, projection, backdrop, exposure, reference image, saving");
+                let mut is_on = probe.is_on();
+                let help = "Reads the value on every wire at a pixel, f32 beside f64 (I)";
+                if ui.toggle_value(&mut is_on, "Probe pixel").on_hover_text(help).changed() {
+                    out.push(Command::Probe(is_on));
+                }
+                wipe.choice(ui);
+                if session.is_compiling() {
+                    ui.label(egui::RichText::new("compiling").color(theme::of(ui).dim));
+                }
+            });
+        });
+    }
+
+    fn options(&mut self, ui: &mut Ui, session: &mut Session, out: &mut Vec<Command>) {
+        ui.checkbox(&mut self.handles, "Handles on the object")
+            .on_hover_text("Lines and handles of the selected layer and its light (H)");
+        let help = "Turns the object before the camera, until it is switched off again (T)";
+        ui.checkbox(&mut self.turns, "Turntable").on_hover_text(help);
+        if session.view.mesh.starts_with(SHAPE_PREFIX) {
+            session.view.z_is_up = false;
+        } else {
+            ui.checkbox(&mut session.view.z_is_up, "Z is up").on_hover_text("Stands up a mesh whose z axis points up");
+        }
+        ui.separator();
+        for (projection, label, help) in [
+            (Projection::Perspective, "Perspective", "What is near is large (P)"),
+            (Projection::Orthographic, "Parallel", "All is as large at any distance, as in a technical drawing (P)"),
+        ] {
+            ui.radio_value(&mut session.view.projection, projection, label).on_hover_text(help);
+        }
+        if ui.button("Frame the object").on_hover_text("Brings the whole object into view (F)").clicked() {
+            session.view.frame_object();
+        }
+        if ui.button("Reset camera and lights").on_hover_text("Turns both back (R)").clicked() {
+            session.view.reset();
+        }
+        ui.separator();
+        self.display(ui, session);
+        self.reference_image(ui, out);
+        ui.separator();
+        self.exports(ui, out);
+    }
+
+    /// What changes how the picture is shown, in this window only.
+    fn display(&mut self, ui: &mut Ui, session: &mut Session) {
+        let backdrop = Scene::default().backdrop.unwrap_or([0.0, 0.0, 0.0, 1.0]);
+        ui.horizontal(|ui| {
+            let mut is_own = session.view.backdrop.is_some();
+            let help = "What is behind the object; for this window only";
+            let label = ui.checkbox(&mut is_own, "Backdrop").on_hover_text(help);
+            if label.changed() {
+                session.view.backdrop = is_own.then_some(backdrop);
+            }
+            if let Some(color) = &mut session.view.backdrop {
+                let mut rgb = [0, 1, 2].map(|channel| (color[channel].clamp(0.0, 1.0) * 255.0).round() as u8);
+                if ui.color_edit_button_srgb(&mut rgb).labelled_by(label.id).changed() {
+                    let [r, g, b] = rgb.map(|channel| f64::from(channel) / 255.0);
+                    *color = [r, g, b, 1.0];
+                }
+            }
+        });
+        ui.horizontal(|ui| {
+            let label = ui.label("Exposure");
+            let range = -show::MOST_STOPS..=show::MOST_STOPS;
+            let help = "Shows the picture brighter or darker, in stops; for this window only, the look stays as it is";
+            let slider = egui::Slider::new(&mut self.exposure, range).max_decimals(2).step_by(0.05);
+            ui.add(slider).labelled_by(label.id).on_hover_text(help);
+            if self.exposure != 0.0 && ui.small_button("0").on_hover_text("As it is").clicked() {
+                self.exposure = 0.0;
+            }
+        });
+    }
+
+    fn reference_image(&mut self, ui: &mut Ui, out: &mut Vec<Command>) {
+        let Some(reference) = &mut self.reference else {
+            let help = "Shows an image to work from, beside the picture or over it";
+            if ui.button("Reference image...").on_hover_text(help).clicked() {
+                out.push(Command::ShowReference(None));
+            }
+            return;
+        };
+        let mut is_over = false;
+        ui.horizontal(|ui| {
+            ui.label(&reference.name);
+            ui.selectable_value(&mut reference.place, Place::Beside, "Beside");
+            ui.selectable_value(&mut reference.place, Place::Over, "Over");
+            is_over = ui.button("Take away").clicked();
+        });
+        if reference.place == Place::Over {
+            ui.horizontal(|ui| {
+                let label = ui.label("Opacity of the image");
+                ui.add(egui::Slider::new(&mut reference.opacity, 0.0..=1.0)).labelled_by(label.id);
+            });
+        }
+        if is_over {
+            self.reference = None;
+        }
+    }
+
+    fn exports(&mut self, ui: &mut Ui, out: &mut Vec<Command>) {
+        if ui.button("Copy picture").on_hover_text("To the clipboard, as large as it is here").clicked() {
+            out.push(Command::CopyPicture);
+            ui.close();
+        }
+        ui.horizontal(|ui| {
+            let own = self.rect.map_or([800, 800], |rect| picture_size(rect, ui.pixels_per_point()));
+            let height = ui.label("Save picture");
+            for (label, factor) in [("1×", 1), ("2×", 2), ("4×", 4)] {
+                let size = own.map(|side| (side * factor).clamp(1, MOST_SIDE));
+                let help = format!("As PNG, {} by {} pixels", size[0], size[1]);
+                let button = ui.button(label).labelled_by(height.id).on_hover_text(help);
+                if button.clicked() {
+                    out.push(Command::Export(Export::Picture(size), None));
+                    ui.close();
+                }
+            }
+        });
+        ui.horizontal(|ui| {
+            let help = "Draws the look on a ball, from here and lit as here, as an image for the LitSphere node and for \
+                        other programs (a matcap). Curvature is then the ball's.";
+            if ui.button("Bake to LitSphere...").on_hover_text(help).clicked() {
+                out.push(Command::Export(Export::LitSphere(self.bake_side), None));
+                ui.close();
+            }
+            for side in [256, 512, 1024, 2048] {
+                ui.selectable_value(&mut self.bake_side, side, side.to_string()).on_hover_text("Pixels along a side");
+            }
+        });
+    }
+}
+
+/// The largest picture that is saved, in pixels along a side.
+const MOST_SIDE: u32 = 8192;
+
+fn mesh_choice(ui: &mut Ui, session: &mut Session, out: &mut Vec<Command>) {
+    let label = ui.label("On");
+    let mesh = session.view.mesh.clone();
+    let shape = SHAPES.iter().find(|shape| mesh.strip_prefix("shape:") == Some(shape.name));
+    let file = Path::new(&mesh).file_name().map_or(mesh.clone(), |name| name.to_string_lossy().into_owned());
+    let shown = shape.map_or(file.as_str(), |shape| shape.label);
+    let combo = egui::ComboBox::from_id_salt("mesh").selected_text(shown).show_ui(ui, |ui| {
+        for shape in SHAPES {
+            let is_it = mesh.strip_prefix("shape:") == Some(shape.name);
+            if ui.selectable_label(is_it, shape.label).on_hover_text(shape.help).clicked() {
+                session.view.mesh = format!("shape:{}", shape.name);
+                session.view.z_is_up = false;
+            }
+        }
+        ui.separator();
+        let help = "Shows the look on a mesh of yours (OBJ, PLY, STL, glTF); it can also be dropped on the window";
+        if ui.selectable_label(shape.is_none(), "From a file...").on_hover_text(help).clicked() {
+            out.push(Command::ShowOn(None));
+        }
+    });
+    combo.response.labelled_by(label.id);
+}
+
+/// Says that a wire is shown in place of the picture, and leads back.
+pub(super) fn wire_bar(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) -> Option<()> {
+    let wire = session.wire()?;
+    let node = node_at(session.look(), &session.library, wire.node.ids())?;
+    let kind = session.catalog.of(node);
+    let name = wire_name(session, &wire.node);
+    let port = kind.and_then(|kind| Some(&*kind.outputs[kind.output(wire.port.as_str())?].label)).unwrap_or_default();
+    ui.horizontal(|ui| {
+        let text = format!("Showing {port} of {name} as {}", wire.style.label().to_lowercase());
+        ui.label(egui::RichText::new(text).color(theme::of(ui).accent)).on_hover_text(wire.style.help());
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            if ui.button("Show the look").clicked() {
+                out.push(Command::ShowWire(None));
+            }
+        });
+    });
+    Some(())
+}

@@ -1,0 +1,327 @@
+//! The widget of BADF figure 3: a layer's offset, fall-off and cut-off as lines on the surface, dragged there.
+//!
+//! Lines that lie on each other are one thing to the hand, and move together; Ctrl pulls one of them off.
+
+use std::sync::Arc;
+
+use eframe::egui;
+use eframe::egui::epaint::PathStroke;
+use eframe::egui::{Align2, Color32, FontId, Id, Painter, Pos2, Rect, Shape, Stroke, Ui, pos2, vec2};
+
+use super::super::command::Command;
+use super::super::session::Session;
+use super::super::{theme, values};
+use super::field::{Field, Line, light_values};
+use super::layer::{Curve, Layer};
+use super::surface::Surface;
+use crate::compile::LightValues;
+use crate::document::{Edit, Value};
+
+/// So near to a line, in points, the hand is on it.
+const REACH: f32 = 7.0;
+/// Lines nearer to each other than this, in radians, are one.
+const TOGETHER: f64 = 1e-6;
+/// Lines shorter than this, in points, are noise of the mesh.
+const SHORTEST: f32 = 9.0;
+/// A ring stands for an offset whose line is shorter than this, in points.
+const RING_BELOW: f32 = 48.0;
+/// An offset beyond this has no ring, however short its line: its end is not seen.
+const RING_WITHIN: f64 = 0.5;
+/// The radius of that ring, in points.
+pub(super) const RING: f32 = 14.0;
+/// Where angles are told near the middle of what is lit, that lies no farther from the light than this.
+const NEAR_MIDDLE: f32 = 0.15;
+
+/// Lines of one angle.
+#[derive(Debug)]
+struct Track {
+    /// The curves that lie here, in order.
+    curves: Vec<Curve>,
+    level: f64,
+    lines: Vec<Line>,
+}
+
+/// What lines were made of: the same again is known.
+#[derive(Clone, Debug, PartialEq)]
+struct Made {
+    layer: Layer,
+    light: LightValues,
+}
+
+/// Curves in the hand.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Held {
+    curves: Vec<Curve>,
+    /// Whether one of them is to be pulled off, as soon as it shows which.
+    splits: bool,
+    /// Where they were when they were taken, in radians.
+    level: f64,
+}
+
+/// The widget and what it keeps between frames.
+#[derive(Default)]
+pub(super) struct Isocurves {
+    made: Option<Made>,
+    surface: Option<Arc<Surface>>,
+    field: Field,
+    tracks: Vec<Track>,
+    /// The place of the pixel nearest to the light, in parts of the picture, where the light is near it.
+    middle: Option<[f32; 2]>,
+}
+
+impl Isocurves {
+    /// Forgets the lines: nothing is selected that has any.
+    pub(super) fn clear(&mut self) {
+        *self = Self::default();
+    }
+
+    /// Makes the lines anew where that is needed.
+    pub(super) fn update(&mut self, session: &Session, surface: &Arc<Surface>, layer: &Layer) {
+        let Some(light) = session.look().lights.get(&layer.light) else { return self.clear() };
+        let light = light_values(light, session.view.illumination, surface);
+        let is_same_surface = self.surface.as_ref().is_some_and(|known| Arc::ptr_eq(known, surface));
+        let same = |made: &&Made| is_same_surface && made.light == light;
+        let known = self.made.as_ref().filter(same);
+        if known.is_some_and(|made| made.layer == *layer) {
+            return;
+        }
+        if known.is_none_or(|made| (made.layer.shading, made.layer.warp) != (layer.shading, layer.warp)) {
+            let (field, least) = Field::new(surface, layer, &light);
+            self.field = field;
+            let near = least.filter(|(_, angle)| *angle < NEAR_MIDDLE);
+            self.middle = near.map(|(pixel, _)| surface.place_of(pixel));
+            self.tracks.clear();
+        }
+        self.surface = Some(surface.clone());
+        let mut old = std::mem::take(&mut self.tracks);
+        for (curve, level) in Curve::ALL.into_iter().zip(layer.angles()) {
+            if layer.shape[curve as usize].is_fixed.is_some() {
+                continue;
+            }
+            if let Some(last) = self.tracks.last_mut().filter(|last| (last.level - level).abs() < TOGETHER) {
+                last.curves.push(curve);
+                continue;
+            }
+            let known = old.iter_mut().find(|track| track.level == level).map(|track| std::mem::take(&mut track.lines));
+            let lines = known.unwrap_or_else(|| self.field.lines(surface, level as f32));
+            self.tracks.push(Track { curves: vec![curve], level, lines });
+        }
+        self.made = Some(Made { layer: layer.clone(), light });
+    }
+
+    /// Where the middle of what is lit is on the screen, where that is seen.
+    pub(super) fn middle(&self, rect: Rect) -> Option<Pos2> {
+        self.middle.map(|place| on_screen(rect, place))
+    }
+
+    /// The angle at a point of the screen, in radians.
+    fn angle_at(&self, rect: Rect, at: Pos2) -> Option<f64> {
+        let place = [(at.x - rect.min.x) / rect.width(), (at.y - rect.min.y) / rect.height()];
+        self.field.at(self.surface.as_ref()?, place).map(f64::from)
+    }
+
+    /// The curves under the hand.
+    pub(super) fn hit(&self, rect: Rect, at: Pos2, splits: bool) -> Option<Held> {
+        let distance = |track: &Track| {
+            let lines = track.lines.iter().filter(|line| length(line, rect) >= SHORTEST);
+            let mut nearest = lines.map(|line| distance_to(line, rect, at)).fold(f32::INFINITY, f32::min);
+            if self.has_ring(track, rect)
+                && let Some(middle) = self.middle(rect)
+            {
+                nearest = nearest.min((at.distance(middle) - RING).abs());
+            }
+            nearest
+        };
+        let nearest = self.tracks.iter().map(|track| (distance(track), track));
+        let (distance, track) = nearest.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let splits = splits && track.curves.len() > 1;
+        (distance <= REACH).then(|| Held { curves: track.curves.clone(), splits, level: track.level })
+    }
+
+    /// A ring stands for an offset that is next to nothing.
+    fn has_ring(&self, track: &Track, rect: Rect) -> bool {
+        track.curves[0] == Curve::Offset
+            && track.level < RING_WITHIN
+            && track.lines.iter().map(|line| length(line, rect)).sum::<f32>() < RING_BELOW
+    }
+
+    /// Brings what is held to a point of the screen.
+    pub(super) fn drag(&self, held: &mut Held, rect: Rect, at: Pos2) -> Option<Command> {
+        let layer = &self.made.as_ref()?.layer;
+        let angle = self.angle_at(rect, at)?;
+        if held.splits {
+            let away = angle - held.level;
+            if away.abs() < 0.01 {
+                return None;
+            }
+            // Inward goes the first, outward the last.
+            let one = if away < 0.0 { held.curves.first() } else { held.curves.last() };
+            held.curves = one.copied().into_iter().collect();
+            held.splits = false;
+        }
+        let (first, last) = (*held.curves.first()? as usize, *held.curves.last()? as usize);
+        let angles = layer.angles();
+        let least = if first > 0 { angles[first - 1] } else { 0.0 };
+        let most = angles.get(last + 1).copied().unwrap_or(std::f64::consts::PI);
+        // A hundredth of a degree is finer than a pixel, and keeps files readable.
+        let angle = ((angle * 1e4).round() / 1e4).clamp(least, most);
+        let mut edits: Vec<Edit> =
+            held.curves.iter().map(|curve| layer.shape[*curve as usize].set(Value::Number(angle))).collect();
+        let edit = if edits.len() == 1 { edits.remove(0) } else { Edit::Group { edits } };
+        Some(Command::EditHeld(Id::unique("isocurve"), edit))
+    }
+
+    /// What a drag of these curves does.
+    pub(super) fn hint(&self, held: &Held) -> String {
+        let names = names(&held.curves);
+        let what = match held.curves[..] {
+            [Curve::Offset] => "up to here the tone is full",
+            [Curve::Falloff] => "here the tone falls fastest",
+            [Curve::Cutoff] => "here the tone ends",
+            [Curve::Offset, .., Curve::Cutoff] => "a hard edge",
+            [Curve::Offset, ..] => "where the tone begins to fall",
+            _ => "where the tone ends",
+        };
+        let more = if held.curves.len() > 1 && !held.splits {
+            " · Ctrl-drag takes one alone: inward the first, outward the last"
+        } else {
+            ""
+        };
+        let left_out = self.made.as_ref().and_then(|made| made.layer.leaves_out);
+        let left_out = left_out.map(|what| format!(" · drawn without {what}")).unwrap_or_default();
+        format!("Drag {names}: {what}{more}{left_out}")
+    }
+
+    /// Draws the lines; `marked` is in the hand or under it, `is_near` whether the hand is over the picture.
+    pub(super) fn paint(&self, ui: &Ui, rect: Rect, marked: Option<&Held>, is_near: bool) {
+        let painter = ui.painter_at(rect);
+        let is_marked =
+            |track: &Track| marked.is_some_and(|held| held.curves.iter().any(|curve| track.curves.contains(curve)));
+        for track in &self.tracks {
+            let width = if is_marked(track) { 3.0 } else { 1.8 };
+            let strength = if is_near || is_marked(track) { 1.0 } else { 0.65 };
+            for line in track.lines.iter().filter(|line| length(line, rect) >= SHORTEST) {
+                let points: Vec<Pos2> = line.points.iter().map(|place| on_screen(rect, *place)).collect();
+                paint_line(&painter, points, line.is_closed, &track.curves, width, strength);
+            }
+            if self.has_ring(track, rect)
+                && let Some(middle) = self.middle(rect)
+            {
+                let color = theme::curve(track.curves[0] as usize).gamma_multiply(strength);
+                painter.circle_stroke(middle, RING, Stroke::new(width + 2.0, theme::HALO.gamma_multiply(strength)));
+                painter.circle_stroke(middle, RING, Stroke::new(width, color));
+            }
+        }
+        if is_near || marked.is_some() {
+            self.labels(&painter, rect, marked);
+        }
+    }
+
+    /// Names and angles, each on its own line where that is farthest from the light.
+    fn labels(&self, painter: &Painter, rect: Rect, marked: Option<&Held>) {
+        let middle = self.middle(rect).unwrap_or(rect.left_top());
+        let away = (rect.center() - middle).normalized();
+        let away = if away.length() < 0.5 { vec2(0.6, 0.8) } else { away };
+        let mut taken: Vec<Rect> = Vec::new();
+        for track in &self.tracks {
+            let longest = track.lines.iter().max_by(|a, b| length(a, rect).total_cmp(&length(b, rect)));
+            let longest = longest.filter(|line| length(line, rect) >= SHORTEST);
+            let at = match longest {
+                _ if self.has_ring(track, rect) => self.middle(rect).map(|middle| middle + away * RING),
+                Some(line) => {
+                    let points = line.points.iter().map(|place| on_screen(rect, *place));
+                    points.max_by(|a, b| (*a - middle).dot(away).total_cmp(&(*b - middle).dot(away)))
+                }
+                None => None,
+            };
+            let Some(at) = at else { continue };
+            let text = format!("{} {}°", names(&track.curves), values::number_text(track.level.to_degrees(), 1));
+            let is_marked = marked.is_some_and(|held| held.curves == track.curves);
+            let color = if is_marked { Color32::WHITE } else { theme::curve(track.curves[0] as usize) };
+            let galley = painter.layout_no_wrap(text, FontId::proportional(theme::SMALL_TEXT), color);
+            let mut place = Align2::LEFT_TOP.anchor_size(at + vec2(8.0, 6.0), galley.size() + vec2(8.0, 3.0));
+            let over = (place.max - rect.max).max(egui::Vec2::ZERO);
+            place = place.translate(-over);
+            while let Some(other) = taken.iter().find(|other| other.intersects(place)) {
+                place = place.translate(vec2(0.0, other.max.y - place.min.y + 2.0));
+            }
+            taken.push(place);
+            painter.rect_filled(place, 3.0, theme::PLATE);
+            painter.galley(place.min + vec2(4.0, 1.5), galley, color);
+        }
+    }
+
+    /// Points of a curve on the screen; for tests.
+    pub(super) fn points(&self, curve: Curve, rect: Rect) -> Vec<Pos2> {
+        let tracks = self.tracks.iter().filter(|track| track.curves.contains(&curve));
+        let lines = tracks.flat_map(|track| &track.lines).filter(|line| length(line, rect) >= SHORTEST);
+        lines.flat_map(|line| &line.points).map(|place| on_screen(rect, *place)).collect()
+    }
+}
+
+fn names(curves: &[Curve]) -> String {
+    let mut text = String::new();
+    for (index, curve) in curves.iter().enumerate() {
+        let label = curve.label();
+        let joint = match index {
+            0 => "",
+            _ if index + 1 == curves.len() => " and ",
+            _ => ", ",
+        };
+        text.push_str(joint);
+        text.push_str(&if index == 0 { label.to_owned() } else { label.to_lowercase() });
+    }
+    text
+}
+
+fn paint_line(painter: &Painter, points: Vec<Pos2>, is_closed: bool, curves: &[Curve], width: f32, strength: f32) {
+    let shape = |points: Vec<Pos2>, stroke: Stroke| {
+        let stroke = PathStroke::from(stroke);
+        if is_closed { Shape::closed_line(points, stroke) } else { Shape::line(points, stroke) }
+    };
+    painter.add(shape(points.clone(), Stroke::new(width + 2.2, theme::HALO.gamma_multiply(strength))));
+    let color = |curve: Curve| theme::curve(curve as usize).gamma_multiply(strength);
+    painter.add(shape(points.clone(), Stroke::new(width, color(curves[0]))));
+    // What lies on it is seen between its dashes.
+    let (dash, count) = (9.0, curves.len() as f32);
+    for (index, curve) in curves.iter().enumerate().skip(1) {
+        let mut path = points.clone();
+        if is_closed && let Some(first) = points.first() {
+            path.push(*first);
+        }
+        let mut shapes = Vec::new();
+        let offset = dash * index as f32;
+        let gap = dash * (count - 1.0);
+        Shape::dashed_line_many_with_offset(
+            &path,
+            Stroke::new(width, color(*curve)),
+            &[dash],
+            &[gap],
+            offset,
+            &mut shapes,
+        );
+        painter.extend(shapes);
+    }
+}
+
+fn on_screen(rect: Rect, place: [f32; 2]) -> Pos2 {
+    pos2(rect.min.x + place[0] * rect.width(), rect.min.y + place[1] * rect.height())
+}
+
+fn segments(line: &Line, rect: Rect) -> impl Iterator<Item = (Pos2, Pos2)> + '_ {
+    let points = &line.points;
+    let count = if line.is_closed { points.len() } else { points.len().saturating_sub(1) };
+    (0..count).map(move |k| (on_screen(rect, points[k]), on_screen(rect, points[(k + 1) % points.len()])))
+}
+
+fn length(line: &Line, rect: Rect) -> f32 {
+    segments(line, rect).map(|(a, b)| a.distance(b)).sum()
+}
+
+fn distance_to(line: &Line, rect: Rect, at: Pos2) -> f32 {
+    let distance = |(a, b): (Pos2, Pos2)| {
+        let t = ((at - a).dot(b - a) / (b - a).length_sq().max(1e-9)).clamp(0.0, 1.0);
+        at.distance(a + (b - a) * t)
+    };
+    segments(line, rect).map(distance).fold(f32::INFINITY, f32::min)
+}

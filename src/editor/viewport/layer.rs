@@ -1,0 +1,311 @@
+//! What is selected, as far as it can be handled on the object: a layer's light, profile, warp and colours.
+
+use std::f64::consts::PI;
+
+use super::super::catalog::Kind;
+use super::super::session::Session;
+use super::super::values;
+use crate::document::{Edit, Graph, GraphId, Node, Target, Value};
+use crate::ids::{LightId, NodeId, NodePath, PortName};
+use crate::library::Type;
+
+/// How many reroutes a wire is followed through.
+const MOST_REROUTES: usize = 64;
+
+/// Which direction of the surface a light is held against.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum ShadingType {
+    Diffuse,
+    Specular,
+    ScreenAligned,
+    HalfVector,
+}
+
+impl ShadingType {
+    fn of(word: &str) -> Option<Self> {
+        Some(match word {
+            "diffuse" => Self::Diffuse,
+            "specular" => Self::Specular,
+            "screen_aligned" => Self::ScreenAligned,
+            "half_vector" => Self::HalfVector,
+            _ => return None,
+        })
+    }
+
+    /// What lies where the angle is 0.
+    pub(super) fn middle(self) -> &'static str {
+        match self {
+            Self::Diffuse | Self::ScreenAligned => "bright middle",
+            Self::Specular | Self::HalfVector => "highlight",
+        }
+    }
+}
+
+/// An input with its value.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Setting<T> {
+    pub(super) node: NodeId,
+    pub(super) port: PortName,
+    pub(super) value: T,
+    /// Why it cannot be set by hand.
+    pub(super) is_fixed: Option<&'static str>,
+}
+
+impl<T> Setting<T> {
+    pub(super) fn set(&self, value: Value) -> Edit {
+        Edit::SetValue { graph: GraphId::Look, id: self.node.clone(), port: self.port.clone(), value, index: None }
+    }
+}
+
+/// What a layer's curves are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Curve {
+    Offset,
+    Falloff,
+    Cutoff,
+}
+
+impl Curve {
+    pub(super) const ALL: [Self; 3] = [Self::Offset, Self::Falloff, Self::Cutoff];
+
+    pub(super) fn port(self) -> &'static str {
+        match self {
+            Self::Offset => "offset",
+            Self::Falloff => "falloff",
+            Self::Cutoff => "cutoff",
+        }
+    }
+
+    pub(super) fn label(self) -> &'static str {
+        match self {
+            Self::Offset => "Offset",
+            Self::Falloff => "Fall-off",
+            Self::Cutoff => "Cut-off",
+        }
+    }
+}
+
+/// A layer that is selected: a group with the inputs of a layer, or a profile with what feeds it.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Layer {
+    pub(super) node: NodeId,
+    pub(super) name: String,
+    pub(super) light: LightId,
+    pub(super) shading: ShadingType,
+    /// Offset, fall-off and cut-off, in radians, as the document has them.
+    pub(super) shape: [Setting<f64>; 3],
+    pub(super) slope: Option<Setting<f64>>,
+    pub(super) amount: Option<Setting<f64>>,
+    /// Convex and concave.
+    pub(super) colors: Vec<(&'static str, Setting<[f64; 4]>)>,
+    /// Slope and amount, where they are known.
+    pub(super) warp: Option<(f64, f64)>,
+    /// What the curves leave out.
+    pub(super) leaves_out: Option<&'static str>,
+}
+
+impl Layer {
+    /// Offset, fall-off and cut-off as the profile has them: in order, from 0 to pi (math.md D2).
+    pub(super) fn angles(&self) -> [f64; 3] {
+        let [offset, falloff, cutoff] = [0, 1, 2].map(|index| {
+            let value = self.shape[index].value;
+            if value.is_finite() { value } else { 0.0 }
+        });
+        let offset = offset.clamp(0.0, PI);
+        let cutoff = cutoff.clamp(offset, PI);
+        [offset, falloff.clamp(offset, cutoff), cutoff]
+    }
+}
+
+/// A node with its kind, in the look's own graph.
+struct Place<'a> {
+    session: &'a Session,
+    graph: &'a Graph,
+    id: &'a NodeId,
+    node: &'a Node,
+    kind: &'a Kind,
+}
+
+impl<'a> Place<'a> {
+    fn of(session: &'a Session, id: &NodeId) -> Option<Self> {
+        let graph = &session.look().graph;
+        let (id, node) = graph.nodes.get_key_value(id.as_str())?;
+        Some(Self { session, graph, id, node, kind: session.catalog.of(node)? })
+    }
+
+    /// What is wired to an input, through reroutes.
+    fn feeds(&self, port: &str) -> Option<Self> {
+        let mut wire = self.graph.wire_into(self.id, &port.into())?;
+        for _ in 0..MOST_REROUTES {
+            let place = Self::of(self.session, &wire.from.node)?;
+            if !place.kind.is_reroute {
+                return Some(place);
+            }
+            let input = place.kind.inputs.first()?.name.clone();
+            wire = self.graph.wire_into(place.id, &input)?;
+        }
+        None
+    }
+
+    fn is_wired(&self, port: &str) -> bool {
+        self.graph.wire_into(self.id, &port.into()).is_some()
+    }
+
+    fn is_keyed(&self, port: &str) -> bool {
+        let look = self.session.look();
+        let path = NodePath::root(self.id.clone());
+        let is_it =
+            |target: &Target| matches!(target, Target::Input { node, port: p } if *node == path && p.as_str() == port);
+        let by_direction = look.direction_keys.iter().flat_map(|keys| &keys.keys).flat_map(|key| key.values.keys());
+        by_direction.chain(look.time_keys.iter().map(|keys| &keys.target)).any(is_it)
+    }
+
+    fn value(&self, port: &str) -> Option<&Value> {
+        let port = &self.kind.inputs[self.kind.input(port)?];
+        values::current(port, self.node.values.get(&port.name))
+    }
+
+    fn setting<T>(&self, port: &str, read: impl Fn(Option<&Value>) -> T) -> Option<Setting<T>> {
+        self.kind.input(port)?;
+        let is_fixed = if self.is_wired(port) {
+            Some("it comes from a wire")
+        } else if self.is_keyed(port) {
+            Some("it has keys")
+        } else {
+            None
+        };
+        Some(Setting { node: self.id.clone(), port: port.into(), value: read(self.value(port)), is_fixed })
+    }
+
+    fn number(&self, port: &str) -> Option<Setting<f64>> {
+        self.setting(port, values::number)
+    }
+
+    fn color(&self, port: &str) -> Option<Setting<[f64; 4]>> {
+        self.setting(port, |value| {
+            let mut numbers = values::vector(value, 4);
+            if let Some(Value::Vector(own)) = value
+                && own.len() == 3
+            {
+                numbers[3] = 1.0;
+            }
+            [numbers[0], numbers[1], numbers[2], numbers[3]]
+        })
+    }
+
+    fn word(&self, port: &str) -> Option<&str> {
+        match self.value(port)? {
+            Value::Text(word) => Some(word),
+            _ => None,
+        }
+    }
+
+    fn light(&self) -> Option<LightId> {
+        let port = self.kind.inputs.iter().find(|port| port.ty == Type::LightName)?;
+        let id = LightId::new(self.word(port.name.as_str())?);
+        self.session.look().lights.contains_key(&id).then_some(id)
+    }
+
+    fn name(&self) -> String {
+        if self.node.name.is_empty() { self.kind.label.to_string() } else { self.node.name.clone() }
+    }
+
+    fn shape(&self) -> Option<[Setting<f64>; 3]> {
+        Some([self.number("offset")?, self.number("falloff")?, self.number("cutoff")?])
+    }
+
+    /// Whether an input has the surface's own curvature, or normal.
+    fn is_plain(&self, port: &str, kind: &str) -> bool {
+        !self.is_wired(port)
+            || self.feeds(port).is_some_and(|from| {
+                from.node.kind == kind && (kind != "kappa" || from.word("source") == Some("surface"))
+            })
+    }
+}
+
+/// The layer of the nodes selected last, if there is one.
+pub(super) fn selected(session: &Session) -> Option<Layer> {
+    let place = Place::of(session, session.selection.last()?)?;
+    group(&place).or_else(|| profile(&place)).or_else(|| {
+        // An angle, a light or a warp of plain nodes: what it feeds is meant, if that is one profile.
+        let fed = |from: &Place<'_>| {
+            let mut wires = from.graph.wires.iter().filter(|wire| wire.from.node == *from.id);
+            let mut to = wires.by_ref().map(|wire| wire.to.node.clone()).collect::<Vec<_>>();
+            to.dedup();
+            to
+        };
+        let found: Vec<Layer> = fed(&place).iter().filter_map(|id| profile(&Place::of(session, id)?)).collect();
+        (found.len() == 1).then(|| found.into_iter().next()).flatten()
+    })
+}
+
+/// The light that is selected: a layer's, or that of a Light node.
+pub(super) fn selected_light(session: &Session) -> Option<LightId> {
+    Place::of(session, session.selection.last()?)?.light()
+}
+
+fn group(place: &Place<'_>) -> Option<Layer> {
+    let shading = ShadingType::of(place.word("type")?)?;
+    let shape = place.shape()?;
+    let (slope, amount) = (place.number("slope"), place.number("amount"));
+    let known = |setting: &Option<Setting<f64>>| setting.as_ref().filter(|it| it.is_fixed.is_none()).map(|it| it.value);
+    let is_kappa_plain = place.is_plain("kappa", "kappa");
+    let warp = known(&slope).zip(known(&amount)).filter(|_| is_kappa_plain);
+    let leaves_out = if !place.is_plain("normal", "normal") {
+        Some("the normals wired into the layer")
+    } else if warp.is_none() && amount.is_some() {
+        Some("the warp, which depends on what is wired into the layer")
+    } else {
+        None
+    };
+    let colors = [("Convex color", "convex"), ("Concave color", "concave")];
+    let colors = colors.into_iter().filter_map(|(label, port)| Some((label, place.color(port)?))).collect();
+    Some(Layer {
+        node: place.id.clone(),
+        name: place.name(),
+        light: place.light()?,
+        shading,
+        shape,
+        slope,
+        amount,
+        colors,
+        warp,
+        leaves_out,
+    })
+}
+
+fn profile(place: &Place<'_>) -> Option<Layer> {
+    if place.node.kind != "profile" {
+        return None;
+    }
+    let angle = place.feeds("angle").filter(|angle| angle.node.kind == "parametrization")?;
+    let light = angle.feeds("light").filter(|light| light.node.kind == "light")?;
+    let shift = place.feeds("shift").filter(|shift| shift.node.kind == "warp");
+    let transition =
+        shift.as_ref().and_then(|warp| warp.feeds("convexity")).filter(|from| from.node.kind == "transition");
+    let slope = transition.as_ref().and_then(|from| from.number("slope"));
+    let amount = shift.as_ref().and_then(|from| from.number("amount"));
+    let is_warped = place.is_wired("shift");
+    let is_known = transition.as_ref().is_some_and(|from| from.is_plain("kappa", "kappa"));
+    let known = |setting: &Option<Setting<f64>>| setting.as_ref().filter(|it| it.is_fixed.is_none()).map(|it| it.value);
+    let warp = known(&slope).zip(known(&amount)).filter(|_| is_known);
+    let leaves_out = if !angle.is_plain("normal", "normal") {
+        Some("the normals wired into the angle")
+    } else if is_warped && warp.is_none() {
+        Some("what is wired into the warp")
+    } else {
+        None
+    };
+    Some(Layer {
+        node: place.id.clone(),
+        name: place.name(),
+        light: light.light()?,
+        shading: ShadingType::of(angle.word("type")?)?,
+        shape: place.shape()?,
+        slope,
+        amount,
+        colors: Vec::new(),
+        warp,
+        leaves_out,
+    })
+}

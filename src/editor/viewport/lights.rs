@@ -1,0 +1,227 @@
+//! Lights on the object: needles that show where they come from, and handles that are dragged.
+//!
+//! The middle of what a light lights is dragged over the surface: the light turns so that the middle is under the
+//! pointer. Beyond the outline it goes on behind the object. A needle's end is dragged around the object like a bead on
+//! a ball; taken over the rim and back, it is on the other side.
+
+use eframe::egui;
+use eframe::egui::{Color32, Id, Pos2, Rect, Stroke, Ui, vec2};
+use glam::{DMat3, DVec3};
+
+use super::super::command::Command;
+use super::super::orbit::Orbit;
+use super::super::session::Session;
+use super::super::theme;
+use super::field::direction_at;
+use super::layer::ShadingType;
+use super::project;
+use super::surface::Surface;
+use crate::compile::LightValues;
+use crate::document::{Edit, Light, LightKind, Projection};
+use crate::ids::LightId;
+
+/// Where needles begin and end, in radii of the object.
+const NEEDLE: [f64; 2] = [1.06, 1.25];
+/// So near to a handle, in points, the hand is on it.
+const REACH: f32 = 8.0;
+
+/// How a light is held.
+#[derive(Clone, Debug, PartialEq)]
+enum Grip {
+    /// By the middle of what it lights.
+    Middle(ShadingType),
+    /// By its needle's end; whether that is behind the object, and whether the hand has left the ball.
+    Needle { is_behind: bool, is_outside: bool },
+}
+
+/// A light in the hand.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Held {
+    pub(super) light: LightId,
+    grip: Grip,
+}
+
+impl Held {
+    /// Holds a light by the middle of what it lights.
+    pub(super) fn by_middle(light: LightId, shading: ShadingType) -> Self {
+        Self { light, grip: Grip::Middle(shading) }
+    }
+
+    /// Whether it is held by the middle of what it lights.
+    pub(super) fn is_by_middle(&self) -> bool {
+        matches!(self.grip, Grip::Middle(_))
+    }
+
+    /// What a drag does.
+    pub(super) fn hint(&self, session: &Session) -> String {
+        let lights = &session.look().lights;
+        let name = lights.get(&self.light).map(|light| light.name.as_str()).filter(|name| !name.is_empty());
+        let name = name.unwrap_or(self.light.as_str());
+        match &self.grip {
+            Grip::Middle(shading) => {
+                format!(
+                    "Drag to turn the light {name}: its {} follows the pointer, beyond the outline it goes behind",
+                    shading.middle()
+                )
+            }
+            Grip::Needle { .. } => {
+                format!(
+                    "Drag to turn the light {name} around the object; over the rim and back takes it to the other side"
+                )
+            }
+        }
+    }
+}
+
+/// Whether something turns a light in the place of the hand.
+pub(super) fn is_keyed(session: &Session, light: &LightId) -> bool {
+    use crate::document::Target;
+    let look = session.look();
+    let is_it = |target: &Target| matches!(target, Target::Light { light: id, field } if id == light && matches!(&**field, "direction" | "position"));
+    let by_direction = look.direction_keys.iter().flat_map(|keys| &keys.keys).flat_map(|key| key.values.keys());
+    by_direction.chain(look.time_keys.iter().map(|keys| &keys.target)).any(is_it)
+}
+
+fn resolved(light: &Light, orbit: &Orbit) -> LightValues {
+    let (right, up) = orbit.right_and_up();
+    LightValues::new(light, orbit.illumination, DMat3::from_cols(right, up, orbit.direction()).transpose())
+}
+
+/// The light whose needle's end is under the pointer.
+pub(super) fn hit(session: &Session, rect: Rect, at: Pos2) -> Option<Held> {
+    let lights = session.look().lights.iter().filter(|(_, light)| light.kind == LightKind::Directional);
+    let ends = lights.filter_map(|(id, light)| {
+        let toward = resolved(light, &session.view).direction;
+        let distance = project(toward * NEEDLE[1], rect, session)?.distance(at);
+        let is_behind = toward.dot(session.view.direction()) < 0.0;
+        Some((distance, is_behind, id))
+    });
+    let (_, is_behind, light) = ends.filter(|(distance, ..)| *distance <= REACH).min_by(|a, b| a.0.total_cmp(&b.0))?;
+    Some(Held { light: light.clone(), grip: Grip::Needle { is_behind, is_outside: false } })
+}
+
+/// Turns what is held so that it is at a point of the screen.
+pub(super) fn drag(
+    held: &mut Held,
+    session: &Session,
+    surface: Option<&Surface>,
+    rect: Rect,
+    at: Pos2,
+) -> Option<Command> {
+    let light = session.look().lights.get(&held.light)?;
+    let values = resolved(light, &session.view);
+    let (toward, place) = match &mut held.grip {
+        Grip::Middle(shading) => at_surface(surface?, *shading, &values, rect, at)?,
+        Grip::Needle { is_behind, is_outside } => {
+            let (toward, is_on_ball) = on_ball(&session.view, rect, at, *is_behind);
+            // Over the rim and back is the other side.
+            if is_on_ball && *is_outside {
+                *is_behind = !*is_behind;
+            }
+            *is_outside = !is_on_ball;
+            (toward, DVec3::ZERO)
+        }
+    };
+    let mut new = light.clone();
+    let short = |v: DVec3| v.to_array().map(|x| (x * 1e4).round() / 1e4 + 0.0);
+    match light.kind {
+        LightKind::Directional => new.direction = short(values.own_from_world * toward),
+        LightKind::Point | LightKind::Spot => {
+            let distance = values.position.distance(place);
+            new.position = short(values.own_from_world * (place + toward * distance));
+        }
+    }
+    (new != *light).then(|| {
+        Command::EditHeld(Id::unique("light on the object"), Edit::SetLight { id: held.light.clone(), light: new })
+    })
+}
+
+/// Toward a light whose middle is at a point of the screen, and the place on the surface there.
+fn at_surface(
+    surface: &Surface,
+    shading: ShadingType,
+    light: &LightValues,
+    rect: Rect,
+    at: Pos2,
+) -> Option<(DVec3, DVec3)> {
+    let place = [(at.x - rect.min.x) / rect.width(), (at.y - rect.min.y) / rect.height()];
+    let pixel = surface.nearest(place)?;
+    let toward = direction_at(surface, pixel, shading, light);
+    let position = surface.positions[pixel].as_dvec3();
+    if surface.is_at(place) || matches!(shading, ShadingType::Specular | ShadingType::HalfVector) {
+        return Some((toward, position));
+    }
+    // Beyond the outline the light goes on behind: a quarter turn in a quarter of the picture.
+    let [x, y] = surface.place_of(pixel);
+    let rim = rect.min + vec2(x * rect.width(), y * rect.height());
+    let beyond = f64::from((at.distance(rim) / (rect.height() * 0.25)).min(1.0)) * std::f64::consts::FRAC_PI_2;
+    let back = match shading {
+        ShadingType::ScreenAligned => light.own_from_world.transpose() * DVec3::Z,
+        _ => surface.toward_viewer(pixel).as_dvec3(),
+    };
+    let aside = (toward - back * toward.dot(back)).try_normalize()?;
+    // On a coarse grid the outline's last pixel may face the viewer a little still; from there on it is one turn.
+    let start = toward.angle_between(back).min(std::f64::consts::FRAC_PI_2);
+    let angle = start + beyond * (std::f64::consts::PI - start) / std::f64::consts::FRAC_PI_2;
+    Some((back * angle.cos() + aside * angle.sin(), position))
+}
+
+/// The direction of the ball of needles' ends at a point of the screen, and whether the ball is there at all; else that
+/// of its rim.
+fn on_ball(orbit: &Orbit, rect: Rect, at: Pos2, is_behind: bool) -> (DVec3, bool) {
+    let (right, up) = orbit.right_and_up();
+    let backward = orbit.direction();
+    let offset = (at - rect.center()) / rect.height();
+    let camera = orbit.camera();
+    let eye = DVec3::from(camera.eye);
+    let plane = right * f64::from(offset.x) - up * f64::from(offset.y);
+    let (origin, ray) = match camera.projection {
+        Projection::Perspective => (eye, (plane * 2.0 * (camera.fov / 2.0).tan() - backward).normalize()),
+        Projection::Orthographic => (eye + plane * camera.height, -backward),
+    };
+    let along = -origin.dot(ray);
+    let nearest = origin + ray * along;
+    let half = NEEDLE[1] * NEEDLE[1] - nearest.length_squared();
+    if half <= 0.0 {
+        return (nearest.try_normalize().unwrap_or(right), false);
+    }
+    let half = if is_behind { half.sqrt() } else { -half.sqrt() };
+    ((nearest + ray * half).try_normalize().unwrap_or(backward), true)
+}
+
+/// Shows where the directional lights come from: a needle from the object's outside toward each.
+pub(super) fn paint_needles(ui: &Ui, rect: Rect, session: &Session, is_turning: bool, held: Option<&LightId>) {
+    let painter = ui.painter_at(rect);
+    let shining = session.look().lights.iter().filter(|(id, _)| !session.solo().is_dark(id));
+    for (id, light) in shining.filter(|(_, light)| light.kind == LightKind::Directional) {
+        let toward = resolved(light, &session.view).direction;
+        let [Some(from), Some(to)] = NEEDLE.map(|far| project(toward * far, rect, session)) else { continue };
+        let color = light.color.map(|c| (c.clamp(0.0, 1.0) * 255.0) as u8);
+        let is_behind = toward.dot(session.view.direction()) < 0.0;
+        let is_held = held == Some(id);
+        let strength = if is_turning || is_held { 1.0 } else { 0.75 } * if is_behind { 0.5 } else { 1.0 };
+        let color = Color32::from_rgb(color[0], color[1], color[2]).gamma_multiply(strength);
+        painter.line_segment([from, to], Stroke::new(4.0, theme::HALO.gamma_multiply(strength)));
+        painter.circle_filled(to, if is_held { 8.0 } else { 6.0 }, theme::HALO);
+        painter.line_segment([from, to], Stroke::new(2.0, color));
+        painter.circle_filled(to, if is_held { 6.5 } else { 4.5 }, color);
+    }
+}
+
+/// A sun at the middle of what a light lights.
+pub(super) fn paint_middle(ui: &Ui, rect: Rect, at: Pos2, is_held: bool) {
+    let painter = ui.painter_at(rect);
+    let color = if is_held { Color32::WHITE } else { theme::SUN };
+    painter.circle_filled(at, 6.5, theme::HALO);
+    painter.circle_filled(at, 4.0, color);
+    for ray in 0..8 {
+        let direction = egui::Vec2::angled(ray as f32 * std::f32::consts::FRAC_PI_4);
+        painter.line_segment([at + direction * 6.0, at + direction * 9.0], Stroke::new(3.0, theme::HALO));
+        painter.line_segment([at + direction * 6.0, at + direction * 9.0], Stroke::new(1.5, color));
+    }
+}
+
+/// Whether the sun at `middle` is under the pointer.
+pub(super) fn is_at_middle(middle: Option<Pos2>, at: Pos2) -> bool {
+    middle.is_some_and(|middle| middle.distance(at) <= REACH)
+}

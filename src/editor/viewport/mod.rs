@@ -1,0 +1,465 @@
+//! The look on an object: drag beside the object to orbit, on it to turn the lights; the wheel comes nearer.
+//!
+//! `surface` knows what is seen at each pixel; on it `isocurves` draws the selected layer's lines, which are dragged
+//! there, `lights` the handles of lights, and `strip` the values that have no place on the object.
+
+mod bar;
+mod export;
+mod field;
+mod isocurves;
+mod layer;
+mod lights;
+mod show;
+mod strip;
+mod surface;
+
+use eframe::egui;
+use eframe::egui::{
+    CursorIcon, Key, Modifiers, PointerButton, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2,
+};
+use glam::DVec3;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use super::command::Command;
+use super::picture::Picture;
+use super::probe::{Probe, picture_size};
+use super::session::Session;
+use super::theme;
+use super::wipe::Wipe;
+use crate::document::Projection;
+use crate::render::Gpu;
+pub(crate) use export::Export;
+use export::{Destination, Done, Exports};
+use isocurves::Isocurves;
+use layer::{Curve, Layer};
+use show::{Place, Reference};
+use surface::{Key as SurfaceKey, Surface, Surfaces};
+
+/// How fast the turntable turns, in turns of the picture's height a second.
+const TURNTABLE: f64 = -0.25;
+
+/// What a drag that is going on does.
+#[derive(Clone, Debug, PartialEq)]
+enum Drag {
+    Camera,
+    Lights,
+    Pan,
+    Curve(isocurves::Held),
+    Light(lights::Held),
+}
+
+/// The viewport and what it remembers between frames.
+pub struct Viewport {
+    drag: Option<Drag>,
+    rect: Option<Rect>,
+    hint: String,
+    surfaces: Surfaces,
+    isocurves: Isocurves,
+    /// Whether lines and handles are shown.
+    handles: bool,
+    turns: bool,
+    /// In stops; for this window only.
+    exposure: f32,
+    exports: Exports,
+    reference: Option<Reference>,
+    /// The side of baked images, in pixels.
+    bake_side: u32,
+}
+
+/// What is shown on the object this time.
+struct Handles {
+    surface: Option<Arc<Surface>>,
+    layer: Option<Layer>,
+}
+
+impl Viewport {
+    /// `wake` is called from another thread when there is something new to show.
+    pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Clone + Send + 'static) -> Self {
+        Self {
+            drag: None,
+            rect: None,
+            hint: String::new(),
+            surfaces: Surfaces::new(wake.clone()),
+            isocurves: Isocurves::default(),
+            handles: true,
+            turns: false,
+            exposure: 0.0,
+            exports: Exports::new(gpu, wake),
+            reference: None,
+            bake_side: 512,
+        }
+    }
+
+    /// Shows the picture in all the room there is. The camera and the lights belong to the window, not to the look, so
+    /// they are changed here and now.
+    pub(crate) fn show(
+        &mut self,
+        ui: &mut Ui,
+        session: &mut Session,
+        picture: Option<&mut Picture>,
+        probe: &mut Probe,
+        wipe: &mut Wipe,
+    ) -> Vec<Command> {
+        let mut out = Vec::new();
+        self.bar(ui, session, probe, wipe, &mut out);
+        bar::wire_bar(ui, session, &mut out);
+        out.extend(super::panels::solo::bar(ui, session));
+        wipe.bar(ui, session);
+        self.take_exports(ui, &mut out);
+        let (room, _) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
+        let (rect, beside) = self.reference.as_ref().map_or((room, None), |reference| reference.split(room));
+        let response = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
+        response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Picture"));
+        self.rect = Some(rect);
+        let pointer = response.contains_pointer().then(|| ui.input(|input| input.pointer.hover_pos())).flatten();
+        let handles = self.handles(rect, session, probe);
+        self.drags(ui, &response, rect, session, &handles, &mut out);
+        self.wheel_and_keys(ui, pointer, session);
+        self.turn(ui, session);
+        match picture {
+            Some(picture) => show_picture(ui, rect, session, picture, self.turns, self.exposure),
+            None => {
+                ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
+                stand_in(ui, rect, session);
+            }
+        }
+        match (&self.reference, beside) {
+            (Some(reference), Some(beside)) => reference.paint_beside(ui, beside),
+            (Some(reference), None) => reference.paint(ui, rect),
+            (None, _) => {}
+        }
+        wipe.update(ui, session, picture_size(rect, ui.pixels_per_point()));
+        wipe.over(ui, rect);
+        probe.update(ui, session, rect, pointer.filter(|_| self.drag.is_none()), response.clicked());
+        let hovered = pointer.filter(|_| self.drag.is_none() && self.handles && !probe.is_on());
+        let hovered = hovered.and_then(|at| self.grip(ui, rect, at, session, &handles));
+        self.hint = if probe.is_on() {
+            probe_hint(probe).to_owned()
+        } else {
+            self.hint_at(pointer, rect, session, hovered.as_ref())
+        };
+        if probe.is_on() {
+            response.on_hover_cursor(CursorIcon::Crosshair);
+            probe.mark(ui, rect);
+        } else if self.handles {
+            self.paint(ui, rect, session, &handles, hovered.as_ref(), response.hovered());
+            let is_held = matches!(self.drag, Some(Drag::Curve(_) | Drag::Light(_)));
+            if is_held || hovered.is_some() {
+                ui.ctx().set_cursor_icon(if is_held { CursorIcon::Grabbing } else { CursorIcon::Grab });
+            }
+            if let Some(layer) = &handles.layer {
+                strip::show(ui, rect, session, layer, &mut out);
+            }
+        }
+        out
+    }
+
+    /// Finds out what is handled, and brings its lines up to date.
+    fn handles(&mut self, rect: Rect, session: &Session, probe: &Probe) -> Handles {
+        let layer = layer::selected(session).filter(|_| self.handles && !probe.is_on());
+        let wants = self.handles && (layer.is_some() || layer::selected_light(session).is_some());
+        if !wants || rect.area() < 16.0 {
+            self.isocurves.clear();
+            return Handles { surface: None, layer };
+        }
+        let key = SurfaceKey::new(&session.view, rect.size());
+        let with_kappa =
+            layer.as_ref().and_then(|layer| layer.warp).is_some_and(|(slope, amount)| slope * amount != 0.0);
+        let surface = self.surfaces.update(&key, with_kappa, || session.still());
+        match (&surface, &layer) {
+            (Some(surface), Some(layer)) => self.isocurves.update(session, surface, layer),
+            _ => self.isocurves.clear(),
+        }
+        Handles { surface, layer }
+    }
+
+    /// What there is to be taken at a point of the screen.
+    fn grip(&self, ui: &Ui, rect: Rect, at: Pos2, session: &Session, handles: &Handles) -> Option<Drag> {
+        let modifiers = ui.input(|input| input.modifiers);
+        let of_layer = handles.layer.as_ref().map(|layer| (layer.light.clone(), layer.shading));
+        let chosen = of_layer.or_else(|| Some((layer::selected_light(session)?, layer::ShadingType::Diffuse)));
+        let chosen = chosen.filter(|(light, _)| !lights::is_keyed(session, light));
+        if let Some((light, shading)) = chosen {
+            let is_there = handles.surface.as_ref().is_some_and(|surface| surface.is_at(place_in(rect, at)));
+            if modifiers.shift && is_there || lights::is_at_middle(self.isocurves.middle(rect), at) {
+                return Some(Drag::Light(lights::Held::by_middle(light, shading)));
+            }
+        }
+        let needle = lights::hit(session, rect, at).filter(|held| !lights::is_keyed(session, &held.light));
+        if let Some(held) = needle {
+            return Some(Drag::Light(held));
+        }
+        self.isocurves.hit(rect, at, modifiers.command).map(Drag::Curve)
+    }
+
+    fn paint(&self, ui: &Ui, rect: Rect, session: &Session, handles: &Handles, hovered: Option<&Drag>, is_near: bool) {
+        let in_hand = self.drag.as_ref().or(hovered);
+        let curve = match in_hand {
+            Some(Drag::Curve(held)) => Some(held),
+            _ => None,
+        };
+        let light = match in_hand {
+            Some(Drag::Light(held)) => Some(held),
+            _ => None,
+        };
+        let is_near = is_near || self.drag.is_some();
+        if handles.layer.is_some() {
+            self.isocurves.paint(ui, rect, curve, is_near);
+            let held = light.filter(|held| held.is_by_middle());
+            let pointer = ui.input(|input| input.pointer.interact_pos());
+            let is_dragged = held.is_some() && matches!(self.drag, Some(Drag::Light(_)));
+            let on_object = |at: &Pos2| handles.surface.as_ref().is_some_and(|it| it.is_at(place_in(rect, *at)));
+            let middle = if is_dragged { pointer.filter(on_object) } else { self.isocurves.middle(rect) };
+            if let Some(middle) = middle {
+                lights::paint_middle(ui, rect, middle, held.is_some());
+            }
+        }
+        if is_near {
+            let is_turning = self.drag == Some(Drag::Lights);
+            lights::paint_needles(ui, rect, session, is_turning, light.map(|held| &held.light));
+        }
+    }
+
+    fn turn(&mut self, ui: &Ui, session: &mut Session) {
+        if self.turns {
+            let seconds = ui.input(|input| f64::from(input.stable_dt.min(0.1)));
+            session.view.orbit(TURNTABLE * seconds, 0.0);
+            ui.ctx().request_repaint();
+        }
+    }
+
+    fn drags(
+        &mut self,
+        ui: &Ui,
+        response: &Response,
+        rect: Rect,
+        session: &mut Session,
+        handles: &Handles,
+        out: &mut Vec<Command>,
+    ) {
+        let is_alt = ui.input(|input| input.modifiers.alt);
+        if response.drag_started()
+            && let Some(origin) = ui.input(|input| input.pointer.press_origin())
+        {
+            let is_primary = response.dragged_by(PointerButton::Primary);
+            let grip = (is_primary && !is_alt && self.handles).then(|| self.grip(ui, rect, origin, session, handles));
+            self.drag = Some(match grip.flatten() {
+                Some(grip) => grip,
+                None if !is_primary => Drag::Pan,
+                None if !is_alt && is_on_object(origin, rect, session, handles) => Drag::Lights,
+                None => Drag::Camera,
+            });
+        }
+        let at = ui.input(|input| input.pointer.interact_pos());
+        if response.dragged()
+            && let (Some(drag), Some(at)) = (&mut self.drag, at)
+        {
+            let delta = response.drag_delta() / rect.height().max(1.0);
+            let (dx, dy) = (f64::from(delta.x), f64::from(delta.y));
+            match drag {
+                _ if delta == egui::Vec2::ZERO => {}
+                Drag::Camera => session.view.orbit(dx, dy),
+                Drag::Lights => session.view.turn_lights(dx, dy),
+                Drag::Pan => session.view.pan(dx, dy),
+                Drag::Curve(held) => out.extend(self.isocurves.drag(held, rect, at)),
+                Drag::Light(held) => out.extend(lights::drag(held, session, handles.surface.as_deref(), rect, at)),
+            }
+        }
+        if response.drag_stopped() {
+            self.drag = None;
+        }
+    }
+
+    fn wheel_and_keys(&mut self, ui: &Ui, pointer: Option<Pos2>, session: &mut Session) {
+        if pointer.is_none() {
+            return;
+        }
+        let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
+        let factor = f64::from((-scroll / 300.0).exp() / pinch);
+        if factor != 1.0 {
+            session.view.dolly(factor);
+        }
+        if ui.ctx().egui_wants_keyboard_input() {
+            return;
+        }
+        let pressed = |key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
+        if pressed(Key::R) {
+            session.view.reset();
+        }
+        if pressed(Key::F) {
+            session.view.frame_object();
+        }
+        if pressed(Key::T) {
+            self.turns = !self.turns;
+        }
+        if pressed(Key::H) {
+            self.handles = !self.handles;
+        }
+        if pressed(Key::P) {
+            session.view.projection = match session.view.projection {
+                Projection::Perspective => Projection::Orthographic,
+                Projection::Orthographic => Projection::Perspective,
+            };
+        }
+    }
+
+    fn hint_at(&self, pointer: Option<Pos2>, rect: Rect, session: &Session, hovered: Option<&Drag>) -> String {
+        let handles = Handles { surface: None, layer: None };
+        match (self.drag.as_ref().or(hovered), pointer) {
+            (Some(Drag::Curve(held)), _) => self.isocurves.hint(held),
+            (Some(Drag::Light(held)), _) => held.hint(session),
+            (Some(Drag::Lights), _) => "Turning the illumination frame: every light in it turns with it".to_owned(),
+            (Some(Drag::Camera), _) => "Turning the camera around the object".to_owned(),
+            (Some(Drag::Pan), _) => "Moving the camera".to_owned(),
+            (None, None) => String::new(),
+            (None, Some(at)) if is_on_object(at, rect, session, &handles) => {
+                let one = if layer::selected_light(session).is_some() || layer::selected(session).is_some() {
+                    "Shift-drag turns the layer's light · "
+                } else {
+                    ""
+                };
+                format!("Drag to turn all lights · {one}Alt-drag turns the camera · wheel comes nearer · R resets")
+            }
+            (None, Some(_)) => {
+                "Drag to turn the camera · right-drag moves it · wheel comes nearer · R resets · F frames".to_owned()
+            }
+        }
+    }
+
+    /// What may be done at the pointer; empty while it is elsewhere.
+    pub(crate) fn hint(&self) -> &str {
+        &self.hint
+    }
+
+    /// Where the picture is on the screen; for tests.
+    pub fn rect(&self) -> Option<Rect> {
+        self.rect
+    }
+
+    /// Points of a line of the selected layer on the screen, by its input's name (`offset`, `falloff`, `cutoff`); for
+    /// tests.
+    pub fn curve(&self, port: &str) -> Vec<Pos2> {
+        let curve = Curve::ALL.into_iter().find(|curve| curve.port() == port);
+        curve.zip(self.rect).map(|(curve, rect)| self.isocurves.points(curve, rect)).unwrap_or_default()
+    }
+
+    /// Where the middle of what the selected layer's light lights is on the screen; for tests.
+    pub fn middle(&self) -> Option<Pos2> {
+        self.isocurves.middle(self.rect?)
+    }
+
+    /// Writes a picture of what is shown.
+    pub(crate) fn export(&mut self, session: &Session, export: Export, path: PathBuf) {
+        self.exports.draw(export, session.still(), Destination::File(path));
+    }
+
+    /// Copies the picture to the clipboard, as large as it is on the screen.
+    pub(crate) fn copy(&mut self, session: &Session, scale: f32) {
+        let size = self.rect.map_or([1, 1], |rect| picture_size(rect, scale)).map(|side| side.max(1));
+        self.exports.draw(Export::Picture(size), session.still(), Destination::Clipboard);
+    }
+
+    /// Shows an image with the picture.
+    pub(crate) fn show_reference(&mut self, path: PathBuf) {
+        self.exports.read(path);
+    }
+
+    fn take_exports(&mut self, ui: &Ui, out: &mut Vec<Command>) {
+        for done in self.exports.answers() {
+            out.push(Command::Tell(match done {
+                Done::Saved(path) => format!("Saved {}", path.display()),
+                Done::Copied(image) => {
+                    ui.ctx().copy_image(image);
+                    "The picture is in the clipboard".to_owned()
+                }
+                Done::Read(path, image) => {
+                    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+                    let texture = ui.ctx().load_texture("reference", image, egui::TextureOptions::LINEAR);
+                    let (place, opacity) =
+                        self.reference.as_ref().map_or((Place::Beside, 0.5), |old| (old.place, old.opacity));
+                    let message = format!("{name} is shown with the picture; Options takes it away");
+                    self.reference = Some(Reference { name, texture, place, opacity });
+                    message
+                }
+                Done::Failed(problem) => problem.message,
+            }));
+        }
+    }
+
+    pub(crate) fn is_busy(&self) -> bool {
+        self.surfaces.is_busy() || self.exports.is_busy()
+    }
+
+    pub(crate) fn wait(&self) {
+        self.surfaces.wait();
+        self.exports.wait();
+    }
+}
+
+/// A point of the screen in parts of the picture's size.
+fn place_in(rect: Rect, at: Pos2) -> [f32; 2] {
+    [(at.x - rect.min.x) / rect.width(), (at.y - rect.min.y) / rect.height()]
+}
+
+fn probe_hint(probe: &Probe) -> &'static str {
+    match probe.pinned() {
+        None => "Rest the pointer to read a pixel, click to keep it · Esc leaves the probe",
+        Some(_) => "This pixel is kept: click another · Esc lets go of it, Esc again leaves the probe",
+    }
+}
+
+fn show_picture(ui: &Ui, rect: Rect, session: &mut Session, picture: &mut Picture, turns: bool, stops: f32) {
+    let size = picture_size(rect, ui.pixels_per_point());
+    let (is_held, dt) = ui.input(|input| (input.pointer.any_down(), input.unstable_dt));
+    match picture.update(session, size, is_held || turns, dt) {
+        Some(texture) => {
+            ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
+            show::paint_exposed(ui, texture, rect, stops);
+        }
+        None => {
+            ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
+            let font = egui::FontId::proportional(theme::TEXT_SIZE);
+            let is_broken = !picture.problems.is_empty() || crate::diag::has_errors(session.problems());
+            let text =
+                if is_broken { "No picture until what is listed below is mended" } else { "Making the first picture" };
+            ui.painter().text(rect.center(), egui::Align2::CENTER_CENTER, text, font, theme::of(ui).dim);
+        }
+    }
+}
+
+/// Where there is no GPU: a ball, so that camera and lights can be turned all the same.
+fn stand_in(ui: &Ui, rect: Rect, session: &Session) {
+    let radius = session.view.radius_in_picture() as f32 * rect.height();
+    ui.painter().circle(rect.center(), radius, theme::of(ui).node, egui::Stroke::new(1.0, theme::of(ui).grid));
+    let font = egui::FontId::proportional(theme::TEXT_SIZE);
+    let at = rect.center_bottom() - vec2(0.0, 12.0);
+    let text = "This window has no GPU to draw with";
+    ui.painter().text(at, egui::Align2::CENTER_BOTTOM, text, font, theme::of(ui).dim);
+}
+
+/// Whether a point of the screen is on the object, or near enough: its bounding sphere has radius 1.
+fn is_on_object(at: Pos2, rect: Rect, session: &Session, handles: &Handles) -> bool {
+    if let Some(surface) = &handles.surface {
+        return surface.is_at(place_in(rect, at));
+    }
+    let radius = session.view.radius_in_picture() as f32 * rect.height();
+    let center = project(DVec3::ZERO, rect, session).unwrap_or(rect.center());
+    at.distance(center) < radius * 0.92
+}
+
+/// A point of the world on the screen; `None` behind the eye.
+fn project(point: DVec3, rect: Rect, session: &Session) -> Option<Pos2> {
+    let view = &session.view;
+    let (right, up) = view.right_and_up();
+    let from_eye = point - (view.target + view.direction() * view.distance);
+    let depth = -from_eye.dot(view.direction());
+    let span = match view.projection {
+        Projection::Perspective if depth <= 1e-6 => return None,
+        Projection::Perspective => 2.0 * depth * (view.fov / 2.0).tan(),
+        Projection::Orthographic => view.height(),
+    };
+    let scale = f64::from(rect.height()) / span;
+    let (x, y) = (from_eye.dot(right) * scale, from_eye.dot(up) * scale);
+    Some(rect.center() + vec2(x as f32, -y as f32))
+}

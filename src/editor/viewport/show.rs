@@ -1,0 +1,75 @@
+//! How the picture is laid into the window: display exposure, and a reference image over it or beside it.
+
+use eframe::egui;
+use eframe::egui::{Color32, Rect, TextureHandle, TextureId, Ui, Vec2, pos2, vec2};
+
+use super::super::theme;
+
+/// What a display's brightness is of the light: about this power.
+const DISPLAY_GAMMA: f32 = 2.2;
+/// Exposures go this far up and down, in stops.
+pub(super) const MOST_STOPS: f32 = 4.0;
+
+/// Where a reference image is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Place {
+    /// Left of the picture, as large.
+    Beside,
+    /// Over the picture, seen through.
+    Over,
+}
+
+/// An image to work from.
+pub(super) struct Reference {
+    pub(super) name: String,
+    pub(super) texture: TextureHandle,
+    pub(super) place: Place,
+    pub(super) opacity: f32,
+}
+
+impl Reference {
+    /// Splits the room: the picture's part of it, and the image's where that is beside.
+    pub(super) fn split(&self, room: Rect) -> (Rect, Option<Rect>) {
+        match self.place {
+            Place::Over => (room, None),
+            Place::Beside => {
+                let (left, right) = room.split_left_right_at_fraction(0.5);
+                (right, Some(left))
+            }
+        }
+    }
+
+    /// Shows it, whole, in the middle of `rect`.
+    pub(super) fn paint(&self, ui: &Ui, rect: Rect) {
+        let size = self.texture.size_vec2();
+        let scale = (rect.size() / size.max(Vec2::splat(1.0))).min_elem();
+        let opacity = if self.place == Place::Over { self.opacity } else { 1.0 };
+        let at = Rect::from_center_size(rect.center(), size * scale);
+        ui.painter_at(rect).image(self.texture.id(), at, whole(), Color32::WHITE.gamma_multiply(opacity));
+    }
+
+    pub(super) fn paint_beside(&self, ui: &Ui, rect: Rect) {
+        ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
+        self.paint(ui, rect.shrink2(vec2(2.0, 2.0)));
+    }
+}
+
+fn whole() -> Rect {
+    Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0))
+}
+
+/// Shows a picture brighter or darker by so many stops. The texture stays as it is: it is laid on by a part, or several
+/// times, which a display's power law allows.
+pub(super) fn paint_exposed(ui: &Ui, texture: TextureId, rect: Rect, stops: f32) {
+    let painter = ui.painter_at(rect);
+    let mut gain = (stops / DISPLAY_GAMMA).exp2();
+    let first = egui::lerp(0.0..=255.0, gain.min(1.0)).round() as u8;
+    painter.image(texture, rect, whole(), Color32::from_rgba_premultiplied(first, first, first, 255));
+    gain -= 1.0;
+    while gain > 1.0 / 255.0 {
+        // Without alpha a colour is added.
+        let part = (gain.min(1.0) * 255.0).round() as u8;
+        painter.image(texture, rect, whole(), Color32::from_rgba_premultiplied(part, part, part, 0));
+        gain -= 1.0;
+    }
+}

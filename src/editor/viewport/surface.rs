@@ -1,0 +1,331 @@
+//! What the viewport sees, pixel by pixel, for the widgets on it: positions, normals, curvature.
+//!
+//! Made on a thread of its own by the reference's rasteriser, whenever mesh, camera or size change; lights and layers
+//! change nothing here. It is coarser than the picture ([`MOST`]), which curves that are interpolated hardly show.
+
+use std::sync::Arc;
+
+use glam::{DMat3, DVec3, Vec3};
+
+use super::super::still::Still;
+use super::super::worker::Worker;
+use crate::diag::Diagnostic;
+use crate::document::Camera;
+use crate::frame::{Assets, FramePlan, Pass, PassKind, Setup, SetupObject, View};
+use crate::interp::Precision;
+use crate::reference::{
+    Control, FragmentStage, Interpolation, Modules, Options, QuadBatch, Shaded, Shader, Shaders, Sides, Target, Texels,
+    Triangles, Varying, VertexStage, rasterise, shade_all,
+};
+
+/// As many pixels are looked at, or a few more.
+const MOST: f32 = 100_000.0;
+/// How many times what the slope explains two neighbours may differ in depth and still be of one surface.
+const TOLERANCE: f32 = 2.5;
+/// Beyond this a slope explains every step.
+const LEAST_FACING: f32 = 0.05;
+
+/// What a surface is of: the same again is known.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Key {
+    mesh: String,
+    z_is_up: bool,
+    camera: Camera,
+    size: [u32; 2],
+}
+
+impl Key {
+    /// Of a picture of so many points.
+    pub(super) fn new(orbit: &super::super::orbit::Orbit, points: eframe::egui::Vec2) -> Self {
+        let scale = (MOST / (points.x * points.y).max(1.0)).sqrt().min(1.0);
+        let size = [points.x, points.y].map(|side| (side * scale).round().clamp(2.0, 4096.0) as u32);
+        Self { mesh: orbit.mesh.clone(), z_is_up: orbit.z_is_up, camera: orbit.camera(), size }
+    }
+}
+
+/// A grid of pixels of what is seen. Lists have a pixel each, rows from the top.
+#[derive(Debug)]
+pub(super) struct Surface {
+    pub(super) key: Key,
+    /// Pixels along x and y.
+    pub(super) size: [usize; 2],
+    /// World space, unit; 0 where nothing is.
+    pub(super) normals: Vec<Vec3>,
+    /// World space.
+    pub(super) positions: Vec<Vec3>,
+    /// Whether the pixel to the right (bit 0) and the one below (bit 1) belong to the same piece of surface.
+    pub(super) links: Vec<u8>,
+    /// In 1/viewport-height, convex positive; where it was asked for.
+    pub(super) kappa: Option<Vec<f32>>,
+    pub(super) view: View,
+}
+
+impl Surface {
+    /// Unit, from a pixel's place toward the viewer, world space.
+    pub(super) fn toward_viewer(&self, pixel: usize) -> Vec3 {
+        if self.view.is_perspective {
+            (self.view.eye.as_vec3() - self.positions[pixel]).normalize_or(Vec3::Z)
+        } else {
+            self.view.backward.as_vec3()
+        }
+    }
+
+    /// Rotation from world to camera axes.
+    pub(super) fn camera_from_world(&self) -> DMat3 {
+        self.view.rotation()
+    }
+
+    pub(super) fn is_covered(&self, pixel: usize) -> bool {
+        self.normals[pixel] != Vec3::ZERO
+    }
+
+    /// The pixel at a place of the picture, in parts of its size, or the nearest that shows anything.
+    pub(super) fn nearest(&self, place: [f32; 2]) -> Option<usize> {
+        let [width, height] = self.size;
+        let at = [place[0] * width as f32 - 0.5, place[1] * height as f32 - 0.5];
+        let [x, y] = [at[0].round().clamp(0.0, width as f32 - 1.0), at[1].round().clamp(0.0, height as f32 - 1.0)];
+        let own = y as usize * width + x as usize;
+        if self.is_covered(own) {
+            return Some(own);
+        }
+        let distance = |&pixel: &usize| {
+            let (dx, dy) = ((pixel % width) as f32 - at[0], (pixel / width) as f32 - at[1]);
+            dx * dx + dy * dy
+        };
+        let covered = (0..self.normals.len()).filter(|&pixel| self.is_covered(pixel));
+        covered.min_by(|a, b| distance(a).total_cmp(&distance(b)))
+    }
+
+    /// Whether the object itself is at a place of the picture, in parts of its size.
+    pub(super) fn is_at(&self, place: [f32; 2]) -> bool {
+        let [x, y] = [place[0] * self.size[0] as f32, place[1] * self.size[1] as f32];
+        let is_inside = x >= 0.0 && y >= 0.0 && (x as usize) < self.size[0] && (y as usize) < self.size[1];
+        is_inside && self.is_covered(y as usize * self.size[0] + x as usize)
+    }
+
+    /// The middle of a pixel, in parts of the picture's size.
+    pub(super) fn place_of(&self, pixel: usize) -> [f32; 2] {
+        let [width, height] = self.size;
+        [((pixel % width) as f32 + 0.5) / width as f32, ((pixel / width) as f32 + 0.5) / height as f32]
+    }
+}
+
+struct Wish {
+    key: Key,
+    still: Still,
+    with_kappa: bool,
+}
+
+/// Makes surfaces in the background.
+pub(super) struct Surfaces {
+    worker: Worker<Wish, Option<Arc<Surface>>>,
+    asked: Option<(Key, bool)>,
+    last: Option<Arc<Surface>>,
+}
+
+impl Surfaces {
+    /// `wake` is called from another thread when there is a new one.
+    pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
+        let mut assets = Assets::default();
+        let mut last: Option<Arc<Surface>> = None;
+        let work = move |wish: Wish| {
+            let old = last.take().filter(|old| old.key == wish.key);
+            last = match old {
+                Some(old) if wish.with_kappa && old.kappa.is_none() => Some(Arc::new(with_kappa(&old))),
+                Some(old) => Some(old),
+                None => make(&wish, &mut assets).map(Arc::new),
+            };
+            last.clone()
+        };
+        Self { worker: Worker::new("surface", wake, work), asked: None, last: None }
+    }
+
+    /// Asks for a surface where that is needed; the one there is, if it is of this moment.
+    pub(super) fn update(
+        &mut self,
+        key: &Key,
+        with_kappa: bool,
+        still: impl FnOnce() -> Still,
+    ) -> Option<Arc<Surface>> {
+        if let Some(answer) = self.worker.answers().pop() {
+            self.last = answer;
+        }
+        let knows = |(known, kappa): &(Key, bool)| known == key && (*kappa || !with_kappa);
+        if !self.asked.as_ref().is_some_and(knows) {
+            self.asked = Some((key.clone(), with_kappa));
+            let wish = Wish { key: key.clone(), still: still(), with_kappa };
+            self.worker.request(|_| wish);
+        }
+        self.last.clone().filter(|surface| surface.key == *key)
+    }
+
+    pub(super) fn is_busy(&self) -> bool {
+        self.worker.is_busy()
+    }
+
+    pub(super) fn wait(&self) {
+        self.worker.wait();
+    }
+}
+
+/// `None` where there is no mesh: the picture tells why.
+fn make(wish: &Wish, assets: &mut Assets) -> Option<Surface> {
+    let (setup, _) = wish.still.setup(assets).ok()?;
+    let surface = surface_of(&setup, &wish.key).ok()?;
+    Some(if wish.with_kappa { with_kappa(&surface) } else { surface })
+}
+
+fn surface_of(setup: &Setup, key: &Key) -> Result<Surface, Diagnostic> {
+    let size = key.size;
+    let reach = |object: &SetupObject| object.center().length() + object.radius();
+    let radius = setup.objects.iter().map(reach).fold(1e-6, f64::max);
+    let view = View::new(&setup.scene.camera, size, DVec3::ZERO, radius);
+    let shaders: Vec<_> = setup.objects.iter().map(|object| Plain::new(object, &view)).collect();
+    let triangles = setup.objects.iter().zip(&shaders).flat_map(|(object, shader)| {
+        let is_mirrored = DMat3::from_mat4(object.world_from_object).determinant() < 0.0;
+        object.mesh.parts.iter().map(move |part| Triangles {
+            indices: &object.mesh.indices[part.indices.start as usize..part.indices.end as usize],
+            shader,
+            sides: Sides { both: part.two_sided, is_mirrored },
+        })
+    });
+    let triangles: Vec<_> = triangles.collect();
+    let raster = rasterise(size, 1, &Target::Numbers(6), &triangles, &Options::default(), &Control::none())?;
+    let vector = |numbers: &[f64]| Vec3::new(numbers[0] as f32, numbers[1] as f32, numbers[2] as f32);
+    let (mut normals, mut positions) = (Vec::new(), Vec::new());
+    for pixel in raster.texels.values.chunks_exact(6) {
+        normals.push(vector(&pixel[..3]).normalize_or_zero());
+        positions.push(vector(&pixel[3..]));
+    }
+    let size = size.map(|side| side as usize);
+    let links = links(&normals, &positions, size, &view);
+    Ok(Surface { key: key.clone(), size, normals, positions, links, kappa: None, view })
+}
+
+/// Which neighbours lie on one piece of surface: those no farther apart in depth than their slopes explain.
+fn links(normals: &[Vec3], positions: &[Vec3], [width, height]: [usize; 2], view: &View) -> Vec<u8> {
+    let rotation = view.rotation().as_mat3();
+    let (eye, backward) = (view.eye.as_vec3(), view.backward.as_vec3());
+    let depth = |pixel: usize| (eye - positions[pixel]).dot(backward);
+    let unit = view.pixel_size() as f32;
+    let is_one = |a: usize, b: usize, axis: usize| {
+        if normals[a] == Vec3::ZERO || normals[b] == Vec3::ZERO {
+            return false;
+        }
+        let pixel = if view.is_perspective { unit * depth(a) } else { unit };
+        let step = depth(b) - depth(a);
+        [a, b].into_iter().any(|at| {
+            let n = rotation * normals[at];
+            let slope = [n.x, -n.y][axis] / n.z.max(LEAST_FACING);
+            (step - slope * pixel).abs() <= TOLERANCE * pixel * (1.0 + slope.abs())
+        })
+    };
+    let linked = |pixel: usize| {
+        let (x, y) = (pixel % width, pixel / width);
+        let right = x + 1 < width && is_one(pixel, pixel + 1, 0);
+        let below = y + 1 < height && is_one(pixel, pixel + width, 1);
+        u8::from(right) | u8::from(below) << 1
+    };
+    (0..width * height).map(linked).collect()
+}
+
+/// The same with curvature, by the very pass that the picture has it from.
+fn with_kappa(surface: &Surface) -> Surface {
+    let Surface { key, size, normals, positions, links, view, .. } = surface;
+    Surface {
+        key: key.clone(),
+        size: *size,
+        normals: normals.clone(),
+        positions: positions.clone(),
+        links: links.clone(),
+        kappa: Some(kappa(surface).unwrap_or_else(|_| vec![0.0; normals.len()])),
+        view: *view,
+    }
+}
+
+fn kappa(surface: &Surface) -> Result<Vec<f32>, Diagnostic> {
+    let (size, view) = (surface.key.size, surface.view);
+    let (mut normals, mut depths) = (Texels::new(size, 4), Texels::new(size, 1));
+    let rotation = view.rotation();
+    for (pixel, (normal, position)) in surface.normals.iter().zip(&surface.positions).enumerate() {
+        if *normal != Vec3::ZERO {
+            let n = rotation * normal.as_dvec3();
+            normals.values[4 * pixel..][..4].copy_from_slice(&[n.x, n.y, n.z, 1.0]);
+            depths.values[pixel] = view.backward.dot(view.eye - position.as_dvec3());
+        }
+    }
+    let pass = Pass { kind: PassKind::Curvature, reason: String::new(), input_hash: 0 };
+    let plan = FramePlan {
+        size,
+        samples: 1,
+        backdrop: None,
+        view,
+        draws: Vec::new(),
+        passes: vec![pass],
+        dropped: Vec::new(),
+    };
+    let modules = Modules::new(&plan, Precision::F64)?;
+    let shader = modules.curvature(&plan, &PassKind::Curvature, &normals, &depths)?;
+    let texels = shade_all(size, 1, shader.as_ref(), &Options::default(), &Control::none())?;
+    Ok(texels.values.iter().map(|&x| x as f32).collect())
+}
+
+/// Draws an object's normals and positions, world space.
+struct Plain<'a> {
+    object: &'a SetupObject,
+    clip_from_object: glam::DMat4,
+    normals: DMat3,
+}
+
+impl<'a> Plain<'a> {
+    fn new(object: &'a SetupObject, view: &View) -> Self {
+        let linear = DMat3::from_mat4(object.world_from_object);
+        let normals = if linear.determinant().abs() > 1e-12 { linear.inverse().transpose() } else { linear };
+        Self { object, clip_from_object: view.clip_from_world * object.world_from_object, normals }
+    }
+}
+
+const VARYINGS: [Varying; 2] = [Varying { components: 3, interpolation: Interpolation::Perspective }; 2];
+
+impl Shader for Plain<'_> {
+    fn varyings(&self) -> &[Varying] {
+        &VARYINGS
+    }
+
+    fn vertices(&self) -> Box<dyn VertexStage + '_> {
+        Box::new(Stage(self))
+    }
+
+    fn fragments(&self) -> Box<dyn FragmentStage + '_> {
+        Box::new(Stage(self))
+    }
+}
+
+struct Stage<'a>(&'a Plain<'a>);
+
+impl VertexStage for Stage<'_> {
+    fn shade(&mut self, vertices: &[u32], out: &mut [f64]) -> Result<(), Diagnostic> {
+        let Plain { object, clip_from_object, normals } = self.0;
+        for (&vertex, out) in vertices.iter().zip(out.chunks_exact_mut(10)) {
+            let position = DVec3::from(object.mesh.positions[vertex as usize].map(f64::from));
+            let normal = *normals * DVec3::from(object.mesh.normals[vertex as usize].map(f64::from));
+            out[..4].copy_from_slice(&(*clip_from_object * position.extend(1.0)).to_array());
+            out[4..7].copy_from_slice(&normal.normalize_or_zero().to_array());
+            out[7..].copy_from_slice(&object.world_from_object.transform_point3(position).to_array());
+        }
+        Ok(())
+    }
+}
+
+impl FragmentStage for Stage<'_> {
+    fn shade(&mut self, batch: &QuadBatch, out: &mut Shaded) -> Result<(), Diagnostic> {
+        for component in 0..6 {
+            out.channel_mut(component)[..batch.lanes()].copy_from_slice(&batch.varying(component)[..batch.lanes()]);
+        }
+        // Backs are seen with their normals turned around, as looks see them.
+        for lane in (0..batch.lanes()).filter(|lane| batch.front() >> lane & 1 == 0) {
+            (0..3).for_each(|component| out.channel_mut(component)[lane] *= -1.0);
+        }
+        Ok(())
+    }
+}
