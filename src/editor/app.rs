@@ -248,14 +248,14 @@ impl App {
         self.picture.as_ref().map_or(0, |picture| picture.wishes)
     }
 
-    /// How many small pictures of layers and looks there are.
-    pub fn small_pictures(&self) -> usize {
-        self.panels.pictures()
-    }
-
     /// How many times coarser than the screen the picture is; 1 at rest.
     pub fn coarseness(&self) -> u32 {
         self.picture.as_ref().map_or(1, Picture::coarseness)
+    }
+
+    /// How many small pictures of layers and looks there are.
+    pub fn small_pictures(&self) -> usize {
+        self.panels.pictures()
     }
 
     /// Opens a look and tells where that fails.
@@ -587,14 +587,6 @@ impl App {
         }
     }
 
-    fn add_node(&mut self, kind: &str, at: Option<egui::Pos2>) {
-        let Some(kind) = self.session.catalog.all().find(|known| known.id == kind).cloned() else { return };
-        let at = self.canvas.place_for(at);
-        let (id, edits) = edits::add(&self.session, &kind, at);
-        self.tell(|session| session.apply(Edit::Group { edits }, None));
-        self.session.select(vec![id]);
-    }
-
     /// Does what the command palette chose.
     fn act(&mut self, ui: &Ui, action: Action) {
         let command = match action {
@@ -609,6 +601,14 @@ impl App {
             action => return self.canvas.ask(action),
         };
         self.apply(ui, command);
+    }
+
+    fn add_node(&mut self, kind: &str, at: Option<egui::Pos2>) {
+        let Some(kind) = self.session.catalog.all().find(|known| known.id == kind).cloned() else { return };
+        let at = self.canvas.place_for(at);
+        let (id, edits) = edits::add(&self.session, &kind, at);
+        self.tell(|session| session.apply(Edit::Group { edits }, None));
+        self.session.select(vec![id]);
     }
 
     fn tell(&mut self, edit: impl FnOnce(&mut Session) -> Result<(), Box<Diagnostic>>) {

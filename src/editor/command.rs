@@ -45,6 +45,16 @@ pub(crate) enum Command {
     LeaveProbe,
     /// Shows a wire in place of the picture, or the picture again.
     ShowWire(Option<ShownWire>),
+    /// Tells something in the status line.
+    Tell(String),
+    /// Does what a key, a menu or the command palette asks for.
+    Act(Action),
+    /// Writes a picture to a file; asks for one where there is none.
+    Export(Export, Option<PathBuf>),
+    /// Copies the picture to the clipboard.
+    CopyPicture,
+    /// Shows an image with the picture; asks for one where there is none.
+    ShowReference(Option<PathBuf>),
     /// Shows layers or lights alone, or leaves lights out; the document stays as it is.
     Solo(Solo),
     /// Brings a panel to the front.
@@ -58,16 +68,6 @@ pub(crate) enum Command {
     },
     /// Begins a new look with an example of the library, by its number.
     OpenExample(usize),
-    /// Tells something in the status line.
-    Tell(String),
-    /// Does what a key, a menu or the command palette asks for.
-    Act(Action),
-    /// Writes a picture to a file; asks for one where there is none.
-    Export(Export, Option<PathBuf>),
-    /// Copies the picture to the clipboard.
-    CopyPicture,
-    /// Shows an image with the picture; asks for one where there is none.
-    ShowReference(Option<PathBuf>),
     /// Copies text to the clipboard.
     Copy(String),
     /// What the bar of unsaved work and changed files asks for.

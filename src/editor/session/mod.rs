@@ -17,8 +17,8 @@ use super::panels::solo::Solo;
 use super::wire::ShownWire;
 use crate::diag::Diagnostic;
 use crate::document::journal::Op;
-use crate::document::{Edit, GraphId, History, Look, SourceMap, remove_abandoned, write_atomic};
-use crate::ids::NodeId;
+use crate::document::{Edit, GraphId, History, Light, Look, SourceMap, remove_abandoned, write_atomic};
+use crate::ids::{LightId, NodeId};
 use crate::library::{Fallback, Library};
 use keeping::{Keeping, OnDisk};
 pub(crate) use shading::Showing;
@@ -272,6 +272,11 @@ impl Session {
         }
     }
 
+    /// The lights that are neither muted nor left out by a solo.
+    pub(crate) fn shining(&self) -> impl Iterator<Item = (&LightId, &Light)> {
+        self.look().lights.iter().filter(|(id, _)| !self.solo.is_dark(id))
+    }
+
     /// What is shown alone or left out for now.
     pub(crate) fn solo(&self) -> &Solo {
         &self.solo
@@ -388,8 +393,8 @@ impl Session {
         let mut selection = std::mem::take(&mut self.selection);
         selection.retain(|id| self.is_here(id));
         self.selection = selection;
-        self.solo.keep(self.history.document());
         let nodes = &self.history.document().graph.nodes;
+        self.solo.keep(self.history.document());
         self.wire = self.wire.take().filter(|wire| wire.node.outermost().is_some_and(|id| nodes.contains_key(id)));
         self.picture += 1;
     }

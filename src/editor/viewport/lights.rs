@@ -89,7 +89,7 @@ fn resolved(light: &Light, orbit: &Orbit) -> LightValues {
 
 /// The light whose needle's end is under the pointer.
 pub(super) fn hit(session: &Session, rect: Rect, at: Pos2) -> Option<Held> {
-    let lights = session.look().lights.iter().filter(|(_, light)| light.kind == LightKind::Directional);
+    let lights = session.shining().filter(|(_, light)| light.kind == LightKind::Directional);
     let ends = lights.filter_map(|(id, light)| {
         let toward = resolved(light, &session.view).direction;
         let distance = project(toward * NEEDLE[1], rect, session)?.distance(at);
@@ -192,8 +192,7 @@ fn on_ball(orbit: &Orbit, rect: Rect, at: Pos2, is_behind: bool) -> (DVec3, bool
 /// Shows where the directional lights come from: a needle from the object's outside toward each.
 pub(super) fn paint_needles(ui: &Ui, rect: Rect, session: &Session, is_turning: bool, held: Option<&LightId>) {
     let painter = ui.painter_at(rect);
-    let shining = session.look().lights.iter().filter(|(id, _)| !session.solo().is_dark(id));
-    for (id, light) in shining.filter(|(_, light)| light.kind == LightKind::Directional) {
+    for (id, light) in session.shining().filter(|(_, light)| light.kind == LightKind::Directional) {
         let toward = resolved(light, &session.view).direction;
         let [Some(from), Some(to)] = NEEDLE.map(|far| project(toward * far, rect, session)) else { continue };
         let color = light.color.map(|c| (c.clamp(0.0, 1.0) * 255.0) as u8);

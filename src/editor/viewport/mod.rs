@@ -22,6 +22,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::command::Command;
+use super::panels::solo;
 use super::picture::Picture;
 use super::probe::{Probe, picture_size};
 use super::session::Session;
@@ -104,7 +105,7 @@ impl Viewport {
         let mut out = Vec::new();
         self.bar(ui, session, probe, wipe, &mut out);
         bar::wire_bar(ui, session, &mut out);
-        out.extend(super::panels::solo::bar(ui, session));
+        out.extend(solo::bar(ui, session));
         wipe.bar(ui, session);
         self.take_exports(ui, &mut out);
         let (room, _) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
