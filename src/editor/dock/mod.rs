@@ -129,7 +129,7 @@ fn arrangement() -> Tree<Panel> {
     };
     let left = shared(LinearDir::Vertical, &[(picture, 0.68), (below, 0.32)]);
     let right = shared(LinearDir::Vertical, &[(stack, 0.44), (inspector, 0.56)]);
-    let root = shared(LinearDir::Horizontal, &[(left, 0.33), (graph, 0.46), (right, 0.21)]);
+    let root = shared(LinearDir::Horizontal, &[(left, 0.33), (graph, 0.45), (right, 0.22)]);
     Tree::new(egui::Id::unique("dock"), root, tiles)
 }
 
