@@ -20,8 +20,7 @@ fn window() -> Hand {
 fn window_of(builder: HarnessBuilder<Option<App>>) -> Hand {
     block_on(Gpu::headless()).expect("an adapter; software Vulkan does");
     let state = create_render_state(default_wgpu_setup(), eframe::egui_wgpu::RendererOptions::PREDICTABLE);
-    let builder =
-        Harness::builder().with_step_dt(1.0 / 60.0).renderer(WgpuTestRenderer::from_render_state(state.clone()));
+    let builder = builder.with_step_dt(1.0 / 60.0).renderer(WgpuTestRenderer::from_render_state(state.clone()));
     Hand::with_builder(builder, move |ctx| App::new(ctx, Some(state.clone())))
 }
 
