@@ -567,7 +567,10 @@ fn a_problem_in_a_group_leads_into_it() {
         "nodes": [{"id": "group", "kind": "g"}, {"id": "output", "kind": "output", "at": [300, 0]}],
         "wires": [{"from": "group", "to": "output.color"}]}));
     assert!(hand.app().canvas().has_error("group"));
-    let at = hand.harness.get_all_by_label("group/bad").next().unwrap().rect().center();
+    let at = hand.harness.get_by_label("Open the list of problems").rect().center();
+    hand.click(at);
+    hand.settle();
+    let at = hand.harness.get_all_by_label("group / bad").next().unwrap().rect().center();
     hand.click(at);
     hand.settle();
     assert_eq!(hand.app().session().open_groups(), ["group".into()]);
