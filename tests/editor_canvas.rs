@@ -3,6 +3,9 @@
 
 mod editor_support;
 
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use chiaro::document::{Edit, Endpoint, GraphId, Look, Node, Value};
 use chiaro::ids::NodeId;
 use editor_support::{Hand, node_center};
@@ -14,8 +17,10 @@ const CTRL: Modifiers = Modifiers::COMMAND;
 const CTRL_SHIFT: Modifiers = Modifiers { shift: true, ..Modifiers::COMMAND };
 
 fn open(json: &serde_json::Value) -> Hand {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("look.json");
+    // The file stays: the window tells of one that goes, and what it tells takes room.
+    static NUMBER: AtomicUsize = AtomicUsize::new(0);
+    let number = NUMBER.fetch_add(1, Ordering::Relaxed);
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("canvas-{number}.json"));
     std::fs::write(&path, json.to_string()).unwrap();
     let mut hand = Hand::new();
     hand.app_mut().open(&path);
@@ -160,6 +165,7 @@ fn a_group_opens_by_key_and_undo_leaves_one_that_is_gone() {
 #[test]
 fn a_group_of_the_library_is_looked_at_and_made_ones_own() {
     let mut hand = Hand::new();
+    let before = hand.look().to_text();
     hand.double_click(node_center(&hand, "diffuse"));
     hand.settle();
     assert!(hand.app().session().is_read_only());
@@ -175,6 +181,11 @@ fn a_group_of_the_library_is_looked_at_and_made_ones_own() {
     hand.click(node_center(&hand, inner.as_str()));
     hand.key(Key::Delete);
     assert!(!hand.app().session().graph().nodes.contains_key(&inner));
+    // Taken back, the layer is the library's again.
+    undoes_to(&mut hand, &before);
+    hand.settle();
+    assert!(hand.app().session().is_read_only());
+    assert!(errors(&hand).is_empty(), "{:?}", errors(&hand));
 }
 
 #[test]
@@ -556,7 +567,10 @@ fn a_problem_in_a_group_leads_into_it() {
         "nodes": [{"id": "group", "kind": "g"}, {"id": "output", "kind": "output", "at": [300, 0]}],
         "wires": [{"from": "group", "to": "output.color"}]}));
     assert!(hand.app().canvas().has_error("group"));
-    let at = hand.harness.get_all_by_label("group/bad").next().unwrap().rect().center();
+    let at = hand.harness.get_by_label("Open the list of problems").rect().center();
+    hand.click(at);
+    hand.settle();
+    let at = hand.harness.get_all_by_label("group / bad").next().unwrap().rect().center();
     hand.click(at);
     hand.settle();
     assert_eq!(hand.app().session().open_groups(), ["group".into()]);

@@ -457,8 +457,16 @@ fn what_was_opened_before_is_among_the_looks() {
     let mut hand = figure1();
     tab(&mut hand, "Library");
     press(&mut hand, "Looks");
+    let search = rect(&hand, "Search looks").center();
+    hand.click(search);
+    hand.type_text("·");
+    hand.settle();
     press(&mut hand, "Open the look Layers · Figure 1");
     assert!(hand.app().session().path().is_none(), "the example");
+    hand.click(search);
+    hand.key(Key::End);
+    hand.key(Key::Backspace);
+    hand.settle();
     press(&mut hand, "Open the look figure1-layers");
     assert!(hand.app().session().path().is_some_and(|path| path.ends_with("figure1-layers.json")), "the file");
 }

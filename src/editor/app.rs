@@ -33,6 +33,9 @@ use crate::diag::Diagnostic;
 use crate::document::Edit;
 use crate::library::Library;
 
+/// The height of the status bar, in points.
+const STATUS: f32 = 38.0;
+
 /// The window's state.
 pub struct App {
     session: Session,
@@ -365,7 +368,9 @@ impl App {
         if let Some(picture) = &self.picture {
             self.session.set_picture_problems(&picture.problems);
         }
-        Panel::bottom("status").frame(theme::panel(ui)).resizable(false).show(ui, |ui| {
+        // Of one height, whatever it says, so that nothing above moves under a hand.
+        let status = Panel::bottom("status").frame(theme::panel(ui)).resizable(false).exact_size(STATUS);
+        status.show(ui, |ui| {
             commands.extend(self.status(ui));
         });
         self.panels.update(ui, &self.session);

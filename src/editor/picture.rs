@@ -48,6 +48,8 @@ struct Drawn {
 
 /// How long a frame waits for the picture of its own edit.
 const HURRY: Duration = Duration::from_millis(8);
+/// After so many frames whose picture came too late, waiting is given up for a while.
+const MOST_LATE: u32 = 4;
 /// Frames that take longer than this, in seconds, are too slow for a hand at work.
 const SLOW: f32 = 1.0 / 25.0;
 /// Frames that take less leave room for a finer picture.
@@ -107,6 +109,8 @@ pub(crate) struct Picture {
     texture: Option<TextureId>,
     wished: Option<Wished>,
     pace: Pace,
+    /// How many frames in a row went without the picture of their own edit.
+    late: u32,
     /// The size that was asked for last, before it was made coarser.
     size: [u32; 2],
     /// How many pictures were asked for.
@@ -134,6 +138,7 @@ impl Picture {
             texture: None,
             wished: None,
             pace: Pace::default(),
+            late: 0,
             size: [0; 2],
             wishes: 0,
             problems: Vec::new(),
@@ -167,9 +172,11 @@ impl Picture {
     /// drawn into the texture that the window shows, so that this frame may show it already.
     pub(crate) fn hurry(&mut self, session: &mut Session) {
         self.pace.has_wished |= self.ask(session);
-        if self.worker.is_busy() {
+        // Where it never comes in time (software Vulkan shares the cores), waiting is only tried now and then.
+        if self.worker.is_busy() && (self.late < MOST_LATE || self.late.is_multiple_of(MOST_LATE * 8)) {
             self.worker.wait_at_most(HURRY);
         }
+        self.late = if self.worker.is_busy() { self.late.saturating_add(1) } else { 0 };
     }
 
     fn take(&mut self) {

@@ -52,7 +52,7 @@ impl Hand {
     pub(crate) fn settle(&mut self) {
         // What a thread has just finished is taken in the frame after; so twice must be quiet.
         let mut quiet = 0;
-        for _ in 0..20 {
+        for _ in 0..80 {
             self.harness.run_ok();
             let was_busy = self.app().is_busy();
             self.app().wait();

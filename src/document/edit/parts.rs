@@ -8,7 +8,7 @@ use indexmap::IndexMap;
 use super::graph::drop_targets;
 use super::{Applied, Edit, group, impossible, missing};
 use crate::diag::Diagnostic;
-use crate::document::{Graph, KeyDirection, Look, Target};
+use crate::document::{KeyDirection, Look, Target};
 use crate::ids::{DefinitionId, LightId};
 
 pub(super) fn apply(look: &mut Look, edit: Edit) -> Applied<Edit> {
@@ -100,13 +100,6 @@ fn remove_light(look: &mut Look, id: LightId) -> Applied<Edit> {
 }
 
 fn remove_definition(look: &mut Look, id: DefinitionId) -> Applied<Edit> {
-    let uses = |graph: &Graph| graph.nodes.iter().find(|(_, node)| node.kind == id.as_str()).map(|(id, _)| id.clone());
-    let others = look.definitions.iter().filter(|(other, _)| **other != id);
-    let graphs = std::iter::once(&look.graph).chain(others.map(|(_, definition)| &definition.graph));
-    if let Some(user) = graphs.filter_map(uses).next() {
-        let problem = impossible(format!("the node `{user}` is of the group `{id}`"));
-        return Err(Box::new(problem.hint("remove its nodes first")));
-    }
     let (index, definition) = remove_named(&mut look.definitions, "group", &id)?;
     Ok(Edit::AddDefinition { id, definition, index: Some(index) })
 }

@@ -62,6 +62,7 @@ pub(super) fn check(look: &Look, edit: &Edit) -> Check {
             (of.label, of.help) = (label.clone(), help.clone());
             (of.inputs, of.outputs) = (inputs.clone(), outputs.clone());
         }),
+        Edit::RemoveDefinition { id } => check_unused(look, id),
         Edit::AddExposed { exposed, .. } => check_exposed(look, exposed, usize::MAX),
         Edit::SetExposed { exposed, index } => check_exposed(look, exposed, *index),
         Edit::AddDirectionKeys { keys, .. } | Edit::SetDirectionKeys { keys, .. } => check_direction_keys(look, keys),
@@ -163,6 +164,21 @@ fn check_frame(look: &Look, graph: &GraphId, frame: &Frame) -> Check {
         return Err(missing("node", id));
     }
     readable_alone(|trial| drop(trial.graph.frames.insert("trial".into(), frame.clone())))
+}
+
+/// A group that is used stays. Taking back that one was added, which may stand before the library's of the same name,
+/// leaves its nodes to that; so inverses are not asked.
+fn check_unused(look: &Look, id: &DefinitionId) -> Check {
+    let uses = |graph: &Graph| graph.nodes.iter().find(|(_, node)| node.kind == id.as_str()).map(|(id, _)| id.clone());
+    let others = look.definitions.iter().filter(|(other, _)| *other != id);
+    let graphs = std::iter::once(&look.graph).chain(others.map(|(_, definition)| &definition.graph));
+    match graphs.filter_map(uses).next() {
+        Some(user) => {
+            let problem = impossible(format!("the node `{user}` is of the group `{id}`"));
+            Err(Box::new(problem.hint("remove its nodes first")))
+        }
+        None => Ok(()),
+    }
 }
 
 /// A definition may not take targets away from a group of the library of the same name.

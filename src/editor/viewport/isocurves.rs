@@ -202,7 +202,7 @@ impl Isocurves {
             let strength = if is_near || is_marked(track) { 1.0 } else { 0.65 };
             for line in track.lines.iter().filter(|line| length(line, rect) >= SHORTEST) {
                 let points: Vec<Pos2> = line.points.iter().map(|place| on_screen(rect, *place)).collect();
-                paint_line(&painter, points, line.is_closed, &track.curves, width, strength);
+                paint_line(&painter, &points, line.is_closed, &track.curves, width, strength);
             }
             if self.has_ring(track, rect)
                 && let Some(middle) = self.middle(rect)
@@ -274,18 +274,18 @@ fn names(curves: &[Curve]) -> String {
     text
 }
 
-fn paint_line(painter: &Painter, points: Vec<Pos2>, is_closed: bool, curves: &[Curve], width: f32, strength: f32) {
+fn paint_line(painter: &Painter, points: &[Pos2], is_closed: bool, curves: &[Curve], width: f32, strength: f32) {
     let shape = |points: Vec<Pos2>, stroke: Stroke| {
         let stroke = PathStroke::from(stroke);
         if is_closed { Shape::closed_line(points, stroke) } else { Shape::line(points, stroke) }
     };
-    painter.add(shape(points.clone(), Stroke::new(width + 2.2, theme::HALO.gamma_multiply(strength))));
+    painter.add(shape(points.to_vec(), Stroke::new(width + 2.2, theme::HALO.gamma_multiply(strength))));
     let color = |curve: Curve| theme::curve(curve as usize).gamma_multiply(strength);
-    painter.add(shape(points.clone(), Stroke::new(width, color(curves[0]))));
+    painter.add(shape(points.to_vec(), Stroke::new(width, color(curves[0]))));
     // What lies on it is seen between its dashes.
     let (dash, count) = (9.0, curves.len() as f32);
     for (index, curve) in curves.iter().enumerate().skip(1) {
-        let mut path = points.clone();
+        let mut path = points.to_vec();
         if is_closed && let Some(first) = points.first() {
             path.push(*first);
         }

@@ -133,7 +133,8 @@ impl Viewport {
         wipe.update(ui, session, picture_size(rect, ui.pixels_per_point()));
         wipe.over(ui, rect);
         probe.update(ui, session, rect, pointer.filter(|_| self.drag.is_none()), response.clicked());
-        let hovered = pointer.filter(|_| self.drag.is_none() && self.handles && !probe.is_on());
+        let is_free = self.drag.is_none() && self.handles && !probe.is_on() && response.hovered();
+        let hovered = pointer.filter(|_| is_free);
         let hovered = hovered.and_then(|at| self.grip(ui, rect, at, session, &handles));
         self.hint = if probe.is_on() {
             probe_hint(probe).to_owned()

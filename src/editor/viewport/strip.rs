@@ -24,6 +24,9 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, session: &Session, layer: &Layer, ou
     // Its height is known from the frame before.
     let size: Vec2 = ui.data(|data| data.get_temp(id)).unwrap_or(vec2(room.width(), 64.0));
     let at = Align2::LEFT_BOTTOM.align_size_within_rect(vec2(room.width(), size.y), room);
+    // What is pressed beside its widgets does nothing to the picture below.
+    let known = Rect::from_min_size(at.min, size);
+    ui.interact(known, id.with("ground"), egui::Sense::click_and_drag());
     let builder = UiBuilder::new().id_salt("strip").max_rect(at);
     let frame = Frame::new()
         .fill(theme::of(ui).panel.gamma_multiply(0.86))

@@ -18,8 +18,8 @@ use crate::reference::{
     Triangles, Varying, VertexStage, rasterise, shade_all,
 };
 
-/// As many pixels are looked at, or a few more.
-const MOST: f32 = 100_000.0;
+/// As many pixels are looked at, or a few more: half of those of 500 by 500 along each side.
+const MOST: f32 = 62_500.0;
 /// How many times what the slope explains two neighbours may differ in depth and still be of one surface.
 const TOLERANCE: f32 = 2.5;
 /// Beyond this a slope explains every step.

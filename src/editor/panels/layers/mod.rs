@@ -61,7 +61,7 @@ impl Layers {
         }
         ui.spacing_mut().item_spacing.y = 2.0;
         let count = self.stack.layers.len();
-        let selected = session.selection.last().cloned();
+        let selected = session.selection.last().filter(|id| is_selected(session, id)).cloned();
         let goal = selected.as_ref().filter(|_| self.shown_for != selected).and_then(|id| self.stack.index_of(id));
         self.shown_for = selected;
         let area = ScrollArea::vertical().auto_shrink([false, false]).id_salt("layers");
@@ -136,7 +136,8 @@ impl Layers {
     /// Adds a layer over the selected one, and what it lies on where there is nothing.
     fn add(&self, session: &Session, preset: &presets::LayerPreset, out: &mut Vec<Command>) {
         let look = session.look();
-        let beside = session.selection.last().filter(|id| self.stack.index_of(id).is_some());
+        let beside =
+            session.selection.last().filter(|id| is_selected(session, id) && self.stack.index_of(id).is_some());
         let at = match beside.and_then(|id| self.stack.index_of(id)) {
             Some(index) => index,
             // Over the ground, where that is selected.
@@ -152,7 +153,8 @@ impl Layers {
         if self.stack.ground.is_none() && at == self.stack.layers.len() {
             edits.extend(self.add_ground(session, Endpoint::new(id.clone(), BELOW)));
         }
-        out.extend([Command::Edit(Edit::Group { edits }), Command::Select(vec![id])]);
+        out.push(Command::Edit(Edit::Group { edits }));
+        select(session, vec![id], out);
     }
 
     /// A Base for an input that has nothing.
@@ -212,7 +214,7 @@ impl Layers {
             self.move_by(session, index, 1, out);
         }
         if entry(ui, "Show on the canvas", "Brings its node into view", true) {
-            out.push(Command::Reveal(id.clone()));
+            out.push(Command::Show(crate::ids::NodePath::root(id.clone())));
         }
         ui.separator();
         if entry(ui, "Delete layer", "Takes it out; the others close up (Del)", true) {
@@ -227,7 +229,8 @@ impl Layers {
 
     fn duplicate(&self, session: &Session, index: usize, out: &mut Vec<Command>) {
         if let Some((id, edit)) = self.stack.duplicate(session.look(), index) {
-            out.extend([Command::Edit(edit), Command::Select(vec![id])]);
+            out.push(Command::Edit(edit));
+            select(session, vec![id], out);
         }
     }
 
@@ -252,7 +255,7 @@ impl Layers {
             } else if pressed(Modifiers::NONE, key)
                 && let Some(next) = index.checked_add_signed(by).and_then(|next| self.stack.layers.get(next))
             {
-                out.push(Command::Select(vec![next.id.clone()]));
+                select(session, vec![next.id.clone()], out);
                 ui.memory_mut(|memory| memory.request_focus(row::focus_id(&next.id)));
             }
         }
@@ -331,7 +334,7 @@ impl Layers {
                 .on_hover_text("Selects the node and brings it into view")
                 .clicked()
             {
-                out.push(Command::Reveal(ground.node));
+                out.push(Command::Show(crate::ids::NodePath::root(ground.node)));
             }
             return;
         };
@@ -378,6 +381,19 @@ impl Layers {
 /// The name of an input by which a layer is blended, and that of its strength.
 const MODES: [&str; 2] = ["blend", "mode"];
 const OPACITY: &str = "opacity";
+
+/// Selects nodes of the look's own graph, which is opened where a group's is.
+fn select(session: &Session, ids: Vec<NodeId>, out: &mut Vec<Command>) {
+    if !session.open_groups().is_empty() {
+        out.push(Command::OpenGraph(Vec::new()));
+    }
+    out.push(Command::Select(ids));
+}
+
+/// Whether a node of the look's own graph is selected.
+fn is_selected(session: &Session, id: &NodeId) -> bool {
+    session.open_groups().is_empty() && session.selection.contains(id)
+}
 
 /// The edit that sets a value.
 fn set(id: &NodeId, port: &str, value: Value) -> Edit {

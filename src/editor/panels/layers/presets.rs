@@ -181,7 +181,7 @@ mod tests {
             assert_eq!(edits.is_empty(), preset.light == From::Front, "{id}: a new look has no light behind");
             assert!(preset.profile.is_none() || node.values.contains_key("cutoff"), "{}", preset.label);
             for (port, value) in &node.values {
-                let port = &kind.inputs[kind.input(port.as_str()).expect(port.as_str())];
+                let port = &kind.inputs[kind.input(port.as_str()).unwrap()];
                 if let (Value::Text(word), false) = (value, port.options.is_empty()) {
                     assert!(port.options.iter().any(|(known, _)| known == word), "{word}");
                 }

@@ -75,7 +75,7 @@ impl Row<'_> {
         out: &mut Vec<Command>,
     ) -> Shown {
         let title = self.title();
-        let is_selected = self.session.selection.contains(self.id);
+        let is_selected = super::is_selected(self.session, self.id);
         let whole = ui.interact(rect, focus_id(self.id), Sense::click_and_drag());
         whole.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_selected, format!("Layer {title}")));
         card_ground(ui, rect, &whole, is_selected || is_dragged);
@@ -112,7 +112,7 @@ impl Row<'_> {
     pub(super) fn show_ground(&self, ui: &mut Ui, rect: Rect, texture: Option<TextureId>, out: &mut Vec<Command>) {
         let title = self.title();
         let is_base = self.kind.id == "base";
-        let is_selected = self.session.selection.contains(self.id);
+        let is_selected = super::is_selected(self.session, self.id);
         let whole = ui.interact(rect, focus_id(self.id), Sense::click());
         let name = if is_base { format!("Base {title}") } else { format!("Branch {title}") };
         whole.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_selected, &name));
@@ -140,12 +140,16 @@ impl Row<'_> {
         }
         whole.request_focus();
         let adds = ui.input(|input| input.modifiers.command || input.modifiers.shift);
-        let mut ids = if adds { self.session.selected().cloned().collect() } else { Vec::new() };
+        let mut ids = if adds && self.session.open_groups().is_empty() {
+            self.session.selected().cloned().collect()
+        } else {
+            Vec::new()
+        };
         let was_there = ids.iter().position(|id| id == self.id).map(|index| ids.remove(index));
         if was_there.is_none() || !adds {
             ids.push(self.id.clone());
         }
-        out.push(Command::Select(ids));
+        super::select(self.session, ids, out);
     }
 
     fn is_hidden(&self) -> bool {

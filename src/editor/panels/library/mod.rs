@@ -108,7 +108,10 @@ impl Library {
                 if is_split {
                     hint(ui, title);
                 }
-                for row in found.chunks(columns as usize) {
+                // One row of what was opened before; a search finds the others.
+                let is_short = *title == "Recent" && is_split && words.is_empty();
+                let rows = if is_short { 1 } else { usize::MAX };
+                for row in found.chunks(columns as usize).take(rows) {
                     ui.horizontal(|ui| {
                         for card in row {
                             show_card(ui, card, side, session, thumbs, &mut out);
