@@ -72,11 +72,11 @@ fn undoes_to(hand: &mut Hand, text: &str) {
 /// What was copied since the last frame.
 fn copied(hand: &Hand) -> String {
     let commands = &hand.harness.output().platform_output.commands;
-    let texts = commands.iter().filter_map(|command| match command {
+    let mut texts = commands.iter().filter_map(|command| match command {
         OutputCommand::CopyText(text) => Some(text.clone()),
         _ => None,
     });
-    texts.last().unwrap_or_default()
+    texts.next_back().unwrap_or_default()
 }
 
 fn drag_with(hand: &mut Hand, button: PointerButton, modifiers: Modifiers, path: &[Pos2]) {
