@@ -38,7 +38,7 @@ pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
     let selected = session.selection.last().and_then(|id| Some((id, session.graph().nodes.get(id)?)));
     ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
         // Room for the scroll bar.
-        ui.set_max_width(ui.available_width() - 8.0);
+        ui.set_max_width((ui.available_width() - 8.0).max(0.0));
         if session.is_read_only() {
             let text = "This group is of the library. Make it the look's own to change it.";
             ui.label(RichText::new(text).color(theme::of(ui).dim));

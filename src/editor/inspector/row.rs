@@ -262,6 +262,11 @@ fn unset(ui: &mut Ui, subject: &Subject<'_>, port: &Port) -> Option<(Id, Value)>
     if response.clicked() { Some((response.id, first?)) } else { None }
 }
 
+/// The width that is left, and never less than a little, however narrow the panel is.
+fn room(ui: &Ui) -> f32 {
+    ui.available_width().max(32.0)
+}
+
 /// Radians are shown as degrees.
 fn number(ui: &mut Ui, label: Id, port: &Port, value: Option<&Value>) -> Option<(Id, Value)> {
     let scale = if port.unit == "rad" { 180.0 / std::f64::consts::PI } else { 1.0 };
@@ -297,7 +302,7 @@ fn number(ui: &mut Ui, label: Id, port: &Port, value: Option<&Value>) -> Option<
                 .suffix(suffix)
                 .max_decimals(decimals)
                 .speed(speed);
-            ui.add_sized(vec2(ui.available_width(), ui.spacing().interact_size.y), drag)
+            ui.add_sized(vec2(room(ui), ui.spacing().interact_size.y), drag)
         }
     };
     let response = response.labelled_by(label);
@@ -309,7 +314,7 @@ fn number(ui: &mut Ui, label: Id, port: &Port, value: Option<&Value>) -> Option<
 
 fn vector(ui: &mut Ui, label: Id, port: &Port, value: Option<&Value>, width: usize) -> Option<(Id, Value)> {
     let mut numbers = values::vector(value, width);
-    let each = (ui.available_width() - ui.spacing().item_spacing.x * (width as f32 - 1.0)) / width as f32;
+    let each = ((ui.available_width() - ui.spacing().item_spacing.x * (width as f32 - 1.0)) / width as f32).max(16.0);
     let mut changed = None;
     for number in &mut numbers {
         let mut drag = DragValue::new(number).speed(0.01).max_decimals(3).clamp_existing_to_range(false);
@@ -331,7 +336,7 @@ fn choice(ui: &mut Ui, label: Id, port: &Port, value: Option<&Value>) -> Option<
         _ => "",
     };
     let shown = port.options.iter().find(|(known, _)| known == word).map_or(word, |(_, label)| label);
-    let width = ui.available_width();
+    let width = room(ui);
     let mut chosen = None;
     let combo = ComboBox::from_id_salt("choice").width(width).selected_text(shown).show_ui(ui, |ui| {
         for (known, label) in &port.options {
@@ -356,7 +361,7 @@ fn light_name(ui: &mut Ui, label: Id, subject: &Subject<'_>, value: Option<&Valu
     };
     let mut chosen = None;
     let shown = if id.is_empty() { "choose a light".to_owned() } else { name(id) };
-    let combo = ComboBox::from_id_salt("light").width(ui.available_width()).selected_text(shown).show_ui(ui, |ui| {
+    let combo = ComboBox::from_id_salt("light").width(room(ui)).selected_text(shown).show_ui(ui, |ui| {
         for known in lights.keys() {
             if ui.selectable_label(known.as_str() == id, name(known.as_str())).clicked() {
                 chosen = Some(known.to_string());
