@@ -548,7 +548,7 @@ fn theme_scale_and_panels_are_remembered() {
     assert_eq!(hand.harness.ctx.zoom_factor(), 1.25);
     hand.harness.ctx.set_zoom_factor(1.0);
     hand.settle();
-    assert!(hand.harness.query_by_label("WGSL").is_some());
+    assert!(hand.harness.query_by_role_and_label(eframe::egui::accesskit::Role::Tab, "Code").is_some());
     press(&mut hand, "View");
     let code = hand.harness.get_by_role_and_label(eframe::egui::accesskit::Role::CheckBox, "Code").rect().center();
     hand.click(code);
@@ -556,7 +556,8 @@ fn theme_scale_and_panels_are_remembered() {
     drop(hand);
     let hand = home.window(None);
     assert!(hand.app().settings().layout.is_some());
-    assert!(hand.harness.query_by_label("WGSL").is_none(), "the panel was closed");
+    let code = hand.harness.query_by_role_and_label(eframe::egui::accesskit::Role::Tab, "Code");
+    assert!(code.is_none(), "the panel was closed");
 }
 
 #[test]

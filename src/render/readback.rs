@@ -1,6 +1,6 @@
 //! From the GPU back to memory.
 
-use std::sync::{Arc, Mutex};
+use std::time::Duration;
 
 use half::f16;
 
@@ -56,17 +56,17 @@ pub(super) async fn read_texture(gpu: &Gpu, texture: &wgpu::Texture, texel_bytes
 
 /// Waits for the GPU, then gives what a buffer holds that can be mapped.
 pub(super) async fn read_buffer(gpu: &Gpu, buffer: &wgpu::Buffer) -> Result<Vec<u8>, RenderError> {
-    let result = Arc::new(Mutex::new(None));
-    let slot = result.clone();
-    buffer.slice(..).map_async(wgpu::MapMode::Read, move |mapped| {
-        *slot.lock().unwrap_or_else(std::sync::PoisonError::into_inner) = Some(mapped);
-    });
+    /// Another thread that waits for the same device may be the one that brings the answer, and may do so a moment
+    /// after this one has seen that nothing is left to wait for.
+    const PATIENCE: Duration = Duration::from_secs(30);
+    let (tell, told) = std::sync::mpsc::sync_channel(1);
+    buffer.slice(..).map_async(wgpu::MapMode::Read, move |mapped| drop(tell.send(mapped)));
     let lost = |message: String| RenderError::Lost { message };
     gpu.wait()?;
-    match result.lock().unwrap_or_else(std::sync::PoisonError::into_inner).take() {
-        Some(Ok(())) => {}
-        Some(Err(error)) => return Err(lost(error.to_string())),
-        None => return Err(lost("what was asked for never came back".to_owned())),
+    match told.recv_timeout(PATIENCE) {
+        Ok(Ok(())) => {}
+        Ok(Err(error)) => return Err(lost(error.to_string())),
+        Err(_) => return Err(lost("what was asked for never came back".to_owned())),
     }
     let mapped = buffer.slice(..).get_mapped_range().map_err(|error| lost(error.to_string()))?;
     Ok(mapped.to_vec())

@@ -4,12 +4,14 @@ use super::{Default, Kind, Shape, say_number};
 
 /// One table in Markdown for each kind of object, by the object's name, as docs/format.md has them.
 pub fn field_tables() -> Vec<(&'static str, String)> {
-    let shapes: [&Shape; 20] = [
+    let shapes: [&Shape; 22] = [
         &super::LOOK,
         &super::NODE,
         &super::WIRE,
         &super::LIGHT,
         &super::FRAME,
+        &super::NOTE,
+        &super::BOOKMARK,
         &super::DEFINITION,
         &super::INTERFACE_PORT,
         &super::EXPOSED,

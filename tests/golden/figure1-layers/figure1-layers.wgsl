@@ -63,10 +63,10 @@ struct Light {
     intensity: f32,
 }
 
-const PI: f32 = 3.14159265358979;
-const HALF_PI: f32 = 1.57079632679490;
-const LN_2: f32 = 0.693147180559945;
-const LOG2_E: f32 = 1.44269504088896;
+const PI: f32 = 3.14159265358979323846;
+const HALF_PI: f32 = 1.57079632679489661923;
+const LN_2: f32 = 0.693147180559945309417;
+const LOG2_E: f32 = 1.44269504088896340736;
 /// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
@@ -142,11 +142,12 @@ fn log1p_negative_small(y: f32) -> f32 {
 
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled.
+    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64 to see sines by 1e-11,
+    // and end where they err downward: a profile whose cut-off is pi is 0 there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
-    let s = h * (1.0 + h2 * (-0.166666666666666667 + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413 + h2 * 0.00000275573192239858907))));
-    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667 + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016 + h2 * 2.75573192239858907e-7))));
+    let s = h * (1.0 + h2 * (-0.166666666666666667 + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413 + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
+    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667 + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016 + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
     let c = 1.0 - one_minus_c;
     return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
 }

@@ -72,7 +72,7 @@ struct Ramp {
     interpolation: u32,
 }
 
-const HALF_PI: f32 = 1.57079632679490;
+const HALF_PI: f32 = 1.57079632679489661923;
 /// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
