@@ -151,14 +151,10 @@ fn shots_of_truth() {
     hand.click(middle);
     hand.settle();
     save(&mut hand, "probe-kept");
-    hand.click(editor_support::node_center(&hand, "diffuse"));
-    let list = hand.harness.get_by_role_and_label(Role::ComboBox, "View wire").rect().center();
-    hand.click(list);
+    let wire = hand.harness.get_by_label("Wire of fill/angle");
+    wire.click_secondary();
     hand.settle();
-    let tone = hand.harness.get_all_by_label("Tone").last().unwrap().rect().center();
-    hand.click(tone);
-    hand.settle();
-    click_label(&mut hand, "Isolines");
+    click_label(&mut hand, "Show Angle as isolines");
     save(&mut hand, "isolines");
 }
 
@@ -321,9 +317,9 @@ fn keyed_shots() {
     let ids: Vec<_> = layers.into_iter().take(2).map(|(id, _)| id.clone()).collect();
     hand.app_mut().session_mut().select(ids);
     hand.settle();
-    click(&mut hand, "Keys of Opacity");
+    click(&mut hand, "Keys of Offset");
     click(&mut hand, "Expose");
-    click(&mut hand, "Keys of Opacity");
+    click(&mut hand, "Keys of Offset");
     save(&mut hand, "keyed-menu");
     click(&mut hand, "New keys by the view");
     save(&mut hand, "keyed-by-view");
