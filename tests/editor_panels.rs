@@ -279,14 +279,17 @@ fn tiers_are_measured_when_asked_and_adopted_by_a_click() {
     assert_eq!(hand.look().tier, Tier::Fast);
     hand.undo();
     // Measuring is stopped by hand; what was measured stays.
-    let rows = hand.app().cost().report().unwrap().rows.len();
+    let times = |hand: &Hand| -> Vec<f64> {
+        hand.app().cost().report().unwrap().rows.iter().map(|row| row.time.median).collect()
+    };
+    let before = times(&hand);
     let measure = hand.harness.get_by_label("Measure").rect().center();
     hand.click(measure);
     let stop = hand.harness.get_by_label("Stop").rect().center();
     hand.click(stop);
     hand.settle();
     assert!(!hand.app().is_busy());
-    assert_eq!(hand.app().cost().report().unwrap().rows.len(), rows);
+    assert_eq!(times(&hand), before, "measured to the end, no time would be the same");
 }
 
 /// A look whose output shows 0.5 everywhere, with a constant of 2 and a custom node that is wired to nothing.

@@ -604,7 +604,6 @@ impl App {
             Command::AddNode { kind, at } => self.add_node(&kind, at),
             Command::OpenExample(index) => self.do_or_ask(Pending::Example(index)),
             Command::Copy(text) => ui.ctx().copy_text(text),
-            Command::OpenPanel(panel) => self.dock.open(panel),
             Command::SelectKey(key) => self.session.key = key,
             Command::SetTime(time) => self.session.time = time,
             Command::TurnTo(view) => self.session.view = *view,

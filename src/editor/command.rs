@@ -71,8 +71,6 @@ pub(crate) enum Command {
     OpenExample(usize),
     /// Copies text to the clipboard.
     Copy(String),
-    /// Brings a panel to the front.
-    OpenPanel(Panel),
     /// Sets values at this direction key from now on: a set and a key of it; at none, at the one that weighs most.
     SelectKey(Option<(usize, usize)>),
     /// Moves the playhead, in seconds.

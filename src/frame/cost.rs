@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::plan::{Draw, PassKind, PlanOptions};
 use crate::compile::{Attribute, CompiledShader};
-use crate::wgsl::{self, Operations};
+use crate::wgsl::{self, Operations, Valid};
 
 /// What an effect costs; of what is dropped, what it would cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
@@ -96,7 +96,7 @@ pub(super) fn of_passes(kinds: &[&PassKind], options: &PlanOptions) -> EffectCos
 /// The operations at each fragment of the modules that a pass runs; the most, where objects differ.
 pub(super) fn pass_operations(kind: &PassKind, draws: &[Draw]) -> u64 {
     let most = |of: &dyn Fn(&Draw) -> Option<&Arc<CompiledShader>>| {
-        draws.iter().filter_map(of).map(|shader| shader_operations(shader)).max().unwrap_or_default()
+        draws.iter().filter_map(of).map(|shader| module_operations(&shader.valid)).max().unwrap_or_default()
     };
     match kind {
         PassKind::Look => most(&|draw| Some(&draw.look)),
@@ -108,21 +108,23 @@ pub(super) fn pass_operations(kind: &PassKind, draws: &[Draw]) -> u64 {
 /// The operations of a fixed pass.
 fn fixed_operations(name: &str) -> u64 {
     let valid = wgsl::pass(name).ok().and_then(|linked| wgsl::parse(&linked.text).ok());
-    valid.map_or(0, |valid| Operations::of(&valid.module).of_entry_points(&valid.module))
+    valid.as_ref().map_or(0, module_operations)
 }
 
 /// The operations of a whole module.
-pub(super) fn shader_operations(shader: &CompiledShader) -> u64 {
-    Operations::of(&shader.valid.module).of_entry_points(&shader.valid.module)
+fn module_operations(valid: &Valid) -> u64 {
+    Operations::of(&valid.module).of_entry_points(&valid.module)
 }
 
-/// The operations at each fragment of every node that is in a module.
-pub(super) fn node_operations(shader: &CompiledShader) -> BTreeMap<String, u64> {
+/// The operations at each fragment of a module, whole and of every node that is in it.
+pub(super) fn shader_operations(shader: &CompiledShader) -> (u64, BTreeMap<String, u64>) {
+    let module = &shader.valid.module;
+    let operations = Operations::of(module);
     let mut counted: BTreeMap<String, u64> = shader.spans.nodes().map(|path| (path.to_string(), 0)).collect();
-    Operations::of(&shader.valid.module).for_each(&shader.valid.module, |span, operations| {
+    operations.for_each(module, |span, operations| {
         if let Some(path) = shader.spans.node_at(span.start) {
             *counted.entry(path.to_string()).or_default() += operations;
         }
     });
-    counted
+    (operations.of_entry_points(module), counted)
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use super::cost::{EffectCost, attribute_bytes, node_operations, pass_operations, shader_operations};
+use super::cost::{EffectCost, attribute_bytes, pass_operations, shader_operations};
 use super::plan::{Draw, FramePlan, PassKind};
 use crate::compile::{Attribute, BindingKind, CompiledShader, Proof, StructLayout};
 use crate::library::Type;
@@ -139,7 +139,8 @@ fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
     let what = if name.is_empty() { "a look" } else { name };
     let reason =
         format!("object `{}` wears it; it is compiled to {modules} {}", draw.object, plural(modules, "module"));
-    let cost = EffectCost::operations(shader_operations(shader));
+    let (operations, of_nodes) = shader_operations(shader);
+    let cost = EffectCost::operations(operations);
     push(Effect::runs(what, EffectKind::Look, reason).costs(cost));
     push_lights(&mut push, shader);
     let read = read_attributes(shader, draw);
@@ -182,7 +183,7 @@ fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
         let reason = "everything is known when the look is compiled, or at each fragment";
         Effect::dropped("uniforms of the look", EffectKind::Uniforms, reason, Proof::Constant)
     });
-    for (path, operations) in node_operations(shader) {
+    for (path, operations) in of_nodes {
         let what = format!("node `{path}`");
         let effect = Effect::runs(what, EffectKind::Node, "it runs at each fragment");
         let effect = effect.costs(EffectCost::operations(operations));

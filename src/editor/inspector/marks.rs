@@ -102,7 +102,7 @@ fn keys_in_time(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
     let help = "A key at the playhead with the value of now; setting it at another time adds another key";
     if ui.button(text).on_hover_text(help).clicked() {
         out.extend(marked.session.key_in_time(&marked.target).map(Command::Edit));
-        out.push(Command::OpenPanel(Panel::Timeline));
+        out.push(Command::ShowPanel(Panel::Timeline));
     }
 }
 
@@ -114,7 +114,7 @@ fn keys_by_direction(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
         let help = "Has its present value at every key of this set, until you change it at one";
         if !has_it && ui.button(format!("Key in \"{}\"", set.name)).on_hover_text(help).clicked() {
             out.extend(session.key_in_set(index, &marked.target).map(Command::Edit));
-            out.push(Command::OpenPanel(Panel::Keys));
+            out.push(Command::ShowPanel(Panel::Keys));
         }
     }
     let lights = session.look().lights.keys().map(|id| KeyDirection::Light(id.clone()));
@@ -126,7 +126,7 @@ fn keys_by_direction(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
         if ui.button(text).on_hover_text("Begins direction keys with one where that is now").clicked() {
             out.push(Command::Edit(session.new_set(by, Some(&marked.target))));
             out.push(Command::SelectKey(Some((sets.len(), 0))));
-            out.push(Command::OpenPanel(Panel::Keys));
+            out.push(Command::ShowPanel(Panel::Keys));
         }
     }
 }
