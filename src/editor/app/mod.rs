@@ -1,13 +1,15 @@
-//! The window: panels around the canvas, and the one place that applies what they ask for.
+//! The window: panels around the canvas. What they ask for is applied in one place, `apply`.
 
-use eframe::egui;
-use std::hash::{DefaultHasher, Hash, Hasher};
-use std::path::{Path, PathBuf};
+mod apply;
+mod bar;
+mod files;
+
+use std::path::Path;
 use std::sync::Arc;
 
-use eframe::egui::{Key, Modifiers, Panel, RichText, Ui, ViewportCommand};
+use eframe::egui::{self, Key, Modifiers, Panel, Ui};
 
-use super::canvas::{Canvas, edits};
+use super::canvas::Canvas;
 use super::code::Code;
 use super::command::Command;
 use super::cost::Cost;
@@ -17,7 +19,7 @@ use super::curves::timeline::Timeline;
 use super::dialogs::{Dialogs, IMAGES, MESHES, Purpose};
 use super::dock::Dock;
 use super::dock::effects::Effects;
-use super::panels::{Panels, library, problems, solo};
+use super::panels::{Panels, library, solo};
 use super::picture::Picture;
 use super::probe::{Probe, picture_size};
 use super::safety::Safety;
@@ -29,9 +31,8 @@ use super::shortcuts::{self, Action, Place};
 use super::viewport::{Export, Viewport};
 use super::wipe::Wipe;
 use super::{dock, inspector, theme};
-use crate::diag::Diagnostic;
-use crate::document::Edit;
 use crate::library::Library;
+use files::Pending;
 
 /// The height of the status bar, in points.
 const STATUS: f32 = 38.0;
@@ -62,15 +63,6 @@ pub struct App {
     /// Presses of the pointer, and what had the keyboard: together with a widget they are the hand that edits.
     presses: u64,
     closes: bool,
-}
-
-/// What would lose unsaved changes.
-#[derive(Clone, Debug, PartialEq)]
-enum Pending {
-    New,
-    Open(PathBuf),
-    Example(usize),
-    Close,
 }
 
 impl App {
@@ -270,38 +262,6 @@ impl App {
         self.panels.pictures()
     }
 
-    /// Opens a look and tells where that fails.
-    pub fn open(&mut self, path: &Path) {
-        if let Some(told) = self.safety.reopen(path, &mut self.session) {
-            self.message = Some(told).filter(|told| !told.is_empty());
-        } else {
-            let is_open = self.session.open(path);
-            self.message = (!is_open).then(|| format!("{} could not be opened", path.display()));
-        }
-        if self.message.is_none() {
-            self.safety.opened(path);
-        }
-        self.safety.look();
-    }
-
-    /// Saves to a file and tells where that fails.
-    pub fn save_as(&mut self, path: &Path) -> bool {
-        match self.session.save_as(path) {
-            Ok(()) => {
-                self.message = Some(format!("Saved {}", path.display()));
-                self.safety.opened(path);
-                true
-            }
-            Err(problem) => {
-                self.message = Some(problems::sentence(&problem).replace('\n', ": "));
-                if problem.code == "changed-on-disk" {
-                    self.safety.look_at_files(&mut self.session);
-                }
-                false
-            }
-        }
-    }
-
     /// Shows the window for one frame.
     pub fn show(&mut self, ui: &mut Ui) {
         if ui.input(|input| input.pointer.any_pressed()) {
@@ -422,107 +382,6 @@ impl App {
         });
     }
 
-    fn bar(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
-        ui.horizontal(|ui| {
-            let mut button = |ui: &mut Ui, label: &str, help: &str, is_on: bool, command: Command| {
-                let response = ui.add_enabled(is_on, egui::Button::new(label)).on_hover_text(help);
-                if response.clicked() {
-                    commands.push(command);
-                }
-            };
-            button(ui, "New", "A new look (Ctrl+N)", true, Command::New);
-            button(ui, "Open", "Opens a look (Ctrl+O)", true, Command::Open(None));
-            let recent = self.safety.recent_menu(ui);
-            button(ui, "Save", "Saves the look (Ctrl+S)", true, Command::Save);
-            button(ui, "Save as", "Saves under another name (Ctrl+Shift+S)", true, Command::SaveAs);
-            ui.separator();
-            let step = |label: Option<&str>, otherwise: &str| label.map_or(otherwise.to_owned(), str::to_owned);
-            let (undo, redo) = (self.session.undo_label(), self.session.redo_label());
-            let help = format!("Takes back: {} (Ctrl+Z)", step(undo, "nothing"));
-            button(ui, "Undo", &help, undo.is_some(), Command::Undo);
-            let help = format!("Repeats: {} (Ctrl+Shift+Z)", step(redo, "nothing"));
-            button(ui, "Redo", &help, redo.is_some(), Command::Redo);
-            ui.separator();
-            commands.extend(recent.map(|path| Command::Open(Some(path))));
-            ui.menu_button("View", |ui| self.view_menu(ui)).response.on_hover_text("Panels, theme and scale");
-            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                let name = self.document_name();
-                if self.session.is_dirty() {
-                    ui.label(RichText::new("changed").color(theme::of(ui).accent)).on_hover_text("Not saved yet");
-                }
-                let path = self.session.path().map(|path| path.display().to_string());
-                let label = ui.label(RichText::new(name).strong());
-                if let Some(path) = path {
-                    label.on_hover_text(path);
-                }
-            });
-        });
-    }
-
-    fn view_menu(&mut self, ui: &mut Ui) {
-        for panel in dock::Panel::ALL {
-            let mut is_there = self.dock.has(panel);
-            if ui.checkbox(&mut is_there, panel.label()).on_hover_text(panel.help()).changed() {
-                if is_there { self.dock.open(panel) } else { self.dock.close(panel) }
-            }
-        }
-        if ui.button("Reset panels").on_hover_text("Puts all panels where a new window has them").clicked() {
-            self.dock.reset();
-        }
-        ui.separator();
-        let mut theme = ui.ctx().options(|options| options.theme_preference);
-        ui.horizontal(|ui| {
-            use egui::ThemePreference::{Dark, Light, System};
-            for (choice, label) in [(Dark, "Dark"), (Light, "Light"), (System, "As the system")] {
-                if ui.selectable_value(&mut theme, choice, label).changed() {
-                    ui.ctx().set_theme(theme);
-                }
-            }
-        });
-        ui.horizontal(|ui| {
-            let zoom = ui.ctx().zoom_factor();
-            for percent in [100, 125, 150, 200] {
-                let factor = percent as f32 / 100.0;
-                let is_it = (zoom - factor).abs() < 0.01;
-                if ui.selectable_label(is_it, format!("{percent}%")).on_hover_text("Scale of the window").clicked() {
-                    ui.ctx().set_zoom_factor(factor);
-                }
-            }
-        });
-    }
-
-    fn status(&self, ui: &mut Ui) -> Option<Command> {
-        let hint =
-            [self.viewport.hint(), self.canvas.hint()].into_iter().find(|hint| !hint.is_empty()).unwrap_or_default();
-        ui.horizontal(|ui| {
-            let command = problems::status(ui, &self.session);
-            if let Some(message) = &self.message {
-                ui.label(RichText::new(message).color(theme::of(ui).accent));
-                ui.separator();
-            }
-            ui.add(egui::Label::new(RichText::new(hint).color(theme::of(ui).dim)).truncate());
-            command
-        })
-        .inner
-    }
-
-    fn document_name(&self) -> String {
-        match self.session.path().and_then(|path| path.file_name()) {
-            Some(name) => name.to_string_lossy().into_owned(),
-            None => "New look".to_owned(),
-        }
-    }
-
-    fn set_title(&self, ctx: &egui::Context) {
-        let mark = if self.session.is_dirty() { "*" } else { "" };
-        let title = format!("{}{mark} - Chiaro", self.document_name());
-        let id = egui::Id::unique("title");
-        if ctx.data(|data| data.get_temp::<String>(id)).as_ref() != Some(&title) {
-            ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
-            ctx.data_mut(|data| data.insert_temp(id, title));
-        }
-    }
-
     fn shortcuts(&self, ui: &Ui, commands: &mut Vec<Command>) {
         let is_typing = ui.ctx().egui_wants_keyboard_input();
         // A field that is being typed in has an undo of its own, and question marks.
@@ -538,183 +397,6 @@ impl App {
         let escape = (Modifiers::NONE, Key::Escape);
         if self.probe.is_on() && !is_typing && shortcuts::take(ui, escape) {
             commands.push(Command::LeaveProbe);
-        }
-    }
-
-    fn apply(&mut self, ui: &Ui, command: Command) {
-        if !matches!(
-            command,
-            Command::Act(_) | Command::Select(_) | Command::Reveal(_) | Command::Show(_) | Command::OpenGraph(_)
-        ) {
-            self.message = None;
-        }
-        match command {
-            Command::Edit(edit) => self.tell(|session| session.apply(edit, None)),
-            Command::EditHeld(widget, edit) => {
-                let focus = ui.memory(egui::Memory::focused);
-                let mut hasher = DefaultHasher::new();
-                (widget, self.presses, focus).hash(&mut hasher);
-                let hand = hasher.finish();
-                self.tell(|session| session.apply(edit, Some(hand)));
-            }
-            Command::Select(ids) => self.session.select(ids),
-            Command::Reveal(id) => {
-                self.session.select(vec![id.clone()]);
-                self.canvas.reveal(id);
-            }
-            Command::Show(path) => {
-                let ids = path.ids();
-                self.session.open_graph(&ids[..ids.len().saturating_sub(1)]);
-                if let Some(id) = self.session.step_here(&path).cloned() {
-                    self.session.select(vec![id.clone()]);
-                    self.canvas.reveal(id);
-                }
-            }
-            Command::OpenGraph(path) => self.session.open_graph(&path),
-            Command::Undo => drop(self.session.undo()),
-            Command::Redo => drop(self.session.redo()),
-            Command::New => self.do_or_ask(Pending::New),
-            Command::Open(Some(path)) => self.do_or_ask(Pending::Open(path)),
-            Command::Open(None) => self.dialogs.ask(Purpose::Open, self.session.path()),
-            Command::Save => self.save(),
-            Command::SaveAs => self.dialogs.ask(Purpose::Save, self.session.path()),
-            Command::SaveTo(path) => {
-                if self.save_as(&path) {
-                    self.go_on();
-                }
-            }
-            Command::ShowOn(Some(path)) => self.show_on(&path.to_string_lossy()),
-            Command::ShowOn(None) => self.dialogs.ask(Purpose::Mesh, Some(Path::new(&self.session.view.mesh))),
-            Command::Probe(on) => {
-                self.probe.turn(on);
-                if on {
-                    self.dock.open(dock::Panel::Probe);
-                }
-            }
-            Command::ShowWire(wire) => self.session.show_wire(wire),
-            Command::Export(export, Some(path)) => self.viewport.export(&self.session, export, path),
-            Command::Export(export, None) => self.dialogs.ask(Purpose::Export(export), self.session.path()),
-            Command::CopyPicture => self.viewport.copy(&self.session, ui.pixels_per_point()),
-            Command::ShowReference(Some(path)) => self.viewport.show_reference(path),
-            Command::ShowReference(None) => self.dialogs.ask(Purpose::Reference, self.session.path()),
-            Command::LeaveProbe => self.probe.escape(),
-            Command::Solo(solo) => self.session.set_solo(solo),
-            Command::ShowPanel(panel) => self.dock.open(panel),
-            Command::GoTo(place) => self.session.go_to(place),
-            Command::AddNode { kind, at } => self.add_node(&kind, at),
-            Command::OpenExample(index) => self.do_or_ask(Pending::Example(index)),
-            Command::Copy(text) => ui.ctx().copy_text(text),
-            Command::SelectKey(key) => self.session.key = key,
-            Command::SetTime(time) => self.session.time = time,
-            Command::TurnTo(view) => self.session.view = *view,
-            Command::Safety(wish) => self.message = self.safety.apply(wish, &mut self.session),
-            Command::Tell(text) => self.message = Some(text),
-            Command::Act(action) => self.act(ui, action),
-        }
-    }
-
-    /// Does what the command palette chose.
-    fn act(&mut self, ui: &Ui, action: Action) {
-        let command = match action {
-            Action::New => Command::New,
-            Action::Open => Command::Open(None),
-            Action::Save => Command::Save,
-            Action::SaveAs => Command::SaveAs,
-            Action::Undo => Command::Undo,
-            Action::Redo => Command::Redo,
-            Action::Probe => Command::Probe(!self.probe.is_on()),
-            Action::Commands | Action::Shortcuts => return self.sheet.open(action),
-            action => return self.canvas.ask(action),
-        };
-        self.apply(ui, command);
-    }
-
-    fn add_node(&mut self, kind: &str, at: Option<egui::Pos2>) {
-        let Some(kind) = self.session.catalog.all().find(|known| known.id == kind).cloned() else { return };
-        let at = self.canvas.place_for(at);
-        let (id, edits) = edits::add(&self.session, &kind, at);
-        self.tell(|session| session.apply(Edit::Group { edits }, None));
-        self.session.select(vec![id]);
-    }
-
-    fn tell(&mut self, edit: impl FnOnce(&mut Session) -> Result<(), Box<Diagnostic>>) {
-        if let Err(problem) = edit(&mut self.session) {
-            self.message = Some(problem.message);
-        }
-    }
-
-    fn save(&mut self) {
-        match self.session.path().map(Path::to_path_buf) {
-            Some(path) => {
-                if self.save_as(&path) {
-                    self.go_on();
-                }
-            }
-            None => self.dialogs.ask(Purpose::Save, None),
-        }
-    }
-
-    /// Does what would lose changes, where there are none, or where the journal keeps them; else asks first.
-    fn do_or_ask(&mut self, pending: Pending) {
-        self.pending = Some(pending);
-        if !self.session.is_dirty() || self.session.keeps_work() {
-            self.go_on();
-        }
-    }
-
-    fn go_on(&mut self) {
-        match self.pending.take() {
-            Some(Pending::New) => {
-                self.session.start_new();
-                self.safety.look();
-            }
-            Some(Pending::Open(path)) => self.open(&path),
-            Some(Pending::Example(index)) => {
-                let (name, text) = library::EXAMPLES[index];
-                self.session.start_from(text, name);
-                self.safety.look();
-            }
-            Some(Pending::Close) => self.closes = true,
-            None => {}
-        }
-    }
-
-    fn ask_about_changes(&mut self, ui: &Ui, commands: &mut Vec<Command>) {
-        if self.pending.is_none() || !self.session.is_dirty() {
-            return;
-        }
-        let modal = egui::Modal::new(egui::Id::unique("unsaved")).show(ui.ctx(), |ui| {
-            ui.set_width(320.0);
-            ui.label(RichText::new(format!("{} has changes", self.document_name())).heading());
-            ui.label("They are lost unless you save them.");
-            ui.add_space(8.0);
-            ui.horizontal(|ui| {
-                if ui.button("Save").clicked() {
-                    commands.push(Command::Save);
-                }
-                if ui.button("Do not save").clicked() {
-                    self.session.give_up_changes();
-                    self.go_on();
-                }
-                if ui.button("Cancel").clicked() {
-                    self.pending = None;
-                }
-            });
-        });
-        if modal.should_close() {
-            self.pending = None;
-        }
-    }
-
-    fn close_or_stay(&mut self, ctx: &egui::Context) {
-        if self.closes {
-            ctx.send_viewport_cmd(ViewportCommand::Close);
-        } else if ctx.input(|input| input.viewport().close_requested())
-            && self.session.is_dirty()
-            && !self.session.keeps_work()
-        {
-            ctx.send_viewport_cmd(ViewportCommand::CancelClose);
-            self.pending = Some(Pending::Close);
         }
     }
 }

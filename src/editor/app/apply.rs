@@ -1,0 +1,133 @@
+//! The one place that does what panels, keys and menus ask for.
+
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::Path;
+
+use eframe::egui::{self, Ui};
+
+use super::App;
+use super::files::Pending;
+use crate::diag::Diagnostic;
+use crate::document::Edit;
+use crate::editor::canvas::edits;
+use crate::editor::command::Command;
+use crate::editor::dialogs::Purpose;
+use crate::editor::dock;
+use crate::editor::session::Session;
+use crate::editor::shortcuts::Action;
+use crate::editor::viewport::Export;
+
+impl App {
+    pub(super) fn apply(&mut self, ui: &Ui, command: Command) {
+        if !matches!(
+            command,
+            Command::Act(_) | Command::Select(_) | Command::Reveal(_) | Command::Show(_) | Command::OpenGraph(_)
+        ) {
+            self.message = None;
+        }
+        match command {
+            Command::Edit(edit) => self.tell(|session| session.apply(edit, None)),
+            Command::EditHeld(widget, edit) => {
+                let focus = ui.memory(egui::Memory::focused);
+                let mut hasher = DefaultHasher::new();
+                (widget, self.presses, focus).hash(&mut hasher);
+                let hand = hasher.finish();
+                self.tell(|session| session.apply(edit, Some(hand)));
+            }
+            Command::Select(ids) => self.session.select(ids),
+            Command::Reveal(id) => {
+                self.session.select(vec![id.clone()]);
+                self.canvas.reveal(id);
+            }
+            Command::Show(path) => {
+                let ids = path.ids();
+                self.session.open_graph(&ids[..ids.len().saturating_sub(1)]);
+                if let Some(id) = self.session.step_here(&path).cloned() {
+                    self.session.select(vec![id.clone()]);
+                    self.canvas.reveal(id);
+                }
+            }
+            Command::OpenGraph(path) => self.session.open_graph(&path),
+            Command::Undo => drop(self.session.undo()),
+            Command::Redo => drop(self.session.redo()),
+            Command::New => self.do_or_ask(Pending::New),
+            Command::Open(Some(path)) => self.do_or_ask(Pending::Open(path)),
+            Command::Open(None) => self.dialogs.ask(Purpose::Open, self.session.path()),
+            Command::Save => self.save(),
+            Command::SaveAs => self.dialogs.ask(Purpose::Save, self.session.path()),
+            Command::SaveTo(path) => {
+                if self.save_as(&path) {
+                    self.go_on();
+                }
+            }
+            Command::ShowOn(Some(path)) => self.show_on(&path.to_string_lossy()),
+            Command::ShowOn(None) => self.dialogs.ask(Purpose::Mesh, Some(Path::new(&self.session.view.mesh))),
+            Command::Probe(on) => {
+                self.probe.turn(on);
+                if on {
+                    self.dock.open(dock::Panel::Probe);
+                }
+            }
+            Command::ShowWire(wire) => self.session.show_wire(wire),
+            Command::Export(export, Some(path)) => self.viewport.export(&self.session, export, path),
+            Command::Export(export, None) => self.dialogs.ask(Purpose::Export(export), self.session.path()),
+            Command::CopyPicture => self.viewport.copy(&self.session, ui.pixels_per_point()),
+            Command::ShowReference(Some(path)) => self.viewport.show_reference(path),
+            Command::ShowReference(None) => self.dialogs.ask(Purpose::Reference, self.session.path()),
+            Command::LeaveProbe => self.probe.escape(),
+            Command::Solo(solo) => self.session.set_solo(solo),
+            Command::ShowPanel(panel) => self.dock.open(panel),
+            Command::GoTo(place) => self.session.go_to(place),
+            Command::AddNode { kind, at } => self.add_node(&kind, at),
+            Command::OpenExample(index) => self.do_or_ask(Pending::Example(index)),
+            Command::Copy(text) => ui.ctx().copy_text(text),
+            Command::SelectKey(key) => self.session.key = key,
+            Command::SetTime(time) => self.session.time = time,
+            Command::TurnTo(view) => self.session.view = *view,
+            Command::Safety(wish) => self.message = self.safety.apply(wish, &mut self.session),
+            Command::Tell(text) => self.message = Some(text),
+            Command::Act(action) => self.act(ui, action),
+        }
+    }
+
+    /// Does what the command palette chose.
+    fn act(&mut self, ui: &Ui, action: Action) {
+        let command = match action {
+            Action::New => Command::New,
+            Action::Open => Command::Open(None),
+            Action::Save => Command::Save,
+            Action::SaveAs => Command::SaveAs,
+            Action::Undo => Command::Undo,
+            Action::Redo => Command::Redo,
+            Action::Probe => Command::Probe(!self.probe.is_on()),
+            Action::Commands | Action::Shortcuts => return self.sheet.open(action),
+            action => return self.canvas.ask(action),
+        };
+        self.apply(ui, command);
+    }
+
+    fn add_node(&mut self, kind: &str, at: Option<egui::Pos2>) {
+        let Some(kind) = self.session.catalog.all().find(|known| known.id == kind).cloned() else { return };
+        let at = self.canvas.place_for(at);
+        let (id, edits) = edits::add(&self.session, &kind, at);
+        self.tell(|session| session.apply(Edit::Group { edits }, None));
+        self.session.select(vec![id]);
+    }
+
+    pub(super) fn tell(&mut self, edit: impl FnOnce(&mut Session) -> Result<(), Box<Diagnostic>>) {
+        if let Err(problem) = edit(&mut self.session) {
+            self.message = Some(problem.message);
+        }
+    }
+
+    pub(super) fn save(&mut self) {
+        match self.session.path().map(Path::to_path_buf) {
+            Some(path) => {
+                if self.save_as(&path) {
+                    self.go_on();
+                }
+            }
+            None => self.dialogs.ask(Purpose::Save, None),
+        }
+    }
+}

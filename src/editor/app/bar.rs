@@ -1,0 +1,111 @@
+//! The bar above and the line of status below.
+
+use eframe::egui::{self, RichText, Ui, ViewportCommand};
+
+use super::App;
+use crate::editor::command::Command;
+use crate::editor::panels::problems;
+use crate::editor::{dock, theme};
+
+impl App {
+    pub(super) fn bar(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
+        ui.horizontal(|ui| {
+            let mut button = |ui: &mut Ui, label: &str, help: &str, is_on: bool, command: Command| {
+                let response = ui.add_enabled(is_on, egui::Button::new(label)).on_hover_text(help);
+                if response.clicked() {
+                    commands.push(command);
+                }
+            };
+            button(ui, "New", "A new look (Ctrl+N)", true, Command::New);
+            button(ui, "Open", "Opens a look (Ctrl+O)", true, Command::Open(None));
+            let recent = self.safety.recent_menu(ui);
+            button(ui, "Save", "Saves the look (Ctrl+S)", true, Command::Save);
+            button(ui, "Save as", "Saves under another name (Ctrl+Shift+S)", true, Command::SaveAs);
+            ui.separator();
+            let step = |label: Option<&str>, otherwise: &str| label.map_or(otherwise.to_owned(), str::to_owned);
+            let (undo, redo) = (self.session.undo_label(), self.session.redo_label());
+            let help = format!("Takes back: {} (Ctrl+Z)", step(undo, "nothing"));
+            button(ui, "Undo", &help, undo.is_some(), Command::Undo);
+            let help = format!("Repeats: {} (Ctrl+Shift+Z)", step(redo, "nothing"));
+            button(ui, "Redo", &help, redo.is_some(), Command::Redo);
+            ui.separator();
+            commands.extend(recent.map(|path| Command::Open(Some(path))));
+            ui.menu_button("View", |ui| self.view_menu(ui)).response.on_hover_text("Panels, theme and scale");
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                let name = self.document_name();
+                if self.session.is_dirty() {
+                    ui.label(RichText::new("changed").color(theme::of(ui).accent)).on_hover_text("Not saved yet");
+                }
+                let path = self.session.path().map(|path| path.display().to_string());
+                let label = ui.label(RichText::new(name).strong());
+                if let Some(path) = path {
+                    label.on_hover_text(path);
+                }
+            });
+        });
+    }
+
+    fn view_menu(&mut self, ui: &mut Ui) {
+        for panel in dock::Panel::ALL {
+            let mut is_there = self.dock.has(panel);
+            if ui.checkbox(&mut is_there, panel.label()).on_hover_text(panel.help()).changed() {
+                if is_there { self.dock.open(panel) } else { self.dock.close(panel) }
+            }
+        }
+        if ui.button("Reset panels").on_hover_text("Puts all panels where a new window has them").clicked() {
+            self.dock.reset();
+        }
+        ui.separator();
+        let mut theme = ui.ctx().options(|options| options.theme_preference);
+        ui.horizontal(|ui| {
+            use egui::ThemePreference::{Dark, Light, System};
+            for (choice, label) in [(Dark, "Dark"), (Light, "Light"), (System, "As the system")] {
+                if ui.selectable_value(&mut theme, choice, label).changed() {
+                    ui.ctx().set_theme(theme);
+                }
+            }
+        });
+        ui.horizontal(|ui| {
+            let zoom = ui.ctx().zoom_factor();
+            for percent in [100, 125, 150, 200] {
+                let factor = percent as f32 / 100.0;
+                let is_it = (zoom - factor).abs() < 0.01;
+                if ui.selectable_label(is_it, format!("{percent}%")).on_hover_text("Scale of the window").clicked() {
+                    ui.ctx().set_zoom_factor(factor);
+                }
+            }
+        });
+    }
+
+    pub(super) fn status(&self, ui: &mut Ui) -> Option<Command> {
+        let hint =
+            [self.viewport.hint(), self.canvas.hint()].into_iter().find(|hint| !hint.is_empty()).unwrap_or_default();
+        ui.horizontal(|ui| {
+            let command = problems::status(ui, &self.session);
+            if let Some(message) = &self.message {
+                ui.label(RichText::new(message).color(theme::of(ui).accent));
+                ui.separator();
+            }
+            ui.add(egui::Label::new(RichText::new(hint).color(theme::of(ui).dim)).truncate());
+            command
+        })
+        .inner
+    }
+
+    pub(super) fn document_name(&self) -> String {
+        match self.session.path().and_then(|path| path.file_name()) {
+            Some(name) => name.to_string_lossy().into_owned(),
+            None => "New look".to_owned(),
+        }
+    }
+
+    pub(super) fn set_title(&self, ctx: &egui::Context) {
+        let mark = if self.session.is_dirty() { "*" } else { "" };
+        let title = format!("{}{mark} - Chiaro", self.document_name());
+        let id = egui::Id::unique("title");
+        if ctx.data(|data| data.get_temp::<String>(id)).as_ref() != Some(&title) {
+            ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
+            ctx.data_mut(|data| data.insert_temp(id, title));
+        }
+    }
+}
