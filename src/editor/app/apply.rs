@@ -53,6 +53,11 @@ impl App {
             Command::New => self.do_or_ask(Pending::New),
             Command::Open(Some(path)) => self.do_or_ask(Pending::Open(path)),
             Command::Open(None) => self.dialogs.ask(Purpose::Open, self.session.path()),
+            Command::OpenPath => self.open_path_field(),
+            Command::Forget(path) => self.safety.change_settings(|settings| settings.forget(&path)),
+            Command::ShowStart(true) => self.show_start_page(),
+            Command::ShowStart(false) => self.start = None,
+            Command::StartTour => self.do_or_ask(Pending::Tour),
             Command::Save => self.save(),
             Command::SaveAs => self.dialogs.ask(Purpose::Save, self.session.path()),
             Command::SaveTo(path) => {
@@ -72,11 +77,15 @@ impl App {
             Command::Export(export, Some(path)) => self.viewport.export(&self.session, export, path),
             Command::Export(export, None) => self.dialogs.ask(Purpose::Export(export), self.session.path()),
             Command::CopyPicture => self.viewport.copy(&self.session, ui.pixels_per_point()),
+            Command::CopyWgsl => self.copy_wgsl(ui),
             Command::ShowReference(Some(path)) => self.viewport.show_reference(path),
             Command::ShowReference(None) => self.dialogs.ask(Purpose::Reference, self.session.path()),
             Command::LeaveProbe => self.probe.escape(),
             Command::Solo(solo) => self.session.set_solo(solo),
-            Command::ShowPanel(panel) => self.dock.open(panel),
+            Command::ShowPanel(panel) => {
+                self.start = None;
+                self.dock.open(panel);
+            }
             Command::GoTo(place) => self.session.go_to(place),
             Command::AddNode { kind, at } => self.add_node(&kind, at),
             Command::OpenExample(index) => self.do_or_ask(Pending::Example(index)),
@@ -100,8 +109,16 @@ impl App {
             Action::Undo => Command::Undo,
             Action::Redo => Command::Redo,
             Action::Probe => Command::Probe(!self.probe.is_on()),
+            Action::OpenPath => Command::OpenPath,
+            Action::Start => Command::ShowStart(true),
+            Action::Tour => Command::StartTour,
+            Action::CopyPicture => Command::CopyPicture,
+            Action::CopyWgsl => Command::CopyWgsl,
             Action::Commands | Action::Shortcuts => return self.sheet.open(action),
-            action => return self.canvas.ask(action),
+            action => {
+                self.start = None;
+                return self.canvas.ask(action);
+            }
         };
         self.apply(ui, command);
     }
@@ -112,6 +129,19 @@ impl App {
         let (id, edits) = edits::add(&self.session, &kind, at);
         self.tell(|session| session.apply(Edit::Group { edits }, None));
         self.session.select(vec![id]);
+    }
+
+    /// Copies the shader as it is exported: with values folded into it.
+    fn copy_wgsl(&mut self, ui: &Ui) {
+        let shader = self.session.baked().map(|shader| shader.wgsl.clone());
+        let told = match shader {
+            Some(wgsl) => {
+                ui.ctx().copy_text(wgsl);
+                "The shader is in the clipboard, as WGSL"
+            }
+            None => "There is no shader to copy until the look compiles: Problems tells why",
+        };
+        self.message = Some(told.to_owned());
     }
 
     pub(super) fn tell(&mut self, edit: impl FnOnce(&mut Session) -> Result<(), Box<Diagnostic>>) {

@@ -26,6 +26,7 @@ use super::panels::solo;
 use super::picture::Picture;
 use super::probe::{Probe, picture_size};
 use super::session::Session;
+use super::spots::{self, Spot};
 use super::theme;
 use super::wipe::Wipe;
 use crate::document::Projection;
@@ -113,6 +114,7 @@ impl Viewport {
         let response = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Picture"));
         self.rect = Some(rect);
+        spots::note(ui, Spot::Picture, rect);
         let pointer = response.contains_pointer().then(|| ui.input(|input| input.pointer.hover_pos())).flatten();
         let handles = self.handles(rect, session, probe);
         self.drags(ui, &response, rect, session, &handles, &mut out);
