@@ -129,7 +129,8 @@ fn desktops_take_what_is_written() {
         (plain, "application/json"),
     ] {
         let what = Path::new("info");
-        let Some(told) = tool("gio", &[what, Path::new("-a"), Path::new("standard::content-type"), &file], &home.data())
+        let Some(told) =
+            tool("gio", &[what, Path::new("-a"), Path::new("standard::content-type"), &file], &home.data())
         else {
             return;
         };

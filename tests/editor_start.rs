@@ -311,14 +311,9 @@ fn the_tour_shows_every_step_and_ends_in_a_look() {
     let home = Home::new();
     let mut hand = on_tour(&home);
     let nothing = hand.look().clone();
-    for title in [
-        "The base",
-        "A first layer of light",
-        "Its profile",
-        "Turn the light",
-        "A rim from behind",
-        "How layers meet",
-    ] {
+    for title in
+        ["The base", "A first layer of light", "Its profile", "Turn the light", "A rim from behind", "How layers meet"]
+    {
         is_at(&hand, title);
         press(&mut hand, "Show me");
     }

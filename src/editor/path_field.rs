@@ -59,7 +59,9 @@ impl PathField {
             ui.set_width(WIDTH.min(ctx.content_rect().width() - 60.0));
             ui.heading(title(self.purpose));
             if self.stands_in {
-                ui.label(RichText::new("This system shows no file dialog, so type the path here.").color(theme::of(ui).dim));
+                ui.label(
+                    RichText::new("This system shows no file dialog, so type the path here.").color(theme::of(ui).dim),
+                );
             }
             let enters = self.field(ui);
             self.entries(ui);
@@ -97,7 +99,8 @@ impl PathField {
 
     /// The field itself; whether Enter was pressed in it.
     fn field(&mut self, ui: &mut Ui) -> bool {
-        let edit = TextEdit::singleline(&mut self.text).desired_width(f32::INFINITY).font(eframe::egui::TextStyle::Monospace);
+        let edit =
+            TextEdit::singleline(&mut self.text).desired_width(f32::INFINITY).font(eframe::egui::TextStyle::Monospace);
         let response = ui.add(edit);
         response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, "Path"));
         if std::mem::take(&mut self.is_new) {

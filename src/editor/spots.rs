@@ -39,8 +39,7 @@ pub(crate) fn note(ui: &Ui, spot: Spot, rect: Rect) {
 /// Where something is, if it is seen.
 pub(crate) fn find(ctx: &Context, spot: &Spot) -> Option<Rect> {
     let now = ctx.cumulative_frame_nr();
-    let (rect, frame) =
-        ctx.data_mut(|data| data.get_temp_mut_or_default::<Seen>(id()).get(spot).copied())?;
+    let (rect, frame) = ctx.data_mut(|data| data.get_temp_mut_or_default::<Seen>(id()).get(spot).copied())?;
     // What is shown later in a frame was seen in the one before.
     (frame + 1 >= now).then_some(rect)
 }

@@ -76,9 +76,10 @@ impl Start {
     pub(super) fn know_recent<'p>(&mut self, files: impl Iterator<Item = (&'p PathBuf, bool)>) {
         let now: Vec<(&PathBuf, bool)> = files.take(MOST_RECENT).collect();
         let is_same = now.len() == self.recent.len()
-            && now.iter().zip(&self.recent).all(|((path, is_there), known)| {
-                **path == known.path && *is_there == known.card.is_some()
-            });
+            && now
+                .iter()
+                .zip(&self.recent)
+                .all(|((path, is_there), known)| **path == known.path && *is_there == known.card.is_some());
         if !is_same {
             let card = |(path, is_there): (&PathBuf, bool)| Recent {
                 path: path.clone(),

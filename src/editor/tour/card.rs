@@ -9,8 +9,8 @@ use super::super::command::Command;
 use super::super::session::Session;
 use super::super::spots;
 use super::super::theme;
-use super::steps::{STEPS, Step};
 use super::NEXT;
+use super::steps::{STEPS, Step};
 
 /// The card's width, in points; a narrow window may have less.
 const WIDTH: f32 = 312.0;

@@ -44,9 +44,7 @@ pub(super) static STEPS: [Step; 7] = [
             Some(base) => vec![Spot::Layer(base), Spot::Panel(Panel::Layers)],
             None => vec![Spot::Panel(Panel::Layers)],
         },
-        is_done: |session, before| {
-            ground(session).is_some_and(|base| is_changed(session, before, &base, &["color"]))
-        },
+        is_done: |session, before| ground(session).is_some_and(|base| is_changed(session, before, &base, &["color"])),
         show: |session| {
             let color = Value::Vector(vec![0.2, 0.13, 0.24]);
             ground(session).map_or_else(Vec::new, |base| set(session, base, &[("color", color)]))

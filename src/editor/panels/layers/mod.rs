@@ -355,8 +355,7 @@ pub(crate) fn add_preset(session: &Session, label: &str) -> Vec<Command> {
 /// Adds a layer over the selected one, and what it lies on where there is nothing.
 fn add(stack: &Stack, session: &Session, preset: &LayerPreset, out: &mut Vec<Command>) {
     let look = session.look();
-    let beside =
-        session.selection.last().filter(|id| is_selected(session, id) && stack.index_of(id).is_some());
+    let beside = session.selection.last().filter(|id| is_selected(session, id) && stack.index_of(id).is_some());
     let at = match beside.and_then(|id| stack.index_of(id)) {
         Some(index) => index,
         // Over the ground, where that is selected.

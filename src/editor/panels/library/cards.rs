@@ -3,7 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use eframe::egui::{Align2, Color32, CornerRadius, FontId, Rect, Response, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+use eframe::egui::{
+    Align2, Color32, CornerRadius, FontId, Rect, Response, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2,
+};
 
 use super::super::super::command::Command;
 use super::super::super::dock::cell;
@@ -80,7 +82,7 @@ impl Card {
         let picture = ground(ui, rect, side);
         match (&self.look, thumbs.known(self.key)) {
             (Some(_), Some(texture)) => {
-                drop(ui.painter().image(texture, picture.shrink(1.0), whole(), Color32::WHITE));
+                ui.painter().image(texture, picture.shrink(1.0), whole(), Color32::WHITE);
             }
             (None, _) => say(ui, picture, "cannot be read"),
             (Some(_), None) if thumbs.is_done(self.key) || !thumbs.can_draw() => say(ui, picture, "no picture"),
