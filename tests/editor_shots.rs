@@ -364,10 +364,13 @@ fn start_shots() {
     save(&mut hand, "start-recent");
     hand.harness.set_size(vec2(760.0, 640.0));
     save(&mut hand, "start-narrow");
-    hand.harness.set_size(vec2(1600.0, 960.0));
     hand.harness.ctx.set_zoom_factor(2.0);
+    hand.settle();
+    hand.harness.set_size(vec2(750.0, 450.0));
     save(&mut hand, "start-scaled");
     hand.harness.ctx.set_zoom_factor(1.0);
+    hand.settle();
+    hand.harness.set_size(vec2(1500.0, 900.0));
     hand.settle();
     click_label(&mut hand, "Take the tour");
     for number in 1..=6 {
@@ -378,10 +381,12 @@ fn start_shots() {
     click_label(&mut hand, "Skip");
     save(&mut hand, "tour-end");
     hand.harness.ctx.set_theme(Theme::Light);
-    hand.harness.set_size(vec2(900.0, 600.0));
     click_label(&mut hand, "End tour");
+    hand.harness.set_size(vec2(900.0, 600.0));
+    hand.settle();
     click_label(&mut hand, "Help");
     click_label(&mut hand, "Take the tour");
+    click_label(&mut hand, "Do not save");
     save(&mut hand, "tour-light-narrow");
 }
 

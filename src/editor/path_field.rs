@@ -4,8 +4,8 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use eframe::egui::{
-    Button, Context, Id, Key, Modal, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo, text::CCursor,
-    text::CCursorRange,
+    Button, Context, Frame, Id, Key, Margin, Modal, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo,
+    text::CCursor, text::CCursorRange,
 };
 
 use super::dialogs::Purpose;
@@ -55,7 +55,9 @@ impl PathField {
     /// Shows it. `Some(None)` when nothing is to be opened or saved after all.
     pub(crate) fn show(&mut self, ctx: &Context) -> Option<Option<PathBuf>> {
         let mut answer = None;
-        let modal = Modal::new(Id::unique("path field")).show(ctx, |ui| {
+        let frame = Frame::popup(&ctx.global_style()).inner_margin(Margin::same(14));
+        let modal = Modal::new(Id::unique("path field")).frame(frame).show(ctx, |ui| {
+            ui.spacing_mut().item_spacing.y = 8.0;
             ui.set_width(WIDTH.min(ctx.content_rect().width() - 60.0));
             ui.heading(title(self.purpose));
             if self.stands_in {
@@ -191,17 +193,17 @@ fn split(text: &str) -> (&str, &str) {
     text.split_at(text.rfind(std::path::is_separator).map_or(0, |at| at + 1))
 }
 
-/// What of a folder begins as what is typed, folders first.
+/// What of a folder begins as what is typed, or all of it where nothing does; folders first.
 fn entries(purpose: Purpose, text: &str) -> Vec<Entry> {
     let (folder, typed) = split(text);
     let folder = if folder.is_empty() { PathBuf::from(".") } else { expand(folder, std::env::var_os("HOME")) };
     let typed = typed.to_lowercase();
     let (_, endings) = purpose.files();
+    let begins = |name: &str| name.to_lowercase().starts_with(&typed);
     let fits = |name: &str, is_folder: bool| {
         let ending = Path::new(name).extension().and_then(|ending| ending.to_str()).unwrap_or_default();
         let is_hidden = name.starts_with('.') && !typed.starts_with('.');
-        let begins = name.to_lowercase().starts_with(&typed);
-        begins && !is_hidden && (is_folder || endings.contains(&ending.to_lowercase().as_str()))
+        !is_hidden && (is_folder || endings.contains(&ending.to_lowercase().as_str()))
     };
     let found = std::fs::read_dir(folder).into_iter().flatten().take(MOST_ENTRIES).flatten();
     let found = found.map(|entry| Entry {
@@ -209,6 +211,10 @@ fn entries(purpose: Purpose, text: &str) -> Vec<Entry> {
         is_folder: entry.path().is_dir(),
     });
     let mut found: Vec<Entry> = found.filter(|entry| fits(&entry.name, entry.is_folder)).collect();
+    // What is new beside them is seen among all that is there.
+    if found.iter().any(|entry| begins(&entry.name)) {
+        found.retain(|entry| begins(&entry.name));
+    }
     found.sort_by_cached_key(|entry| (!entry.is_folder, entry.name.to_lowercase()));
     found
 }
@@ -249,6 +255,7 @@ mod tests {
         };
         assert_eq!(names(Purpose::Open, "ri"), ["rinks", "rim.json", "Rind.json"]);
         assert_eq!(names(Purpose::Reference, "rim"), ["rim.png"]);
+        assert_eq!(names(Purpose::Save, "new").len(), 4, "what is new is seen beside what is there");
         assert_eq!(names(Purpose::Open, "").len(), 4, "a folder is listed whole, but for what is hidden");
         assert_eq!(names(Purpose::Open, "."), [".hidden.json"]);
     }

@@ -58,7 +58,7 @@ impl App {
             Command::ShowStart(false) => self.start = None,
             Command::StartTour => self.do_or_ask(Pending::Tour),
             Command::Save => self.save(),
-            Command::SaveAs => self.dialogs.ask(Purpose::Save, self.session.path()),
+            Command::SaveAs => self.ask_where_to_save(),
             Command::SaveTo(path) => {
                 if self.save_as(&path) {
                     self.go_on();
@@ -130,6 +130,12 @@ impl App {
         self.session.select(vec![id]);
     }
 
+    fn ask_where_to_save(&self) {
+        let by_name = || Path::new(&file_name(&self.session.look().name)).to_owned();
+        let near = self.session.path().map_or_else(by_name, Path::to_path_buf);
+        self.dialogs.ask(Purpose::Save, Some(&near));
+    }
+
     /// Copies the shader as it is exported: with values folded into it.
     fn copy_wgsl(&mut self, ui: &Ui) {
         let shader = self.session.baked().map(|shader| shader.wgsl.clone());
@@ -156,7 +162,26 @@ impl App {
                     self.go_on();
                 }
             }
-            None => self.dialogs.ask(Purpose::Save, None),
+            None => self.ask_where_to_save(),
         }
+    }
+}
+
+/// A file's name for a look's: `Rim light` is kept in `rim-light.json`.
+fn file_name(look: &str) -> String {
+    let words = look.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    let stem = words.take(8).collect::<Vec<_>>().join("-").to_lowercase();
+    format!("{}.json", if stem.is_empty() { "look" } else { &stem })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::file_name;
+
+    #[test]
+    fn looks_are_kept_under_their_names() {
+        assert_eq!(file_name("Rim light, No. 2"), "rim-light-no-2.json");
+        assert_eq!(file_name("../.."), "look.json");
+        assert_eq!(file_name("Größe 光"), "größe-光.json");
     }
 }

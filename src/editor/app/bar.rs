@@ -123,7 +123,9 @@ impl App {
 fn menu(ui: &mut Ui, label: &str, help: &str, actions: &[Action], commands: &mut Vec<Command>) {
     let menu = ui.menu_button(label, |ui| {
         for row in actions.iter().filter_map(|action| shortcuts::of(*action)) {
-            if ui.add(egui::Button::new(row.label).shortcut_text(row.text())).clicked() {
+            let button = ui.add(egui::Button::new(row.label).shortcut_text(row.text()));
+            button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::MenuItem, true, row.label));
+            if button.clicked() {
                 commands.push(Command::Act(row.action));
                 ui.close();
             }

@@ -4,7 +4,6 @@
 use std::path::PathBuf;
 
 use eframe::egui;
-use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{
     Button, FontId, Key, Modifiers, Rect, Response, RichText, Role, ScrollArea, Sense, Stroke, StrokeKind,
     TextureHandle, Ui, WidgetInfo, pos2, vec2,
@@ -27,12 +26,12 @@ const WIDE: f32 = 900.0;
 /// Between cards.
 const GAP: f32 = 14.0;
 /// The least width of a look's picture, in points, and the side that it is drawn with, in pixels.
-const CARD: f32 = 172.0;
+const CARD: f32 = 200.0;
 const SIDE: f32 = 320.0;
 /// The side of the program's icon.
 const LOGO: f32 = 72.0;
 /// The size of a tile, in points.
-const TILE: egui::Vec2 = vec2(190.0, 66.0);
+const TILE: egui::Vec2 = vec2(204.0, 72.0);
 /// As many of the files opened before are shown.
 const MOST_RECENT: usize = 12;
 
@@ -137,7 +136,7 @@ impl Start {
             } else {
                 ui.add_space((beside - 24.0).max(0.0));
             }
-            let close = ui.add(Button::new(RichText::new("×").size(18.0)).frame(false));
+            let close = ui.add(Button::new(RichText::new("×").size(24.0)).frame(false));
             close.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Close the start page"));
             if close.on_hover_text("To the look that is open (Esc)").clicked() {
                 out.push(Command::ShowStart(false));
@@ -161,7 +160,7 @@ impl Start {
         ui.add_space(GAP);
         ui.vertical(|ui| {
             ui.add_space(6.0);
-            ui.label(RichText::new("Chiaro").size(32.0).strong());
+            ui.label(RichText::new("Chiaro").size(34.0).strong());
             ui.label(RichText::new("Draw with light").size(15.0).color(theme::of(ui).dim));
         });
     }
@@ -226,21 +225,19 @@ impl Tile {
         if response.has_focus() {
             ui.painter().rect_stroke(rect, 6.0, Stroke::new(1.5, colors.accent), StrokeKind::Inside);
         }
-        let inner = rect.shrink2(vec2(12.0, 9.0));
+        let inner = rect.shrink2(vec2(14.0, 10.0));
+        let dim = if self.is_first { colors.text } else { colors.dim };
+        let painter = ui.painter().with_clip_rect(rect);
+        let title = painter.layout_no_wrap(self.title.to_owned(), FontId::proportional(15.0), colors.text);
         let keys = shortcuts::of(self.action).map(shortcuts::Shortcut::text).unwrap_or_default();
         let small = FontId::proportional(theme::SMALL_TEXT);
-        let at = inner.right_top() + vec2(0.0, 2.0);
-        ui.painter().text(at, egui::Align2::RIGHT_TOP, keys, small.clone(), colors.dim);
-        let mut job = LayoutJob::default();
-        let format = |font_id, color| TextFormat { font_id, color, ..TextFormat::default() };
-        job.append(self.title, 0.0, format(FontId::proportional(15.0), colors.text));
-        job.append("\n", 0.0, format(small.clone(), colors.text));
-        let dim = if self.is_first { colors.text } else { colors.dim };
-        job.append(self.text, 0.0, format(small, dim));
-        job.wrap.max_width = inner.width();
-        let galley = ui.fonts_mut(|fonts| fonts.layout_job(job));
-        let top = inner.center().y - galley.size().y / 2.0;
-        ui.painter().with_clip_rect(rect).galley(pos2(inner.left(), top), galley, colors.text);
+        let keys = painter.layout_no_wrap(keys, small.clone(), dim);
+        let text = painter.layout(self.text.to_owned(), small, dim, inner.width());
+        let middle = inner.top() + title.size().y / 2.0;
+        painter.galley(pos2(inner.right() - keys.size().x, middle - keys.size().y / 2.0), keys, dim);
+        let below = inner.top() + title.size().y + 4.0;
+        painter.galley(inner.left_top(), title, colors.text);
+        painter.galley(pos2(inner.left(), below), text, dim);
         response
     }
 }
@@ -274,5 +271,7 @@ fn take_focus(ui: &Ui, first: &Response) {
     let is_free = ui.memory(|memory| memory.focused().is_none());
     if is_free && arrows.iter().any(|key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, *key))) {
         first.request_focus();
+        // egui would go on by the same key.
+        ui.memory_mut(|memory| memory.move_focus(egui::FocusDirection::None));
     }
 }

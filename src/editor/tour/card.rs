@@ -150,16 +150,12 @@ fn card(ui: &Ui, target: Option<Rect>, content: impl FnOnce(&mut Ui)) {
     });
 }
 
-/// Beside the target where there is room, else below or above it, and else in the lower right corner. A target that
-/// fills the window has the card within it.
+/// Beside, below or above the target, wherever it lies most squarely; in the lower right corner of a window that has room
+/// nowhere.
 fn place(screen: Rect, target: Option<Rect>, size: Vec2) -> Pos2 {
     let corner = screen.right_bottom() - size - vec2(0.0, 40.0);
     let Some(target) = target else { return corner };
-    let within = |at: Pos2| {
-        let highest = (screen.bottom() - size.y).max(screen.top());
-        let farthest = (screen.right() - size.x).max(screen.left());
-        pos2(at.x.clamp(screen.left(), farthest), at.y.clamp(screen.top(), highest))
-    };
+    let farthest = (screen.right_bottom() - size).max(screen.left_top());
     let middle = target.center() - size / 2.0;
     let beside = [
         pos2(target.right() + GAP, middle.y),
@@ -167,11 +163,13 @@ fn place(screen: Rect, target: Option<Rect>, size: Vec2) -> Pos2 {
         pos2(middle.x, target.bottom() + GAP),
         pos2(middle.x, target.top() - GAP - size.y),
     ];
-    let is_free = |at: &Pos2| {
+    let within = beside.map(|at| (at.clamp(screen.left_top(), farthest), at));
+    let free = within.into_iter().filter(|(at, _)| {
         let card = Rect::from_min_size(*at, size);
         screen.contains_rect(card) && !card.intersects(target)
-    };
-    beside.into_iter().map(within).find(is_free).unwrap_or(corner)
+    });
+    let best = free.min_by(|(a, ideal), (b, other)| a.distance(*ideal).total_cmp(&b.distance(*other)));
+    best.map_or(corner, |(at, _)| at)
 }
 
 /// A ring around what a step speaks of.

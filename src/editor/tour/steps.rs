@@ -46,7 +46,7 @@ pub(super) static STEPS: [Step; 7] = [
         },
         is_done: |session, before| ground(session).is_some_and(|base| is_changed(session, before, &base, &["color"])),
         show: |session| {
-            let color = Value::Vector(vec![0.2, 0.13, 0.24]);
+            let color = Value::Vector(vec![0.17, 0.1, 0.15]);
             ground(session).map_or_else(Vec::new, |base| set(session, base, &[("color", color)]))
         },
     },
@@ -84,7 +84,7 @@ pub(super) static STEPS: [Step; 7] = [
         is_done: is_light_turned,
         show: |session| {
             let mut view = session.view.clone();
-            view.turn_lights(0.2, -0.06);
+            view.turn_lights(-0.1, -0.04);
             vec![Command::TurnTo(Box::new(view))]
         },
     },

@@ -79,7 +79,8 @@ impl Card {
             return response;
         }
         row_ground(ui, rect.expand(2.0), &response, false);
-        let picture = ground(ui, rect, side);
+        let picture = picture_of(rect, side);
+        ui.painter().rect_filled(picture, 3.0, theme::of(ui).canvas);
         match (&self.look, thumbs.known(self.key)) {
             (Some(_), Some(texture)) => {
                 ui.painter().image(texture, picture.shrink(1.0), whole(), Color32::WHITE);
@@ -120,7 +121,7 @@ pub(in super::super) fn show_gone(ui: &mut Ui, path: &Path, side: f32, out: &mut
     let name = name_of(path);
     let (rect, response) = ui.allocate_exact_size(vec2(side, side + NAME), Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("{name} is gone")));
-    let picture = ground(ui, rect, side);
+    let picture = picture_of(rect, side);
     picture_frame(ui, picture);
     say(ui, picture.translate(vec2(0.0, -12.0)), "gone");
     name_below(ui, rect, picture, &name, theme::of(ui).dim);
@@ -139,11 +140,9 @@ fn name_of(path: &Path) -> String {
     path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// The ground of a card's picture, at the top of the card.
-fn ground(ui: &Ui, card: Rect, side: f32) -> Rect {
-    let picture = Rect::from_min_size(card.min, vec2(side, side));
-    ui.painter().rect_filled(picture, 3.0, theme::of(ui).canvas);
-    picture
+/// Where a card's picture is: at the top.
+fn picture_of(card: Rect, side: f32) -> Rect {
+    Rect::from_min_size(card.min, vec2(side, side))
 }
 
 /// Words in place of a picture.
