@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use chiaro::document::{Look, Value};
 use chiaro::editor::{App, Places};
 use editor_support::Hand;
-use eframe::egui::{Key, Modifiers, OutputCommand, Role, Theme, vec2};
+use eframe::egui::{Event, Key, Modifiers, OutputCommand, Role, Theme, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 /// A user's folders, and files beside them.
@@ -71,13 +71,12 @@ fn focused(hand: &Hand) -> Option<String> {
 
 /// What is in the clipboard after the keys that copy the shader.
 fn copied_by_keys(hand: &mut Hand) -> Option<String> {
-    hand.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::W);
-    (0..3).find_map(|_| {
-        hand.harness.step();
-        hand.harness.output().platform_output.commands.iter().find_map(|command| match command {
-            OutputCommand::CopyText(text) => Some(text.clone()),
-            _ => None,
-        })
+    let modifiers = Modifiers::COMMAND | Modifiers::SHIFT;
+    hand.harness.event(Event::Key { key: Key::W, physical_key: None, pressed: true, repeat: false, modifiers });
+    hand.harness.step();
+    hand.harness.output().platform_output.commands.iter().find_map(|command| match command {
+        OutputCommand::CopyText(text) => Some(text.clone()),
+        _ => None,
     })
 }
 

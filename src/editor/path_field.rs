@@ -66,7 +66,7 @@ impl PathField {
                 );
             }
             let enters = self.field(ui);
-            self.entries(ui);
+            ui.scope(|ui| self.entries(ui));
             let path = self.path();
             let verdict = verdict(self.purpose, &path);
             let reason = match verdict {
@@ -122,6 +122,7 @@ impl PathField {
         }
         let Some((_, entries)) = &self.beside else { return };
         let mut taken = None;
+        ui.spacing_mut().item_spacing.y = 1.0;
         let height = ui.spacing().interact_size.y;
         let area = ScrollArea::vertical().max_height(ROWS * height).min_scrolled_height(ROWS * height);
         area.auto_shrink([false, false]).show_rows(ui, height, entries.len(), |ui, rows| {

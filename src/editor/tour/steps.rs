@@ -69,7 +69,7 @@ pub(super) static STEPS: [Step; 7] = [
         spots: |_| vec![Spot::Panel(Panel::Profile), Spot::Input("offset".into())],
         is_done: |session, before| any_layer_changed(session, before, &PROFILE),
         show: |session| {
-            let values = [("offset", 0.55), ("falloff", 0.8), ("cutoff", 1.05)];
+            let values = [("offset", 0.75), ("falloff", 1.15), ("cutoff", 1.5)];
             let values = values.map(|(port, angle)| (port, Value::Number(angle)));
             top_layer(session).map_or_else(Vec::new, |layer| set(session, layer, &values))
         },
