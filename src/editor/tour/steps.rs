@@ -47,7 +47,7 @@ pub(super) static STEPS: [Step; 7] = [
         is_done: |session, before| ground(session).is_some_and(|base| is_changed(session, before, &base, &["color"])),
         show: |session| {
             let color = Value::Vector(vec![0.17, 0.1, 0.15]);
-            ground(session).map_or_else(Vec::new, |base| set(session, base, &[("color", color)]))
+            ground(session).map_or_else(Vec::new, |base| set(session, &base, &[("color", color)]))
         },
     },
     Step {
@@ -71,7 +71,7 @@ pub(super) static STEPS: [Step; 7] = [
         show: |session| {
             let values = [("offset", 0.75), ("falloff", 1.15), ("cutoff", 1.5)];
             let values = values.map(|(port, angle)| (port, Value::Number(angle)));
-            top_layer(session).map_or_else(Vec::new, |layer| set(session, layer, &values))
+            top_layer(session).map_or_else(Vec::new, |layer| set(session, &layer, &values))
         },
     },
     Step {
@@ -106,7 +106,7 @@ pub(super) static STEPS: [Step; 7] = [
         is_done: |session, before| any_layer_changed(session, before, &BLENDING),
         show: |session| {
             let opacity = Value::Number(0.7);
-            top_layer(session).map_or_else(Vec::new, |layer| set(session, layer, &[("opacity", opacity)]))
+            top_layer(session).map_or_else(Vec::new, |layer| set(session, &layer, &[("opacity", opacity)]))
         },
     },
     Step {
@@ -164,7 +164,7 @@ fn value<'a>(node: Option<&'a Node>, port: &str) -> Option<&'a Value> {
 }
 
 /// Selects a node and sets values of it, as one step.
-fn set(session: &Session, id: NodeId, values: &[(&str, Value)]) -> Vec<Command> {
+fn set(session: &Session, id: &NodeId, values: &[(&str, Value)]) -> Vec<Command> {
     let edit = |(port, value): &(&str, Value)| {
         let (port, value) = ((*port).into(), value.clone());
         Edit::SetValue { graph: GraphId::Look, id: id.clone(), port, value, index: None }
