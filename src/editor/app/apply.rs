@@ -75,7 +75,12 @@ impl App {
             Command::ShowWire(wire) => self.session.show_wire(wire),
             Command::Export(export, Some(path)) => self.viewport.export(&self.session, export, path),
             Command::Export(export, None) => self.dialogs.ask(Purpose::Export(export), self.session.path()),
-            Command::CopyPicture => self.viewport.copy(&self.session, ui.pixels_per_point()),
+            Command::CopyPicture => {
+                // The panel of the picture takes what was drawn to the clipboard.
+                self.start = None;
+                self.dock.open(dock::Panel::Picture);
+                self.viewport.copy(&self.session, ui.pixels_per_point());
+            }
             Command::CopyWgsl => self.copy_wgsl(ui),
             Command::ShowReference(Some(path)) => self.viewport.show_reference(path),
             Command::ShowReference(None) => self.dialogs.ask(Purpose::Reference, self.session.path()),

@@ -414,7 +414,7 @@ impl App {
             }
         }
         let escape = (Modifiers::NONE, Key::Escape);
-        let is_free = self.path_field.is_none() && self.pending.is_none() && !is_typing;
+        let is_free = self.path_field.is_none() && self.pending.is_none() && !egui::Popup::is_any_open(ui.ctx());
         if self.start.is_some() && is_free && shortcuts::take(ui, escape) {
             commands.push(Command::ShowStart(false));
         }

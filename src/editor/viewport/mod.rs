@@ -356,9 +356,9 @@ impl Viewport {
         self.exports.draw(export, session.still(), Destination::File(path));
     }
 
-    /// Copies the picture to the clipboard, as large as it is on the screen.
+    /// Copies the picture to the clipboard, as large as it is on the screen, or of a usual size where it never was there.
     pub(crate) fn copy(&mut self, session: &Session, scale: f32) {
-        let size = self.rect.map_or([1, 1], |rect| picture_size(rect, scale)).map(|side| side.max(1));
+        let size = self.rect.map_or([800, 800], |rect| picture_size(rect, scale)).map(|side| side.max(1));
         self.exports.draw(Export::Picture(size), session.still(), Destination::Clipboard);
     }
 
