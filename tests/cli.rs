@@ -123,13 +123,14 @@ fn every_subcommand_has_help_with_examples_and_exit_codes_are_documented() {
     let top = shop.run(&["--help"]).ok().out;
     assert!(top.contains("Exit codes: 0 done; 1 ") && top.contains("130"), "{top}");
     let drawing: &[&str] = if cfg!(feature = "gpu") { &["render", "eval"] } else { &[] };
-    for command in [&["edit", "new", "check", "explain", "nodes", "export"], drawing].concat() {
+    for command in [&["edit", "new", "check", "explain", "nodes", "export", "desktop"], drawing].concat() {
         assert!(top.contains(&format!("  {command} ")), "{top}");
         let help = shop.run(&[command, "--help"]).ok().out;
         assert!(help.contains("Examples:") && help.contains(&format!("chiaro {command}")), "{help}");
     }
     assert!(shop.run(&["--version"]).ok().out.starts_with("chiaro "));
     shop.run(&["paint"]).fails(2, &["unrecognized subcommand"]);
+    shop.run(&["chekc"]).fails(2, &["'check'"]);
     shop.run(&["export", "a.json"]).fails(2, &["--to"]);
     if cfg!(feature = "gpu") {
         shop.run(&["render", "a.json"]).fails(2, &["--output"]);

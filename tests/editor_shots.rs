@@ -17,6 +17,11 @@ use egui_kittest::kittest::Queryable as _;
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
 
 fn window() -> Hand {
+    window_of(|app| app)
+}
+
+/// A window as `make` makes it of a new one.
+fn window_of(make: impl Fn(App) -> App + 'static) -> Hand {
     let mut setup = default_wgpu_setup();
     if let WgpuSetup::CreateNew(setup) = &mut setup {
         setup.device_descriptor = Arc::new(device_descriptor);
@@ -24,7 +29,7 @@ fn window() -> Hand {
     let state = create_render_state(setup, eframe::egui_wgpu::RendererOptions::PREDICTABLE);
     let builder =
         Harness::builder().with_size(vec2(1600.0, 960.0)).renderer(WgpuTestRenderer::from_render_state(state.clone()));
-    Hand::with_builder(builder, move |ctx| App::new(ctx, Some(state.clone())))
+    Hand::with_builder(builder, move |ctx| make(App::new(ctx, Some(state.clone()))))
 }
 
 fn save(hand: &mut Hand, name: &str) {
@@ -336,4 +341,63 @@ fn keyed_shots() {
         hand.harness.step();
     }
     save(&mut hand, "profile-stops");
+}
+
+/// The start page in both themes, at other sizes, with files that were open; and the tour's steps.
+#[test]
+#[ignore = "writes pictures to be looked at"]
+fn start_shots() {
+    let mut hand = window();
+    hand.app_mut().show_start_page();
+    save(&mut hand, "start-dark");
+    let folder = tempfile::tempdir().unwrap();
+    let files = ["figure6-comics", "figure7-pastel", "figure5-directional", "gone"].map(|name| {
+        let path = folder.path().join(format!("my {name}.json"));
+        let _ = std::fs::copy(format!("examples/looks/{name}.json"), &path);
+        path
+    });
+    hand.app_mut().change_settings(|settings| files.iter().rev().for_each(|path| settings.opened(path)));
+    hand.harness.ctx.set_theme(Theme::Light);
+    save(&mut hand, "start-light");
+    hand.harness.ctx.set_theme(Theme::Dark);
+    hand.key(Key::ArrowDown);
+    save(&mut hand, "start-recent");
+    hand.harness.set_size(vec2(760.0, 640.0));
+    save(&mut hand, "start-narrow");
+    hand.harness.ctx.set_zoom_factor(2.0);
+    hand.settle();
+    hand.harness.set_size(vec2(750.0, 450.0));
+    save(&mut hand, "start-scaled");
+    hand.harness.ctx.set_zoom_factor(1.0);
+    hand.settle();
+    hand.harness.set_size(vec2(1500.0, 900.0));
+    hand.settle();
+    click_label(&mut hand, "Take the tour");
+    for number in 1..=6 {
+        save(&mut hand, &format!("tour-{number}"));
+        click_label(&mut hand, "Show me");
+    }
+    save(&mut hand, "tour-7");
+    click_label(&mut hand, "Skip");
+    save(&mut hand, "tour-end");
+    hand.harness.ctx.set_theme(Theme::Light);
+    click_label(&mut hand, "End tour");
+    hand.harness.set_size(vec2(900.0, 600.0));
+    hand.settle();
+    click_label(&mut hand, "Help");
+    click_label(&mut hand, "Take the tour");
+    click_label(&mut hand, "Do not save");
+    save(&mut hand, "tour-light-narrow");
+}
+
+/// The field that asks for a path where the system shows no dialog.
+#[test]
+#[ignore = "writes pictures to be looked at"]
+fn path_shots() {
+    let mut hand = window_of(App::with_path_fields);
+    click_label(&mut hand, "Save");
+    save(&mut hand, "path-field");
+    click_label(&mut hand, "Cancel");
+    click_label(&mut hand, "Copy as");
+    save(&mut hand, "copy-menu");
 }

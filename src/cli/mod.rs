@@ -8,6 +8,7 @@ mod accuracy;
 #[cfg(feature = "gpu")]
 mod bench;
 mod check;
+mod desktop;
 #[cfg(feature = "gpu")]
 mod eval;
 mod explain;
@@ -26,25 +27,29 @@ mod tier;
 #[cfg(feature = "gpu")]
 mod tune;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::error::ErrorKind;
+use clap::{CommandFactory as _, Parser, Subcommand};
 
 use output::Output;
 
 /// Draw with light: stylized shading as a graph, compiled to one readable WGSL shader.
 #[derive(Debug, Parser)]
-#[command(name = "chiaro", version, max_term_width = 100, after_help = EXAMPLES)]
+#[command(name = "chiaro", version, max_term_width = 100, after_help = EXAMPLES, args_conflicts_with_subcommands = true)]
 struct Arguments {
     #[command(subcommand)]
     command: Option<Command>,
+    /// A look to open in the editor
+    file: Option<PathBuf>,
 }
 
 const EXAMPLES: &str = "\
 Examples:
+  chiaro
   chiaro new rim
-  chiaro edit rim.json
+  chiaro rim.json
   chiaro render rim.json -o rim.png --mesh bunny.obj
   chiaro check examples/
   chiaro export rim.json --to glsl-450 -o shaders/
@@ -55,7 +60,7 @@ Exit codes: 0 done; 1 something in a document, an asset or the GPU is at fault (
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Open a look in the editor (also what `chiaro` alone does)
+    /// Open a look in the editor (also what `chiaro` and `chiaro LOOK` do)
     #[command(after_help = EDIT_EXAMPLES)]
     Edit {
         /// A look
@@ -90,6 +95,8 @@ enum Command {
     Accuracy(accuracy::Arguments),
     /// Write a look as shaders for other programs
     Export(export::Arguments),
+    /// Put Chiaro and its file types into the desktop's menu, or take them out
+    Desktop(desktop::Arguments),
 }
 
 const EDIT_EXAMPLES: &str = "\
@@ -116,10 +123,11 @@ pub enum Outcome {
 
 /// Reads the command line and does what it says, but for the editor, which `main` opens.
 pub fn run() -> Outcome {
-    let command = match Arguments::parse().command {
-        None => return Outcome::Edit { files: Vec::new(), mesh: None },
-        Some(Command::Edit { files, mesh }) => return Outcome::Edit { files, mesh },
-        Some(command) => command,
+    let command = match Arguments::parse() {
+        Arguments { command: Some(Command::Edit { files, mesh }), .. } => return Outcome::Edit { files, mesh },
+        Arguments { command: Some(command), .. } => command,
+        Arguments { file: Some(word), .. } if is_mistyped(&word) => unknown_subcommand(&word).exit(),
+        Arguments { file, .. } => return Outcome::Edit { files: file.into_iter().collect(), mesh: None },
     };
     interrupt::clean_up_on_interrupt();
     let output = Output::new();
@@ -144,6 +152,7 @@ pub fn run() -> Outcome {
         #[cfg(feature = "gpu")]
         Command::Accuracy(arguments) => accuracy::run(arguments, &output),
         Command::Export(arguments) => export::run(arguments, &output),
+        Command::Desktop(arguments) => desktop::run(arguments, &output),
     };
     Outcome::Done(match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -153,4 +162,38 @@ pub fn run() -> Outcome {
             if is_usage { ExitCode::from(2) } else { ExitCode::FAILURE }
         }
     })
+}
+
+/// Whether a word that is no subcommand was meant as one: it is no file, and looks like none.
+fn is_mistyped(word: &Path) -> bool {
+    !word.exists() && word.extension().is_none() && word.components().count() == 1
+}
+
+fn unknown_subcommand(word: &Path) -> clap::Error {
+    let mut command = Arguments::command();
+    let word = word.to_string_lossy();
+    let alike = |name: &&str| strsim::damerau_levenshtein(name, &word) <= 2;
+    let near = command.get_subcommands().map(clap::Command::get_name).find(alike).map(str::to_owned);
+    let tip = near.map_or_else(String::new, |near| format!("\n\n  tip: a similar subcommand exists: '{near}'"));
+    command.error(ErrorKind::InvalidSubcommand, format!("unrecognized subcommand or file '{word}'{tip}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_alone_is_opened_and_a_mistyped_subcommand_is_told() {
+        let read = |words: &[&str]| Arguments::try_parse_from(std::iter::once("chiaro").chain(words.iter().copied()));
+        let opened = read(&["looks/rim.json"]).unwrap();
+        assert!(opened.command.is_none() && opened.file == Some("looks/rim.json".into()));
+        assert!(read(&[]).unwrap().file.is_none());
+        assert!(matches!(read(&["check", "a.json"]).unwrap().command, Some(Command::Check(_))));
+        assert!(read(&["a.json", "check"]).is_err());
+        for (word, is_mistyped_one) in [("rendr", true), ("rim.json", false), ("looks/rim", false), ("src", false)] {
+            assert_eq!(is_mistyped(Path::new(word)), is_mistyped_one, "{word}");
+        }
+        let told = unknown_subcommand(Path::new("rendr")).to_string();
+        assert!(told.contains("'rendr'") && (cfg!(not(feature = "gpu")) || told.contains("'render'")), "{told}");
+    }
 }

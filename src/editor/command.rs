@@ -33,6 +33,14 @@ pub(crate) enum Command {
     New,
     /// Opens a file; asks for one where there is none.
     Open(Option<PathBuf>),
+    /// Asks for a path to open in the window itself.
+    OpenPath,
+    /// Takes a file off the list of those that were open.
+    Forget(PathBuf),
+    /// Shows the start page in place of the panels, or the panels again.
+    ShowStart(bool),
+    /// Begins the tour, on a look of its own.
+    StartTour,
     /// Saves to the look's own file; asks where there is none.
     Save,
     SaveAs,
@@ -54,6 +62,8 @@ pub(crate) enum Command {
     Export(Export, Option<PathBuf>),
     /// Copies the picture to the clipboard.
     CopyPicture,
+    /// Copies the shader to the clipboard.
+    CopyWgsl,
     /// Shows an image with the picture; asks for one where there is none.
     ShowReference(Option<PathBuf>),
     /// Shows layers or lights alone, or leaves lights out; the document stays as it is.

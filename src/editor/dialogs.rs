@@ -1,10 +1,12 @@
-//! The system's file dialogs, which wait on a thread of their own.
+//! The system's file dialogs, which wait on a thread of their own. Where the system has none to show, the window asks for
+//! a path itself.
 
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::viewport::Export;
 use super::worker::start;
+use crate::clock::Clock;
 use crate::render::block_on;
 
 /// What a file is asked for.
@@ -25,65 +27,126 @@ pub(crate) const MESHES: [&str; 5] = ["obj", "ply", "stl", "gltf", "glb"];
 /// The endings of images that can be read.
 pub(crate) const IMAGES: [&str; 5] = ["png", "jpg", "jpeg", "exr", "hdr"];
 
+/// A dialog that is over before anybody could have seen it, in seconds, was none: there is no portal and no program that
+/// shows one.
+const UNSEEN: f64 = 0.35;
+
+impl Purpose {
+    /// What such files are called, and their endings.
+    pub(crate) fn files(self) -> (&'static str, &'static [&'static str]) {
+        match self {
+            Self::Open | Self::Save => ("Chiaro look", &["json"]),
+            Self::Mesh => ("Mesh", &MESHES),
+            Self::Export(_) => ("PNG", &["png"]),
+            Self::Reference => ("Image", &IMAGES),
+        }
+    }
+
+    /// Whether the file is written.
+    pub(crate) fn writes(self) -> bool {
+        matches!(self, Self::Save | Self::Export(_))
+    }
+
+    /// The path with an ending, where one is to be written and has none.
+    pub(crate) fn complete(self, mut path: PathBuf) -> PathBuf {
+        let (_, endings) = self.files();
+        if self.writes() && path.extension().is_none() {
+            path.set_extension(endings[0]);
+        }
+        path
+    }
+}
+
+/// What became of a dialog.
+#[derive(Debug)]
+pub(crate) enum Answer {
+    /// This file was chosen.
+    File(Purpose, PathBuf),
+    /// There is no dialog; with the path that it would have begun at.
+    NoDialog(Purpose, PathBuf),
+}
+
+/// How files are asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Way {
+    /// By the system's dialogs.
+    System,
+    /// By a path field in the window.
+    Window,
+    /// Not at all: nobody is there to answer.
+    Silent,
+}
+
 /// Dialogs that are open, and what became of them.
 pub(crate) struct Dialogs {
-    answers: Arc<Mutex<Vec<(Purpose, PathBuf)>>>,
+    answers: Arc<Mutex<Vec<Answer>>>,
     wake: Arc<dyn Fn() + Send + Sync>,
-    /// Whether nobody is there to answer one.
-    pub(crate) is_silent: bool,
+    pub(crate) way: Way,
 }
 
 impl Dialogs {
     /// `wake` is called from another thread when a file was chosen.
     pub(crate) fn new(wake: impl Fn() + Send + Sync + 'static) -> Self {
-        Self { answers: Arc::default(), wake: Arc::new(wake), is_silent: false }
+        Self { answers: Arc::default(), wake: Arc::new(wake), way: Way::System }
     }
 
     /// Asks for a file, beginning in the folder of `near`.
     pub(crate) fn ask(&self, purpose: Purpose, near: Option<&Path>) {
-        if self.is_silent {
-            return;
+        match self.way {
+            Way::System => self.ask_system(purpose, near),
+            Way::Window => self.answer(Answer::NoDialog(purpose, suggested(purpose, near))),
+            Way::Silent => {}
         }
-        let dialog = rfd::AsyncFileDialog::new();
-        let mut dialog = match purpose {
-            Purpose::Open | Purpose::Save => dialog.add_filter("Chiaro look", &["json"]),
-            Purpose::Mesh => dialog.add_filter("Mesh", &MESHES),
-            Purpose::Export(_) => dialog.add_filter("PNG", &["png"]),
-            Purpose::Reference => dialog.add_filter("Image", &IMAGES),
-        };
-        if let Some(folder) = near.and_then(Path::parent).filter(|folder| folder.is_dir()) {
+    }
+
+    fn ask_system(&self, purpose: Purpose, near: Option<&Path>) {
+        let suggested = suggested(purpose, near);
+        let (kind, endings) = purpose.files();
+        let mut dialog = rfd::AsyncFileDialog::new().add_filter(kind, endings);
+        if let Some(folder) = suggested.parent().filter(|folder| folder.is_dir()) {
             dialog = dialog.set_directory(folder);
         }
-        let name =
-            near.and_then(Path::file_name).map_or("look.json".into(), |name| name.to_string_lossy().into_owned());
-        let name = match purpose {
-            Purpose::Export(_) => Path::new(&name).with_extension("png").to_string_lossy().into_owned(),
-            _ => name,
-        };
+        let name = suggested.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let (answers, wake) = (self.answers.clone(), self.wake.clone());
         let _ = start("dialog", move || {
-            let file = match purpose {
-                Purpose::Open | Purpose::Mesh | Purpose::Reference => block_on(dialog.pick_file()),
-                Purpose::Save | Purpose::Export(_) => block_on(dialog.set_file_name(name).save_file()),
+            let clock = Clock::start();
+            let file = match purpose.writes() {
+                false => block_on(dialog.pick_file()),
+                true => block_on(dialog.set_file_name(name).save_file()),
             };
-            if let Some(file) = file {
-                let mut path = file.path().to_path_buf();
-                let ending = match purpose {
-                    Purpose::Save => "json",
-                    Purpose::Export(_) => "png",
-                    Purpose::Open | Purpose::Mesh | Purpose::Reference => "",
-                };
-                if !ending.is_empty() && path.extension().is_none() {
-                    path.set_extension(ending);
-                }
-                answers.lock().unwrap_or_else(PoisonError::into_inner).push((purpose, path));
-                wake();
-            }
+            let answer = match file {
+                Some(file) => Answer::File(purpose, purpose.complete(file.path().to_path_buf())),
+                None if clock.seconds() < UNSEEN => Answer::NoDialog(purpose, suggested),
+                None => return,
+            };
+            answers.lock().unwrap_or_else(PoisonError::into_inner).push(answer);
+            wake();
         });
     }
 
-    /// Files that were chosen since the last call.
-    pub(crate) fn answers(&self) -> impl Iterator<Item = (Purpose, PathBuf)> + use<> {
-        std::mem::take(&mut *self.answers.lock().unwrap_or_else(PoisonError::into_inner)).into_iter()
+    fn answer(&self, answer: Answer) {
+        self.answers.lock().unwrap_or_else(PoisonError::into_inner).push(answer);
+        (self.wake)();
     }
+
+    /// What became of dialogs since the last call. Once there was none to show, the system is not asked again.
+    pub(crate) fn answers(&mut self) -> Vec<Answer> {
+        let answers = std::mem::take(&mut *self.answers.lock().unwrap_or_else(PoisonError::into_inner));
+        if self.way == Way::System && answers.iter().any(|answer| matches!(answer, Answer::NoDialog(..))) {
+            self.way = Way::Window;
+        }
+        answers
+    }
+}
+
+/// Where a dialog begins: beside `near`, under its name where a file is written.
+fn suggested(purpose: Purpose, near: Option<&Path>) -> PathBuf {
+    let folder = near.and_then(Path::parent).filter(|folder| folder.is_dir()).map(Path::to_path_buf);
+    let folder = folder.or_else(|| std::env::current_dir().ok()).unwrap_or_default();
+    if !purpose.writes() {
+        return folder.join("");
+    }
+    let name = near.and_then(Path::file_name).map_or_else(|| "look.json".into(), std::borrow::ToOwned::to_owned);
+    let (_, endings) = purpose.files();
+    folder.join(Path::new(&name).with_extension(endings[0]))
 }

@@ -18,6 +18,7 @@ mod inspector;
 mod keying;
 mod orbit;
 mod panels;
+mod path_field;
 mod picture;
 mod probe;
 pub(crate) mod safety;
@@ -25,8 +26,10 @@ pub mod session;
 pub mod settings;
 mod sheet;
 mod shortcuts;
+mod spots;
 mod still;
 mod theme;
+mod tour;
 mod values;
 mod viewport;
 mod wipe;
@@ -52,6 +55,11 @@ use panels::problems;
 
 use crate::diag::Diagnostic;
 
+/// The program's icon, as `chiaro desktop` installs it too.
+fn icon() -> egui::IconData {
+    eframe::icon_data::from_png_bytes(include_bytes!("icon.png")).unwrap_or_default()
+}
+
 /// Opens the window with the first of `files`, or a new look, on `mesh` (a path, or `shape:` and a name), and returns
 /// when it is closed.
 ///
@@ -65,7 +73,8 @@ pub fn run(files: &[PathBuf], mesh: Option<&str>) -> Result<(), Box<Diagnostic>>
         .with_title("Chiaro")
         .with_inner_size([1600.0, 960.0])
         .with_min_inner_size([760.0, 480.0])
-        .with_drag_and_drop(true);
+        .with_drag_and_drop(true)
+        .with_icon(icon());
     let mut setup = eframe::egui_wgpu::WgpuSetupCreateNew::without_display_handle();
     setup.device_descriptor = Arc::new(crate::render::device_descriptor);
     let mut options = eframe::NativeOptions { viewport, renderer: eframe::Renderer::Wgpu, ..Default::default() };
@@ -77,7 +86,7 @@ pub fn run(files: &[PathBuf], mesh: Option<&str>) -> Result<(), Box<Diagnostic>>
         }
         match file {
             Some(file) => app.open(&file),
-            None => app.resume(),
+            None => app.begin(),
         }
         if let Some(mesh) = mesh {
             app.show_on(&mesh);

@@ -137,6 +137,11 @@ impl Settings {
         self.recent.insert(0, path);
         self.recent.truncate(MAX_RECENT);
     }
+
+    /// Takes a file off those that were open.
+    pub fn forget(&mut self, path: &Path) {
+        self.recent.retain(|other| other != path);
+    }
 }
 
 #[cfg(test)]

@@ -52,8 +52,13 @@ impl App {
             Command::New => self.do_or_ask(Pending::New),
             Command::Open(Some(path)) => self.do_or_ask(Pending::Open(path)),
             Command::Open(None) => self.dialogs.ask(Purpose::Open, self.session.path()),
+            Command::OpenPath => self.open_path_field(),
+            Command::Forget(path) => self.safety.change_settings(|settings| settings.forget(&path)),
+            Command::ShowStart(true) => self.show_start_page(),
+            Command::ShowStart(false) => self.start = None,
+            Command::StartTour => self.do_or_ask(Pending::Tour),
             Command::Save => self.save(),
-            Command::SaveAs => self.dialogs.ask(Purpose::Save, self.session.path()),
+            Command::SaveAs => self.ask_where_to_save(),
             Command::SaveTo(path) => {
                 if self.save_as(&path) {
                     self.go_on();
@@ -70,12 +75,21 @@ impl App {
             Command::ShowWire(wire) => self.session.show_wire(wire),
             Command::Export(export, Some(path)) => self.viewport.export(&self.session, export, path),
             Command::Export(export, None) => self.dialogs.ask(Purpose::Export(export), self.session.path()),
-            Command::CopyPicture => self.viewport.copy(&self.session, ui.pixels_per_point()),
+            Command::CopyPicture => {
+                // The panel of the picture takes what was drawn to the clipboard.
+                self.start = None;
+                self.dock.open(dock::Panel::Picture);
+                self.viewport.copy(&self.session, ui.pixels_per_point());
+            }
+            Command::CopyWgsl => self.copy_wgsl(ui),
             Command::ShowReference(Some(path)) => self.viewport.show_reference(path),
             Command::ShowReference(None) => self.dialogs.ask(Purpose::Reference, self.session.path()),
             Command::LeaveProbe => self.probe.escape(),
             Command::Solo(solo) => self.session.set_solo(solo),
-            Command::ShowPanel(panel) => self.dock.open(panel),
+            Command::ShowPanel(panel) => {
+                self.start = None;
+                self.dock.open(panel);
+            }
             Command::GoTo(place) => self.session.go_to(place),
             Command::AddNode { kind, at } => self.add_node(&kind, at),
             Command::OpenExample(index) => self.do_or_ask(Pending::Example(index)),
@@ -99,8 +113,16 @@ impl App {
             Action::Undo => Command::Undo,
             Action::Redo => Command::Redo,
             Action::Probe => Command::Probe(!self.probe.is_on()),
+            Action::OpenPath => Command::OpenPath,
+            Action::Start => Command::ShowStart(true),
+            Action::Tour => Command::StartTour,
+            Action::CopyPicture => Command::CopyPicture,
+            Action::CopyWgsl => Command::CopyWgsl,
             Action::Commands | Action::Shortcuts => return self.sheet.open(action),
-            action => return self.canvas.ask(action),
+            action => {
+                self.start = None;
+                return self.canvas.ask(action);
+            }
         };
         self.apply(ui, command);
     }
@@ -111,6 +133,25 @@ impl App {
         let (id, edits) = edits::add(&self.session, &kind, at);
         self.tell(|session| session.apply(Edit::Group { edits }, None));
         self.session.select(vec![id]);
+    }
+
+    fn ask_where_to_save(&self) {
+        let by_name = || Path::new(&file_name(&self.session.look().name)).to_owned();
+        let near = self.session.path().map_or_else(by_name, Path::to_path_buf);
+        self.dialogs.ask(Purpose::Save, Some(&near));
+    }
+
+    /// Copies the shader as it is exported: with values folded into it.
+    fn copy_wgsl(&mut self, ui: &Ui) {
+        let shader = self.session.baked().map(|shader| shader.wgsl.clone());
+        let told = match shader {
+            Some(wgsl) => {
+                ui.ctx().copy_text(wgsl);
+                "The shader is in the clipboard, as WGSL"
+            }
+            None => "There is no shader to copy until the look compiles: Problems tells why",
+        };
+        self.message = Some(told.to_owned());
     }
 
     pub(super) fn tell(&mut self, edit: impl FnOnce(&mut Session) -> Result<(), Box<Diagnostic>>) {
@@ -126,7 +167,26 @@ impl App {
                     self.go_on();
                 }
             }
-            None => self.dialogs.ask(Purpose::Save, None),
+            None => self.ask_where_to_save(),
         }
+    }
+}
+
+/// A file's name for a look's: `Rim light` is kept in `rim-light.json`.
+fn file_name(look: &str) -> String {
+    let words = look.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    let stem = words.take(8).collect::<Vec<_>>().join("-").to_lowercase();
+    format!("{}.json", if stem.is_empty() { "look" } else { &stem })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::file_name;
+
+    #[test]
+    fn looks_are_kept_under_their_names() {
+        assert_eq!(file_name("Rim light, No. 2"), "rim-light-no-2.json");
+        assert_eq!(file_name("../.."), "look.json");
+        assert_eq!(file_name("Größe 光"), "größe-光.json");
     }
 }

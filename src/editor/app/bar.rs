@@ -5,6 +5,8 @@ use eframe::egui::{self, RichText, Ui, ViewportCommand};
 use super::App;
 use crate::editor::command::Command;
 use crate::editor::panels::problems;
+use crate::editor::shortcuts::{self, Action};
+use crate::editor::spots::{self, Spot};
 use crate::editor::{dock, theme};
 
 impl App {
@@ -15,11 +17,13 @@ impl App {
                 if response.clicked() {
                     commands.push(command);
                 }
+                response.rect
             };
             button(ui, "New", "A new look (Ctrl+N)", true, Command::New);
             button(ui, "Open", "Opens a look (Ctrl+O)", true, Command::Open(None));
             let recent = self.safety.recent_menu(ui);
-            button(ui, "Save", "Saves the look (Ctrl+S)", true, Command::Save);
+            let save = button(ui, "Save", "Saves the look (Ctrl+S)", true, Command::Save);
+            spots::note(ui, Spot::Save, save);
             button(ui, "Save as", "Saves under another name (Ctrl+Shift+S)", true, Command::SaveAs);
             ui.separator();
             let step = |label: Option<&str>, otherwise: &str| label.map_or(otherwise.to_owned(), str::to_owned);
@@ -31,6 +35,10 @@ impl App {
             ui.separator();
             commands.extend(recent.map(|path| Command::Open(Some(path))));
             ui.menu_button("View", |ui| self.view_menu(ui)).response.on_hover_text("Panels, theme and scale");
+            let copies = [Action::CopyPicture, Action::CopyWgsl, Action::Copy];
+            menu(ui, "Copy as", "The picture, the shader or the selected nodes, to the clipboard", &copies, commands);
+            let helps = [Action::Start, Action::Tour, Action::Commands, Action::Shortcuts];
+            menu(ui, "Help", "The start page, the tour, all commands and keys", &helps, commands);
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let name = self.document_name();
                 if self.session.is_dirty() {
@@ -49,6 +57,7 @@ impl App {
         for panel in dock::Panel::ALL {
             let mut is_there = self.dock.has(panel);
             if ui.checkbox(&mut is_there, panel.label()).on_hover_text(panel.help()).changed() {
+                self.start = None;
                 if is_there { self.dock.open(panel) } else { self.dock.close(panel) }
             }
         }
@@ -78,8 +87,8 @@ impl App {
     }
 
     pub(super) fn status(&self, ui: &mut Ui) -> Option<Command> {
-        let hint =
-            [self.viewport.hint(), self.canvas.hint()].into_iter().find(|hint| !hint.is_empty()).unwrap_or_default();
+        let hints = [self.viewport.hint(), self.canvas.hint()];
+        let hint = hints.into_iter().find(|hint| !hint.is_empty() && self.start.is_none()).unwrap_or_default();
         ui.horizontal(|ui| {
             let command = problems::status(ui, &self.session);
             if let Some(message) = &self.message {
@@ -108,4 +117,19 @@ impl App {
             ctx.data_mut(|data| data.insert_temp(id, title));
         }
     }
+}
+
+/// A menu of what the table of shortcuts has, with its keys.
+fn menu(ui: &mut Ui, label: &str, help: &str, actions: &[Action], commands: &mut Vec<Command>) {
+    let menu = ui.menu_button(label, |ui| {
+        for row in actions.iter().filter_map(|action| shortcuts::of(*action)) {
+            let button = ui.add(egui::Button::new(row.label).shortcut_text(row.text()));
+            button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::MenuItem, true, row.label));
+            if button.clicked() {
+                commands.push(Command::Act(row.action));
+                ui.close();
+            }
+        }
+    });
+    menu.response.on_hover_text(help);
 }

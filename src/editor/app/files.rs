@@ -14,6 +14,7 @@ pub(super) enum Pending {
     New,
     Open(PathBuf),
     Example(usize),
+    Tour,
     Close,
 }
 
@@ -70,6 +71,7 @@ impl App {
                 self.session.start_from(text, name);
                 self.safety.look();
             }
+            Some(Pending::Tour) => self.begin_tour(),
             Some(Pending::Close) => self.closes = true,
             None => {}
         }

@@ -3,6 +3,7 @@
 mod apply;
 mod bar;
 mod files;
+mod welcome;
 
 use std::path::Path;
 use std::sync::Arc;
@@ -16,10 +17,11 @@ use super::cost::Cost;
 use super::curves::keys::Keys;
 use super::curves::profile::Profile;
 use super::curves::timeline::Timeline;
-use super::dialogs::{Dialogs, IMAGES, MESHES, Purpose};
+use super::dialogs::{Dialogs, IMAGES, MESHES, Way};
 use super::dock::Dock;
 use super::dock::effects::Effects;
 use super::panels::{Panels, library, solo};
+use super::path_field::PathField;
 use super::picture::Picture;
 use super::probe::{Probe, picture_size};
 use super::safety::Safety;
@@ -28,11 +30,13 @@ use super::session::Session;
 use super::settings::Settings;
 use super::sheet::Sheet;
 use super::shortcuts::{self, Action, Place};
+use super::tour::Tour;
 use super::viewport::{Export, Viewport};
 use super::wipe::Wipe;
-use super::{dock, inspector, theme};
+use super::{dock, inspector, spots, theme};
 use crate::library::Library;
 use files::Pending;
+use welcome::StartPage;
 
 /// The height of the status bar, in points.
 const STATUS: f32 = 38.0;
@@ -56,6 +60,9 @@ pub struct App {
     panels: Panels,
     safety: Safety,
     sheet: Sheet,
+    start: Option<StartPage>,
+    tour: Option<Tour>,
+    path_field: Option<PathField>,
     /// What is done once unsaved changes are dealt with.
     pending: Option<Pending>,
     /// What went wrong with a file or an edit, until the next command.
@@ -98,6 +105,9 @@ impl App {
             panels,
             safety: Safety::new(waker()),
             sheet: Sheet::default(),
+            start: None,
+            tour: None,
+            path_field: None,
             pending: None,
             message: None,
             presses: 0,
@@ -152,7 +162,14 @@ impl App {
     /// Never opens a dialog of the system; for programs that drive the window.
     #[must_use]
     pub fn without_dialogs(mut self) -> Self {
-        self.dialogs.is_silent = true;
+        self.dialogs.way = Way::Silent;
+        self
+    }
+
+    /// Asks for paths in the window itself, and never opens a dialog of the system.
+    #[must_use]
+    pub fn with_path_fields(mut self) -> Self {
+        self.dialogs.way = Way::Window;
         self
     }
 
@@ -268,8 +285,11 @@ impl App {
             self.presses += 1;
         }
         self.sheet.take_escape(ui);
-        self.canvas.claim_tab(ui);
+        self.leave_start_page();
         let mut commands = Vec::new();
+        if self.start.is_none() {
+            self.canvas.claim_tab(ui);
+        }
         self.shortcuts(ui, &mut commands);
         let dropped = ui.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_path_buf()));
         commands.extend(dropped.map(|path| {
@@ -280,13 +300,7 @@ impl App {
                 _ => Command::Open(Some(path)),
             }
         }));
-        commands.extend(self.dialogs.answers().map(|(purpose, path)| match purpose {
-            Purpose::Open => Command::Open(Some(path)),
-            Purpose::Save => Command::SaveTo(path),
-            Purpose::Mesh => Command::ShowOn(Some(path)),
-            Purpose::Export(export) => Command::Export(export, Some(path)),
-            Purpose::Reference => Command::ShowReference(Some(path)),
-        }));
+        commands.extend(self.chosen_files(ui));
         if let Some(again) = self.session.tick(ui.input(|input| input.time)) {
             ui.ctx().request_repaint_after(again);
         }
@@ -304,6 +318,7 @@ impl App {
         self.panels(ui, &mut commands);
         self.ask_about_changes(ui, &mut commands);
         commands.extend(self.sheet.show(ui).map(Command::Act));
+        self.show_tour(ui, &mut commands);
         for command in commands {
             self.apply(ui, command);
             // What was changed in this frame is seen in the next one.
@@ -337,6 +352,9 @@ impl App {
         if let Some(picture) = &mut self.picture {
             picture.tells_effects = self.dock.shows(dock::Panel::Effects);
         }
+        if self.start.is_some() {
+            return self.start_page(ui, commands);
+        }
         let mut dock = std::mem::take(&mut self.dock);
         let ground = egui::Frame::new().fill(theme::of(ui).node_edge);
         egui::CentralPanel::default().frame(ground).show(ui, |ui| {
@@ -346,6 +364,7 @@ impl App {
     }
 
     fn panel(&mut self, ui: &mut Ui, panel: dock::Panel, commands: &mut Vec<Command>) {
+        spots::note(ui, spots::Spot::Panel(panel), ui.max_rect());
         commands.extend(match panel {
             dock::Panel::Picture => {
                 let Self { viewport, session, picture, probe, wipe, .. } = self;
@@ -387,7 +406,7 @@ impl App {
         // A field that is being typed in has an undo of its own, and question marks.
         let is_text = |action| matches!(action, Action::Undo | Action::Redo | Action::Shortcuts);
         for row in shortcuts::ALL.iter().filter(|row| row.place != Place::Graph) {
-            if is_typing && (is_text(row.action) || row.place == Place::Picture) {
+            if row.place == Place::Picture && (is_typing || self.start.is_some()) || is_typing && is_text(row.action) {
                 continue;
             }
             if row.keys.iter().any(|&key| shortcuts::take(ui, key)) {
@@ -395,6 +414,10 @@ impl App {
             }
         }
         let escape = (Modifiers::NONE, Key::Escape);
+        let is_free = self.path_field.is_none() && self.pending.is_none() && !egui::Popup::is_any_open(ui.ctx());
+        if self.start.is_some() && is_free && shortcuts::take(ui, escape) {
+            commands.push(Command::ShowStart(false));
+        }
         if self.probe.is_on() && !is_typing && shortcuts::take(ui, escape) {
             commands.push(Command::LeaveProbe);
         }

@@ -18,6 +18,7 @@ use super::command::Command;
 use super::dock::Panel;
 use super::panels::lights;
 use super::session::Session;
+use super::spots::{self, Spot};
 use super::wire::{ShownWire, Style};
 use super::{theme, values};
 use crate::document::{ColorSpace, Edit, Node, Target, Tier, Value};
@@ -88,7 +89,10 @@ fn show_node(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
     ui.separator();
     let wanted = search(ui, kind);
     for port in kind.inputs.iter().filter(|port| fits(port, &wanted)) {
+        let top = ui.cursor().top();
         row::show(ui, subject, port, out);
+        let rect = egui::Rect::from_x_y_ranges(ui.max_rect().x_range(), top..=ui.cursor().top());
+        spots::note(ui, Spot::Input(port.name.clone()), rect);
     }
     tier_row(ui, subject, out);
     shown_row(ui, subject, out);

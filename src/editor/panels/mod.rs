@@ -1,12 +1,13 @@
 //! The panels beside the picture and the graph: layers, lights, problems, history and the library.
 
 mod history;
-mod layers;
+pub(crate) mod layers;
 pub(crate) mod library;
 pub(crate) mod lights;
 pub(crate) mod problems;
 pub(crate) mod solo;
 pub(crate) mod stack;
+mod start;
 mod thumbs;
 mod widgets;
 
@@ -24,6 +25,7 @@ pub(crate) struct Panels {
     lights: lights::Lights,
     history: history::History,
     library: library::Library,
+    start: start::Start,
     thumbs: Thumbs,
 }
 
@@ -35,6 +37,7 @@ impl Panels {
             lights: lights::Lights::default(),
             history: history::History::default(),
             library: library::Library::default(),
+            start: start::Start::default(),
             thumbs: Thumbs::new(gpu, wake),
         }
     }
@@ -49,6 +52,22 @@ impl Panels {
             Panel::Library => self.library.show(ui, session, &self.thumbs),
             _ => Vec::new(),
         }
+    }
+
+    /// Shows the start page in their place. `recent` are the files opened before, with whether each is still there.
+    pub(crate) fn show_start<'p>(
+        &mut self,
+        ui: &mut Ui,
+        session: &Session,
+        recent: impl Iterator<Item = (&'p std::path::PathBuf, bool)>,
+    ) -> Vec<Command> {
+        self.start.know_recent(recent);
+        self.start.show(ui, session, &self.thumbs)
+    }
+
+    /// The start page is not shown any more.
+    pub(crate) fn end_start(&mut self) {
+        self.start.rest();
     }
 
     /// Learns which files were opened before, with whether each is still there.

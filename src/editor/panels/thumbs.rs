@@ -46,7 +46,7 @@ impl Shot {
     /// From the eye to what it looks at, and how high that is.
     fn distance_and_height(self) -> (f64, f64) {
         match self {
-            Self::Whole => (3.1, 0.0),
+            Self::Whole => (3.45, -0.04),
             Self::Near | Self::Lifted => (2.0, 0.36),
         }
     }

@@ -26,6 +26,7 @@ use super::panels::solo;
 use super::picture::Picture;
 use super::probe::{Probe, picture_size};
 use super::session::Session;
+use super::spots::{self, Spot};
 use super::theme;
 use super::wipe::Wipe;
 use crate::document::Projection;
@@ -113,6 +114,7 @@ impl Viewport {
         let response = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Picture"));
         self.rect = Some(rect);
+        spots::note(ui, Spot::Picture, rect);
         let pointer = response.contains_pointer().then(|| ui.input(|input| input.pointer.hover_pos())).flatten();
         let handles = self.handles(rect, session, probe);
         self.drags(ui, &response, rect, session, &handles, &mut out);
@@ -354,9 +356,9 @@ impl Viewport {
         self.exports.draw(export, session.still(), Destination::File(path));
     }
 
-    /// Copies the picture to the clipboard, as large as it is on the screen.
+    /// Copies the picture to the clipboard, as large as it is on the screen, or of a usual size where it never was there.
     pub(crate) fn copy(&mut self, session: &Session, scale: f32) {
-        let size = self.rect.map_or([1, 1], |rect| picture_size(rect, scale)).map(|side| side.max(1));
+        let size = self.rect.map_or([800, 800], |rect| picture_size(rect, scale)).map(|side| side.max(1));
         self.exports.draw(Export::Picture(size), session.still(), Destination::Clipboard);
     }
 

@@ -14,6 +14,7 @@ use eframe::egui::{EventFilter, Key, Modifiers, Popup, Rect, Response, RichText,
 use super::super::command::Command;
 use super::super::dock::hint;
 use super::super::session::Session;
+use super::super::spots::{self, Spot};
 use super::super::theme;
 use super::solo;
 use super::stack::{BELOW, Stack};
@@ -21,7 +22,7 @@ use super::thumbs::{Shot, Thumbs, key_of};
 use super::widgets::{Renaming, leave_with_pointer, undo_keys};
 use crate::document::{Edit, Endpoint, GraphId, Node, Wire};
 use crate::ids::{NodeId, make_slug};
-use presets::PRESETS;
+use presets::{LayerPreset, PRESETS};
 use row::{ROW, Row};
 
 /// The panel, and what it knows of the graph.
@@ -116,11 +117,12 @@ impl Layers {
                 let menu = ui.menu_button("Add layer", |ui| {
                     for preset in &PRESETS {
                         if ui.button(preset.label).on_hover_text(preset.help).clicked() {
-                            self.add(session, preset, out);
+                            add(&self.stack, session, preset, out);
                             ui.close();
                         }
                     }
                 });
+                spots::note(ui, Spot::AddLayer, menu.response.rect);
                 menu.response.on_hover_text("Puts a layer over the selected one, or on top of all");
             });
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -131,43 +133,6 @@ impl Layers {
             });
         });
         ui.add_space(2.0);
-    }
-
-    /// Adds a layer over the selected one, and what it lies on where there is nothing.
-    fn add(&self, session: &Session, preset: &presets::LayerPreset, out: &mut Vec<Command>) {
-        let look = session.look();
-        let beside =
-            session.selection.last().filter(|id| is_selected(session, id) && self.stack.index_of(id).is_some());
-        let at = match beside.and_then(|id| self.stack.index_of(id)) {
-            Some(index) => index,
-            // Over the ground, where that is selected.
-            None if self.stack.ground.as_ref().is_some_and(|ground| session.selection.last() == Some(&ground.node)) => {
-                self.stack.layers.len()
-            }
-            None => 0,
-        };
-        let (first, id, node) = preset.make(session, beside);
-        let place = self.stack.insert(look, at, &id, node);
-        let mut edits = place;
-        edits.extend(first);
-        if self.stack.ground.is_none() && at == self.stack.layers.len() {
-            edits.extend(self.add_ground(session, Endpoint::new(id.clone(), BELOW)));
-        }
-        out.push(Command::Edit(Edit::Group { edits }));
-        select(session, vec![id], out);
-    }
-
-    /// A Base for an input that has nothing.
-    fn add_ground(&self, session: &Session, to: Endpoint) -> Vec<Edit> {
-        let look = session.look();
-        let id = NodeId::new(make_slug("base", |slug| look.graph.nodes.contains_key(slug)));
-        let lowest = look.graph.nodes.get(&to.node).map_or([0.0; 2], |node| node.position);
-        let node = Node { kind: "base".to_owned(), position: [lowest[0] - 260.0, lowest[1]], ..Node::default() };
-        let wire = Wire { from: Endpoint::new(id.clone(), BELOW), to };
-        vec![
-            Edit::AddNode { graph: GraphId::Look, id, node, index: None },
-            Edit::AddWire { graph: GraphId::Look, wire, index: None },
-        ]
     }
 
     fn layer(
@@ -320,7 +285,7 @@ impl Layers {
             if child.button("Add a base").on_hover_text(help).clicked()
                 && let Some(to) = self.stack.lowest_inlet()
             {
-                out.push(Command::Edit(Edit::Group { edits: self.add_ground(session, to.clone()) }));
+                out.push(Command::Edit(Edit::Group { edits: add_ground(session, to.clone()) }));
             }
             return;
         };
@@ -376,6 +341,51 @@ impl Layers {
         }
         thumbs.known(seen.shown?)
     }
+}
+
+/// What adds a layer of the preset with this label, as the menu does.
+pub(crate) fn add_preset(session: &Session, label: &str) -> Vec<Command> {
+    let mut out = Vec::new();
+    if let Some(preset) = PRESETS.iter().find(|preset| preset.label == label) {
+        add(&Stack::of(session.look(), &session.catalog), session, preset, &mut out);
+    }
+    out
+}
+
+/// Adds a layer over the selected one, and what it lies on where there is nothing.
+fn add(stack: &Stack, session: &Session, preset: &LayerPreset, out: &mut Vec<Command>) {
+    let look = session.look();
+    let beside = session.selection.last().filter(|id| is_selected(session, id) && stack.index_of(id).is_some());
+    let at = match beside.and_then(|id| stack.index_of(id)) {
+        Some(index) => index,
+        // Over the ground, where that is selected.
+        None if stack.ground.as_ref().is_some_and(|ground| session.selection.last() == Some(&ground.node)) => {
+            stack.layers.len()
+        }
+        None => 0,
+    };
+    let (first, id, node) = preset.make(session, beside);
+    let place = stack.insert(look, at, &id, node);
+    let mut edits = place;
+    edits.extend(first);
+    if stack.ground.is_none() && at == stack.layers.len() {
+        edits.extend(add_ground(session, Endpoint::new(id.clone(), BELOW)));
+    }
+    out.push(Command::Edit(Edit::Group { edits }));
+    select(session, vec![id], out);
+}
+
+/// A Base for an input that has nothing.
+fn add_ground(session: &Session, to: Endpoint) -> Vec<Edit> {
+    let look = session.look();
+    let id = NodeId::new(make_slug("base", |slug| look.graph.nodes.contains_key(slug)));
+    let lowest = look.graph.nodes.get(&to.node).map_or([0.0; 2], |node| node.position);
+    let node = Node { kind: "base".to_owned(), position: [lowest[0] - 260.0, lowest[1]], ..Node::default() };
+    let wire = Wire { from: Endpoint::new(id.clone(), BELOW), to };
+    vec![
+        Edit::AddNode { graph: GraphId::Look, id, node, index: None },
+        Edit::AddWire { graph: GraphId::Look, wire, index: None },
+    ]
 }
 
 /// The name of an input by which a layer is blended, and that of its strength.

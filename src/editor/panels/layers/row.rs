@@ -9,6 +9,7 @@ use eframe::egui::{
 use super::super::super::catalog::{Kind, Port};
 use super::super::super::command::Command;
 use super::super::super::session::Session;
+use super::super::super::spots::{self, Spot};
 use super::super::super::{theme, values};
 use super::super::widgets::{ICON, Icon, Renaming, card_ground, icon, picture_frame, whole};
 use super::{MODES, OPACITY};
@@ -82,6 +83,7 @@ impl Row<'_> {
         let is_selected = super::is_selected(self.session, self.id);
         let whole = ui.interact(rect, focus_id(self.id), Sense::click_and_drag());
         whole.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_selected, format!("Layer {title}")));
+        spots::note(ui, Spot::Layer(self.id.clone()), rect);
         card_ground(ui, rect, &whole, is_selected || is_dragged);
         self.select(ui, &whole, out);
         let builder = UiBuilder::new().id_salt(self.id).max_rect(rect.shrink2(vec2(4.0, 3.0)));
@@ -120,6 +122,7 @@ impl Row<'_> {
         let whole = ui.interact(rect, focus_id(self.id), Sense::click());
         let name = if is_base { format!("Base {title}") } else { format!("Branch {title}") };
         whole.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_selected, &name));
+        spots::note(ui, Spot::Layer(self.id.clone()), rect);
         card_ground(ui, rect, &whole, is_selected);
         self.select(ui, &whole, out);
         let builder = UiBuilder::new().id_salt(self.id).max_rect(rect.shrink2(vec2(4.0, 3.0)));

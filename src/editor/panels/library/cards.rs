@@ -1,0 +1,163 @@
+//! Looks as pictures that open when they are pressed: those of files, and the examples.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use eframe::egui::{
+    Align2, Color32, CornerRadius, FontId, Rect, Response, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2,
+};
+
+use super::super::super::command::Command;
+use super::super::super::dock::cell;
+use super::super::super::session::Session;
+use super::super::super::theme;
+use super::super::thumbs::{Shot, Thumbs, key_of};
+use super::super::widgets::{picture_frame, row_ground, whole};
+use super::EXAMPLES;
+use crate::document::Look;
+
+/// The height of a card's name.
+const NAME: f32 = 20.0;
+
+/// Where a look comes from.
+enum Origin {
+    Example(usize),
+    File(PathBuf),
+}
+
+/// A look that can be opened.
+pub(in super::super) struct Card {
+    origin: Origin,
+    pub(in super::super) name: String,
+    /// `None` where a file cannot be read; opening it tells why.
+    look: Option<Arc<Look>>,
+    key: u64,
+    /// The side of its picture, in pixels: cards grow with their panel, and their pictures are not drawn anew.
+    side: f32,
+}
+
+impl Card {
+    /// All examples, with pictures so many pixels wide.
+    pub(in super::super) fn examples(side: f32) -> Vec<Self> {
+        let card = |(index, (name, text)): (usize, &(&str, &str))| {
+            let look = Look::read(text, name).value?;
+            // "figure1-layers" is shown as what the look calls itself, which people search for too.
+            let figure = name.split_once('-').map_or(*name, |(figure, _)| figure).replace("figure", "Figure ");
+            let name = if look.name.is_empty() { (*name).to_owned() } else { format!("{} · {figure}", look.name) };
+            Some(Self::new(Origin::Example(index), name, Some(look), side))
+        };
+        EXAMPLES.iter().enumerate().filter_map(card).collect()
+    }
+
+    /// The look of a file.
+    pub(in super::super) fn of_file(path: &Path, side: f32) -> Self {
+        Self::new(Origin::File(path.to_owned()), name_of(path), Look::load(path).value, side)
+    }
+
+    fn new(origin: Origin, name: String, look: Option<Look>, side: f32) -> Self {
+        let key = look.as_ref().map_or(0, |look| key_of(look, Shot::Whole, side));
+        Self { origin, name, look: look.map(Arc::new), key, side }
+    }
+
+    /// Whether its look could be read.
+    pub(in super::super) fn is_readable(&self) -> bool {
+        self.look.is_some()
+    }
+
+    /// Shows it, with a picture of this side in points.
+    pub(in super::super) fn show(
+        &self,
+        ui: &mut Ui,
+        side: f32,
+        session: &Session,
+        thumbs: &Thumbs,
+        out: &mut Vec<Command>,
+    ) -> Response {
+        let (rect, response) = ui.allocate_exact_size(vec2(side, side + NAME), Sense::click());
+        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Open the look {}", self.name)));
+        if !ui.is_rect_visible(rect) {
+            return response;
+        }
+        row_ground(ui, rect.expand(2.0), &response, false);
+        let picture = picture_of(rect, side);
+        ui.painter().rect_filled(picture, 3.0, theme::of(ui).canvas);
+        match (&self.look, thumbs.known(self.key)) {
+            (Some(_), Some(texture)) => {
+                ui.painter().image(texture, picture.shrink(1.0), whole(), Color32::WHITE);
+            }
+            (None, _) => say(ui, picture, "cannot be read"),
+            (Some(_), None) if thumbs.is_done(self.key) || !thumbs.can_draw() => say(ui, picture, "no picture"),
+            (Some(look), None) => {
+                thumbs.look_again(ui);
+                let folder = match &self.origin {
+                    Origin::File(path) => path.parent().map(Path::to_path_buf).unwrap_or_default(),
+                    Origin::Example(_) => PathBuf::new(),
+                };
+                thumbs.ask(self.key, look.clone(), folder, session, Shot::Whole, self.side);
+            }
+        }
+        picture_frame(ui, picture);
+        if response.hovered() {
+            let stroke = Stroke::new(1.5, theme::of(ui).accent);
+            ui.painter().rect_stroke(picture, CornerRadius::same(3), stroke, eframe::egui::StrokeKind::Inside);
+        }
+        name_below(ui, rect, picture, &self.name, theme::of(ui).text);
+        let (help, command) = match &self.origin {
+            Origin::Example(index) => (
+                format!("{}\nOpens it as a new look; the example itself stays as it is", self.name),
+                Command::OpenExample(*index),
+            ),
+            Origin::File(path) => (format!("Opens {}", path.display()), Command::Open(Some(path.clone()))),
+        };
+        if response.clicked() {
+            out.push(command);
+        }
+        response.on_hover_text(help)
+    }
+}
+
+/// A file that was open once and is not there any more.
+pub(in super::super) fn show_gone(ui: &mut Ui, path: &Path, side: f32, out: &mut Vec<Command>) {
+    let name = name_of(path);
+    let (rect, response) = ui.allocate_exact_size(vec2(side, side + NAME), Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("{name} is gone")));
+    let picture = picture_of(rect, side);
+    picture_frame(ui, picture);
+    say(ui, picture.translate(vec2(0.0, -12.0)), "gone");
+    name_below(ui, rect, picture, &name, theme::of(ui).dim);
+    let size = vec2(68.0, ui.spacing().interact_size.y);
+    let button = Rect::from_center_size(picture.center() + vec2(0.0, 14.0), size);
+    let forget = ui.put(button, eframe::egui::Button::new("Forget"));
+    forget.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Forget {name}")));
+    if forget.on_hover_text("Takes it off this list").clicked() {
+        out.push(Command::Forget(path.to_owned()));
+    }
+    response.on_hover_text(format!("{} was moved or removed", path.display()));
+}
+
+/// What a file is called here.
+fn name_of(path: &Path) -> String {
+    path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// Where a card's picture is: at the top.
+fn picture_of(card: Rect, side: f32) -> Rect {
+    Rect::from_min_size(card.min, vec2(side, side))
+}
+
+/// Words in place of a picture.
+fn say(ui: &Ui, picture: Rect, text: &str) {
+    let font = FontId::proportional(theme::SMALL_TEXT);
+    ui.painter().text(picture.center(), Align2::CENTER_CENTER, text, font, theme::of(ui).dim);
+}
+
+fn name_below(ui: &Ui, card: Rect, picture: Rect, name: &str, color: Color32) {
+    let rect = Rect::from_min_max(pos2(card.left(), picture.bottom()), card.max);
+    cell(ui, rect, name, FontId::proportional(theme::SMALL_TEXT), color);
+}
+
+/// How many cards of at least this side fit beside each other, and how large they then are. Both in points.
+pub(in super::super) fn columns(width: f32, least: f32, gap: f32) -> (usize, f32) {
+    let columns = ((width + gap) / (least + gap)).floor().max(1.0);
+    (columns as usize, ((width - gap * (columns - 1.0)) / columns).max(1.0))
+}

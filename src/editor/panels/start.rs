@@ -1,0 +1,277 @@
+//! What a newcomer sees first, and whoever opens the window without a file: a new look, the tour, what was open before,
+//! and all examples as pictures. It lies where the panels are, and leaves as soon as anything is opened or made.
+
+use std::path::PathBuf;
+
+use eframe::egui;
+use eframe::egui::{
+    Button, FontId, Key, Modifiers, Rect, Response, RichText, Role, ScrollArea, Sense, Stroke, StrokeKind,
+    TextureHandle, Ui, WidgetInfo, pos2, vec2,
+};
+
+use super::super::command::Command;
+use super::super::session::Session;
+use super::super::shortcuts::{self, Action};
+use super::super::theme;
+use super::library::cards::{self, Card};
+use super::thumbs::Thumbs;
+use super::widgets::whole;
+
+/// Around everything, in points; less in a narrow window.
+const MARGIN: f32 = 36.0;
+/// Wider the page does not become.
+const WIDEST: f32 = 1380.0;
+/// From this width on, what to begin with stands beside the title.
+const WIDE: f32 = 900.0;
+/// Between cards.
+const GAP: f32 = 14.0;
+/// The least width of a look's picture, in points, and the side that it is drawn with, in pixels.
+const CARD: f32 = 200.0;
+const SIDE: f32 = 320.0;
+/// The side of the program's icon.
+const LOGO: f32 = 72.0;
+/// The size of a tile, in points.
+const TILE: egui::Vec2 = vec2(204.0, 72.0);
+/// As many of the files opened before are shown.
+const MOST_RECENT: usize = 12;
+
+/// The page, and what it knows of looks.
+#[derive(Default)]
+pub(super) struct Start {
+    examples: Vec<Card>,
+    recent: Vec<Recent>,
+    logo: Option<TextureHandle>,
+}
+
+/// A file that was open before.
+struct Recent {
+    path: PathBuf,
+    /// `None` where the file is gone.
+    card: Option<Card>,
+}
+
+/// Something to begin with.
+struct Tile {
+    title: &'static str,
+    text: &'static str,
+    action: Action,
+    /// Whether it is what a newcomer is led to.
+    is_first: bool,
+}
+
+const TILES: [Tile; 3] = [
+    Tile {
+        title: "Take the tour",
+        text: "Your first look, from nothing, in two minutes",
+        action: Action::Tour,
+        is_first: true,
+    },
+    Tile { title: "New look", text: "A base and one light to begin with", action: Action::New, is_first: false },
+    Tile { title: "Open a file", text: "A look that you or others made", action: Action::Open, is_first: false },
+];
+
+impl Start {
+    /// Learns what was opened before. Files are read when that changes.
+    pub(super) fn know_recent<'p>(&mut self, files: impl Iterator<Item = (&'p PathBuf, bool)>) {
+        let now: Vec<(&PathBuf, bool)> = files.take(MOST_RECENT).collect();
+        let is_same = now.len() == self.recent.len()
+            && now
+                .iter()
+                .zip(&self.recent)
+                .all(|((path, is_there), known)| **path == known.path && *is_there == known.card.is_some());
+        if !is_same {
+            let card = |(path, is_there): (&PathBuf, bool)| Recent {
+                path: path.clone(),
+                card: is_there.then(|| Card::of_file(path, SIDE)),
+            };
+            self.recent = now.into_iter().map(card).collect();
+        }
+    }
+
+    /// Forgets what files held, so that they are read anew when the page is shown the next time.
+    pub(super) fn rest(&mut self) {
+        self.recent.clear();
+    }
+
+    /// Shows the page.
+    pub(super) fn show(&mut self, ui: &mut Ui, session: &Session, thumbs: &Thumbs) -> Vec<Command> {
+        if self.examples.is_empty() {
+            self.examples = Card::examples(SIDE);
+        }
+        let mut out = Vec::new();
+        ui.painter().rect_filled(ui.max_rect(), 0.0, theme::of(ui).panel);
+        ScrollArea::vertical().auto_shrink([false, false]).id_salt("start").show(ui, |ui| {
+            let room = ui.available_width();
+            let width = (room - 2.0 * MARGIN.min(room * 0.04)).min(WIDEST);
+            ui.horizontal_top(|ui| {
+                ui.spacing_mut().item_spacing = egui::Vec2::ZERO;
+                ui.add_space((room - width) / 2.0);
+                ui.vertical(|ui| {
+                    ui.set_width(width);
+                    ui.add_space(MARGIN.min(room * 0.03));
+                    let first = self.head(ui, width, &mut out);
+                    take_focus(ui, &first);
+                    self.looks(ui, width, session, thumbs, &mut out);
+                });
+            });
+        });
+        out
+    }
+
+    /// The title, and what to begin with; the first tile.
+    fn head(&mut self, ui: &mut Ui, width: f32, out: &mut Vec<Command>) -> Response {
+        let mut first = None;
+        ui.horizontal_top(|ui| {
+            self.title(ui);
+            let beside = width - ui.cursor().min.x + ui.min_rect().left();
+            if width >= WIDE {
+                // What to begin with ends where the cards end.
+                let tiles = (TILE.x + GAP) * TILES.len() as f32;
+                ui.add_space((beside - tiles - 2.0 * GAP).max(0.0));
+                ui.vertical(|ui| {
+                    ui.add_space((LOGO - TILE.y) / 2.0);
+                    first = tiles_in(ui, TILES.len(), TILE, out);
+                });
+                ui.add_space(GAP);
+            } else {
+                ui.add_space((beside - 24.0).max(0.0));
+            }
+            let close = ui.add(Button::new(RichText::new("×").size(24.0)).frame(false));
+            close.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Close the start page"));
+            if close.on_hover_text("To the look that is open (Esc)").clicked() {
+                out.push(Command::ShowStart(false));
+            }
+        });
+        if first.is_none() {
+            ui.add_space(GAP);
+            let (columns, tile) = cards::columns(width, TILE.x, GAP);
+            first = tiles_in(ui, columns.min(TILES.len()), vec2(tile, TILE.y), out);
+        }
+        first.unwrap_or_else(|| ui.allocate_response(egui::Vec2::ZERO, Sense::hover()))
+    }
+
+    fn title(&mut self, ui: &mut Ui) {
+        let logo = self.logo.get_or_insert_with(|| {
+            let image = egui::ColorImage::from(super::super::icon());
+            ui.ctx().load_texture("logo", image, egui::TextureOptions::LINEAR)
+        });
+        let (rect, _) = ui.allocate_exact_size(vec2(LOGO, LOGO), Sense::hover());
+        ui.painter().image(logo.id(), rect, whole(), egui::Color32::WHITE);
+        ui.add_space(GAP);
+        ui.vertical(|ui| {
+            ui.add_space(6.0);
+            ui.label(RichText::new("Chiaro").size(34.0).strong());
+            ui.label(RichText::new("Draw with light").size(15.0).color(theme::of(ui).dim));
+        });
+    }
+
+    fn looks(&self, ui: &mut Ui, width: f32, session: &Session, thumbs: &Thumbs, out: &mut Vec<Command>) {
+        let (columns, side) = cards::columns(width, CARD, GAP);
+        if !self.recent.is_empty() {
+            heading(ui, "Recent", "Looks that were open, the newest first");
+            for row in self.recent.chunks(columns) {
+                in_row(ui, row, |ui, recent| match &recent.card {
+                    Some(card) => {
+                        let response = card.show(ui, side, session, thumbs, out);
+                        response.context_menu(|ui| {
+                            if ui.button("Forget").on_hover_text("Takes it off this list; the file stays").clicked() {
+                                out.push(Command::Forget(recent.path.clone()));
+                            }
+                        });
+                    }
+                    None => cards::show_gone(ui, &recent.path, side, out),
+                });
+            }
+        }
+        heading(ui, "Examples", "Each opens as a new look of yours: change whatever you like");
+        for row in self.examples.chunks(columns) {
+            in_row(ui, row, |ui, card| drop(card.show(ui, side, session, thumbs, out)));
+        }
+        ui.add_space(GAP);
+        let text = "Drop a look, a mesh or an image on the window to open it · Ctrl+P finds any command";
+        ui.label(RichText::new(text).color(theme::of(ui).dim));
+        ui.add_space(MARGIN);
+    }
+}
+
+/// Shows the tiles, so many beside each other; the first one's response.
+fn tiles_in(ui: &mut Ui, columns: usize, size: egui::Vec2, out: &mut Vec<Command>) -> Option<Response> {
+    let mut first = None;
+    for row in TILES.chunks(columns.max(1)) {
+        in_row(ui, row, |ui, tile| {
+            let response = tile.show(ui, size);
+            if response.clicked() {
+                out.push(Command::Act(tile.action));
+            }
+            first.get_or_insert(response);
+        });
+    }
+    first
+}
+
+impl Tile {
+    fn show(&self, ui: &mut Ui, size: egui::Vec2) -> Response {
+        let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, self.title));
+        let colors = theme::of(ui);
+        let is_near = response.hovered() || response.has_focus();
+        let fill = match (self.is_first, is_near) {
+            (true, false) => colors.accent_dim,
+            (true, true) => colors.accent_dim.lerp_to_gamma(colors.accent, 0.25),
+            (false, false) => colors.field,
+            (false, true) => colors.field_hovered,
+        };
+        ui.painter().rect_filled(rect, 6.0, fill);
+        if response.has_focus() {
+            ui.painter().rect_stroke(rect, 6.0, Stroke::new(1.5, colors.accent), StrokeKind::Inside);
+        }
+        let inner = rect.shrink2(vec2(14.0, 10.0));
+        let dim = if self.is_first { colors.text } else { colors.dim };
+        let painter = ui.painter().with_clip_rect(rect);
+        let title = painter.layout_no_wrap(self.title.to_owned(), FontId::proportional(15.0), colors.text);
+        let keys = shortcuts::of(self.action).map(shortcuts::Shortcut::text).unwrap_or_default();
+        let small = FontId::proportional(theme::SMALL_TEXT);
+        let keys = painter.layout_no_wrap(keys, small.clone(), dim);
+        let text = painter.layout(self.text.to_owned(), small, dim, inner.width());
+        let middle = inner.top() + title.size().y / 2.0;
+        painter.galley(pos2(inner.right() - keys.size().x, middle - keys.size().y / 2.0), keys, dim);
+        let below = inner.top() + title.size().y + 4.0;
+        painter.galley(inner.left_top(), title, colors.text);
+        painter.galley(pos2(inner.left(), below), text, dim);
+        response
+    }
+}
+
+/// Things beside each other, and room below.
+fn in_row<T>(ui: &mut Ui, row: &[T], mut show: impl FnMut(&mut Ui, &T)) {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = GAP;
+        for each in row {
+            show(ui, each);
+        }
+    });
+    ui.add_space(GAP);
+}
+
+fn heading(ui: &mut Ui, title: &str, help: &str) {
+    ui.add_space(GAP);
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 10.0;
+        ui.label(RichText::new(title).heading());
+        ui.label(RichText::new(help).color(theme::of(ui).dim));
+    });
+    let rect = Rect::from_min_size(ui.cursor().min + vec2(0.0, 4.0), vec2(ui.available_width(), 1.0));
+    ui.painter().hline(rect.x_range(), rect.top(), Stroke::new(1.0, theme::of(ui).grid));
+    ui.add_space(GAP);
+}
+
+/// Where nothing has the keyboard, an arrow key begins at the first tile; from there egui goes on.
+fn take_focus(ui: &Ui, first: &Response) {
+    let arrows = [Key::ArrowDown, Key::ArrowRight];
+    let is_free = ui.memory(|memory| memory.focused().is_none());
+    if is_free && arrows.iter().any(|key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, *key))) {
+        first.request_focus();
+        // egui would go on by the same key.
+        ui.memory_mut(|memory| memory.move_focus(egui::FocusDirection::None));
+    }
+}

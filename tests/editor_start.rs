@@ -1,0 +1,436 @@
+//! A newcomer's first minutes: the start page, the tour from nothing to a saved look, paths where no dialog is, and
+//! copies to the clipboard. Everything is found by the name that a screen reader tells.
+#![cfg(feature = "editor")]
+
+mod editor_support;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use chiaro::document::{Look, Value};
+use chiaro::editor::{App, Places};
+use editor_support::Hand;
+use eframe::egui::{Event, Key, Modifiers, OutputCommand, Role, Theme, vec2};
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+
+/// A user's folders, and files beside them.
+struct Home(tempfile::TempDir);
+
+impl Home {
+    fn new() -> Self {
+        Self(tempfile::tempdir().unwrap())
+    }
+
+    fn file(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    /// A window as the program opens it, but for dialogs of the system.
+    fn window(&self, file: Option<&Path>) -> Hand {
+        let places = Places { state: self.file("state"), config: self.file("config") };
+        let file = file.map(Path::to_path_buf);
+        Hand::with(move |ctx| {
+            let mut app = App::new(ctx, None).with_path_fields();
+            app.keep_in(places.clone(), ctx);
+            match &file {
+                Some(file) => app.open(file),
+                None => app.begin(),
+            }
+            app
+        })
+    }
+}
+
+fn has(hand: &Hand, label: &str) -> bool {
+    hand.harness.query_all_by_label(label).next().is_some()
+}
+
+fn says(hand: &Hand, text: &str) -> bool {
+    hand.harness.query_all_by_label_contains(text).next().is_some()
+}
+
+fn press(hand: &mut Hand, label: &str) {
+    let node = hand.harness.query_all_by_label(label).next();
+    let at = node.unwrap_or_else(|| panic!("no {label}")).rect().center();
+    hand.click(at);
+    hand.settle();
+}
+
+/// Chooses a command by its name, as Ctrl+P offers it.
+fn command(hand: &mut Hand, words: &str) {
+    hand.key_with(Modifiers::COMMAND, Key::P);
+    hand.type_text(words);
+    hand.key(Key::Enter);
+    hand.settle();
+}
+
+fn focused(hand: &Hand) -> Option<String> {
+    let nodes = hand.harness.query_all_by(|node| node.is_focused());
+    nodes.filter_map(|node| node.accesskit_node().label()).next()
+}
+
+/// What is in the clipboard after the keys that copy the shader.
+fn copied_by_keys(hand: &mut Hand) -> Option<String> {
+    let modifiers = Modifiers::COMMAND | Modifiers::SHIFT;
+    hand.harness.event(Event::Key { key: Key::W, physical_key: None, pressed: true, repeat: false, modifiers });
+    hand.harness.step();
+    hand.harness.output().platform_output.commands.iter().find_map(|command| match command {
+        OutputCommand::CopyText(text) => Some(text.clone()),
+        _ => None,
+    })
+}
+
+fn compiles(hand: &Hand) -> bool {
+    let session = hand.app().session();
+    session.problems().is_empty() && session.baked().is_some()
+}
+
+fn layers(look: &Look) -> usize {
+    look.graph.nodes.values().filter(|node| node.kind == "light_layer").count()
+}
+
+#[test]
+fn the_start_page_has_every_example_and_leaves_when_one_is_opened() {
+    let home = Home::new();
+    let mut hand = home.window(None);
+    assert!(hand.app().shows_start_page());
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");
+    let mut count = 0;
+    for entry in fs::read_dir(folder).unwrap() {
+        let name = Look::load(&entry.unwrap().path()).value.unwrap().name;
+        assert!(says(&hand, &format!("Open the look {name} · Figure")), "{name}");
+        count += 1;
+    }
+    let cards = hand.harness.get_all_by_role(Role::Button).filter_map(|node| node.accesskit_node().label());
+    assert_eq!(cards.filter(|label| label.starts_with("Open the look ")).count(), count, "and nothing is there twice");
+    assert!(!has(&hand, "Recent files") && !says(&hand, "is gone"));
+    press(&mut hand, "Open the look Layers · Figure 1");
+    assert!(!hand.app().shows_start_page());
+    assert_eq!((hand.look().name.as_str(), hand.app().session().path()), ("Layers", None));
+    assert!(has(&hand, "Picture") && compiles(&hand));
+}
+
+#[test]
+fn what_was_open_is_offered_and_what_is_gone_is_forgotten() {
+    let home = Home::new();
+    let [rim, lost, odd] = ["rim.json", "lost.json", "odd.json"].map(|name| home.file(name));
+    fs::write(&rim, r#"{"name": "Rim", "nodes": [{"kind": "base"}, {"kind": "output"}]}"#).unwrap();
+    fs::write(&odd, "not JSON at all").unwrap();
+    let mut hand = home.window(None);
+    hand.app_mut().change_settings(|settings| [&odd, &lost, &rim].into_iter().for_each(|path| settings.opened(path)));
+    hand.settle();
+    assert!(has(&hand, "Open the look rim") && has(&hand, "Open the look odd") && has(&hand, "lost is gone"));
+    press(&mut hand, "Forget lost");
+    assert!(!has(&hand, "lost is gone") && !hand.app().settings().recent.contains(&lost));
+    assert!(hand.app().shows_start_page(), "forgetting opens nothing");
+    press(&mut hand, "Open the look odd");
+    assert!(hand.app().shows_start_page(), "what cannot be read is told, and nothing is lost");
+    assert!(hand.app().message().unwrap().contains("could not be opened"));
+    press(&mut hand, "Open the look rim");
+    assert!(!hand.app().shows_start_page());
+    assert_eq!(hand.app().session().path(), Some(rim.as_path()));
+
+    // The page lies over what is open, and goes without a trace.
+    command(&mut hand, "start page");
+    assert!(hand.app().shows_start_page());
+    fs::remove_file(&rim).unwrap();
+    // The bar above tells of it too, and moves the page when it comes.
+    hand.app_mut().look_at_files();
+    hand.settle();
+    assert!(has(&hand, "rim is gone"), "files are looked for while the page is seen");
+    press(&mut hand, "Close the start page");
+    assert!(!hand.app().shows_start_page());
+    assert_eq!(hand.look().name, "Rim");
+}
+
+#[test]
+fn the_keyboard_reaches_everything() {
+    let home = Home::new();
+    let mut hand = home.window(None);
+    hand.key(Key::ArrowDown);
+    assert_eq!(focused(&hand).as_deref(), Some("Take the tour"));
+    hand.key(Key::Tab);
+    assert_eq!(focused(&hand).as_deref(), Some("New look"));
+    let mut seen = Vec::new();
+    for _ in 0..40 {
+        hand.key(Key::Tab);
+        seen.extend(focused(&hand));
+        if seen.last().is_some_and(|label| label == "Open the look Litsphere · Figure 2") {
+            break;
+        }
+    }
+    assert!(seen.iter().any(|label| label == "Open a file"), "{seen:?}");
+    let examples = seen.iter().filter(|label| label.starts_with("Open the look")).count();
+    assert!(examples >= 11, "{seen:?}");
+    let first = seen.iter().position(|label| label == "Open the look Layers · Figure 1").unwrap();
+    hand.key(Key::Escape);
+    hand.key(Key::Escape);
+    assert!(!hand.app().shows_start_page());
+    hand.key_with(Modifiers::ALT, Key::Home);
+    assert!(hand.app().shows_start_page());
+    hand.key(Key::ArrowDown);
+    for _ in 0..first + 2 {
+        hand.key(Key::Tab);
+    }
+    hand.key(Key::Enter);
+    hand.settle();
+    assert_eq!(hand.look().name, "Layers");
+}
+
+#[test]
+fn only_a_window_without_anything_to_go_on_with_begins_at_the_start_page() {
+    let home = Home::new();
+    let path = home.file("a.json");
+    fs::write(&path, r#"{"name": "A", "nodes": [{"kind": "base"}, {"kind": "output"}]}"#).unwrap();
+    assert!(!home.window(Some(&path)).app().shows_start_page());
+    let mut hand = home.window(None);
+    assert!(hand.app().shows_start_page());
+    hand.key_with(Modifiers::COMMAND, Key::N);
+    hand.settle();
+    assert!(!hand.app().shows_start_page(), "a new look is made");
+    press(&mut hand, "Layer Diffuse");
+    press(&mut hand, "Solo Diffuse");
+    press(&mut hand, "Show Diffuse");
+    assert!(hand.app().session().is_dirty());
+    hand.app_mut().session_mut().close_journal(true);
+    drop(hand);
+    let hand = home.window(None);
+    assert!(!hand.app().shows_start_page() && hand.app().session().is_dirty(), "unsaved work is gone on with");
+}
+
+#[test]
+fn the_start_page_holds_in_narrow_windows_at_any_scale_in_both_themes() {
+    let home = Home::new();
+    let mut hand = home.window(None);
+    for (width, height) in [(1600.0, 960.0), (760.0, 480.0), (380.0, 240.0)] {
+        hand.harness.set_size(vec2(width, height));
+        for theme in [Theme::Dark, Theme::Light] {
+            hand.harness.ctx.set_theme(theme);
+            hand.settle();
+            for label in ["Take the tour", "New look", "Open a file", "Close the start page"] {
+                let rect = hand.harness.get_by_role_and_label(Role::Button, label).rect();
+                assert!(rect.left() >= 0.0 && rect.right() <= width + 0.5, "{label} at {rect} of {width}");
+            }
+            let card = hand.harness.get_by_label("Open the look Layers · Figure 1").rect();
+            assert!(card.right() <= width + 0.5 && card.width() > 100.0, "{card} of {width}");
+        }
+    }
+}
+
+/// Where the tour is: the title of its card.
+fn step(hand: &Hand) -> String {
+    let nodes = hand.harness.query_all_by_label_contains(" of 7");
+    nodes.filter_map(|node| node.accesskit_node().value().or(node.accesskit_node().label())).next().unwrap_or_default()
+}
+
+#[track_caller]
+fn is_at(hand: &Hand, title: &str) {
+    assert!(step(hand).starts_with(title), "at {:?}, not at {title}", step(hand));
+}
+
+fn on_tour(home: &Home) -> Hand {
+    let mut hand = home.window(None);
+    press(&mut hand, "Take the tour");
+    assert!(hand.app().is_on_tour() && !hand.app().shows_start_page());
+    assert_eq!(layers(hand.look()), 0, "from nothing");
+    is_at(&hand, "The base");
+    hand
+}
+
+#[test]
+fn the_tour_goes_on_by_what_an_artist_does() {
+    let home = Home::new();
+    let mut hand = on_tour(&home);
+    let nothing = hand.look().clone();
+
+    // A click alone is not the step: the colour must change.
+    press(&mut hand, "Base Base");
+    is_at(&hand, "The base");
+    let field = hand.harness.get_all_by_role_and_label(Role::TextInput, "Color").next().unwrap().rect().center();
+    hand.click(field);
+    hand.key_with(Modifiers::COMMAND, Key::A);
+    hand.type_text("#301d3c");
+    hand.key(Key::Enter);
+    hand.settle();
+    assert_ne!(hand.look().graph.nodes["base"].values["color"], nothing.graph.nodes["base"].values["color"]);
+
+    is_at(&hand, "A first layer of light");
+    press(&mut hand, "Add layer");
+    is_at(&hand, "A first layer of light");
+    press(&mut hand, "Lambert diffuse");
+    assert_eq!(layers(hand.look()), 1);
+
+    is_at(&hand, "Its profile");
+    let cutoff = hand.harness.get_by_label("Cut-off of the profile").rect().center();
+    hand.drag(cutoff, cutoff + vec2(30.0, 0.0));
+    hand.settle();
+
+    is_at(&hand, "Turn the light");
+    let before = hand.app().session().orbit().illumination;
+    let picture = hand.app().viewport().rect().unwrap();
+    // Beside the object a drag turns the camera, which is another thing.
+    hand.drag(picture.left_top() + vec2(6.0, 6.0), picture.left_top() + vec2(40.0, 20.0));
+    hand.settle();
+    is_at(&hand, "Turn the light");
+    hand.drag(picture.center() + vec2(20.0, 34.0), picture.center() + vec2(80.0, 60.0));
+    hand.settle();
+    assert!(hand.app().session().orbit().illumination.angle_between(before) > 0.05);
+
+    is_at(&hand, "A rim from behind");
+    press(&mut hand, "Add layer");
+    press(&mut hand, "Rim, back-light");
+    assert_eq!((layers(hand.look()), hand.look().lights.len()), (2, 2));
+
+    is_at(&hand, "How layers meet");
+    let opacity = hand.harness.get_by_role_and_label(Role::SpinButton, "Opacity of Back-light").rect().center();
+    hand.drag(opacity, opacity - vec2(40.0, 0.0));
+    hand.settle();
+
+    is_at(&hand, "Keep it");
+    let path = home.file("first.json");
+    hand.key_with(Modifiers::COMMAND, Key::S);
+    hand.settle();
+    type_path(&mut hand, &path);
+    assert_eq!(hand.app().session().path(), Some(path.as_path()));
+
+    assert!(has(&hand, "This is your look") && compiles(&hand));
+    let saved = Look::load(&path);
+    assert!(!saved.has_errors() && saved.value.as_ref() == Some(hand.look()) && *hand.look() != nothing);
+    press(&mut hand, "See the examples");
+    assert!(!hand.app().is_on_tour() && hand.app().shows_start_page());
+    assert!(has(&hand, "Open the look first"), "what was saved is offered");
+}
+
+/// Types a path where the window asks for one.
+fn type_path(hand: &mut Hand, path: &Path) {
+    let field = hand.harness.get_by_role_and_label(Role::TextInput, "Path").rect().center();
+    hand.click(field);
+    hand.key_with(Modifiers::COMMAND, Key::A);
+    hand.type_text(path.to_str().unwrap());
+    hand.key(Key::Enter);
+    hand.settle();
+}
+
+#[test]
+fn the_tour_shows_every_step_and_ends_in_a_look() {
+    let home = Home::new();
+    let mut hand = on_tour(&home);
+    let nothing = hand.look().clone();
+    for title in
+        ["The base", "A first layer of light", "Its profile", "Turn the light", "A rim from behind", "How layers meet"]
+    {
+        is_at(&hand, title);
+        press(&mut hand, "Show me");
+    }
+    is_at(&hand, "Keep it");
+    assert_eq!(layers(hand.look()), 2);
+    assert!(*hand.look() != nothing && compiles(&hand));
+    press(&mut hand, "Show me");
+    type_path(&mut hand, &home.file("shown"));
+    assert!(home.file("shown.json").is_file(), "an ending is added");
+    assert!(has(&hand, "This is your look"));
+    let shown = hand.look().clone();
+    press(&mut hand, "End tour");
+    assert!(!hand.app().is_on_tour());
+    assert_eq!(*hand.look(), shown, "ending leaves the look as it is");
+
+    // What it did are steps like others.
+    for _ in 0..5 {
+        assert!(hand.app().session().undo_label().is_some());
+        hand.undo();
+    }
+    assert_eq!(*hand.look(), nothing);
+}
+
+#[test]
+fn the_tour_can_be_left_gone_back_in_and_undone() {
+    let home = Home::new();
+    let mut hand = on_tour(&home);
+    press(&mut hand, "Show me");
+    is_at(&hand, "A first layer of light");
+    press(&mut hand, "Back");
+    is_at(&hand, "The base");
+    assert!(has(&hand, "Next"), "it is done already, and stays until the artist goes on");
+    hand.undo();
+    hand.settle();
+    assert!(has(&hand, "Skip") && !has(&hand, "Next"), "what is undone is not done");
+    press(&mut hand, "Skip");
+    is_at(&hand, "A first layer of light");
+    press(&mut hand, "Skip");
+    is_at(&hand, "Its profile");
+    let shows = hand.harness.get_by_role_and_label(Role::Button, "Show me");
+    assert!(shows.accesskit_node().is_disabled(), "there is no layer to shape");
+    let before = hand.look().clone();
+    press(&mut hand, "End tour");
+    assert!(!hand.app().is_on_tour() && *hand.look() == before);
+
+    // Another look ends it too, and it can be taken again, from the menu.
+    press(&mut hand, "Help");
+    press(&mut hand, "Take the tour");
+    assert!(hand.app().is_on_tour());
+    hand.key_with(Modifiers::COMMAND, Key::N);
+    hand.settle();
+    assert!(!hand.app().is_on_tour());
+}
+
+#[test]
+fn paths_are_asked_for_in_the_window_where_there_is_no_dialog() {
+    let home = Home::new();
+    let path = home.file("a.json");
+    fs::write(&path, r#"{"name": "A", "nodes": [{"kind": "base"}, {"kind": "output"}]}"#).unwrap();
+    let mut hand = home.window(None);
+    press(&mut hand, "Open a file");
+    assert!(says(&hand, "shows no file dialog"));
+    type_path(&mut hand, &home.file("nowhere.json"));
+    assert!(says(&hand, "There is no such file") && hand.app().shows_start_page());
+    type_path(&mut hand, home.0.path());
+    assert!(has(&hand, "a.json"), "a folder is gone into, and shows what it has");
+    press(&mut hand, "a.json");
+    press(&mut hand, "Open this");
+    assert_eq!(hand.app().session().path(), Some(path.as_path()));
+
+    // Saving under the name of another file says so first.
+    fs::write(home.file("b.json"), "mine").unwrap();
+    press(&mut hand, "Save as");
+    let field = hand.harness.get_by_role_and_label(Role::TextInput, "Path").rect().center();
+    hand.click(field);
+    hand.key_with(Modifiers::COMMAND, Key::A);
+    hand.type_text(home.file("b.json").to_str().unwrap());
+    hand.settle();
+    assert!(says(&hand, "it would be replaced"));
+    hand.key(Key::Escape);
+    hand.settle();
+    if has(&hand, "Cancel") {
+        press(&mut hand, "Cancel");
+    }
+    assert_eq!(fs::read_to_string(home.file("b.json")).unwrap(), "mine");
+
+    // Who would rather type can, in any case.
+    hand.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::O);
+    hand.settle();
+    assert!(!says(&hand, "shows no file dialog") && has(&hand, "Open a look"));
+}
+
+#[test]
+fn the_shader_is_copied_as_wgsl() {
+    let mut hand = Hand::new();
+    let wgsl = copied_by_keys(&mut hand).expect("the shader is in the clipboard");
+    assert_eq!(Some(&wgsl), hand.app().session().baked().map(|shader| &shader.wgsl));
+    assert!(hand.app().message().unwrap().contains("WGSL"));
+    press(&mut hand, "Copy as");
+    for label in ["Copy the picture as an image", "Copy the shader as WGSL", "Copy as text"] {
+        assert!(says(&hand, label), "{label}");
+    }
+    hand.key(Key::Escape);
+    // A look that does not compile has none, and it is said why.
+    let edit = chiaro::document::Edit::SetKind {
+        graph: chiaro::document::GraphId::Look,
+        id: "diffuse".into(),
+        kind: "nothing_such".to_owned(),
+    };
+    hand.app_mut().session_mut().apply(edit, None).unwrap();
+    hand.settle();
+    let is_none = hand.app().session().baked().is_none();
+    assert_eq!(copied_by_keys(&mut hand).is_none(), is_none);
+    assert!(matches!(hand.look().graph.nodes["base"].values["color"], Value::Vector(_)));
+}
