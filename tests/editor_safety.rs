@@ -5,65 +5,14 @@
 mod editor_support;
 
 use std::fs;
-use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use chiaro::document::{Edit, GraphId, Value};
 use chiaro::editor::settings::Theme;
-use chiaro::editor::{App, Places};
+use editor_support::home::Home;
 use editor_support::{Hand, node_center};
 use eframe::egui::{Event, Key, Modifiers, ViewportEvent, ViewportId};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-
-/// A user's folders, and files beside them.
-struct Home {
-    folder: tempfile::TempDir,
-}
-
-impl Home {
-    fn new() -> Self {
-        Self { folder: tempfile::tempdir().unwrap() }
-    }
-
-    fn places(&self) -> Places {
-        Places { state: self.folder.path().join("state"), config: self.folder.path().join("config") }
-    }
-
-    fn file(&self, name: &str) -> PathBuf {
-        self.folder.path().join(name)
-    }
-
-    /// A window as the program opens it.
-    fn window(&self, file: Option<&Path>) -> Hand {
-        let (places, file) = (self.places(), file.map(Path::to_path_buf));
-        Hand::with(move |ctx| {
-            let mut app = App::new(ctx, None);
-            app.keep_in(places.clone(), ctx);
-            match &file {
-                Some(file) => app.open(file),
-                None => app.resume(),
-            }
-            app
-        })
-    }
-
-    /// The same user on the same machine after everything that runs was killed at this moment: locks are gone, files are
-    /// there.
-    fn after_a_crash(&self) -> Self {
-        let other = Self::new();
-        let journals = other.places().journals();
-        fs::create_dir_all(&journals).unwrap();
-        for entry in fs::read_dir(self.places().journals()).into_iter().flatten().flatten() {
-            fs::copy(entry.path(), journals.join(entry.file_name())).unwrap();
-        }
-        other
-    }
-
-    fn journals(&self) -> usize {
-        let entries = fs::read_dir(self.places().journals()).into_iter().flatten().flatten();
-        entries.filter(|entry| entry.path().extension().is_some_and(|ending| ending == "journal")).count()
-    }
-}
 
 const OFFER: &str = "Work that was not saved";
 

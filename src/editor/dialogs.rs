@@ -1,5 +1,6 @@
 //! The system's file dialogs, which wait on a thread of their own.
 
+use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -31,16 +32,22 @@ pub(crate) struct Dialogs {
     wake: Arc<dyn Fn() + Send + Sync>,
     /// Whether nobody is there to answer one.
     pub(crate) is_silent: bool,
+    /// What is answered in place of whom the dialogs would ask, for programs that drive the window.
+    pub(crate) prepared: VecDeque<PathBuf>,
 }
 
 impl Dialogs {
     /// `wake` is called from another thread when a file was chosen.
     pub(crate) fn new(wake: impl Fn() + Send + Sync + 'static) -> Self {
-        Self { answers: Arc::default(), wake: Arc::new(wake), is_silent: false }
+        Self { answers: Arc::default(), wake: Arc::new(wake), is_silent: false, prepared: VecDeque::new() }
     }
 
     /// Asks for a file, beginning in the folder of `near`.
-    pub(crate) fn ask(&self, purpose: Purpose, near: Option<&Path>) {
+    pub(crate) fn ask(&mut self, purpose: Purpose, near: Option<&Path>) {
+        if let Some(path) = self.prepared.pop_front() {
+            self.answers.lock().unwrap_or_else(PoisonError::into_inner).push((purpose, path));
+            return (self.wake)();
+        }
         if self.is_silent {
             return;
         }

@@ -14,7 +14,7 @@ use crate::editor::command::Command;
 use crate::editor::dialogs::Purpose;
 use crate::editor::dock;
 use crate::editor::session::Session;
-use crate::editor::shortcuts::Action;
+use crate::editor::shortcuts::{self, Action};
 use crate::editor::viewport::Export;
 
 impl App {
@@ -79,6 +79,7 @@ impl App {
             Command::ShowPanel(panel) => self.dock.open(panel),
             Command::GoTo(place) => self.session.go_to(place),
             Command::AddNode { kind, at } => self.add_node(&kind, at),
+            Command::ShareGroup(id) => self.message = Some(self.session.share_group(&id)),
             Command::OpenExample(index) => self.do_or_ask(Pending::Example(index)),
             Command::Copy(text) => ui.ctx().copy_text(text),
             Command::SelectKey(key) => self.session.key = key,
@@ -101,6 +102,9 @@ impl App {
             Action::Redo => Command::Redo,
             Action::Probe => Command::Probe(!self.probe.is_on()),
             Action::Commands | Action::Shortcuts => return self.sheet.open(action),
+            Action::ResetView | Action::FrameObject | Action::Projection | Action::Turntable | Action::Handles => {
+                return self.viewport.act(action, &mut self.session);
+            }
             action => return self.canvas.ask(action),
         };
         self.apply(ui, command);
@@ -112,6 +116,16 @@ impl App {
         let (id, edits) = edits::add(&self.session, &kind, at);
         self.tell(|session| session.apply(Edit::Group { edits }, None));
         self.session.select(vec![id]);
+    }
+
+    /// Esc gives up a drag on the picture, before it does anything else: what was changed is as it was.
+    pub(super) fn give_up_drag(&mut self, ui: &Ui) {
+        if self.viewport.is_dragging()
+            && shortcuts::take(ui, (egui::Modifiers::NONE, egui::Key::Escape))
+            && self.viewport.give_up(&mut self.session)
+        {
+            self.session.undo();
+        }
     }
 
     pub(super) fn tell(&mut self, edit: impl FnOnce(&mut Session) -> Result<(), Box<Diagnostic>>) {

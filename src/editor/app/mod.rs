@@ -27,7 +27,7 @@ use super::safety::places::Places;
 use super::session::Session;
 use super::settings::Settings;
 use super::sheet::Sheet;
-use super::shortcuts::{self, Action, Place};
+use super::shortcuts::{self, Action, Place, Shortcut};
 use super::viewport::{Export, Viewport};
 use super::wipe::Wipe;
 use super::{dock, inspector, theme};
@@ -156,6 +156,11 @@ impl App {
         self
     }
 
+    /// Answers the next dialog that would ask for a file with this one; for programs that drive the window.
+    pub fn answer_dialog(&mut self, path: &Path) {
+        self.dialogs.prepared.push_back(path.to_owned());
+    }
+
     /// Writes the picture, in so many pixels, to a PNG file; what becomes of it is told in the status bar.
     pub fn save_picture(&mut self, size: [u32; 2], path: &Path) {
         self.viewport.export(&self.session, Export::Picture(size), path.to_owned());
@@ -268,6 +273,7 @@ impl App {
             self.presses += 1;
         }
         self.sheet.take_escape(ui);
+        self.give_up_drag(ui);
         self.canvas.claim_tab(ui);
         let mut commands = Vec::new();
         self.shortcuts(ui, &mut commands);
@@ -303,7 +309,7 @@ impl App {
         }
         self.panels(ui, &mut commands);
         self.ask_about_changes(ui, &mut commands);
-        commands.extend(self.sheet.show(ui).map(Command::Act));
+        commands.extend(self.sheet.show(ui, &self.session));
         for command in commands {
             self.apply(ui, command);
             // What was changed in this frame is seen in the next one.
@@ -386,7 +392,9 @@ impl App {
         let is_typing = ui.ctx().egui_wants_keyboard_input();
         // A field that is being typed in has an undo of its own, and question marks.
         let is_text = |action| matches!(action, Action::Undo | Action::Redo | Action::Shortcuts);
-        for row in shortcuts::ALL.iter().filter(|row| row.place != Place::Graph) {
+        // The other keys of the picture work over it alone, where it takes them itself.
+        let is_here = |row: &&Shortcut| row.place == Place::Window || row.action == Action::Probe;
+        for row in shortcuts::ALL.iter().filter(is_here) {
             if is_typing && (is_text(row.action) || row.place == Place::Picture) {
                 continue;
             }

@@ -3,6 +3,7 @@
 pub(super) mod keeping;
 mod place;
 mod shading;
+mod sharing;
 
 use std::borrow::Cow;
 use std::collections::HashSet;
