@@ -323,7 +323,9 @@ fn any_wire_is_shown_in_place_of_the_picture() {
     let grey = middle(&mut hand);
     assert!(grey[0].abs_diff(128) <= 1, "{grey:?}");
     hand.click(editor_support::node_center(&hand, "two"));
+    let room = picture(&hand);
     choose(&mut hand, "View wire", "Value");
+    assert_eq!(picture(&hand), room, "what is told of it lies over the picture, which stays where it is");
     assert_eq!(middle(&mut hand), [255; 4], "2 is white");
     // Heat is red above 1, whatever the look's output is.
     click_label(&mut hand, "Heat");

@@ -21,7 +21,6 @@ use std::sync::Arc;
 
 use super::command::Command;
 use super::orbit::Orbit;
-use super::panels::solo;
 use super::picture::Picture;
 use super::probe::{Probe, picture_size};
 use super::session::Session;
@@ -114,8 +113,6 @@ impl Viewport {
     ) -> Vec<Command> {
         let mut out = Vec::new();
         self.bar(ui, session, probe, wipe, &mut out);
-        bar::wire_bar(ui, session, &mut out);
-        out.extend(solo::bar(ui, session));
         wipe.bar(ui, session);
         self.take_exports(ui, &mut out);
         let (room, _) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
@@ -164,6 +161,7 @@ impl Viewport {
                 strip::show(ui, rect, session, layer, &mut out);
             }
         }
+        bar::over_top(ui, rect, session, &mut out);
         out
     }
 
