@@ -16,8 +16,7 @@ impl Hand {
     /// A window that draws, made into `App` as `prepare` leaves it.
     pub(crate) fn drawing(prepare: impl Fn(App, &eframe::egui::Context) -> App + 'static) -> Self {
         let state = create_render_state(default_wgpu_setup(), eframe::egui_wgpu::RendererOptions::PREDICTABLE);
-        let builder =
-            Harness::builder().with_step_dt(1.0 / 60.0).renderer(WgpuTestRenderer::from_render_state(state.clone()));
+        let builder = Harness::builder().renderer(WgpuTestRenderer::from_render_state(state.clone()));
         Self::with_builder(builder, move |ctx| prepare(App::new(ctx, Some(state.clone())), ctx))
     }
 

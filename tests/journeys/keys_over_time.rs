@@ -88,11 +88,11 @@ fn a_look_is_animated_and_drawn_at_three_moments() {
     let play = artist.place("Play").center();
     artist.click(play);
     let mut times = Vec::new();
-    for _ in 0..30 {
+    for _ in 0..4 {
         artist.harness.step();
         times.push(artist.app().session().time());
     }
-    assert!(times.windows(2).all(|pair| pair[1] >= pair[0]) && times[29] > 1.2, "{times:?}");
+    assert!(times.windows(2).all(|pair| pair[1] >= pair[0]) && times[3] > 1.2, "{times:?}");
     let pause = artist.place("Pause").center();
     artist.click(pause);
     artist.settle();
