@@ -39,7 +39,7 @@ impl Hand {
     /// All names, for a message.
     fn names(&self) -> Vec<String> {
         let all = self.harness.query_all(egui_kittest::kittest::by().predicate(|_| true));
-        all.filter_map(|node| node.accesskit_node().label()).collect()
+        all.filter_map(|node| node.accesskit_node().label().or_else(|| node.value())).collect()
     }
 
     /// Where the first thing is that has this in its name.
@@ -98,15 +98,18 @@ impl Hand {
         self.settle();
     }
 
+    /// Lists the values of this name alone in the inspector, where there are so many that they can be searched.
+    fn find_value(&mut self, label: &str) {
+        if self.has("Find a value") {
+            let search = self.place("Find a value");
+            self.type_over(search, label);
+        }
+    }
+
     /// Brings a value of the inspector into view: by its search, and by the wheel. Its row is where its diamond is.
     #[track_caller]
     fn row(&mut self, label: &str) -> Rect {
-        if self.has("Find a value") {
-            let search = self.place("Find a value");
-            if search.max.y < BOTTOM {
-                self.type_over(search, label);
-            }
-        }
+        self.find_value(label);
         let diamond = format!("Keys of {label}");
         for _ in 0..40 {
             let row = self.place(&diamond);
@@ -116,6 +119,13 @@ impl Hand {
             self.wheel(pos2(row.center().x + 60.0, BOTTOM - 80.0), -60.0);
         }
         panic!("{label} does not come into view")
+    }
+
+    /// Chooses a word for a value in the inspector.
+    #[track_caller]
+    pub(crate) fn set_word(&mut self, label: &str, word: &str) {
+        self.row(label);
+        self.choose(label, word);
     }
 
     /// The fields of a role in the row of a value, from left to right.

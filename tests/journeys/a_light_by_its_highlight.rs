@@ -115,7 +115,7 @@ fn a_look_is_made_with_the_hand_on_the_object() {
     let path = studio.path("window.png");
     artist.app_mut().answer_dialog(&path);
     artist.press("Options");
-    artist.press("1×");
+    artist.press("Save picture 1×");
     assert!(artist.says("Saved"), "{:?}", artist.app().message());
     let size = format!("{}x{}", size.x.round(), size.y.round());
     let mesh = artist.app().session().orbit().mesh.clone();

@@ -55,7 +55,7 @@ fn figure_1_is_built_layer_by_layer() {
     let specular = artist.add_named(at, "light layer", "Specular");
     artist.wire("Output Stack of Diffuse", "Input Below of Specular");
     artist.wire("Output Stack of Specular", "Input Color of Output");
-    artist.choose("Shading type", "Specular");
+    artist.set_word("Shading type", "Specular");
     shape(&mut artist, ["5.7", "14.9", "28.6"], ["#e8d9b8", "#8a5c40"], "0.15", "5.7");
 
     // The back-light from the list of layers, over the selected one, with the light that it needs.

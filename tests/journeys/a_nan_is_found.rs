@@ -20,7 +20,7 @@ fn glow(tone: f32) -> f32 {
 fn probe(artist: &mut Artist) {
     // The shaded side, down to the right.
     let rect = artist.app().viewport().rect().unwrap();
-    let at = rect.center() + vec2(0.22, 0.22) * rect.height();
+    let at = rect.center() + vec2(0.26, 0.26) * rect.height();
     artist.hover(at);
     artist.key(Key::I);
     artist.click(at);
@@ -55,9 +55,9 @@ fn a_nan_from_a_custom_node_is_found_and_mended() {
     artist.add_node(at, "blend");
     artist.show_all();
     artist.wire("Output Tone of Diffuse", "Input Tone of Glow");
-    artist.wire("Output Glow of Glow", "Input Factor of Mix values");
+    artist.wire("Output Glow of Glow", "Input Factor of Mix");
     artist.wire("Output Stack of Diffuse", "Input Below of Blend");
-    artist.wire("Output Value of Mix values", "Input Tone of Blend");
+    artist.wire("Output Value of Mix", "Input Tone of Blend");
     artist.wire("Output Stack of Blend", "Input Color of Output");
     assert!(artist.errors().is_empty(), "nothing is wrong with the code as such: {:?}", artist.errors());
     let holed = artist.picture();

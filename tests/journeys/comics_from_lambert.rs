@@ -16,7 +16,7 @@ fn hex([r, g, b]: [u8; 3]) -> String {
 fn add_blend(artist: &mut Artist, at: [f32; 2], name: &str, color: [u8; 3]) {
     let at = artist.on_canvas(at[0], at[1]);
     artist.add_named(at, "blend", name);
-    artist.choose("Mode", "Alpha");
+    artist.set_word("Mode", "Alpha");
     artist.set_color("Color", &hex(color));
     artist.show_all();
 }

@@ -11,7 +11,8 @@ use super::picture::Picture;
 /// How much each of two keys weighs now, as a screen reader tells it.
 fn weights(artist: &Artist) -> [f64; 2] {
     [1, 2].map(|key| {
-        let handle = artist.harness.get_by_label(&format!("Direction key {key}"));
+        let name = format!("Direction key {key}");
+        let handle = artist.harness.get_by_label(&name);
         handle.accesskit_node().numeric_value().expect("a handle tells its weight")
     })
 }

@@ -58,7 +58,7 @@ fn a_look_is_animated_and_drawn_at_three_moments() {
     let later = artist.app().session().time();
     artist.set("Cut-off", "150");
     artist.set_color("Convex color", "#2080ff");
-    artist.choose("Blending", "Multiply");
+    artist.set_word("Blending", "Multiply");
     let tracks = artist.look().time_keys.clone();
     assert!(tracks.iter().all(|track| track.keys.len() == 2 && track.keys[1].time == later), "{tracks:?}");
     let [first, second] = &tracks[2].keys[..] else { unreachable!() };

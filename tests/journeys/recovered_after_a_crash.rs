@@ -33,12 +33,13 @@ fn work_is_complete_to_the_last_gesture() {
     let at = artist.on_canvas(0.2, 0.9);
     artist.add_node(at, "noise");
     artist.show_all();
-    artist.wire("Output Noise of Noise", "Input Opacity of Back-light");
+    artist.wire("Output Value of Noise", "Input Opacity of Back-light");
     artist.key_with(Modifiers::COMMAND, Key::Z);
     artist.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
     artist.settle();
     // A drag that never ends: the hand still holds the slider when the program dies.
     artist.press("Layer Diffuse");
+    artist.press("Show all values");
     let slider = artist.slider("Offset");
     artist.hold(slider.left_center() + vec2(4.0, 0.0));
     for step in 1..=5 {

@@ -178,6 +178,10 @@ impl Session {
         self.is_partial = false;
         self.load_problems.clear();
         self.problems_number += 1;
+        if !is_own {
+            // Another folder is another project, with nodes of its own.
+            self.reload_library();
+        }
         self.saved();
         Ok(())
     }

@@ -2,7 +2,7 @@
 
 use eframe::egui;
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
-use eframe::egui::{PopupCloseBehavior, Rect, Sense, Ui, UiBuilder, pos2, vec2};
+use eframe::egui::{PopupCloseBehavior, Rect, Role, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2};
 use std::path::Path;
 
 use super::super::command::Command;
@@ -141,11 +141,12 @@ impl Viewport {
         }
         ui.horizontal(|ui| {
             let own = self.rect.map_or([800, 800], |rect| picture_size(rect, ui.pixels_per_point()));
-            let height = ui.label("Save picture");
+            ui.label("Save picture");
             for (label, factor) in [("1×", 1), ("2×", 2), ("4×", 4)] {
                 let size = own.map(|side| (side * factor).clamp(1, MOST_SIDE));
                 let help = format!("As PNG, {} by {} pixels", size[0], size[1]);
-                let button = ui.button(label).labelled_by(height.id).on_hover_text(help);
+                let button = ui.button(label).on_hover_text(help);
+                button.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Save picture {label}")));
                 if button.clicked() {
                     out.push(Command::Export(Export::Picture(size), None));
                     ui.close();
