@@ -189,7 +189,7 @@ fn what_a_hand_does_is_in_the_frame_that_follows() {
     let wishes = hand.app().pictures();
     let slider = hand.slider("Cut-off");
     let from = slider.left_center() + vec2(slider.width() * 0.5, 0.0);
-    hand.press(from);
+    hand.hold(from);
     hand.move_to(from + vec2(40.0, 0.0));
     // This frame's edit has asked for its picture before the frame ended.
     assert!(hand.app().pictures() > wishes);
@@ -293,7 +293,7 @@ fn measure_drags(hand: &mut Hand, what: &str) {
     let points = hand.app().viewport().curve("cutoff");
     let middle = hand.app().viewport().middle().unwrap_or(rect.center());
     for (from, name) in [(points[points.len() / 2], "a line is dragged"), (middle, "a light is dragged")] {
-        hand.press(from);
+        hand.hold(from);
         let mut in_time = 0;
         let frame = |step: u8| {
             let clock = Clock::start();

@@ -11,7 +11,7 @@ use super::shortcuts::Action;
 use super::viewport::Export;
 use super::wire::ShownWire;
 use crate::document::Edit;
-use crate::ids::{NodeId, NodePath};
+use crate::ids::{DefinitionId, NodeId, NodePath};
 
 /// Something that a panel asks for.
 #[derive(Clone, Debug)]
@@ -77,6 +77,8 @@ pub(crate) enum Command {
         kind: String,
         at: Option<egui::Pos2>,
     },
+    /// Puts a group of the look's own where all looks of the project have it.
+    ShareGroup(DefinitionId),
     /// Begins a new look with an example of the library, by its number.
     OpenExample(usize),
     /// Copies text to the clipboard.

@@ -1,6 +1,7 @@
 //! The system's file dialogs, which wait on a thread of their own. Where the system has none to show, the window asks for
 //! a path itself.
 
+use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -82,16 +83,21 @@ pub(crate) struct Dialogs {
     answers: Arc<Mutex<Vec<Answer>>>,
     wake: Arc<dyn Fn() + Send + Sync>,
     pub(crate) way: Way,
+    /// What is answered in place of whom the dialogs would ask, for programs that drive the window.
+    pub(crate) prepared: VecDeque<PathBuf>,
 }
 
 impl Dialogs {
     /// `wake` is called from another thread when a file was chosen.
     pub(crate) fn new(wake: impl Fn() + Send + Sync + 'static) -> Self {
-        Self { answers: Arc::default(), wake: Arc::new(wake), way: Way::System }
+        Self { answers: Arc::default(), wake: Arc::new(wake), way: Way::System, prepared: VecDeque::new() }
     }
 
     /// Asks for a file, beginning in the folder of `near`.
-    pub(crate) fn ask(&self, purpose: Purpose, near: Option<&Path>) {
+    pub(crate) fn ask(&mut self, purpose: Purpose, near: Option<&Path>) {
+        if let Some(path) = self.prepared.pop_front() {
+            return self.answer(Answer::File(purpose, path));
+        }
         match self.way {
             Way::System => self.ask_system(purpose, near),
             Way::Window => self.answer(Answer::NoDialog(purpose, suggested(purpose, near))),

@@ -1,6 +1,9 @@
 //! A hand that drives the window.
 #![allow(dead_code, reason = "each test file uses its part")]
 
+pub(crate) mod home;
+mod verbs;
+
 use chiaro::document::Look;
 use chiaro::editor::App;
 use eframe::egui::{self, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect, Vec2, ViewportId, vec2};
@@ -124,7 +127,7 @@ impl Hand {
     }
 
     /// Presses and holds.
-    pub(crate) fn press(&mut self, at: Pos2) {
+    pub(crate) fn hold(&mut self, at: Pos2) {
         self.hover(at);
         self.button(Modifiers::NONE, at, true);
     }

@@ -14,7 +14,7 @@ use crate::editor::command::Command;
 use crate::editor::dialogs::Purpose;
 use crate::editor::dock;
 use crate::editor::session::Session;
-use crate::editor::shortcuts::Action;
+use crate::editor::shortcuts::{self, Action};
 
 impl App {
     pub(super) fn apply(&mut self, ui: &Ui, command: Command) {
@@ -92,6 +92,7 @@ impl App {
             }
             Command::GoTo(place) => self.session.go_to(place),
             Command::AddNode { kind, at } => self.add_node(&kind, at),
+            Command::ShareGroup(id) => self.message = Some(self.session.share_group(&id)),
             Command::OpenExample(index) => self.do_or_ask(Pending::Example(index)),
             Command::Copy(text) => ui.ctx().copy_text(text),
             Command::SelectKey(key) => self.session.key = key,
@@ -119,6 +120,9 @@ impl App {
             Action::CopyPicture => Command::CopyPicture,
             Action::CopyWgsl => Command::CopyWgsl,
             Action::Commands | Action::Shortcuts => return self.sheet.open(action),
+            Action::ResetView | Action::FrameObject | Action::Projection | Action::Turntable | Action::Handles => {
+                return self.viewport.act(action, &mut self.session);
+            }
             action => {
                 self.start = None;
                 return self.canvas.ask(action);
@@ -135,7 +139,7 @@ impl App {
         self.session.select(vec![id]);
     }
 
-    fn ask_where_to_save(&self) {
+    fn ask_where_to_save(&mut self) {
         let by_name = || Path::new(&file_name(&self.session.look().name)).to_owned();
         let near = self.session.path().map_or_else(by_name, Path::to_path_buf);
         self.dialogs.ask(Purpose::Save, Some(&near));
@@ -152,6 +156,16 @@ impl App {
             None => "There is no shader to copy until the look compiles: Problems tells why",
         };
         self.message = Some(told.to_owned());
+    }
+
+    /// Esc gives up a drag on the picture, before it does anything else: what was changed is as it was.
+    pub(super) fn give_up_drag(&mut self, ui: &Ui) {
+        if self.viewport.is_dragging()
+            && shortcuts::take(ui, (egui::Modifiers::NONE, egui::Key::Escape))
+            && self.viewport.give_up(&mut self.session)
+        {
+            self.session.undo();
+        }
     }
 
     pub(super) fn tell(&mut self, edit: impl FnOnce(&mut Session) -> Result<(), Box<Diagnostic>>) {

@@ -29,7 +29,7 @@ use super::safety::places::Places;
 use super::session::Session;
 use super::settings::Settings;
 use super::sheet::Sheet;
-use super::shortcuts::{self, Action, Place};
+use super::shortcuts::{self, Action, Place, Shortcut};
 use super::tour::Tour;
 use super::viewport::{Export, Viewport};
 use super::wipe::Wipe;
@@ -173,6 +173,11 @@ impl App {
         self
     }
 
+    /// Answers the next dialog that would ask for a file with this one; for programs that drive the window.
+    pub fn answer_dialog(&mut self, path: &Path) {
+        self.dialogs.prepared.push_back(path.to_owned());
+    }
+
     /// Writes the picture, in so many pixels, to a PNG file; what becomes of it is told in the status bar.
     pub fn save_picture(&mut self, size: [u32; 2], path: &Path) {
         self.viewport.export(&self.session, Export::Picture(size), path.to_owned());
@@ -286,6 +291,7 @@ impl App {
         }
         self.sheet.take_escape(ui);
         self.leave_start_page();
+        self.give_up_drag(ui);
         let mut commands = Vec::new();
         if self.start.is_none() {
             self.canvas.claim_tab(ui);
@@ -317,7 +323,7 @@ impl App {
         }
         self.panels(ui, &mut commands);
         self.ask_about_changes(ui, &mut commands);
-        commands.extend(self.sheet.show(ui).map(Command::Act));
+        commands.extend(self.sheet.show(ui, &self.session));
         self.show_tour(ui, &mut commands);
         for command in commands {
             self.apply(ui, command);
@@ -405,7 +411,9 @@ impl App {
         let is_typing = ui.ctx().egui_wants_keyboard_input();
         // A field that is being typed in has an undo of its own, and question marks.
         let is_text = |action| matches!(action, Action::Undo | Action::Redo | Action::Shortcuts);
-        for row in shortcuts::ALL.iter().filter(|row| row.place != Place::Graph) {
+        // The other keys of the picture work over it alone, where it takes them itself.
+        let is_here = |row: &&Shortcut| row.place == Place::Window || row.action == Action::Probe;
+        for row in shortcuts::ALL.iter().filter(is_here) {
             if row.place == Place::Picture && (is_typing || self.start.is_some()) || is_typing && is_text(row.action) {
                 continue;
             }

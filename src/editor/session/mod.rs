@@ -3,6 +3,7 @@
 pub(super) mod keeping;
 mod place;
 mod shading;
+mod sharing;
 
 use std::borrow::Cow;
 use std::collections::HashSet;
@@ -180,6 +181,10 @@ impl Session {
         self.is_partial = false;
         self.load_problems.clear();
         self.problems_number += 1;
+        if !is_own {
+            // Another folder is another project, with nodes of its own.
+            self.reload_library();
+        }
         self.saved();
         Ok(())
     }

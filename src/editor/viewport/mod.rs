@@ -14,18 +14,17 @@ mod strip;
 mod surface;
 
 use eframe::egui;
-use eframe::egui::{
-    CursorIcon, Key, Modifiers, PointerButton, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2,
-};
+use eframe::egui::{CursorIcon, PointerButton, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2};
 use glam::DVec3;
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::command::Command;
-use super::panels::solo;
+use super::orbit::Orbit;
 use super::picture::Picture;
 use super::probe::{Probe, picture_size};
 use super::session::Session;
+use super::shortcuts::{self, Action};
 use super::spots::{self, Spot};
 use super::theme;
 use super::wipe::Wipe;
@@ -51,9 +50,18 @@ enum Drag {
     Light(lights::Held),
 }
 
+/// What a drag that is given up goes back to.
+struct Before {
+    view: Orbit,
+    /// How many steps of the look were done.
+    place: usize,
+}
+
 /// The viewport and what it remembers between frames.
 pub struct Viewport {
     drag: Option<Drag>,
+    /// How everything was when the drag began.
+    before: Option<Before>,
     rect: Option<Rect>,
     hint: String,
     surfaces: Surfaces,
@@ -80,6 +88,7 @@ impl Viewport {
     pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Clone + Send + 'static) -> Self {
         Self {
             drag: None,
+            before: None,
             rect: None,
             hint: String::new(),
             surfaces: Surfaces::new(wake.clone()),
@@ -105,8 +114,6 @@ impl Viewport {
     ) -> Vec<Command> {
         let mut out = Vec::new();
         self.bar(ui, session, probe, wipe, &mut out);
-        bar::wire_bar(ui, session, &mut out);
-        out.extend(solo::bar(ui, session));
         wipe.bar(ui, session);
         self.take_exports(ui, &mut out);
         let (room, _) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
@@ -156,6 +163,7 @@ impl Viewport {
                 strip::show(ui, rect, session, layer, &mut out);
             }
         }
+        bar::over_top(ui, rect, session, &mut out);
         out
     }
 
@@ -244,6 +252,7 @@ impl Viewport {
         if response.drag_started()
             && let Some(origin) = ui.input(|input| input.pointer.press_origin())
         {
+            self.before = Some(Before { view: session.view.clone(), place: session.place() });
             let is_primary = response.dragged_by(PointerButton::Primary);
             let grip = (is_primary && !is_alt && self.handles).then(|| self.grip(ui, rect, origin, session, handles));
             self.drag = Some(match grip.flatten() {
@@ -285,25 +294,40 @@ impl Viewport {
         if ui.ctx().egui_wants_keyboard_input() {
             return;
         }
-        let pressed = |key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
-        if pressed(Key::R) {
-            session.view.reset();
+        for action in shortcuts::pressed(ui, shortcuts::Place::Picture) {
+            self.act(action, session);
         }
-        if pressed(Key::F) {
-            session.view.frame_object();
+    }
+
+    /// Does what a key over the picture or the command palette asks for.
+    pub(crate) fn act(&mut self, action: Action, session: &mut Session) {
+        match action {
+            Action::ResetView => session.view.reset(),
+            Action::FrameObject => session.view.frame_object(),
+            Action::Turntable => self.turns = !self.turns,
+            Action::Handles => self.handles = !self.handles,
+            Action::Projection => {
+                session.view.projection = match session.view.projection {
+                    Projection::Perspective => Projection::Orthographic,
+                    Projection::Orthographic => Projection::Perspective,
+                };
+            }
+            _ => {}
         }
-        if pressed(Key::T) {
-            self.turns = !self.turns;
-        }
-        if pressed(Key::H) {
-            self.handles = !self.handles;
-        }
-        if pressed(Key::P) {
-            session.view.projection = match session.view.projection {
-                Projection::Perspective => Projection::Orthographic,
-                Projection::Orthographic => Projection::Perspective,
-            };
-        }
+    }
+
+    /// Whether something is dragged on the picture.
+    pub(crate) fn is_dragging(&self) -> bool {
+        self.drag.is_some()
+    }
+
+    /// Gives a drag up: camera and lights are where they were when it began. Returns whether the last step of the look
+    /// is the drag's, and is to be taken back too.
+    pub(crate) fn give_up(&mut self, session: &mut Session) -> bool {
+        self.drag = None;
+        let Some(before) = self.before.take() else { return false };
+        session.view = before.view;
+        session.place() == before.place + 1
     }
 
     fn hint_at(&self, pointer: Option<Pos2>, rect: Rect, session: &Session, hovered: Option<&Drag>) -> String {
@@ -311,9 +335,11 @@ impl Viewport {
         match (self.drag.as_ref().or(hovered), pointer) {
             (Some(Drag::Curve(held)), _) => self.isocurves.hint(held),
             (Some(Drag::Light(held)), _) => held.hint(session),
-            (Some(Drag::Lights), _) => "Turning the illumination frame: every light in it turns with it".to_owned(),
-            (Some(Drag::Camera), _) => "Turning the camera around the object".to_owned(),
-            (Some(Drag::Pan), _) => "Moving the camera".to_owned(),
+            (Some(Drag::Lights), _) => {
+                "Turning the illumination frame: every light in it turns with it · Esc puts it back".to_owned()
+            }
+            (Some(Drag::Camera), _) => "Turning the camera around the object · Esc puts it back".to_owned(),
+            (Some(Drag::Pan), _) => "Moving the camera · Esc puts it back".to_owned(),
             (None, None) => String::new(),
             (None, Some(at)) if is_on_object(at, rect, session, &handles) => {
                 let one = if layer::selected_light(session).is_some() || layer::selected(session).is_some() {
