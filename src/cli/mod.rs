@@ -31,6 +31,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+use crate::milestones;
 use output::Output;
 
 /// Draw with light: stylized shading as a graph, compiled to one readable WGSL shader.
@@ -116,6 +117,7 @@ pub enum Outcome {
 
 /// Reads the command line and does what it says, but for the editor, which `main` opens.
 pub fn run() -> Outcome {
+    milestones::reached("program");
     let command = match Arguments::parse().command {
         None => return Outcome::Edit { files: Vec::new(), mesh: None },
         Some(Command::Edit { files, mesh }) => return Outcome::Edit { files, mesh },
