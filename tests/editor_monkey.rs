@@ -29,9 +29,7 @@ struct Monkey {
 
 impl Monkey {
     fn new(seed: u64) -> Self {
-        // The picker of egui has a sign that its own fonts lack.
-        let builder = egui_kittest::Harness::builder().allow_missing_glyphs();
-        let hand = Hand::with_builder(builder, |ctx| App::new(ctx, None).without_dialogs());
+        let hand = Hand::with_builder(egui_kittest::Harness::builder(), |ctx| App::new(ctx, None).without_dialogs());
         Self { random: Random::new(seed), hand, done: 0 }
     }
 

@@ -13,6 +13,7 @@ mod cost;
 mod curves;
 mod dialogs;
 mod dock;
+mod fixes;
 mod inspector;
 mod keying;
 mod orbit;

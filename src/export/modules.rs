@@ -113,7 +113,7 @@ pub struct Target {
 }
 
 const NORMAL_TARGETS: [Target; 2] = [
-    Target { name: "normal", format: "rgba16float", clear: [0.0; 4] },
+    Target { name: "normal", format: "rgba32float", clear: [0.0; 4] },
     Target { name: "depth", format: "r32float", clear: [0.0; 4] },
 ];
 const CURVATURE_TARGET: Target = Target { name: "curvature", format: "r32float", clear: [0.0; 4] };

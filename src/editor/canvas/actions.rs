@@ -92,7 +92,8 @@ impl Canvas {
         match action {
             Action::AddNode => self.palette = Some(Palette::new(at, None)),
             Action::Swap => {
-                self.palette = chosen.last().cloned().map(|id| Palette::swapping(at, id));
+                let kind = |id| session.catalog.of(session.graph().nodes.get(id)?).cloned();
+                self.palette = chosen.last().map(|id| Palette::swapping(at, id.clone(), kind(id)));
             }
             Action::Note => {
                 let (id, edit) = edits::note(session, self.view.to_graph(at));

@@ -278,7 +278,7 @@ impl Canvas {
             Outcome::Chosen(kind) => kind,
         };
         let Some(palette) = self.palette.take() else { return };
-        if let Some(id) = &palette.swaps {
+        if let Some((id, _)) = &palette.swaps {
             out.extend(edits::swap(session, id, &kind).map(Command::Edit));
             return;
         }

@@ -2,10 +2,10 @@
 
 use std::collections::HashMap;
 
+use super::super::fixes::{self, Fix};
 use super::super::session::Session;
 use crate::compile::{Proof, Removal};
-use crate::diag::{Diagnostic, Severity};
-use crate::document::{Edit, Value};
+use crate::diag::Severity;
 use crate::ids::NodeId;
 
 /// What is wrong with a node.
@@ -13,13 +13,6 @@ pub(super) struct Mark {
     pub(super) severity: Severity,
     pub(super) text: String,
     pub(super) fixes: Vec<Fix>,
-}
-
-/// Something that mends a problem.
-#[derive(Clone)]
-pub(super) struct Fix {
-    pub(super) label: String,
-    pub(super) edit: Edit,
 }
 
 /// Why a node adds nothing.
@@ -36,7 +29,7 @@ pub(super) fn marks(session: &Session) -> HashMap<NodeId, Mark> {
         let Some(path) = &problem.place.node else { continue };
         let Some(id) = session.step_here(path) else { continue };
         let text = super::super::problems::sentence(problem);
-        let fixes = if path.last() == Some(id) { fixes(session, id, problem) } else { Vec::new() };
+        let fixes = if path.last() == Some(id) { fixes::of(session, problem) } else { Vec::new() };
         match marks.get_mut(id) {
             // A group that is used more than once has the same problem as often.
             Some(mark) if mark.text.contains(&text) => {}
@@ -50,47 +43,6 @@ pub(super) fn marks(session: &Session) -> HashMap<NodeId, Mark> {
         }
     }
     marks
-}
-
-/// What would mend a problem of a node.
-fn fixes(session: &Session, id: &NodeId, problem: &Diagnostic) -> Vec<Fix> {
-    let graph = session.graph_id();
-    let of = session.graph();
-    let Some(node) = of.nodes.get(id).filter(|_| !session.is_read_only()) else { return Vec::new() };
-    let mut fixes = Vec::new();
-    let mut fix = |label: String, edit: Edit| fixes.push(Fix { label, edit });
-    if problem.code == "unknown-kind" {
-        let known = session.catalog.all().map(|kind| kind.id.as_str());
-        for kind in crate::diag::nearest(&node.kind, known) {
-            let label = session.catalog.get(kind).map_or(kind, |kind| &kind.label);
-            let edit = Edit::SetKind { graph: graph.clone(), id: id.clone(), kind: kind.to_owned() };
-            fix(format!("Make it {label}"), edit);
-        }
-    }
-    if problem.code == "recursive-group" {
-        fix("Remove this node".to_owned(), Edit::RemoveNode { graph: graph.clone(), id: id.clone() });
-    }
-    let Some(port) = &problem.place.port else { return fixes };
-    if problem.code == "unknown-light" {
-        for (light, of_light) in session.look().lights.iter().take(4) {
-            let name = if of_light.name.is_empty() { light.as_str() } else { &of_light.name };
-            let value = Value::Text(light.to_string());
-            let edit = Edit::SetValue { graph: graph.clone(), id: id.clone(), port: port.clone(), value, index: None };
-            fix(format!("Use the light {name}"), edit);
-        }
-        return fixes;
-    }
-    match of.wire_into(id, port) {
-        Some(wire) if problem.severity == Severity::Error => {
-            fix(format!("Remove the wire into {port}"), Edit::RemoveWire { graph: graph.clone(), wire: wire.clone() });
-        }
-        _ if node.values.contains_key(port) && port.as_str() != super::super::catalog::CODE => {
-            let edit = Edit::ClearValue { graph: graph.clone(), id: id.clone(), port: port.clone() };
-            fix(format!("Reset {port}"), edit);
-        }
-        _ => {}
-    }
-    fixes
 }
 
 /// Nodes of the open graph that the compiler found to add nothing, with its reason.

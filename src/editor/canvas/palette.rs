@@ -64,8 +64,8 @@ pub(crate) struct Palette {
     /// Where it was opened, on the screen.
     pub(crate) at: Pos2,
     pub(crate) loose: Option<Loose>,
-    /// The node that is to be swapped for what is chosen.
-    pub(crate) swaps: Option<NodeId>,
+    /// The node that is to be swapped for what is chosen, and what it is now.
+    pub(crate) swaps: Option<(NodeId, Option<Arc<Kind>>)>,
     query: String,
     index: usize,
     is_new: bool,
@@ -84,8 +84,8 @@ impl Palette {
     }
 
     /// A search for what a node is to be swapped for.
-    pub(crate) fn swapping(at: Pos2, node: NodeId) -> Self {
-        Self { swaps: Some(node), ..Self::new(at, None) }
+    pub(crate) fn swapping(at: Pos2, node: NodeId, kind: Option<Arc<Kind>>) -> Self {
+        Self { swaps: Some((node, kind)), ..Self::new(at, None) }
     }
 
     /// Shows the search within `screen`.
@@ -178,7 +178,7 @@ impl Palette {
         chosen
     }
 
-    /// What fits the query and the wire, best first.
+    /// What fits the query, and the wire or the node that is swapped, best first.
     fn found(&self, catalog: &Catalog) -> Vec<Arc<Kind>> {
         let mut found: Vec<(f32, &Arc<Kind>)> = Vec::new();
         for kind in catalog.all() {
@@ -187,7 +187,7 @@ impl Palette {
                     Some((_, fit)) => fit,
                     None => continue,
                 },
-                None => 0.0,
+                None => self.swaps.as_ref().and_then(|(_, old)| likeness(old.as_ref()?, kind)).unwrap_or(0.0),
             };
             if let Some(score) = score(&self.query, kind) {
                 found.push((score + fit * 2.0, kind));
@@ -197,6 +197,21 @@ impl Palette {
         found.sort_by(|a, b| b.0.total_cmp(&a.0));
         found.into_iter().map(|(_, kind)| kind.clone()).collect()
     }
+}
+
+/// How much of a node stays when another kind takes its place, from 0 to 1; none where it is the same kind.
+fn likeness(old: &Kind, new: &Kind) -> Option<f32> {
+    if old.id == new.id {
+        return None;
+    }
+    let stays = |ports: &[Port], others: &[Port]| {
+        let same = |port: &&Port| others.iter().any(|other| (&other.name, &other.ty) == (&port.name, &port.ty));
+        ports.iter().filter(same).count() as f32 / ports.len().max(1) as f32
+    };
+    let gives = |index: usize| new.outputs.get(index).map(|port| &port.ty);
+    let is_taken_up = old.outputs.first().is_none_or(|port| gives(0) == Some(&port.ty));
+    let is_near = f32::from(u8::from(old.category == new.category));
+    Some(if is_taken_up { 0.5 + 0.35 * stays(&old.inputs, &new.inputs) + 0.15 * is_near } else { 0.0 })
 }
 
 fn paint_row(ui: &Ui, rect: egui::Rect, kind: &Kind, is_current: bool, is_hovered: bool) {
@@ -276,6 +291,21 @@ mod tests {
         assert_eq!(find("light la", None)[0], "light_layer");
         assert_eq!(find("prfl", None)[0], "profile");
         assert!(find("zzzz", None).is_empty());
+    }
+
+    #[test]
+    fn what_keeps_the_most_of_a_node_is_offered_first_in_its_place() {
+        let catalog = Catalog::new(Library::built_in());
+        let of = |kind: &str| {
+            let palette = Palette::swapping(Pos2::ZERO, NodeId::new("a"), catalog.get(kind).cloned());
+            palette.found(&catalog).iter().map(|kind| kind.id.clone()).collect::<Vec<_>>()
+        };
+        for kind in ["add", "light_layer", "profile"] {
+            let (old, found) = (catalog.get(kind).unwrap(), of(kind));
+            let first = catalog.get(&found[0]).unwrap();
+            assert_eq!(first.outputs[0].ty, old.outputs[0].ty, "{kind}: {found:?}");
+            assert_ne!(found[0], kind, "to itself nobody swaps");
+        }
     }
 
     #[test]

@@ -290,9 +290,10 @@ impl Session {
         }
     }
 
-    /// The lights that are neither muted nor left out by a solo.
+    /// The lights that are neither muted nor left out by a solo, as keys make them now.
     pub(crate) fn shining(&self) -> impl Iterator<Item = (&LightId, &Light)> {
-        self.look().lights.iter().filter(|(id, _)| !self.solo.is_dark(id))
+        let lights = self.look().lights.iter().filter(|(id, _)| !self.solo.is_dark(id));
+        lights.map(|(id, light)| (id, self.light_now(id).unwrap_or(light)))
     }
 
     /// What is shown alone or left out for now.

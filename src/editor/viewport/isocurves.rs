@@ -77,7 +77,7 @@ impl Isocurves {
 
     /// Makes the lines anew where that is needed.
     pub(super) fn update(&mut self, session: &Session, surface: &Arc<Surface>, layer: &Layer) {
-        let Some(light) = session.look().lights.get(&layer.light) else { return self.clear() };
+        let Some(light) = session.light_now(&layer.light) else { return self.clear() };
         let light = light_values(light, session.view.illumination, surface);
         let is_same_surface = self.surface.as_ref().is_some_and(|known| Arc::ptr_eq(known, surface));
         let same = |made: &&Made| is_same_surface && made.light == light;
@@ -95,7 +95,7 @@ impl Isocurves {
         self.surface = Some(surface.clone());
         let mut old = std::mem::take(&mut self.tracks);
         for (curve, level) in Curve::ALL.into_iter().zip(layer.angles()) {
-            if layer.shape[curve as usize].is_fixed.is_some() {
+            if layer.shape[curve as usize].is_wired {
                 continue;
             }
             if let Some(last) = self.tracks.last_mut().filter(|last| (last.level - level).abs() < TOGETHER) {
@@ -146,7 +146,7 @@ impl Isocurves {
     }
 
     /// Brings what is held to a point of the screen.
-    pub(super) fn drag(&self, held: &mut Held, rect: Rect, at: Pos2) -> Option<Command> {
+    pub(super) fn drag(&self, held: &mut Held, session: &Session, rect: Rect, at: Pos2) -> Option<Command> {
         let layer = &self.made.as_ref()?.layer;
         let angle = self.angle_at(rect, at)?;
         if held.splits {
@@ -165,9 +165,8 @@ impl Isocurves {
         let most = angles.get(last + 1).copied().unwrap_or(std::f64::consts::PI);
         // A hundredth of a degree is finer than a pixel, and keeps files readable.
         let angle = ((angle * 1e4).round() / 1e4).clamp(least, most);
-        let mut edits: Vec<Edit> =
-            held.curves.iter().map(|curve| layer.shape[*curve as usize].set(Value::Number(angle))).collect();
-        let edit = if edits.len() == 1 { edits.remove(0) } else { Edit::Group { edits } };
+        let targets = held.curves.iter().map(|curve| layer.shape[*curve as usize].target.clone());
+        let edit = session.set_all_at(targets.map(|target| (target, Value::Number(angle))));
         Some(Command::EditHeld(Id::unique("isocurve"), edit))
     }
 

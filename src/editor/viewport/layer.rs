@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use super::super::catalog::Kind;
 use super::super::session::Session;
 use super::super::values;
-use crate::document::{Edit, Graph, GraphId, Node, Target, Value};
-use crate::ids::{LightId, NodeId, NodePath, PortName};
+use crate::document::{Graph, Node, Target, Value};
+use crate::ids::{LightId, NodeId};
 use crate::library::Type;
 
 /// How many reroutes a wire is followed through.
@@ -44,17 +44,13 @@ impl ShadingType {
 /// An input with its value.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Setting<T> {
-    pub(super) node: NodeId,
-    pub(super) port: PortName,
+    pub(super) target: Target,
+    /// As it is now, which is what is drawn.
     pub(super) value: T,
-    /// Why it cannot be set by hand.
-    pub(super) is_fixed: Option<&'static str>,
-}
-
-impl<T> Setting<T> {
-    pub(super) fn set(&self, value: Value) -> Edit {
-        Edit::SetValue { graph: GraphId::Look, id: self.node.clone(), port: self.port.clone(), value, index: None }
-    }
+    /// As it is where a hand sets it: something else where keys are blended.
+    pub(super) at_key: T,
+    /// Whether it comes from a wire, so that no hand sets it.
+    pub(super) is_wired: bool,
 }
 
 /// What a layer's curves are.
@@ -107,8 +103,17 @@ pub(super) struct Layer {
 impl Layer {
     /// Offset, fall-off and cut-off as the profile has them: in order, from 0 to pi (math.md D2).
     pub(super) fn angles(&self) -> [f64; 3] {
+        self.in_order(|setting| setting.value)
+    }
+
+    /// The same where a hand sets them.
+    pub(super) fn angles_at_key(&self) -> [f64; 3] {
+        self.in_order(|setting| setting.at_key)
+    }
+
+    fn in_order(&self, of: impl Fn(&Setting<f64>) -> f64) -> [f64; 3] {
         let [offset, falloff, cutoff] = [0, 1, 2].map(|index| {
-            let value = self.shape[index].value;
+            let value = of(&self.shape[index]);
             if value.is_finite() { value } else { 0.0 }
         });
         let offset = offset.clamp(0.0, PI);
@@ -117,7 +122,7 @@ impl Layer {
     }
 }
 
-/// A node with its kind, in the look's own graph.
+/// A node with its kind, in the graph that is open.
 struct Place<'a> {
     session: &'a Session,
     graph: &'a Graph,
@@ -128,7 +133,7 @@ struct Place<'a> {
 
 impl<'a> Place<'a> {
     fn of(session: &'a Session, id: &NodeId) -> Option<Self> {
-        let graph = &session.look().graph;
+        let graph = session.graph();
         let (id, node) = graph.nodes.get_key_value(id.as_str())?;
         Some(Self { session, graph, id, node, kind: session.catalog.of(node)? })
     }
@@ -151,15 +156,6 @@ impl<'a> Place<'a> {
         self.graph.wire_into(self.id, &port.into()).is_some()
     }
 
-    fn is_keyed(&self, port: &str) -> bool {
-        let look = self.session.look();
-        let path = NodePath::root(self.id.clone());
-        let is_it =
-            |target: &Target| matches!(target, Target::Input { node, port: p } if *node == path && p.as_str() == port);
-        let by_direction = look.direction_keys.iter().flat_map(|keys| &keys.keys).flat_map(|key| key.values.keys());
-        by_direction.chain(look.time_keys.iter().map(|keys| &keys.target)).any(is_it)
-    }
-
     fn value(&self, port: &str) -> Option<&Value> {
         let port = &self.kind.inputs[self.kind.input(port)?];
         values::current(port, self.node.values.get(&port.name))
@@ -167,14 +163,10 @@ impl<'a> Place<'a> {
 
     fn setting<T>(&self, port: &str, read: impl Fn(Option<&Value>) -> T) -> Option<Setting<T>> {
         self.kind.input(port)?;
-        let is_fixed = if self.is_wired(port) {
-            Some("it comes from a wire")
-        } else if self.is_keyed(port) {
-            Some("it has keys")
-        } else {
-            None
-        };
-        Some(Setting { node: self.id.clone(), port: port.into(), value: read(self.value(port)), is_fixed })
+        let target = self.session.target(self.id, &port.into());
+        let value = read(self.session.value_now(&target).as_ref());
+        let at_key = read(self.session.value_at(&target).as_ref());
+        Some(Setting { target, value, at_key, is_wired: self.is_wired(port) })
     }
 
     fn number(&self, port: &str) -> Option<Setting<f64>> {
@@ -225,6 +217,9 @@ impl<'a> Place<'a> {
 
 /// The layer of the nodes selected last, if there is one.
 pub(super) fn selected(session: &Session) -> Option<Layer> {
+    if session.is_read_only() {
+        return None;
+    }
     let place = Place::of(session, session.selection.last()?)?;
     group(&place).or_else(|| profile(&place)).or_else(|| {
         // An angle, a light or a warp of plain nodes: what it feeds is meant, if that is one profile.
@@ -248,7 +243,7 @@ fn group(place: &Place<'_>) -> Option<Layer> {
     let shading = ShadingType::of(place.word("type")?)?;
     let shape = place.shape()?;
     let (slope, amount) = (place.number("slope"), place.number("amount"));
-    let known = |setting: &Option<Setting<f64>>| setting.as_ref().filter(|it| it.is_fixed.is_none()).map(|it| it.value);
+    let known = |setting: &Option<Setting<f64>>| setting.as_ref().filter(|it| !it.is_wired).map(|it| it.value);
     let is_kappa_plain = place.is_plain("kappa", "kappa");
     let warp = known(&slope).zip(known(&amount)).filter(|_| is_kappa_plain);
     let leaves_out = if !place.is_plain("normal", "normal") {
@@ -287,7 +282,7 @@ fn profile(place: &Place<'_>) -> Option<Layer> {
     let amount = shift.as_ref().and_then(|from| from.number("amount"));
     let is_warped = place.is_wired("shift");
     let is_known = transition.as_ref().is_some_and(|from| from.is_plain("kappa", "kappa"));
-    let known = |setting: &Option<Setting<f64>>| setting.as_ref().filter(|it| it.is_fixed.is_none()).map(|it| it.value);
+    let known = |setting: &Option<Setting<f64>>| setting.as_ref().filter(|it| !it.is_wired).map(|it| it.value);
     let warp = known(&slope).zip(known(&amount)).filter(|_| is_known);
     let leaves_out = if !angle.is_plain("normal", "normal") {
         Some("the normals wired into the angle")

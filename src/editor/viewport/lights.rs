@@ -17,7 +17,7 @@ use super::layer::ShadingType;
 use super::project;
 use super::surface::Surface;
 use crate::compile::LightValues;
-use crate::document::{Edit, Light, LightKind, Projection};
+use crate::document::{Light, LightKind, Projection, Target, Value};
 use crate::ids::LightId;
 
 /// Where needles begin and end, in radii of the object.
@@ -73,15 +73,6 @@ impl Held {
     }
 }
 
-/// Whether something turns a light in the place of the hand.
-pub(super) fn is_keyed(session: &Session, light: &LightId) -> bool {
-    use crate::document::Target;
-    let look = session.look();
-    let is_it = |target: &Target| matches!(target, Target::Light { light: id, field } if id == light && matches!(&**field, "direction" | "position"));
-    let by_direction = look.direction_keys.iter().flat_map(|keys| &keys.keys).flat_map(|key| key.values.keys());
-    by_direction.chain(look.time_keys.iter().map(|keys| &keys.target)).any(is_it)
-}
-
 fn resolved(light: &Light, orbit: &Orbit) -> LightValues {
     let (right, up) = orbit.right_and_up();
     LightValues::new(light, orbit.illumination, DMat3::from_cols(right, up, orbit.direction()).transpose())
@@ -108,7 +99,7 @@ pub(super) fn drag(
     rect: Rect,
     at: Pos2,
 ) -> Option<Command> {
-    let light = session.look().lights.get(&held.light)?;
+    let light = session.light_now(&held.light)?;
     let values = resolved(light, &session.view);
     let (toward, place) = match &mut held.grip {
         Grip::Middle(shading) => at_surface(surface?, *shading, &values, rect, at)?,
@@ -122,18 +113,17 @@ pub(super) fn drag(
             (toward, DVec3::ZERO)
         }
     };
-    let mut new = light.clone();
     let short = |v: DVec3| v.to_array().map(|x| (x * 1e4).round() / 1e4 + 0.0);
-    match light.kind {
-        LightKind::Directional => new.direction = short(values.own_from_world * toward),
+    let (field, old, new) = match light.kind {
+        LightKind::Directional => ("direction", light.direction, short(values.own_from_world * toward)),
         LightKind::Point | LightKind::Spot => {
             let distance = values.position.distance(place);
-            new.position = short(values.own_from_world * (place + toward * distance));
+            ("position", light.position, short(values.own_from_world * (place + toward * distance)))
         }
-    }
-    (new != *light).then(|| {
-        Command::EditHeld(Id::unique("light on the object"), Edit::SetLight { id: held.light.clone(), light: new })
-    })
+    };
+    let target = Target::Light { light: held.light.clone(), field: field.to_owned() };
+    let set = || session.set_at(&target, Value::Vector(new.to_vec()));
+    (new != old).then(|| Command::EditHeld(Id::unique("light on the object"), set()))
 }
 
 /// Toward a light whose middle is at a point of the screen, and the place on the surface there.

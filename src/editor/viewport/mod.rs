@@ -181,15 +181,13 @@ impl Viewport {
         let modifiers = ui.input(|input| input.modifiers);
         let of_layer = handles.layer.as_ref().map(|layer| (layer.light.clone(), layer.shading));
         let chosen = of_layer.or_else(|| Some((layer::selected_light(session)?, layer::ShadingType::Diffuse)));
-        let chosen = chosen.filter(|(light, _)| !lights::is_keyed(session, light));
         if let Some((light, shading)) = chosen {
             let is_there = handles.surface.as_ref().is_some_and(|surface| surface.is_at(place_in(rect, at)));
             if modifiers.shift && is_there || lights::is_at_middle(self.isocurves.middle(rect), at) {
                 return Some(Drag::Light(lights::Held::by_middle(light, shading)));
             }
         }
-        let needle = lights::hit(session, rect, at).filter(|held| !lights::is_keyed(session, &held.light));
-        if let Some(held) = needle {
+        if let Some(held) = lights::hit(session, rect, at) {
             return Some(Drag::Light(held));
         }
         self.isocurves.hit(rect, at, modifiers.command).map(Drag::Curve)
@@ -264,7 +262,7 @@ impl Viewport {
                 Drag::Camera => session.view.orbit(dx, dy),
                 Drag::Lights => session.view.turn_lights(dx, dy),
                 Drag::Pan => session.view.pan(dx, dy),
-                Drag::Curve(held) => out.extend(self.isocurves.drag(held, rect, at)),
+                Drag::Curve(held) => out.extend(self.isocurves.drag(held, session, rect, at)),
                 Drag::Light(held) => out.extend(lights::drag(held, session, handles.surface.as_deref(), rect, at)),
             }
         }

@@ -35,7 +35,7 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, session: &Session, layer: &Layer, ou
     let shown = ui.scope_builder(builder, |ui| {
         frame.show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 3.0;
-            ui.horizontal_wrapped(|ui| angles(ui, layer, out));
+            ui.horizontal_wrapped(|ui| angles(ui, session, layer, out));
             if !layer.colors.is_empty() || layer.amount.is_some() {
                 ui.horizontal_wrapped(|ui| surface(ui, session, layer, out));
             }
@@ -49,11 +49,11 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, session: &Session, layer: &Layer, ou
     Some(shown)
 }
 
-fn angles(ui: &mut Ui, layer: &Layer, out: &mut Vec<Command>) {
+fn angles(ui: &mut Ui, session: &Session, layer: &Layer, out: &mut Vec<Command>) {
     ui.label(RichText::new(&layer.name).strong());
     for curve in Curve::ALL {
         let setting = &layer.shape[curve as usize];
-        let shown = layer.angles();
+        let shown = layer.angles_at_key();
         let index = curve as usize;
         let least = if index > 0 { shown[index - 1] } else { 0.0 };
         let most = shown.get(index + 1).copied().unwrap_or(std::f64::consts::PI);
@@ -72,7 +72,10 @@ fn angles(ui: &mut Ui, layer: &Layer, out: &mut Vec<Command>) {
         let response = number(ui, widget, setting, &format!("{} on the object", curve.label()), help);
         if response.changed() {
             let angle = (degrees.to_radians() * 1e4).round() / 1e4;
-            out.push(Command::EditHeld(response.id, setting.set(Value::Number(angle.clamp(least, most)))));
+            out.push(Command::EditHeld(
+                response.id,
+                session.set_at(&setting.target, Value::Number(angle.clamp(least, most))),
+            ));
         }
     }
 }
@@ -82,43 +85,42 @@ fn surface(ui: &mut Ui, session: &Session, layer: &Layer, out: &mut Vec<Command>
         let short = label.trim_end_matches(" color");
         let label = ui.label(RichText::new(short).color(theme::of(ui).dim));
         let changed = ui
-            .add_enabled_ui(setting.is_fixed.is_none(), |ui| {
-                color::swatch(ui, label.id, setting.value, session.look().color_space, true)
+            .add_enabled_ui(!setting.is_wired, |ui| {
+                color::swatch(ui, label.id, setting.at_key, session.look().color_space, true)
             })
             .inner;
         if let Some((hand, color)) = changed {
-            out.push(Command::EditHeld(hand, setting.set(Value::Vector(color.to_vec()))));
+            out.push(Command::EditHeld(hand, session.set_at(&setting.target, Value::Vector(color.to_vec()))));
         }
     }
     if let Some(setting) = &layer.slope {
-        let mut slope = setting.value;
+        let mut slope = setting.at_key;
         let widget = DragValue::new(&mut slope).speed(0.005).max_decimals(3).prefix("Slope ");
         let help = "How sharply concave turns into convex; 0 is flat everywhere";
         let response = number(ui, widget, setting, "Shape slope on the object", help);
         if response.changed() {
-            out.push(Command::EditHeld(response.id, setting.set(Value::Number(slope))));
+            out.push(Command::EditHeld(response.id, session.set_at(&setting.target, Value::Number(slope))));
         }
     }
     if let Some(setting) = &layer.amount {
-        let mut degrees = setting.value.to_degrees();
+        let mut degrees = setting.at_key.to_degrees();
         let widget = DragValue::new(&mut degrees).speed(0.5).range(-180.0..=180.0).max_decimals(1);
         let widget = widget.prefix("Warp ").suffix("°");
         let help = "How far convex parts are lit beyond, and concave parts short of, what the profile says";
         let response = number(ui, widget, setting, "Shape offset on the object", help);
         if response.changed() {
-            out.push(Command::EditHeld(response.id, setting.set(Value::Number(degrees.to_radians()))));
+            out.push(Command::EditHeld(
+                response.id,
+                session.set_at(&setting.target, Value::Number(degrees.to_radians())),
+            ));
         }
     }
 }
 
 fn number<T>(ui: &mut Ui, widget: DragValue<'_>, setting: &Setting<T>, name: &str, help: &str) -> Response {
-    let response = ui.add_enabled(setting.is_fixed.is_none(), widget);
+    let response = ui.add_enabled(!setting.is_wired, widget);
     set_name(ui, response.id, name);
-    let response = response.on_hover_text(help);
-    match setting.is_fixed {
-        Some(why) => response.on_disabled_hover_text(format!("It cannot be set here: {why}")),
-        None => response,
-    }
+    response.on_hover_text(help).on_disabled_hover_text("It cannot be set here: it comes from a wire")
 }
 
 /// Names a widget for screen readers.

@@ -394,8 +394,3 @@ fn select(session: &Session, ids: Vec<NodeId>, out: &mut Vec<Command>) {
 fn is_selected(session: &Session, id: &NodeId) -> bool {
     session.open_groups().is_empty() && session.selection.contains(id)
 }
-
-/// The edit that sets a value.
-fn set(id: &NodeId, port: &str, value: Value) -> Edit {
-    Edit::SetValue { graph: GraphId::Look, id: id.clone(), port: port.into(), value, index: None }
-}

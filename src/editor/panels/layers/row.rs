@@ -11,9 +11,9 @@ use super::super::super::command::Command;
 use super::super::super::session::Session;
 use super::super::super::{theme, values};
 use super::super::widgets::{ICON, Icon, Renaming, card_ground, icon, picture_frame, whole};
-use super::{MODES, OPACITY, set};
-use crate::document::{Edit, GraphId, Node, Value};
-use crate::ids::NodeId;
+use super::{MODES, OPACITY};
+use crate::document::{Edit, GraphId, Node, Target, Value};
+use crate::ids::{NodeId, NodePath};
 use crate::library::Type;
 
 /// The height of a row, in points.
@@ -46,10 +46,14 @@ impl Row<'_> {
     /// The word of its blend mode.
     pub(super) fn mode(&self) -> Option<String> {
         let port = self.mode_port()?;
-        match values::current(port, self.node.values.get(&port.name)) {
-            Some(Value::Text(word)) => Some(word.clone()),
+        match self.session.value_at(&self.target(port)) {
+            Some(Value::Text(word)) => Some(word),
             _ => None,
         }
+    }
+
+    fn target(&self, port: &Port) -> Target {
+        Target::Input { node: NodePath::root(self.id.clone()), port: port.name.clone() }
     }
 
     fn mode_port(&self) -> Option<&Port> {
@@ -251,7 +255,7 @@ impl Row<'_> {
         let combo = ComboBox::from_id_salt("mode").width(82.0).selected_text(label(&word)).show_ui(ui, |ui| {
             for (known, label) in &port.options {
                 if ui.selectable_label(*known == word, label).clicked() && *known != word {
-                    out.push(Command::Edit(set(self.id, port.name.as_str(), Value::Text(known.clone()))));
+                    out.push(Command::Edit(self.session.set_at(&self.target(port), Value::Text(known.clone()))));
                 }
             }
         });
@@ -271,8 +275,9 @@ impl Row<'_> {
             ui.add(Label::new(text).truncate()).on_hover_text("A wire decides the opacity");
             return;
         }
-        let value = values::current(port, self.node.values.get(&port.name));
-        let mut percent = values::number(value) * 100.0;
+        // Where it is keyed, as it is where it is set.
+        let target = self.target(port);
+        let mut percent = values::number(self.session.value_at(&target).as_ref()) * 100.0;
         let number_width = 46.0;
         ui.spacing_mut().slider_width = (ui.available_width() - number_width - 6.0).max(20.0);
         let has_slider = ui.available_width() > number_width + 36.0;
@@ -292,7 +297,7 @@ impl Row<'_> {
             if response.changed() && percent.is_finite() {
                 // Whole percents, as nobody sees less, and files stay readable.
                 let value = Value::Number(percent.round() / 100.0);
-                out.push(Command::EditHeld(response.id, set(self.id, OPACITY, value)));
+                out.push(Command::EditHeld(response.id, self.session.set_at(&target, value)));
             }
         }
     }

@@ -90,7 +90,7 @@ pub(crate) fn edit(ui: &mut Ui, session: &Session, id: &LightId, light: &Light, 
 }
 
 /// A light with its keyed fields as they are where they are set.
-fn as_set(session: &Session, id: &LightId, light: &Light) -> Light {
+pub(super) fn as_set(session: &Session, id: &LightId, light: &Light) -> Light {
     let mut shown = light.clone();
     for field in Target::LIGHT_FIELDS {
         let target = Target::Light { light: id.clone(), field: field.to_owned() };
@@ -104,7 +104,7 @@ fn as_set(session: &Session, id: &LightId, light: &Light) -> Light {
 }
 
 /// The edit from one state of a light to another: what is keyed is set at its key, all else in the light.
-fn changed(session: &Session, id: &LightId, old: &Light, new: &Light) -> Edit {
+pub(super) fn changed(session: &Session, id: &LightId, old: &Light, new: &Light) -> Edit {
     let target = |field: &str| Target::Light { light: id.clone(), field: field.to_owned() };
     let differs = |field: &&str| light_field(old, field) != light_field(new, field);
     let fields: Vec<&str> = Target::LIGHT_FIELDS.into_iter().filter(differs).collect();

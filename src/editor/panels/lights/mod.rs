@@ -115,7 +115,7 @@ impl Lights {
                 out.push(Command::Solo(solo.toggle_light(id, adds)));
             }
             self.users(ui, id);
-            intensity(ui, id, light, out);
+            intensity(ui, session, id, light, out);
             ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
                 ui.set_min_height(ICON);
                 self.title(ui, id, light, solo.is_dark(id), out);
@@ -182,7 +182,8 @@ impl Lights {
 }
 
 /// How bright it is, at hand also while the rest is folded away.
-fn intensity(ui: &mut Ui, id: &LightId, light: &Light, out: &mut Vec<Command>) {
+fn intensity(ui: &mut Ui, session: &Session, id: &LightId, light: &Light, out: &mut Vec<Command>) {
+    let light = &edit::as_set(session, id, light);
     let mut value = light.intensity;
     let drag = DragValue::new(&mut value).prefix("×").speed(0.01).range(0.0..=f64::MAX).clamp_existing_to_range(false);
     let response =
@@ -193,8 +194,8 @@ fn intensity(ui: &mut Ui, id: &LightId, light: &Light, out: &mut Vec<Command>) {
         info
     });
     if response.changed() && value.is_finite() {
-        let light = Light { intensity: value, ..light.clone() };
-        out.push(Command::EditHeld(response.id, Edit::SetLight { id: id.clone(), light }));
+        let new = Light { intensity: value, ..light.clone() };
+        out.push(Command::EditHeld(response.id, edit::changed(session, id, light, &new)));
     }
 }
 

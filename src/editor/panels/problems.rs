@@ -1,8 +1,6 @@
 //! Everything that is wrong, worst first: what, where (a click leads there), what to do, and a button that does it where
 //! one edit is enough. The status bar counts it and says the first.
 
-mod fix;
-
 use eframe::egui;
 use eframe::egui::{
     Label, Pos2, Response, RichText, Role, ScrollArea, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
@@ -10,6 +8,7 @@ use eframe::egui::{
 
 use super::super::command::Command;
 use super::super::dock::{self, hint};
+use super::super::fixes;
 use super::super::session::Session;
 use super::super::theme::{self, Colors};
 use crate::diag::{Diagnostic, Severity};
@@ -62,7 +61,7 @@ pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
 fn row(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Command>) {
     ui.horizontal_top(|ui| {
         mark(ui, problem.severity);
-        let mended = fix::of(session, problem);
+        let mended = fixes::of(session, problem).into_iter().next();
         let width = ui.available_width() - if mended.is_some() { 150.0 } else { 10.0 };
         ui.vertical(|ui| {
             ui.set_width(width.max(120.0));
@@ -82,7 +81,7 @@ fn row(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Comma
                 ui.add_space(10.0);
                 let button = egui::Button::new(&fix.label).truncate();
                 if ui.add(button).on_hover_text(format!("{}. Undo takes it back.", fix.help)).clicked() {
-                    out.extend(fix.commands);
+                    out.push(Command::Edit(fix.edit));
                 }
             });
         }

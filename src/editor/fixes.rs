@@ -1,26 +1,29 @@
-//! What one click does about a problem, where one edit is enough and it is plain which.
+//! What one click does about a problem, where one edit is enough: offered on the node and in the list of problems.
 
-use super::super::super::catalog::{CODE, CUSTOM_CODE, Kind, Port};
-use super::super::super::command::Command;
-use super::super::super::session::Session;
-use super::super::super::values;
-use crate::diag::{Diagnostic, nearest};
+use super::catalog::{CODE, CUSTOM_CODE, Kind, Port};
+use super::session::Session;
+use super::values;
+use crate::diag::{Diagnostic, Severity, nearest};
 use crate::document::{Edit, Endpoint, Graph, GraphId, Light, Node, Value, Wire};
 use crate::ids::{LightId, NodeId, PortName, is_slug, make_slug};
 use crate::library::Type;
 
+/// As many lights are offered in place of one that there is not.
+const MOST_LIGHTS: usize = 4;
+
 /// A remedy.
+#[derive(Clone)]
 pub(super) struct Fix {
     /// What its button says.
     pub(super) label: String,
     /// What it does, in a sentence without a full stop.
     pub(super) help: String,
-    pub(super) commands: Vec<Command>,
+    pub(super) edit: Edit,
 }
 
 impl Fix {
     fn new(label: impl Into<String>, help: impl Into<String>, edit: Edit) -> Self {
-        Self { label: label.into(), help: help.into(), commands: vec![Command::Edit(edit)] }
+        Self { label: label.into(), help: help.into(), edit }
     }
 }
 
@@ -34,46 +37,47 @@ struct Spot<'a> {
     port: Option<PortName>,
 }
 
-/// The remedy of a problem, if there is a plain one.
-pub(super) fn of(session: &Session, problem: &Diagnostic) -> Option<Fix> {
+/// The remedies of a problem, the likeliest first.
+pub(super) fn of(session: &Session, problem: &Diagnostic) -> Vec<Fix> {
     if problem.code == "no-output" {
-        return Some(add_output(session));
+        return vec![add_output(session)];
     }
-    let path = problem.place.node.as_ref()?;
-    let found = session.look().find(path)?;
-    let spot = Spot {
-        session,
-        graph: session.look().graph_of(&found.graph)?,
-        id: found.graph,
-        node_id: path.last()?.clone(),
-        node: found.node,
-        port: problem.place.port.clone(),
-    };
-    match problem.code {
-        "unknown-kind" => spot.known_kind(),
+    let Some(spot) = Spot::of(session, problem) else { return Vec::new() };
+    let one = match problem.code {
+        "unknown-kind" => return spot.known_kinds(),
+        "unknown-light" => return spot.known_lights(),
         "unknown-port" => spot.known_port(),
         "unwired" => spot.feed(),
         "out-of-range" => spot.clamp(),
         "unknown-choice" => spot.known_choice(),
-        "unknown-light" => spot.known_light(),
-        "broken-wire" | "not-wirable" => spot.unwire(),
-        "wrong-type" => spot.unwire().or_else(|| spot.use_default()),
         "missing-code" => Some(spot.set(
             CODE,
             Value::Text(CUSTOM_CODE.to_owned()),
             "Give it code",
             "Writes a small function to begin with",
         )),
-        "many-outputs" => Some(Fix::new(
-            "Remove this one",
-            "Removes this Output and keeps the first",
-            Edit::RemoveNode { graph: spot.id.clone(), id: spot.node_id.clone() },
-        )),
-        _ => None,
-    }
+        "many-outputs" => Some(spot.remove("Removes this Output and keeps the first")),
+        "recursive-group" => Some(spot.remove("Removes the group from within itself")),
+        _ if problem.severity == Severity::Error => spot.unwire().or_else(|| spot.use_default()),
+        _ => spot.use_default(),
+    };
+    one.into_iter().collect()
 }
 
-impl Spot<'_> {
+impl<'a> Spot<'a> {
+    fn of(session: &'a Session, problem: &Diagnostic) -> Option<Self> {
+        let path = problem.place.node.as_ref()?;
+        let found = session.look().find(path)?;
+        Some(Self {
+            session,
+            graph: session.look().graph_of(&found.graph)?,
+            id: found.graph,
+            node_id: path.last()?.clone(),
+            node: found.node,
+            port: problem.place.port.clone(),
+        })
+    }
+
     fn kind(&self) -> Option<&Kind> {
         self.session.catalog.of(self.node).map(|kind| &**kind)
     }
@@ -92,12 +96,18 @@ impl Spot<'_> {
         Fix::new(label, help, Edit::SetValue { graph, id, port: port.into(), value, index: None })
     }
 
-    fn known_kind(&self) -> Option<Fix> {
-        let kinds: Vec<&Kind> = self.session.catalog.all().map(|kind| &**kind).collect();
-        let near = *nearest(&self.node.kind, kinds.iter().map(|kind| kind.id.as_str())).first()?;
-        let label = kinds.iter().find(|kind| kind.id == near).map_or(near, |kind| &kind.label);
-        let edit = Edit::SetKind { graph: self.id.clone(), id: self.node_id.clone(), kind: near.to_owned() };
-        Some(Fix::new(format!("Make it {label}"), format!("Changes the kind to `{near}`; values and wires stay"), edit))
+    fn remove(&self, help: &str) -> Fix {
+        Fix::new("Remove this one", help, Edit::RemoveNode { graph: self.id.clone(), id: self.node_id.clone() })
+    }
+
+    fn known_kinds(&self) -> Vec<Fix> {
+        let known = self.session.catalog.all().map(|kind| kind.id.as_str());
+        let fix = |near: &str| {
+            let label = self.session.catalog.get(near).map_or(near, |kind| &kind.label);
+            let edit = Edit::SetKind { graph: self.id.clone(), id: self.node_id.clone(), kind: near.to_owned() };
+            Fix::new(format!("Make it {label}"), format!("Changes the kind to `{near}`; values and wires stay"), edit)
+        };
+        nearest(&self.node.kind, known).into_iter().map(fix).collect()
     }
 
     /// A value, a wire from or a wire into a port that there is not: the nearest that there is, or else away with it.
@@ -216,26 +226,35 @@ impl Spot<'_> {
         Some(self.set(&name, Value::Text(near), format!("Use {label}"), "Takes the nearest word that it knows"))
     }
 
-    fn known_light(&self) -> Option<Fix> {
-        let port = self.kind()?.inputs.iter().find(|port| port.ty == Type::LightName)?;
+    fn known_lights(&self) -> Vec<Fix> {
+        let port = self.kind().and_then(|kind| kind.inputs.iter().find(|port| port.ty == Type::LightName));
+        let Some(port) = port else { return Vec::new() };
         let lights = &self.session.look().lights;
         let wrong = match self.node.values.get(&port.name) {
             Some(Value::Text(id)) => id.as_str(),
             _ => "",
         };
         let near = nearest(wrong, lights.keys().map(AsRef::as_ref)).first().map(|id| (*id).to_owned());
-        if let Some(id) = near.or_else(|| lights.keys().next().map(ToString::to_string)) {
-            let label = format!("Use {id}");
-            return Some(self.set(port.name.as_str(), Value::Text(id), label, "Names a light that the look has"));
+        let is_near = |id: &LightId| near.as_deref() == Some(id.as_ref());
+        let (nearest, others): (Vec<_>, Vec<_>) = lights.iter().partition(|(id, _)| is_near(id));
+        let fixes: Vec<Fix> = nearest
+            .into_iter()
+            .chain(others)
+            .take(MOST_LIGHTS)
+            .map(|(id, light)| {
+                let name = if light.name.is_empty() { id.as_ref() } else { light.name.as_str() };
+                let value = Value::Text(id.to_string());
+                self.set(port.name.as_str(), value, format!("Use {name}"), "Names a light that the look has")
+            })
+            .collect();
+        if !fixes.is_empty() {
+            return fixes;
         }
         let id = LightId::new(if is_slug(wrong) { wrong } else { "key" });
         let light = Light { direction: [-0.5, 0.7, 0.6], ..Light::default() };
         let label = format!("Add light {id}");
-        Some(Fix::new(
-            label,
-            "Adds a light of this name, from the upper left",
-            Edit::AddLight { id, light, index: None },
-        ))
+        let help = "Adds a light of this name, from the upper left";
+        vec![Fix::new(label, help, Edit::AddLight { id, light, index: None })]
     }
 
     fn unwire(&self) -> Option<Fix> {
@@ -244,7 +263,8 @@ impl Spot<'_> {
     }
 
     fn use_default(&self) -> Option<Fix> {
-        let port = self.port.clone().filter(|port| self.node.values.contains_key(port))?;
+        let has = |port: &PortName| self.node.values.contains_key(port) && port.as_str() != CODE;
+        let port = self.port.clone().filter(has)?;
         let edit = Edit::ClearValue { graph: self.id.clone(), id: self.node_id.clone(), port };
         Some(Fix::new("Use the default", "Takes the value away, so that the input has its default", edit))
     }
