@@ -4,8 +4,10 @@
 
 mod editor_support;
 
+use std::time::Duration;
+
 use editor_support::Hand;
-use eframe::egui::{Key, vec2};
+use eframe::egui::{Key, Pos2, Rect, vec2};
 use egui_kittest::kittest::Queryable as _;
 
 /// The colours of a row through the middle of the picture.
@@ -183,6 +185,53 @@ fn what_a_hand_does_is_in_the_frame_that_follows() {
     hand.release(from + vec2(40.0, 0.0));
     hand.settle();
     assert_eq!(hand.app().coarseness(), 1, "at rest the picture is whole");
+}
+
+/// The pixels of the picture as the window shows them now.
+fn picture(hand: &mut Hand) -> Vec<u8> {
+    let rect = hand.app().viewport().rect().unwrap();
+    let image = hand.harness.render().unwrap();
+    let [x, y, width, height] = [rect.min.x, rect.min.y, rect.width(), rect.height()].map(|side| side as u32);
+    image::imageops::crop_imm(&image, x, y, width, height).to_image().into_raw()
+}
+
+/// Drags step by step. Each step's frame, drawn as it is, shows what the window shows when nothing is left to be done.
+fn assert_in_the_next_frame(hand: &mut Hand, from: Pos2, what: &str) {
+    hand.press(from);
+    let mut last = picture(hand);
+    for step in 1..=12_u8 {
+        hand.move_to(from + f32::from(step) * vec2(2.5, 1.0));
+        let shown = picture(hand);
+        hand.app().wait();
+        assert!(picture(hand) == shown, "{what}: the picture of step {step} came later");
+        assert!(shown != last, "{what}: step {step} changes the picture");
+        last = shown;
+    }
+    hand.release(from + 12.0 * vec2(2.5, 1.0));
+    hand.settle();
+}
+
+#[test]
+fn the_picture_of_a_drag_is_in_the_very_next_frame() {
+    let mut hand = Hand::drawing();
+    // However busy the machine is: what is held is that it is waited for, and drawn before the window is.
+    hand.app_mut().wait_for_pictures(Duration::from_secs(60));
+    hand.app_mut().show_on("shape:sphere");
+    hand.app_mut().session_mut().select(vec!["diffuse".into()]);
+    hand.settle();
+    let middle = |rect: Rect| rect.left_center() + vec2(rect.width() * 0.5, 0.0);
+    // A first drag, for the live shader's pipeline.
+    let slider = middle(hand.slider("Cut-off"));
+    hand.drag(slider, slider + vec2(5.0, 0.0));
+    hand.settle();
+    assert_in_the_next_frame(&mut hand, slider, "a value");
+    let line = hand.app().viewport().curve("cutoff");
+    assert_in_the_next_frame(&mut hand, line[line.len() / 2], "a line on the object");
+    let rect = hand.app().viewport().rect().unwrap();
+    hand.app_mut().session_mut().select(Vec::new());
+    hand.settle();
+    assert_in_the_next_frame(&mut hand, rect.center() + vec2(30.0, 60.0), "the lights");
+    assert_in_the_next_frame(&mut hand, rect.min + vec2(12.0, 12.0), "the camera");
 }
 
 #[test]

@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use editor_support::Hand;
 use eframe::egui::Role;
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 /// The boxes that can be ticked, by their names.
 fn boxes(hand: &Hand) -> Vec<String> {

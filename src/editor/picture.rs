@@ -69,8 +69,8 @@ impl Ready {
     }
 }
 
-/// The longest that a frame waits for the picture of its own edit to be handed to the GPU. With everything ready that
-/// takes a few milliseconds; a software GPU draws on the same cores, and takes its time.
+/// How long a frame waits for the picture of its own edit to be handed to the GPU. With everything ready that takes a
+/// few milliseconds; a software GPU draws on the same cores, and takes its time.
 const HURRY: Duration = Duration::from_millis(60);
 /// After so many frames whose picture came too late, waiting is given up for a while.
 const MOST_LATE: u32 = 4;
@@ -137,6 +137,8 @@ pub(crate) struct Picture {
     ready: Option<Ready>,
     /// Whether all that is asked for needs only to be drawn: nothing is to be built, and no mesh to be read.
     is_quick: bool,
+    /// The longest that a frame waits.
+    pub(crate) patience: Duration,
     /// How many frames in a row went without the picture of their own edit.
     late: u32,
     /// The size that was asked for last, before it was made coarser.
@@ -168,6 +170,7 @@ impl Picture {
             pace: Pace::default(),
             ready: None,
             is_quick: true,
+            patience: HURRY,
             late: 0,
             size: [0; 2],
             wishes: 0,
@@ -207,7 +210,7 @@ impl Picture {
             return;
         }
         if self.is_quick && (self.late < MOST_LATE || self.late.is_multiple_of(MOST_LATE * 8)) {
-            self.worker.wait_at_most(HURRY);
+            self.worker.wait_at_most(self.patience);
             self.late = if self.worker.is_busy() { self.late.saturating_add(1) } else { 0 };
         }
         self.take();

@@ -6,6 +6,7 @@ mod files;
 
 use std::path::Path;
 use std::sync::Arc;
+use std::time::Duration;
 
 use eframe::egui::{self, Key, Modifiers, Panel, Ui};
 
@@ -158,6 +159,14 @@ impl App {
     pub fn without_dialogs(mut self) -> Self {
         self.dialogs.is_silent = true;
         self
+    }
+
+    /// Waits so long for the picture of a drag before a frame is shown without it. A software GPU takes long on a busy
+    /// machine.
+    pub fn wait_for_pictures(&mut self, time: Duration) {
+        if let Some(picture) = &mut self.picture {
+            picture.patience = time;
+        }
     }
 
     /// Writes the picture, in so many pixels, to a PNG file; what becomes of it is told in the status bar.
