@@ -199,15 +199,15 @@ fn picture(hand: &mut Hand) -> Vec<u8> {
 fn assert_in_the_next_frame(hand: &mut Hand, from: Pos2, what: &str) {
     hand.press(from);
     let mut last = picture(hand);
-    for step in 1..=12_u8 {
-        hand.move_to(from + f32::from(step) * vec2(2.5, 1.0));
+    for step in 1..=6_u8 {
+        hand.move_to(from + f32::from(step) * vec2(-4.0, 2.0));
         let shown = picture(hand);
         hand.app().wait();
         assert!(picture(hand) == shown, "{what}: the picture of step {step} came later");
         assert!(shown != last, "{what}: step {step} changes the picture");
         last = shown;
     }
-    hand.release(from + 12.0 * vec2(2.5, 1.0));
+    hand.release(from + 6.0 * vec2(-4.0, 2.0));
     hand.settle();
 }
 
