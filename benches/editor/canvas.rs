@@ -70,7 +70,9 @@ fn canvas_frames(path: &std::path::Path, motion: Motion) -> Vec<f64> {
             CentralPanel::no_frame().show(ui, |ui| canvas.show_alone(ui, &session));
         })
     };
-    (0..WARM_UP).for_each(|_| drop(frame(&mut canvas, Vec::new())));
+    for _ in 0..WARM_UP {
+        frame(&mut canvas, Vec::new());
+    }
     let view = canvas.zoom_and_center();
     let step = |index| {
         let events = motion.step(&mut canvas, view, index);

@@ -77,7 +77,9 @@ impl Window {
     pub(crate) fn settle(&mut self) {
         for _ in 0..20 {
             // A second of the window's clock goes by, after which a look is at rest.
-            (0..60).for_each(|_| drop(self.frame(Vec::new())));
+            for _ in 0..60 {
+                self.frame(Vec::new());
+            }
             if !self.app.is_busy() {
                 break;
             }
