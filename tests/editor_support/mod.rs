@@ -6,8 +6,10 @@ mod verbs;
 
 use chiaro::document::Look;
 use chiaro::editor::App;
+use chiaro::render::{Gpu, block_on};
 use eframe::egui::{self, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect, Vec2, ViewportId, vec2};
 use egui_kittest::kittest::Queryable as _;
+use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
 use egui_kittest::{Harness, HarnessBuilder};
 
 /// A window without display and GPU, and a hand in it.
@@ -25,6 +27,15 @@ impl Hand {
     /// A window made by `make`.
     pub(crate) fn with(make: impl Fn(&egui::Context) -> App + 'static) -> Self {
         Self::with_builder(Harness::builder(), make)
+    }
+
+    /// A window that draws, on software where there is any; 60 frames a second by its own clock.
+    pub(crate) fn drawing() -> Self {
+        block_on(Gpu::headless()).expect("an adapter; software Vulkan does");
+        let state = create_render_state(default_wgpu_setup(), eframe::egui_wgpu::RendererOptions::PREDICTABLE);
+        let builder = Harness::builder().with_step_dt(1.0 / 60.0);
+        let builder = builder.renderer(WgpuTestRenderer::from_render_state(state.clone()));
+        Self::with_builder(builder, move |ctx| App::new(ctx, Some(state.clone())))
     }
 
     /// A window with a renderer of its own.

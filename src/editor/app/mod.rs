@@ -7,6 +7,7 @@ mod welcome;
 
 use std::path::Path;
 use std::sync::Arc;
+use std::time::Duration;
 
 use eframe::egui::{self, Key, Modifiers, Panel, Ui};
 
@@ -35,6 +36,7 @@ use super::viewport::{Export, Viewport};
 use super::wipe::Wipe;
 use super::{dock, inspector, spots, theme};
 use crate::library::Library;
+use crate::milestones;
 use files::Pending;
 use welcome::StartPage;
 
@@ -70,6 +72,8 @@ pub struct App {
     /// Presses of the pointer, and what had the keyboard: together with a widget they are the hand that edits.
     presses: u64,
     closes: bool,
+    /// Whether the last frame was the first one with a picture, where that is to be told.
+    shows_first_picture: bool,
 }
 
 impl App {
@@ -112,6 +116,7 @@ impl App {
             message: None,
             presses: 0,
             closes: false,
+            shows_first_picture: false,
         }
     }
 
@@ -176,6 +181,14 @@ impl App {
     /// Answers the next dialog that would ask for a file with this one; for programs that drive the window.
     pub fn answer_dialog(&mut self, path: &Path) {
         self.dialogs.prepared.push_back(path.to_owned());
+    }
+
+    /// Waits so long for the picture of a drag before a frame is shown without it. A software GPU takes long on a busy
+    /// machine.
+    pub fn wait_for_pictures(&mut self, time: Duration) {
+        if let Some(picture) = &mut self.picture {
+            picture.patience = time;
+        }
     }
 
     /// Writes the picture, in so many pixels, to a PNG file; what becomes of it is told in the status bar.
@@ -245,8 +258,8 @@ impl App {
 
     /// Whether shaders, pictures or values are being made.
     pub fn is_busy(&self) -> bool {
-        let is_drawing = self.picture.as_ref().is_some_and(Picture::is_busy) || self.viewport.is_busy();
-        is_drawing
+        self.is_drawing()
+            || self.viewport.is_busy()
             || self.session.is_compiling()
             || self.canvas.is_busy()
             || self.probe.is_busy()
@@ -267,6 +280,11 @@ impl App {
         if let Some(picture) = &self.picture {
             picture.wait();
         }
+    }
+
+    /// Whether a picture was asked for that is not handed to the GPU yet.
+    pub fn is_drawing(&self) -> bool {
+        self.picture.as_ref().is_some_and(Picture::is_busy)
     }
 
     /// How many pictures were asked for.
@@ -407,6 +425,10 @@ impl App {
         });
     }
 
+    fn has_picture(&self) -> bool {
+        self.picture.as_ref().is_some_and(Picture::is_there)
+    }
+
     fn shortcuts(&self, ui: &Ui, commands: &mut Vec<Command>) {
         let is_typing = ui.ctx().egui_wants_keyboard_input();
         // A field that is being typed in has an undo of its own, and question marks.
@@ -434,7 +456,17 @@ impl App {
 
 impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
+        // What the last frame showed is on the screen when the next one begins.
+        if std::mem::take(&mut self.shows_first_picture) {
+            milestones::reached("picture on the screen");
+        }
+        let had_picture = self.has_picture();
         self.show(ui);
+        milestones::reached("first frame");
+        if self.has_picture() && !had_picture && milestones::are_told() {
+            self.shows_first_picture = true;
+            ui.ctx().request_repaint();
+        }
     }
 
     fn on_exit(&mut self) {
