@@ -13,6 +13,13 @@ pub(crate) enum Purpose {
     Open,
     Save,
     Mesh,
+    /// A mesh for one more object.
+    AddMesh,
+    /// A mesh for the object that is asked for.
+    ObjectMesh,
+    /// A look for the object that is asked for.
+    ObjectLook,
+    SaveScene,
     /// A picture is written.
     Export(Export),
     /// An image is shown.
@@ -46,16 +53,18 @@ impl Dialogs {
         }
         let dialog = rfd::AsyncFileDialog::new();
         let mut dialog = match purpose {
-            Purpose::Open | Purpose::Save => dialog.add_filter("Chiaro look", &["json"]),
-            Purpose::Mesh => dialog.add_filter("Mesh", &MESHES),
+            Purpose::Open => dialog.add_filter("Chiaro look or scene", &["json"]),
+            Purpose::Save | Purpose::ObjectLook => dialog.add_filter("Chiaro look", &["json"]),
+            Purpose::SaveScene => dialog.add_filter("Chiaro scene", &["json"]),
+            Purpose::Mesh | Purpose::AddMesh | Purpose::ObjectMesh => dialog.add_filter("Mesh", &MESHES),
             Purpose::Export(_) => dialog.add_filter("PNG", &["png"]),
             Purpose::Reference => dialog.add_filter("Image", &IMAGES),
         };
         if let Some(folder) = near.and_then(Path::parent).filter(|folder| folder.is_dir()) {
             dialog = dialog.set_directory(folder);
         }
-        let name =
-            near.and_then(Path::file_name).map_or("look.json".into(), |name| name.to_string_lossy().into_owned());
+        let new = if purpose == Purpose::SaveScene { "scene.json" } else { "look.json" };
+        let name = near.and_then(Path::file_name).map_or(new.into(), |name| name.to_string_lossy().into_owned());
         let name = match purpose {
             Purpose::Export(_) => Path::new(&name).with_extension("png").to_string_lossy().into_owned(),
             _ => name,
@@ -63,15 +72,17 @@ impl Dialogs {
         let (answers, wake) = (self.answers.clone(), self.wake.clone());
         let _ = start("dialog", move || {
             let file = match purpose {
-                Purpose::Open | Purpose::Mesh | Purpose::Reference => block_on(dialog.pick_file()),
-                Purpose::Save | Purpose::Export(_) => block_on(dialog.set_file_name(name).save_file()),
+                Purpose::Save | Purpose::SaveScene | Purpose::Export(_) => {
+                    block_on(dialog.set_file_name(name).save_file())
+                }
+                _ => block_on(dialog.pick_file()),
             };
             if let Some(file) = file {
                 let mut path = file.path().to_path_buf();
                 let ending = match purpose {
-                    Purpose::Save => "json",
+                    Purpose::Save | Purpose::SaveScene => "json",
                     Purpose::Export(_) => "png",
-                    Purpose::Open | Purpose::Mesh | Purpose::Reference => "",
+                    _ => "",
                 };
                 if !ending.is_empty() && path.extension().is_none() {
                     path.set_extension(ending);

@@ -24,6 +24,7 @@ pub mod session;
 pub mod settings;
 mod sheet;
 mod shortcuts;
+pub mod stage;
 mod still;
 mod theme;
 mod values;
@@ -44,6 +45,7 @@ pub use probe::Probe;
 pub use safety::places::Places;
 pub use session::Session;
 pub use settings::Settings;
+pub use stage::Stage;
 pub use viewport::Viewport;
 pub use wipe::Wipe;
 

@@ -17,10 +17,10 @@ impl App {
                 }
             };
             button(ui, "New", "A new look (Ctrl+N)", true, Command::New);
-            button(ui, "Open", "Opens a look (Ctrl+O)", true, Command::Open(None));
+            button(ui, "Open", "Opens a look or a scene (Ctrl+O)", true, Command::Open(None));
             let recent = self.safety.recent_menu(ui);
-            button(ui, "Save", "Saves the look (Ctrl+S)", true, Command::Save);
-            button(ui, "Save as", "Saves under another name (Ctrl+Shift+S)", true, Command::SaveAs);
+            button(ui, "Save", "Saves the look, and its scene (Ctrl+S)", true, Command::Save);
+            button(ui, "Save as", "Saves the look under another name (Ctrl+Shift+S)", true, Command::SaveAs);
             ui.separator();
             let step = |label: Option<&str>, otherwise: &str| label.map_or(otherwise.to_owned(), str::to_owned);
             let (undo, redo) = (self.session.undo_label(), self.session.redo_label());
@@ -32,7 +32,7 @@ impl App {
             commands.extend(recent.map(|path| Command::Open(Some(path))));
             ui.menu_button("View", |ui| self.view_menu(ui)).response.on_hover_text("Panels, theme and scale");
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                let name = self.document_name();
+                let name = self.documents();
                 if self.session.is_dirty() {
                     ui.label(RichText::new("changed").color(theme::of(ui).accent)).on_hover_text("Not saved yet");
                 }
@@ -99,9 +99,17 @@ impl App {
         }
     }
 
+    /// What is open: the look, and the scene that it is in.
+    fn documents(&self) -> String {
+        match self.session.stage() {
+            Some(stage) => format!("{} in {}", self.document_name(), stage.name()),
+            None => self.document_name(),
+        }
+    }
+
     pub(super) fn set_title(&self, ctx: &egui::Context) {
         let mark = if self.session.is_dirty() { "*" } else { "" };
-        let title = format!("{}{mark} - Chiaro", self.document_name());
+        let title = format!("{}{mark} - Chiaro", self.documents());
         let id = egui::Id::unique("title");
         if ctx.data(|data| data.get_temp::<String>(id)).as_ref() != Some(&title) {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));

@@ -3,6 +3,7 @@
 mod apply;
 mod bar;
 mod files;
+mod stage;
 
 use std::path::Path;
 use std::sync::Arc;
@@ -28,6 +29,7 @@ use super::session::Session;
 use super::settings::Settings;
 use super::sheet::Sheet;
 use super::shortcuts::{self, Action, Place};
+use super::stage::Wish;
 use super::viewport::{Export, Viewport};
 use super::wipe::Wipe;
 use super::{dock, inspector, theme};
@@ -63,6 +65,8 @@ pub struct App {
     /// Presses of the pointer, and what had the keyboard: together with a widget they are the hand that edits.
     presses: u64,
     closes: bool,
+    /// Where the panel of objects is, while it is seen.
+    objects: Option<egui::Rect>,
 }
 
 impl App {
@@ -102,12 +106,16 @@ impl App {
             message: None,
             presses: 0,
             closes: false,
+            objects: None,
         }
     }
 
-    /// Shows the look on a mesh: a path, or `shape:` and the name of an own shape. What is wrong with it is told where
+    /// Shows the look, or of a scene the selected object, on a mesh: a path, or `shape:` and the name of an own shape. What is wrong with it is told where
     /// problems are; the last good picture stays.
     pub fn show_on(&mut self, mesh: &str) {
+        if self.session.stage().is_some() {
+            return self.mesh_of_object(mesh);
+        }
         mesh.clone_into(&mut self.session.view.mesh);
         self.safety.shown_on(mesh);
     }
@@ -272,9 +280,11 @@ impl App {
         let mut commands = Vec::new();
         self.shortcuts(ui, &mut commands);
         let dropped = ui.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_path_buf()));
+        let adds = self.adds_what_is_dropped(ui);
         commands.extend(dropped.map(|path| {
             let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_lowercase();
             match ending.as_str() {
+                mesh if MESHES.contains(&mesh) && adds => Command::Stage(Wish::Chosen(Purpose::AddMesh, path)),
                 mesh if MESHES.contains(&mesh) => Command::ShowOn(Some(path)),
                 image if IMAGES.contains(&image) => Command::ShowReference(Some(path)),
                 _ => Command::Open(Some(path)),
@@ -284,6 +294,9 @@ impl App {
             Purpose::Open => Command::Open(Some(path)),
             Purpose::Save => Command::SaveTo(path),
             Purpose::Mesh => Command::ShowOn(Some(path)),
+            Purpose::AddMesh | Purpose::ObjectMesh | Purpose::ObjectLook | Purpose::SaveScene => {
+                Command::Stage(Wish::Chosen(purpose, path))
+            }
             Purpose::Export(export) => Command::Export(export, Some(path)),
             Purpose::Reference => Command::ShowReference(Some(path)),
         }));
@@ -337,6 +350,7 @@ impl App {
         if let Some(picture) = &mut self.picture {
             picture.tells_effects = self.dock.shows(dock::Panel::Effects);
         }
+        self.objects = None;
         let mut dock = std::mem::take(&mut self.dock);
         let ground = egui::Frame::new().fill(theme::of(ui).node_edge);
         egui::CentralPanel::default().frame(ground).show(ui, |ui| {
@@ -374,6 +388,9 @@ impl App {
             dock::Panel::Keys => self.keys.show(ui, &self.session),
             dock::Panel::Timeline => self.timeline.show(ui, &self.session),
             other => {
+                if other == dock::Panel::Objects {
+                    self.objects = Some(ui.max_rect());
+                }
                 if other == dock::Panel::Library {
                     self.panels.know_recent(self.safety.recent());
                 }
