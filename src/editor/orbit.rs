@@ -231,7 +231,9 @@ mod tests {
             // The outermost that is seen of the sphere: seen from the eye it leans toward it.
             let highest = (0..900).map(|step| {
                 let angle = f64::from(step) * 1e-3 * PI;
-                view.clip_from_world.project_point3(center + radius * (up * angle.sin() + orbit.direction() * angle.cos())).y
+                view.clip_from_world
+                    .project_point3(center + radius * (up * angle.sin() + orbit.direction() * angle.cos()))
+                    .y
             });
             let highest = highest.fold(0.0, f64::max);
             assert!((highest - FRAMED).abs() < 1e-3, "{highest}");

@@ -7,7 +7,6 @@ use eframe::egui::{self, RichText, Ui, ViewportCommand};
 use super::App;
 use crate::diag::Severity;
 use crate::editor::command::Command;
-use crate::editor::dialogs::Purpose;
 use crate::editor::dock::Panel;
 use crate::editor::panels::{library, problems};
 use crate::editor::stage::Wanted;

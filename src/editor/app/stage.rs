@@ -97,7 +97,8 @@ impl App {
     /// Selects an object and opens its look.
     fn pick(&mut self, id: ObjectId, material: Option<&str>) {
         let Some(object) = self.session.stage().and_then(|stage| stage.scene().objects.get(&id)) else { return };
-        let worn = material.map_or_else(|| object.looks.get(ANY_MATERIAL).map(String::as_str), |it| look_of(object, it));
+        let worn =
+            material.map_or_else(|| object.looks.get(ANY_MATERIAL).map(String::as_str), |it| look_of(object, it));
         let worn = worn.or_else(|| object.looks.values().next().map(String::as_str)).map(str::to_owned);
         // An object that wears the open look on any of its materials keeps it open, unless another was pointed at.
         let keeps = material.is_none() && self.session.stage().is_some_and(|stage| stage.wears_open(object));
@@ -111,7 +112,8 @@ impl App {
     fn open_worn(&mut self, name: &str) {
         let Some(stage) = self.session.stage().filter(|stage| !stage.is_open(name)) else { return };
         if stage.wears_unsaved() && self.session.path().is_none() {
-            self.message = Some("Save this look first: objects of the scene wear it, and it has no file yet".to_owned());
+            self.message =
+                Some("Save this look first: objects of the scene wear it, and it has no file yet".to_owned());
             return;
         }
         let path = stage.path_of(name);

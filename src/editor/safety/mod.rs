@@ -132,7 +132,8 @@ impl Safety {
     /// Opens the scene that a look was in when it was put aside, if that is not open.
     fn open_scene_of(&self, number: usize, session: &mut Session) {
         let Some(offer) = self.offers.get(number).filter(|offer| !offer.is_scene) else { return };
-        let is_open = |path: &Path| session.stage().and_then(|stage| stage.path()).is_some_and(|open| real(open) == real(path));
+        let is_open =
+            |path: &Path| session.stage().and_then(|stage| stage.path()).is_some_and(|open| real(open) == real(path));
         if let Some(scene) = offer.beside.clone().filter(|path| path.is_file() && !is_open(path)) {
             session.open(&scene);
         }

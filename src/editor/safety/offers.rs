@@ -68,7 +68,8 @@ impl Outline {
                 Self { is_in_file, beside, ..Self::of(*found) }
             }
             Found::Scene(found) => {
-                let is_in_file = is_in_file(&found, |text| Some(Scene::read(text, "").value?.to_text()), Scene::to_text);
+                let is_in_file =
+                    is_in_file(&found, |text| Some(Scene::read(text, "").value?.to_text()), Scene::to_text);
                 let beside = text_of(&found.about.window, "look");
                 Self { is_in_file, beside, is_scene: true, ..Self::of(*found) }
             }

@@ -62,9 +62,8 @@ where
 
     /// Whether the document as it stands is wanted rather than what was done.
     pub(crate) fn wants_to_begin(&self, is_dirty: bool) -> bool {
-        let is_wanted = |keeper: &Keeper<D>| {
-            keeper.wants_to_begin() && (keeper.has_begun && is_dirty || !self.ops.is_empty())
-        };
+        let is_wanted =
+            |keeper: &Keeper<D>| keeper.wants_to_begin() && (keeper.has_begun && is_dirty || !self.ops.is_empty());
         self.keeper.as_ref().is_some_and(is_wanted)
     }
 

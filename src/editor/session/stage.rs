@@ -273,7 +273,11 @@ impl Session {
     fn last(&self) -> Of {
         let of_scene = self.stage.as_ref().and_then(|stage| stage.times.last());
         // Of what journals brought back, the look's comes first.
-        if of_scene.is_some() && of_scene > self.history.undo_label().and(self.times.last()) { Of::Scene } else { Of::Look }
+        if of_scene.is_some() && of_scene > self.history.undo_label().and(self.times.last()) {
+            Of::Scene
+        } else {
+            Of::Look
+        }
     }
 
     /// Where the step was done that redo would repeat.

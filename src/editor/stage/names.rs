@@ -112,7 +112,8 @@ mod tests {
 
     #[test]
     fn paths_are_read_as_they_lead() {
-        for (path, wanted) in [("a/../b/./c", "b/c"), ("../a", "../a"), ("/a/b/../../c", "/c"), ("../../a/..", "../..")] {
+        for (path, wanted) in [("a/../b/./c", "b/c"), ("../a", "../a"), ("/a/b/../../c", "/c"), ("../../a/..", "../..")]
+        {
             assert_eq!(clean(Path::new(path)), Path::new(wanted), "{path}");
         }
     }

@@ -161,7 +161,9 @@ impl Stage {
     pub(crate) fn open_name(&self) -> String {
         let worn = self.scene().objects.values().flat_map(|object| object.looks.values());
         let known = worn.into_iter().find(|name| self.is_open(name)).cloned();
-        known.or_else(|| self.open_file.as_deref().map(|file| self.name_of(file))).unwrap_or_else(|| OPEN_LOOK.to_owned())
+        known
+            .or_else(|| self.open_file.as_deref().map(|file| self.name_of(file)))
+            .unwrap_or_else(|| OPEN_LOOK.to_owned())
     }
 
     /// What the open look is called where objects are listed.

@@ -56,8 +56,7 @@ impl Staged {
     pub(crate) fn setup(&self, open: SetupLook, assets: &mut Assets) -> (Setup, Vec<Diagnostic>) {
         let mut problems = Vec::new();
         let mut worn = Worn { staged: self, looks: vec![open], known: HashMap::new() };
-        let objects =
-            place_objects(&self.scene, &self.base, &self.source, None, assets, &mut worn, &mut problems);
+        let objects = place_objects(&self.scene, &self.base, &self.source, None, assets, &mut worn, &mut problems);
         let mut setup = Setup { scene: self.scene.clone(), looks: worn.looks, objects, ..Setup::default() };
         if self.is_alone {
             setup.looks.truncate(1);

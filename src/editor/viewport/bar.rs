@@ -82,7 +82,8 @@ impl Viewport {
         if ui.button("Frame the object").on_hover_text(help).clicked() {
             session.frame(selected.as_ref(), self.aspect());
         }
-        if session.stage().is_some() && ui.button("Frame all").on_hover_text("Brings every object into view (A)").clicked()
+        if session.stage().is_some()
+            && ui.button("Frame all").on_hover_text("Brings every object into view (A)").clicked()
         {
             session.frame(None, self.aspect());
         }

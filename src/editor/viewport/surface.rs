@@ -240,8 +240,8 @@ fn surface_of(setup: &Setup, key: &Key) -> Result<Surface, Diagnostic> {
     };
     let parts = setup.objects.iter().flat_map(|object| parts(object).into_iter().map(move |part| (object, part)));
     let parts: Vec<_> = parts.take(usize::from(u16::MAX)).collect();
-    let plain = |(index, (object, _)): (usize, &(&'_ SetupObject, usize))| Plain::new(object, &view, index + 1);
-    let shaders: Vec<_> = parts.iter().enumerate().map(plain).collect();
+    let shaders: Vec<_> =
+        parts.iter().zip(1..).map(|((object, _), number)| Plain::new(object, &view, number)).collect();
     let triangles = parts.iter().zip(&shaders).map(|((object, part), shader)| {
         let part = &object.mesh.parts[*part];
         let is_mirrored = DMat3::from_mat4(object.world_from_object).determinant() < 0.0;

@@ -50,7 +50,7 @@ impl Details {
                 let help = "Turns a mesh whose z axis points up, as in many scans, by a quarter";
                 if ui.small_button("Stand up").on_hover_text(help).clicked() {
                     new.rotate = stood_up(new.rotate);
-                    hand = Some(ui.id().with("stand up"));
+                    hand = Some(ui.scope_id().with("stand up"));
                 }
             });
             if let Some(hand) = hand.filter(|_| new != object.transform) {
@@ -97,7 +97,8 @@ impl Details {
 }
 
 fn mesh(ui: &mut Ui, label: Id, stage: &Stage, id: &ObjectId, object: &Object, out: &mut Vec<Wish>) {
-    let combo = ComboBox::from_id_salt("mesh").selected_text(mesh_label(&object.mesh)).width(ui.available_width() - 12.0);
+    let combo =
+        ComboBox::from_id_salt("mesh").selected_text(mesh_label(&object.mesh)).width(ui.available_width() - 12.0);
     let combo = combo.show_ui(ui, |ui| {
         for shape in SHAPES {
             let is_it = object.mesh.strip_prefix(SHAPE_PREFIX) == Some(shape.name);
@@ -124,7 +125,8 @@ fn looks(ui: &mut Ui, stage: &Stage, id: &ObjectId, object: &Object, out: &mut V
             materials.push(material);
         }
     }
-    let help = if materials.is_empty() { "What it wears" } else { "What all materials wear that have no look of their own" };
+    let help =
+        if materials.is_empty() { "What it wears" } else { "What all materials wear that have no look of their own" };
     labelled(ui, "Look", help, |ui, label| look(ui, label, stage, id, object, ANY_MATERIAL, out));
     for material in materials {
         let shown = if material.is_empty() { "(no name)" } else { material };
@@ -132,15 +134,7 @@ fn looks(ui: &mut Ui, stage: &Stage, id: &ObjectId, object: &Object, out: &mut V
     }
 }
 
-fn look(
-    ui: &mut Ui,
-    label: Id,
-    stage: &Stage,
-    id: &ObjectId,
-    object: &Object,
-    material: &str,
-    out: &mut Vec<Wish>,
-) {
+fn look(ui: &mut Ui, label: Id, stage: &Stage, id: &ObjectId, object: &Object, material: &str, out: &mut Vec<Wish>) {
     let nothing = if material == ANY_MATERIAL { "None" } else { "As the others" };
     let worn = object.looks.get(material);
     let text = worn.map_or_else(|| nothing.to_owned(), |name| look_label(stage, name));
@@ -170,14 +164,7 @@ fn look(
     combo.response.labelled_by(label);
 }
 
-fn number(
-    ui: &mut Ui,
-    name: &str,
-    number: &mut f64,
-    speed: f64,
-    suffix: &str,
-    prefix: &str,
-) -> egui::Response {
+fn number(ui: &mut Ui, name: &str, number: &mut f64, speed: f64, suffix: &str, prefix: &str) -> egui::Response {
     let before = *number;
     let drag = DragValue::new(number).speed(speed).max_decimals(3).prefix(prefix).suffix(suffix);
     let response = ui.add(drag);
