@@ -16,7 +16,6 @@ use crate::editor::dock;
 use crate::editor::session::Session;
 use crate::editor::shortcuts::Action;
 use crate::editor::stage::Stage;
-use crate::editor::viewport::Export;
 
 impl App {
     pub(super) fn apply(&mut self, ui: &Ui, command: Command) {

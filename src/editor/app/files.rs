@@ -48,6 +48,7 @@ impl App {
     }
 
     fn open_alone(&mut self, path: &Path) {
+        self.safety.put_aside(&self.session);
         if let Some(told) = self.safety.reopen(path, &mut self.session) {
             self.message = Some(told).filter(|told| !told.is_empty());
         } else {
@@ -116,6 +117,7 @@ impl App {
                 self.safety.look();
             }
             Some(Pending::LeaveScene) => {
+                self.safety.put_aside(&self.session);
                 self.session.leave_stage(false);
                 self.safety.look();
             }

@@ -133,6 +133,7 @@ impl App {
     /// Goes on where the last window was closed, if anything was not saved then.
     pub fn resume(&mut self) {
         self.message = self.safety.resume(&mut self.session);
+        self.open_lacking_look();
     }
 
     /// Looks at once whether other programs changed files, which else takes a moment.

@@ -9,6 +9,7 @@ mod offers;
 pub(crate) mod places;
 mod watch;
 
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -52,6 +53,8 @@ pub(crate) struct Safety {
     window: Option<(Theme, f32)>,
     /// Whether the note that nothing is kept was read.
     is_problem_read: bool,
+    /// The files of scenes, and of looks within them, that this window has put aside: their work comes back with them.
+    aside: HashSet<PathBuf>,
 }
 
 impl Safety {
@@ -65,6 +68,7 @@ impl Safety {
             settings: Settings::default(),
             window: None,
             is_problem_read: false,
+            aside: HashSet::new(),
         }
     }
 
@@ -97,6 +101,12 @@ impl Safety {
         Some(self.take_back(number, session))
     }
 
+    /// Remembers that the scene that is open, and the look in it, are about to be put aside.
+    pub(crate) fn put_aside(&mut self, session: &Session) {
+        let Some(stage) = session.stage() else { return };
+        self.aside.extend([stage.path(), session.path()].into_iter().flatten().map(real));
+    }
+
     /// Takes the look back that was put aside with a scene, and that has no file.
     pub(crate) fn take_back_unsaved(&mut self, session: &mut Session) {
         if let Some(number) = self.offers.unsaved_of_scene() {
@@ -107,10 +117,11 @@ impl Safety {
     /// Opens a file with the past or the unsaved work that a journal has of it, where the file is what that was based on.
     /// Returns what to tell; `None` where the file is to be read.
     pub(crate) fn reopen(&mut self, path: &Path, session: &mut Session) -> Option<String> {
-        if let Some(number) = self.offers.of_file(path, false) {
+        let is_aside = self.aside.contains(&real(path));
+        if let Some(number) = self.offers.of_file(path, false, is_aside) {
             return Some(self.take_back(number, session));
         }
-        let number = self.offers.of_file(path, true)?;
+        let number = self.offers.of_file(path, true, is_aside)?;
         self.take_back(number, session);
         Some(String::new())
     }

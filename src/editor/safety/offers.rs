@@ -205,11 +205,12 @@ impl Offers {
     }
 
     /// What was left of the look in this file, if the file is still what it was based on: `is_saved` asks for the past
-    /// of a saved look, else for unsaved work of a window that was closed.
-    pub(crate) fn of_file(&self, path: &Path, is_saved: bool) -> Option<usize> {
+    /// of a saved look, else for unsaved work of a window that was closed, or with `is_aside` of whichever.
+    pub(crate) fn of_file(&self, path: &Path, is_saved: bool, is_aside: bool) -> Option<usize> {
         let path = std::path::absolute(path).ok()?;
         let is_it = |offer: &Offer| {
-            offer.path.as_ref() == Some(&path) && offer.is_saved == is_saved && (is_saved || offer.is_closed)
+            let is_free = is_saved || offer.is_closed || is_aside;
+            offer.path.as_ref() == Some(&path) && offer.is_saved == is_saved && is_free
         };
         let number = self.all.iter().position(is_it)?;
         let found = Outline::read(self.all[number].slot.path()).ok()?;

@@ -272,6 +272,11 @@ impl Stage {
         self.load_problems.iter().chain(self.looks.problems())
     }
 
+    /// What is wrong, as people read it.
+    pub fn problem_texts(&self) -> impl Iterator<Item = &str> {
+        self.problems().map(|problem| problem.message.as_str())
+    }
+
     /// Keeps the journal of unsaved work in a folder from now on.
     pub(crate) fn keep_in(&mut self, folder: &Path, wake: Arc<dyn Fn() + Send + Sync>) {
         self.keeping.keep_in(folder, move || wake());
