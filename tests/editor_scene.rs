@@ -328,10 +328,17 @@ fn an_unsaved_stage_is_saved_as_a_scene_that_renders() {
     assert_eq!(ids(&hand), ["creature", "cube"]);
     assert_eq!(open_look(&hand), "mine.json");
     assert!(!hand.app().session().is_dirty());
-    let scene_camera = scene(&hand).camera;
-    assert!(scene_camera.eye != camera.eye, "all was framed, which is the window's own view");
+    let before = scene(&hand).camera;
+    assert!(before.eye != camera.eye, "all was framed, which is the window's own view");
+    // The window looks from where the scene does, until it is orbited; the scene follows when it is told to.
+    let corner = hand.app().viewport().rect().unwrap().left_top() + eframe::egui::vec2(20.0, 20.0);
+    hand.drag(corner, corner + eframe::egui::vec2(60.0, 30.0));
+    assert!(!hand.app().session().is_dirty());
     choose(&mut hand, "More of the scene", "Keep this view");
-    assert!(hand.app().session().is_dirty() || scene(&hand).camera == scene_camera);
+    let eye = glam::DVec3::from(scene(&hand).camera.eye);
+    assert!(eye.distance(before.eye.into()) > 0.5 && hand.app().session().is_dirty());
+    hand.undo();
+    assert_eq!(scene(&hand).camera, before);
 }
 
 #[test]

@@ -31,6 +31,8 @@ impl App {
         self.open_lacking_look();
         if self.session.stage().is_some_and(|stage| stage.path() == Some(path)) {
             self.dock.open(Panel::Objects);
+            // The scene was asked for, and the look came with it.
+            self.safety.opened(path);
         }
     }
 

@@ -130,6 +130,7 @@ impl Session {
 
     /// Begins a new look: a base, one light layer and an output, wired. A scene that is open is put aside.
     pub fn start_new(&mut self) {
+        self.leave_journal(false);
         self.leave_stage(false);
         self.replace_with_new();
     }
@@ -144,8 +145,8 @@ impl Session {
 
     /// Begins a new look with what a text says, as one that no file holds.
     pub(crate) fn start_from(&mut self, text: &str, name: &str) {
-        self.leave_stage(false);
         self.leave_journal(false);
+        self.leave_stage(false);
         let loaded = Look::read(text, name);
         self.replace(loaded.value.unwrap_or_default(), loaded.source, None);
         self.is_partial = false;
