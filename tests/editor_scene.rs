@@ -307,7 +307,7 @@ fn an_unsaved_stage_is_saved_as_a_scene_that_renders() {
     let home = Home::new();
     let mut hand = home.window(None);
     tab(&mut hand, "Objects");
-    choose(&mut hand, "Add an object", "Cube");
+    choose(&mut hand, "Add an object", "Knot");
     // The look has no file yet, and a scene names looks by their files.
     let path = home.file("scenes");
     fs::create_dir(&path).unwrap();
@@ -325,7 +325,7 @@ fn an_unsaved_stage_is_saved_as_a_scene_that_renders() {
     // It is opened again as it was.
     let camera = hand.app().session().orbit().camera();
     let mut hand = home.window(Some(&path));
-    assert_eq!(ids(&hand), ["creature", "cube"]);
+    assert_eq!(ids(&hand), ["creature", "knot"]);
     assert_eq!(open_look(&hand), "mine.json");
     assert!(!hand.app().session().is_dirty());
     let before = scene(&hand).camera;
@@ -410,14 +410,14 @@ fn an_unsaved_look_on_an_unsaved_stage_goes_on_too() {
     let home = Home::new();
     let mut hand = home.window(None);
     tab(&mut hand, "Objects");
-    choose(&mut hand, "Add an object", "Cube");
+    choose(&mut hand, "Add an object", "Knot");
     set_name(&mut hand, "nowhere yet");
     hand.app_mut().session_mut().close_journal(true);
     drop(hand);
     let mut hand = home.window(None);
     assert_eq!(
         (ids(&hand), hand.look().name.as_str()),
-        (vec!["creature".to_owned(), "cube".to_owned()], "nowhere yet")
+        (vec!["creature".to_owned(), "knot".to_owned()], "nowhere yet")
     );
     assert!(hand.app().session().path().is_none() && stage(&hand).path().is_none());
     hand.undo();

@@ -44,7 +44,8 @@ pub(crate) fn to_degrees(rotation: [f64; 4]) -> [f64; 3] {
     let rotation = DQuat::from_array(rotation);
     let rotation = if rotation.length_squared() > 1e-18 { rotation.normalize() } else { DQuat::IDENTITY };
     let (y, x, z) = rotation.to_euler(EulerRot::YXZ);
-    [x, y, z].map(f64::to_degrees)
+    // Neither the last digits of a quaternion nor the sign of 0 are anybody's wish.
+    [x, y, z].map(|angle| (angle.to_degrees() * 1e9).round() / 1e9 + 0.0)
 }
 
 /// The other way around.

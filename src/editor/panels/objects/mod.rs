@@ -4,8 +4,8 @@ mod details;
 
 use eframe::egui;
 use eframe::egui::{
-    Button, Id, Key, Label, Layout, Modifiers, Popup, RichText, Role, ScrollArea, Sense, Ui, UiBuilder, WidgetInfo,
-    vec2,
+    Button, Id, Key, Label, Layout, Modifiers, Popup, Rect, RichText, Role, ScrollArea, Sense, Ui, UiBuilder,
+    WidgetInfo, vec2,
 };
 
 use super::super::command::Command;
@@ -24,6 +24,8 @@ const ROW: f32 = 40.0;
 #[derive(Default)]
 pub(crate) struct Objects {
     renaming: Option<Renaming<ObjectId>>,
+    /// The object whose row was brought into view.
+    shown_for: Option<ObjectId>,
     details: details::Details,
 }
 
@@ -40,13 +42,20 @@ impl Objects {
         if stage.scene().objects.is_empty() {
             hint(ui, "The scene has no objects yet.");
         }
+        let selected = stage.selected().map(|(id, _)| id.clone());
+        let goal = selected.clone().filter(|_| self.shown_for != selected);
+        self.shown_for = selected;
         let mut commands = Vec::new();
         ScrollArea::vertical().auto_shrink([false, false]).id_salt("objects").show(ui, |ui| {
             // Room for the scroll bar.
             ui.set_max_width(ui.available_width() - 8.0);
             ui.spacing_mut().item_spacing.y = 2.0;
             for (id, object) in &stage.scene().objects {
-                self.row(ui, stage, id, object, &mut out, &mut commands);
+                let row = self.row(ui, stage, id, object, &mut out, &mut commands);
+                if goal.as_ref() == Some(id) {
+                    // With the first of what is below it.
+                    ui.scroll_to_rect(row.with_max_y(row.max.y + 3.0 * ROW), None);
+                }
                 if stage.selected().is_some_and(|(selected, _)| selected == id) {
                     ui.add_space(2.0);
                     self.details.show(ui, stage, id, object, &mut out);
@@ -65,7 +74,7 @@ impl Objects {
         object: &Object,
         out: &mut Vec<Wish>,
         commands: &mut Vec<Command>,
-    ) {
+    ) -> Rect {
         let is_selected = stage.selected().is_some_and(|(selected, _)| selected == id);
         let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
         response.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_selected, format!("Object {id}")));
@@ -90,6 +99,7 @@ impl Objects {
         }
         let help = "A click selects it and opens its look; a double click renames it";
         Popup::context_menu(&response.on_hover_text(help)).show(|ui| self.menu(ui, stage, id, out));
+        rect
     }
 
     fn head(&mut self, ui: &mut Ui, stage: &Stage, id: &ObjectId, object: &Object, out: &mut Vec<Wish>) {
