@@ -401,3 +401,25 @@ fn path_shots() {
     click_label(&mut hand, "Copy as");
     save(&mut hand, "copy-menu");
 }
+
+/// A scene with its objects listed, one of them selected.
+#[test]
+#[ignore = "writes pictures to be looked at"]
+fn scene_shots() {
+    let mut hand = window();
+    hand.app_mut().open(Path::new("examples/scenes/cast.json"));
+    hand.settle();
+    let row = hand.harness.get_by_label("Object comics").rect().center();
+    hand.click(row);
+    hand.settle();
+    let rect = hand.app().viewport().rect().unwrap();
+    hand.hover(rect.center() + vec2(0.0, -60.0));
+    save(&mut hand, "scene");
+    hand.harness.ctx.set_theme(Theme::Light);
+    save(&mut hand, "scene-light");
+    hand.harness.ctx.set_theme(Theme::Dark);
+    let mut hand = window();
+    let tab = hand.harness.get_by_role_and_label(Role::Tab, "Objects").rect().center();
+    hand.click(tab);
+    save(&mut hand, "objects-of-a-look");
+}

@@ -8,6 +8,7 @@ use super::orbit::Orbit;
 use super::panels::solo::Solo;
 use super::safety::Wish;
 use super::shortcuts::Action;
+use super::stage;
 use super::viewport::Export;
 use super::wire::ShownWire;
 use crate::document::Edit;
@@ -89,6 +90,8 @@ pub(crate) enum Command {
     SetTime(f64),
     /// Looks from elsewhere, or under lights that are turned otherwise.
     TurnTo(Box<Orbit>),
+    /// What is asked for of the scene around the look.
+    Stage(stage::Wish),
     /// What the bar of unsaved work and changed files asks for.
     Safety(Wish),
 }

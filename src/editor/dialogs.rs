@@ -16,6 +16,13 @@ pub(crate) enum Purpose {
     Open,
     Save,
     Mesh,
+    /// A mesh for one more object.
+    AddMesh,
+    /// A mesh for the object that is asked for.
+    ObjectMesh,
+    /// A look for the object that is asked for.
+    ObjectLook,
+    SaveScene,
     /// A picture is written.
     Export(Export),
     /// An image is shown.
@@ -36,8 +43,10 @@ impl Purpose {
     /// What such files are called, and their endings.
     pub(crate) fn files(self) -> (&'static str, &'static [&'static str]) {
         match self {
-            Self::Open | Self::Save => ("Chiaro look", &["json"]),
-            Self::Mesh => ("Mesh", &MESHES),
+            Self::Open => ("Chiaro look or scene", &["json"]),
+            Self::Save | Self::ObjectLook => ("Chiaro look", &["json"]),
+            Self::SaveScene => ("Chiaro scene", &["json"]),
+            Self::Mesh | Self::AddMesh | Self::ObjectMesh => ("Mesh", &MESHES),
             Self::Export(_) => ("PNG", &["png"]),
             Self::Reference => ("Image", &IMAGES),
         }
@@ -45,7 +54,7 @@ impl Purpose {
 
     /// Whether the file is written.
     pub(crate) fn writes(self) -> bool {
-        matches!(self, Self::Save | Self::Export(_))
+        matches!(self, Self::Save | Self::SaveScene | Self::Export(_))
     }
 
     /// The path with an ending, where one is to be written and has none.

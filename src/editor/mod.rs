@@ -27,6 +27,7 @@ pub mod settings;
 mod sheet;
 mod shortcuts;
 mod spots;
+pub mod stage;
 mod still;
 mod theme;
 mod tour;
@@ -48,6 +49,7 @@ pub use probe::Probe;
 pub use safety::places::Places;
 pub use session::Session;
 pub use settings::Settings;
+pub use stage::Stage;
 pub use viewport::Viewport;
 pub use wipe::Wipe;
 

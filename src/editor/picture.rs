@@ -317,8 +317,7 @@ impl Artist {
             (self.library, self.provided) = (Some(wish.still.library.clone()), None);
         }
         let (mut setup, notes) = wish.still.setup(&mut self.planner.assets)?;
-        // The look's lights as they are now: the planner keeps those of the time when it was given the shader.
-        setup.scene.lights.clone_from(&showing.look.lights);
+        setup.edited = Some(0);
         if !self
             .provided
             .as_ref()

@@ -15,6 +15,7 @@ use crate::editor::dialogs::Purpose;
 use crate::editor::dock;
 use crate::editor::session::Session;
 use crate::editor::shortcuts::{self, Action};
+use crate::editor::stage::Stage;
 
 impl App {
     pub(super) fn apply(&mut self, ui: &Ui, command: Command) {
@@ -27,10 +28,7 @@ impl App {
         match command {
             Command::Edit(edit) => self.tell(|session| session.apply(edit, None)),
             Command::EditHeld(widget, edit) => {
-                let focus = ui.memory(egui::Memory::focused);
-                let mut hasher = DefaultHasher::new();
-                (widget, self.presses, focus).hash(&mut hasher);
-                let hand = hasher.finish();
+                let hand = self.hand(ui, widget);
                 self.tell(|session| session.apply(edit, Some(hand)));
             }
             Command::Select(ids) => self.session.select(ids),
@@ -61,7 +59,7 @@ impl App {
             Command::SaveAs => self.ask_where_to_save(),
             Command::SaveTo(path) => {
                 if self.save_as(&path) {
-                    self.go_on();
+                    self.go_on_if_safe();
                 }
             }
             Command::ShowOn(Some(path)) => self.show_on(&path.to_string_lossy()),
@@ -98,10 +96,22 @@ impl App {
             Command::SelectKey(key) => self.session.key = key,
             Command::SetTime(time) => self.session.time = time,
             Command::TurnTo(view) => self.session.view = *view,
-            Command::Safety(wish) => self.message = self.safety.apply(wish, &mut self.session),
+            Command::Stage(wish) => self.apply_to_stage(ui, wish),
+            Command::Safety(wish) => {
+                self.message = self.safety.apply(wish, &mut self.session);
+                self.open_lacking_look();
+            }
             Command::Tell(text) => self.message = Some(text),
             Command::Act(action) => self.act(ui, action),
         }
+    }
+
+    /// What edits: a widget, for as long as it is held or has the keyboard.
+    pub(super) fn hand(&self, ui: &Ui, widget: egui::Id) -> u64 {
+        let focus = ui.memory(egui::Memory::focused);
+        let mut hasher = DefaultHasher::new();
+        (widget, self.presses, focus).hash(&mut hasher);
+        hasher.finish()
     }
 
     /// Does what the command palette chose.
@@ -120,7 +130,12 @@ impl App {
             Action::CopyPicture => Command::CopyPicture,
             Action::CopyWgsl => Command::CopyWgsl,
             Action::Commands | Action::Shortcuts => return self.sheet.open(action),
-            Action::ResetView | Action::FrameObject | Action::Projection | Action::Turntable | Action::Handles => {
+            Action::ResetView
+            | Action::FrameObject
+            | Action::FrameAll
+            | Action::Projection
+            | Action::Turntable
+            | Action::Handles => {
                 return self.viewport.act(action, &mut self.session);
             }
             action => {
@@ -174,15 +189,24 @@ impl App {
         }
     }
 
+    /// Saves what has changed: the look, and the scene around it. Asks where what has no file is to go.
     pub(super) fn save(&mut self) {
-        match self.session.path().map(Path::to_path_buf) {
-            Some(path) => {
-                if self.save_as(&path) {
-                    self.go_on();
-                }
+        let is_scene_dirty = self.session.stage().is_some_and(Stage::is_dirty);
+        let saves_look = self.session.is_look_dirty() || !is_scene_dirty;
+        if saves_look {
+            let Some(path) = self.session.path().map(Path::to_path_buf) else {
+                return self.ask_where_to_save();
+            };
+            if !self.save_as(&path) {
+                return;
             }
-            None => self.ask_where_to_save(),
         }
+        // A scene that nobody has saved yet is only asked about where it is what is to be saved.
+        let has_file = self.session.stage().is_some_and(|stage| stage.path().is_some());
+        if is_scene_dirty && (has_file || !saves_look || self.pending.is_some()) {
+            return self.save_scene();
+        }
+        self.go_on_if_safe();
     }
 }
 

@@ -3,6 +3,7 @@
 mod apply;
 mod bar;
 mod files;
+mod stage;
 mod welcome;
 
 use std::path::Path;
@@ -18,7 +19,7 @@ use super::cost::Cost;
 use super::curves::keys::Keys;
 use super::curves::profile::Profile;
 use super::curves::timeline::Timeline;
-use super::dialogs::{Dialogs, IMAGES, MESHES, Way};
+use super::dialogs::{Dialogs, IMAGES, MESHES, Purpose, Way};
 use super::dock::Dock;
 use super::dock::effects::Effects;
 use super::panels::{Panels, library, solo};
@@ -31,6 +32,7 @@ use super::session::Session;
 use super::settings::Settings;
 use super::sheet::Sheet;
 use super::shortcuts::{self, Action, Place, Shortcut};
+use super::stage::Wish;
 use super::tour::Tour;
 use super::viewport::{Export, Viewport};
 use super::wipe::Wipe;
@@ -74,6 +76,8 @@ pub struct App {
     closes: bool,
     /// Whether the last frame was the first one with a picture, where that is to be told.
     shows_first_picture: bool,
+    /// Where the panel of objects is, while it is seen.
+    objects: Option<egui::Rect>,
 }
 
 impl App {
@@ -117,12 +121,16 @@ impl App {
             presses: 0,
             closes: false,
             shows_first_picture: false,
+            objects: None,
         }
     }
 
-    /// Shows the look on a mesh: a path, or `shape:` and the name of an own shape. What is wrong with it is told where
+    /// Shows the look, or of a scene the selected object, on a mesh: a path, or `shape:` and the name of an own shape. What is wrong with it is told where
     /// problems are; the last good picture stays.
     pub fn show_on(&mut self, mesh: &str) {
+        if self.session.stage().is_some() {
+            return self.mesh_of_object(mesh);
+        }
         mesh.clone_into(&mut self.session.view.mesh);
         self.safety.shown_on(mesh);
     }
@@ -140,6 +148,7 @@ impl App {
     /// Goes on where the last window was closed, if anything was not saved then.
     pub fn resume(&mut self) {
         self.message = self.safety.resume(&mut self.session);
+        self.open_lacking_look();
     }
 
     /// Looks at once whether other programs changed files, which else takes a moment.
@@ -316,9 +325,11 @@ impl App {
         }
         self.shortcuts(ui, &mut commands);
         let dropped = ui.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_path_buf()));
+        let adds = self.adds_what_is_dropped(ui);
         commands.extend(dropped.map(|path| {
             let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_lowercase();
             match ending.as_str() {
+                mesh if MESHES.contains(&mesh) && adds => Command::Stage(Wish::Chosen(Purpose::AddMesh, path)),
                 mesh if MESHES.contains(&mesh) => Command::ShowOn(Some(path)),
                 image if IMAGES.contains(&image) => Command::ShowReference(Some(path)),
                 _ => Command::Open(Some(path)),
@@ -376,6 +387,7 @@ impl App {
         if let Some(picture) = &mut self.picture {
             picture.tells_effects = self.dock.shows(dock::Panel::Effects);
         }
+        self.objects = None;
         if self.start.is_some() {
             return self.start_page(ui, commands);
         }
@@ -417,6 +429,9 @@ impl App {
             dock::Panel::Keys => self.keys.show(ui, &self.session),
             dock::Panel::Timeline => self.timeline.show(ui, &self.session),
             other => {
+                if other == dock::Panel::Objects {
+                    self.objects = Some(ui.max_rect());
+                }
                 if other == dock::Panel::Library {
                     self.panels.know_recent(self.safety.recent());
                 }

@@ -157,7 +157,7 @@ impl Thumbs {
         let (distance, height) = shot.distance_and_height();
         let orbit = Orbit { distance, target: DVec3::new(0.0, height, 0.0), ..Orbit::default() };
         let side = (side.round() as u32).clamp(8, MAX_SIDE);
-        let still = Still { folder, orbit, ..session.still_of(look) };
+        let still = Still { folder, orbit, stage: None, ..session.still_of(look) };
         worker.request(|_| Job { key, still, shot, side });
     }
 }

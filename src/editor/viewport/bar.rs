@@ -6,6 +6,7 @@ use eframe::egui::{PopupCloseBehavior, Rect, Role, Sense, Ui, UiBuilder, WidgetI
 use std::path::Path;
 
 use super::super::command::Command;
+use super::super::dock::Panel;
 use super::super::panels::solo;
 use super::super::probe::{Probe, picture_size, wire_name};
 use super::super::session::Session;
@@ -30,7 +31,19 @@ impl Viewport {
         out: &mut Vec<Command>,
     ) {
         ui.horizontal(|ui| {
-            mesh_choice(ui, session, out);
+            match session.stage() {
+                None => mesh_choice(ui, session, out),
+                Some(stage) => {
+                    let text = match stage.scene().objects.len() {
+                        1 => "1 object".to_owned(),
+                        count => format!("{count} objects"),
+                    };
+                    let label = ui.link(format!("{}, {text}", stage.name()));
+                    if label.on_hover_text("Shows the objects of the scene").clicked() {
+                        out.push(Command::ShowPanel(Panel::Objects));
+                    }
+                }
+            }
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
                 let (menu, _) = MenuButton::new("Options").config(stays).ui(ui, |ui| self.options(ui, session, out));
@@ -55,7 +68,7 @@ impl Viewport {
         ui.checkbox(&mut self.turns, "Turntable").on_hover_text(help);
         if session.view.mesh.starts_with(SHAPE_PREFIX) {
             session.view.z_is_up = false;
-        } else {
+        } else if session.stage().is_none() {
             ui.checkbox(&mut session.view.z_is_up, "Z is up").on_hover_text("Stands up a mesh whose z axis points up");
         }
         ui.separator();
@@ -65,11 +78,19 @@ impl Viewport {
         ] {
             ui.radio_value(&mut session.view.projection, projection, label).on_hover_text(help);
         }
-        if ui.button("Frame the object").on_hover_text("Brings the whole object into view (F)").clicked() {
-            session.view.frame_object();
+        let selected = session.stage().and_then(|stage| stage.selected()).map(|(id, _)| id.clone());
+        let help = "Brings the whole object into view; of a scene the one that is selected (F)";
+        if ui.button("Frame the object").on_hover_text(help).clicked() {
+            session.frame(selected.as_ref(), self.aspect());
         }
-        if ui.button("Reset camera and lights").on_hover_text("Turns both back (R)").clicked() {
-            session.view.reset();
+        if session.stage().is_some()
+            && ui.button("Frame all").on_hover_text("Brings every object into view (A)").clicked()
+        {
+            session.frame(None, self.aspect());
+        }
+        let help = "Turns both back; in a scene to where the scene has them (R)";
+        if ui.button("Reset camera and lights").on_hover_text(help).clicked() {
+            session.reset_view();
         }
         ui.separator();
         self.display(ui, session);

@@ -145,6 +145,7 @@ impl Drawer {
             Export::Picture(size) => size,
             Export::LitSphere(side) => {
                 still.orbit = before_a_ball(&still.orbit);
+                still.stage = None;
                 [side; 2]
             }
         };

@@ -9,6 +9,7 @@ mod field;
 mod isocurves;
 mod layer;
 mod lights;
+mod objects;
 mod show;
 mod strip;
 mod surface;
@@ -29,6 +30,7 @@ use super::spots::{self, Spot};
 use super::theme;
 use super::wipe::Wipe;
 use crate::document::Projection;
+use crate::ids::{LightId, ObjectId};
 use crate::render::Gpu;
 pub(crate) use export::Export;
 use export::{Destination, Done, Exports};
@@ -64,6 +66,8 @@ pub struct Viewport {
     before: Option<Before>,
     rect: Option<Rect>,
     hint: String,
+    /// The object of a scene under the pointer.
+    hovered: Option<ObjectId>,
     surfaces: Surfaces,
     isocurves: Isocurves,
     /// Whether lines and handles are shown.
@@ -91,6 +95,7 @@ impl Viewport {
             before: None,
             rect: None,
             hint: String::new(),
+            hovered: None,
             surfaces: Surfaces::new(wake.clone()),
             isocurves: Isocurves::default(),
             handles: true,
@@ -124,6 +129,11 @@ impl Viewport {
         spots::note(ui, Spot::Picture, rect);
         let pointer = response.contains_pointer().then(|| ui.input(|input| input.pointer.hover_pos())).flatten();
         let handles = self.handles(rect, session, probe);
+        let seen = objects::seen(session, handles.surface.as_deref(), rect, pointer.filter(|_| self.drag.is_none()));
+        self.hovered = seen.as_ref().map(|seen| seen.object().clone());
+        if response.clicked() && !probe.is_on() {
+            out.extend(objects::pick(session, handles.surface.as_deref(), seen.as_ref()));
+        }
         self.drags(ui, &response, rect, session, &handles, &mut out);
         self.wheel_and_keys(ui, pointer, session);
         self.turn(ui, session);
@@ -148,8 +158,10 @@ impl Viewport {
         self.hint = if probe.is_on() {
             probe_hint(probe).to_owned()
         } else {
-            self.hint_at(pointer, rect, session, hovered.as_ref())
+            let hint = self.hint_at(pointer, rect, session, &handles, hovered.as_ref());
+            seen.as_ref().filter(|_| hovered.is_none()).map_or(String::new(), objects::Seen::hint) + &hint
         };
+        objects::paint(ui, rect, session, handles.surface.as_deref(), seen.as_ref());
         if probe.is_on() {
             response.on_hover_cursor(CursorIcon::Crosshair);
             probe.mark(ui, rect);
@@ -168,17 +180,23 @@ impl Viewport {
     }
 
     /// Finds out what is handled, and brings its lines up to date.
-    fn handles(&mut self, rect: Rect, session: &Session, probe: &Probe) -> Handles {
+    fn handles(&mut self, rect: Rect, session: &mut Session, probe: &Probe) -> Handles {
         let layer = layer::selected(session).filter(|_| self.handles && !probe.is_on());
-        let wants = self.handles && (layer.is_some() || layer::selected_light(session).is_some());
-        if !wants || rect.area() < 16.0 {
+        let wants_lines = self.handles && (layer.is_some() || layer::selected_light(session).is_some());
+        // Of a scene one wants to know what is where, in any case.
+        if !(wants_lines || session.stage().is_some()) || rect.area() < 16.0 {
             self.isocurves.clear();
             return Handles { surface: None, layer };
         }
-        let key = SurfaceKey::new(&session.view, rect.size());
+        let key = SurfaceKey::new(session, rect.size());
         let with_kappa =
             layer.as_ref().and_then(|layer| layer.warp).is_some_and(|(slope, amount)| slope * amount != 0.0);
         let surface = self.surfaces.update(&key, with_kappa, || session.still());
+        if let (Some(surface), Some(stage)) = (&surface, session.stage_mut())
+            && stage.placed != surface.pieces.placed
+        {
+            stage.placed.clone_from(&surface.pieces.placed);
+        }
         match (&surface, &layer) {
             (Some(surface), Some(layer)) => self.isocurves.update(session, surface, layer),
             _ => self.isocurves.clear(),
@@ -191,13 +209,15 @@ impl Viewport {
         let modifiers = ui.input(|input| input.modifiers);
         let of_layer = handles.layer.as_ref().map(|layer| (layer.light.clone(), layer.shading));
         let chosen = of_layer.or_else(|| Some((layer::selected_light(session)?, layer::ShadingType::Diffuse)));
-        if let Some((light, shading)) = chosen {
+        // A scene's own lights are not the look's to turn.
+        let is_own = |light: &LightId| session.light_of_scene(light).is_none();
+        if let Some((light, shading)) = chosen.filter(|(light, _)| is_own(light)) {
             let is_there = handles.surface.as_ref().is_some_and(|surface| surface.is_at(place_in(rect, at)));
             if modifiers.shift && is_there || lights::is_at_middle(self.isocurves.middle(rect), at) {
                 return Some(Drag::Light(lights::Held::by_middle(light, shading)));
             }
         }
-        if let Some(held) = lights::hit(session, rect, at) {
+        if let Some(held) = lights::hit(session, rect, at).filter(|held| is_own(&held.light)) {
             return Some(Drag::Light(held));
         }
         self.isocurves.hit(rect, at, modifiers.command).map(Drag::Curve)
@@ -301,9 +321,14 @@ impl Viewport {
 
     /// Does what a key over the picture or the command palette asks for.
     pub(crate) fn act(&mut self, action: Action, session: &mut Session) {
+        let aspect = objects::aspect(self.rect);
         match action {
-            Action::ResetView => session.view.reset(),
-            Action::FrameObject => session.view.frame_object(),
+            Action::ResetView => session.reset_view(),
+            Action::FrameObject => {
+                let selected = session.stage().and_then(|stage| stage.selected()).map(|(id, _)| id.clone());
+                session.frame(selected.as_ref(), aspect);
+            }
+            Action::FrameAll => session.frame(None, aspect),
             Action::Turntable => self.turns = !self.turns,
             Action::Handles => self.handles = !self.handles,
             Action::Projection => {
@@ -330,8 +355,14 @@ impl Viewport {
         session.place() == before.place + 1
     }
 
-    fn hint_at(&self, pointer: Option<Pos2>, rect: Rect, session: &Session, hovered: Option<&Drag>) -> String {
-        let handles = Handles { surface: None, layer: None };
+    fn hint_at(
+        &self,
+        pointer: Option<Pos2>,
+        rect: Rect,
+        session: &Session,
+        handles: &Handles,
+        hovered: Option<&Drag>,
+    ) -> String {
         match (self.drag.as_ref().or(hovered), pointer) {
             (Some(Drag::Curve(held)), _) => self.isocurves.hint(held),
             (Some(Drag::Light(held)), _) => held.hint(session),
@@ -341,7 +372,7 @@ impl Viewport {
             (Some(Drag::Camera), _) => "Turning the camera around the object · Esc puts it back".to_owned(),
             (Some(Drag::Pan), _) => "Moving the camera · Esc puts it back".to_owned(),
             (None, None) => String::new(),
-            (None, Some(at)) if is_on_object(at, rect, session, &handles) => {
+            (None, Some(at)) if is_on_object(at, rect, session, handles) => {
                 let one = if layer::selected_light(session).is_some() || layer::selected(session).is_some() {
                     "Shift-drag turns the layer's light · "
                 } else {
@@ -358,6 +389,16 @@ impl Viewport {
     /// What may be done at the pointer; empty while it is elsewhere.
     pub(crate) fn hint(&self) -> &str {
         &self.hint
+    }
+
+    /// The object of a scene that was under the pointer in the last frame.
+    pub(crate) fn hovered(&self) -> Option<&ObjectId> {
+        self.hovered.as_ref()
+    }
+
+    /// How wide the picture is, in parts of its height.
+    pub(crate) fn aspect(&self) -> f64 {
+        objects::aspect(self.rect)
     }
 
     /// Where the picture is on the screen; for tests.
@@ -469,7 +510,10 @@ fn stand_in(ui: &Ui, rect: Rect, session: &Session) {
 /// Whether a point of the screen is on the object, or near enough: its bounding sphere has radius 1.
 fn is_on_object(at: Pos2, rect: Rect, session: &Session, handles: &Handles) -> bool {
     if let Some(surface) = &handles.surface {
-        return surface.is_at(place_in(rect, at));
+        return surface.piece_at(place_in(rect, at)).is_some();
+    }
+    if session.stage().is_some() {
+        return false;
     }
     let radius = session.view.radius_in_picture() as f32 * rect.height();
     let center = project(DVec3::ZERO, rect, session).unwrap_or(rect.center());
