@@ -215,6 +215,8 @@ impl Session {
         self.catalog.sync(self.history.document(), &self.library);
         self.place_library_problems();
         self.shaders.structure_changed();
+        // What was probed or compared was so with the nodes of before.
+        self.files_changed();
     }
 
     /// Tells what is wrong with node files at a node of theirs, where the look has one.
