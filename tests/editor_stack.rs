@@ -5,7 +5,7 @@ mod editor_support;
 
 use chiaro::document::{Endpoint, Look, Value};
 use editor_support::{Hand, node_center};
-use eframe::egui::{Key, Modifiers, Pos2, Rect, Role, accesskit::Toggled, vec2};
+use eframe::egui::{Key, Modifiers, Pos2, Role, accesskit::Toggled, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 /// The layers as they are listed, from the top.

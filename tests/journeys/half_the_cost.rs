@@ -25,6 +25,8 @@ fn counted(row: &Row) -> (u64, u64) {
 fn a_look_is_made_half_as_dear_within_1_of_255() {
     let studio = Studio::new();
     let mut artist = studio.window();
+    artist.app_mut().show_on("shape:sphere");
+    artist.settle();
     // A look of soft layers, warmed a little where the surface is convex: two passes stand behind that tint.
     artist.press("Layer Diffuse");
     artist.press("Add layer");

@@ -45,6 +45,8 @@ fn work_is_complete_to_the_last_gesture() {
     for step in 1..=5 {
         artist.move_to(slider.left_center() + vec2(4.0 + 0.08 * slider.width() * step as f32, 0.0));
     }
+    // Moves are written together for a tenth of a second at most; then the program dies, the hand still down.
+    artist.harness.run_steps(2);
     artist.app().session().wait_for_journal();
     let (last, steps) = (artist.look().clone(), artist.steps());
     let offset = &last.graph.nodes["diffuse"].values["offset"];

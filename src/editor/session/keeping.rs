@@ -308,6 +308,8 @@ impl Session {
         self.place_library_problems();
         self.shaders.structure_changed();
         self.forget_stage_looks();
+        // What was probed or compared was so with the nodes of before.
+        self.files_changed();
     }
 
     /// Tells what is wrong with node files at a node of theirs, where the look has one.
