@@ -85,9 +85,7 @@ pub(crate) fn run(look: &Path) {
     let create = move |context: &eframe::CreationContext<'_>| {
         let mut app = App::new(&context.egui_ctx, context.wgpu_render_state.clone()).without_dialogs();
         app.open(&look);
-        let layer = app.session().look().graph.nodes.iter().find(|(_, node)| node.kind == "light_layer");
-        let layer = layer.map(|(id, _)| id.clone());
-        app.session_mut().select(layer.into_iter().collect());
+        app.session_mut().select(vec!["diffuse".into()]);
         let (in_time, times) = (0, Vec::new());
         Ok(Box::new(Driven { app, drag: 0, from: None, frame: 0, since_input: None, in_time, times })
             as Box<dyn eframe::App>)

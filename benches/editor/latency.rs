@@ -47,12 +47,10 @@ pub(crate) fn run() {
         "\n| what is dragged | in the very next frame | from the pointer to the drawn frame | of that the UI thread |"
     );
     println!("| --- | ---: | ---: | ---: |");
-    for look in ["figure1-layers", "figure4-both"] {
+    for (look, layer) in [("figure1-layers", "diffuse"), ("figure4-both", "LAYER")] {
         hand.app_mut().open(&example(look));
         hand.settle();
-        let layer =
-            hand.look().graph.nodes.iter().find(|(_, node)| node.kind == "light_layer").map(|(id, _)| id.clone());
-        hand.app_mut().session_mut().select(layer.into_iter().collect());
+        hand.app_mut().session_mut().select(vec!["diffuse".into()]);
         hand.settle();
         let slider = hand.slider("Cut-off");
         // A first drag, for the live shader's pipeline.
