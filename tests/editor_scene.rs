@@ -5,6 +5,7 @@ mod editor_support;
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use chiaro::document::{Edit, Scene};
 use chiaro::editor::{App, Places, Stage};
@@ -12,7 +13,7 @@ use chiaro::frame::{Assets, Picture, PlanOptions, Planner, open};
 use chiaro::library::Library;
 use chiaro::render::{Gpu, Renderer, block_on};
 use editor_support::Hand;
-use eframe::egui::{Key, Modifiers, Pos2, Role};
+use eframe::egui::{DroppedFile, Event, Key, Modifiers, Pos2, Role};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
@@ -513,22 +514,65 @@ fn the_other_looks_are_read_again_when_they_change() {
     assert_eq!(scene(&hand).objects["ball"].transform.translate[0], 1.2);
 }
 
+/// A file from the desktop.
+#[derive(Debug)]
+struct Dropped(PathBuf);
+
+impl DroppedFile for Dropped {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        fs::read(&self.0).map_err(|error| error.to_string())
+    }
+}
+
+/// Drops a file at a place of the window.
+fn drop_at(hand: &mut Hand, file: &Path, at: Pos2, modifiers: Modifiers) {
+    hand.hover(at);
+    hand.harness.event(Event::ModifiersChanged(modifiers));
+    hand.harness.step();
+    hand.harness.input_mut().dropped_files.push(Arc::new(Dropped(file.to_owned())));
+    hand.harness.step();
+    hand.harness.event(Event::ModifiersChanged(Modifiers::NONE));
+    hand.settle();
+}
+
 #[test]
 fn a_mesh_that_is_dropped_replaces_or_is_added() {
     let home = Home::new();
     let wedge = home.file("wedge.obj");
     fs::write(&wedge, "v -1 -1 0\nv 1 -1 0\nv 1 1 -1\nv -1 1 -1\nf 1 2 3 4\n").unwrap();
     let mut hand = home.window(Some(&home.scene()));
-    press(&mut hand, "Object ball");
-    hand.app_mut().show_on(&wedge.to_string_lossy());
-    hand.settle();
-    assert_eq!(scene(&hand).objects["ball"].mesh, "wedge.obj");
-    hand.app_mut().add_mesh(&wedge.to_string_lossy());
-    hand.settle();
+    let mesh = |hand: &Hand, id: &str| scene(hand).objects[id].mesh.clone();
+    // Onto an object: it takes the mesh, whichever is selected.
+    press(&mut hand, "Object ring");
+    let at = on_screen(&hand, "ball");
+    drop_at(&mut hand, &wedge, at, Modifiers::NONE);
+    assert_eq!((mesh(&hand, "ring").as_str(), mesh(&hand, "ball").as_str()), ("shape:torus", "wedge.obj"));
+    // Beside all: the selected one does.
+    let beside = hand.app().viewport().rect().unwrap().left_top() + eframe::egui::vec2(9.0, 9.0);
+    drop_at(&mut hand, &wedge, beside, Modifiers::NONE);
+    assert_eq!(mesh(&hand, "ring"), "wedge.obj");
+    // With Shift, or on the panel, it is one more.
+    drop_at(&mut hand, &wedge, beside, Modifiers::SHIFT);
     assert_eq!(ids(&hand), ["ring", "ball", "wedge"]);
-    assert_eq!(scene(&hand).objects["wedge"].mesh, "wedge.obj");
+    let panel = hand.harness.get_by_label("Object ball").rect().center();
+    drop_at(&mut hand, &wedge, panel, Modifiers::NONE);
+    assert_eq!(ids(&hand), ["ring", "ball", "wedge", "wedge_2"]);
+    assert_eq!(mesh(&hand, "wedge_2"), "wedge.obj");
     assert!(hand.app_mut().save_scene_as(&home.scene()));
-    assert_eq!(open(&home.scene(), None, &mut Assets::default()).unwrap().0.objects.len(), 3);
+    assert_eq!(open(&home.scene(), None, &mut Assets::default()).unwrap().0.objects.len(), 4);
+
+    // Without a scene a mesh takes the place of the one that the look is seen on, and with Shift it begins a scene.
+    let mut hand = home.window(None);
+    let picture = hand.app().viewport().rect().unwrap().center();
+    drop_at(&mut hand, &wedge, picture, Modifiers::NONE);
+    assert!(hand.app().session().stage().is_none());
+    assert_eq!(hand.app().session().orbit().mesh, wedge.to_string_lossy());
+    drop_at(&mut hand, &wedge, picture, Modifiers::SHIFT);
+    assert_eq!(ids(&hand), ["wedge", "wedge_2"]);
 }
 
 #[test]
