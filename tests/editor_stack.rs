@@ -216,6 +216,44 @@ fn blending_and_opacity_are_set_in_the_row() {
     assert!(!hand.look().graph.nodes["diffuse"].values.contains_key("opacity"));
 }
 
+/// Two direction keys over an opacity and an intensity, of which the second is far away.
+const KEYED: &str = r#"{"lights": {"key": {"direction": [0, 0, 1]}},
+    "nodes": [{"id": "base", "kind": "base"}, {"id": "diffuse", "kind": "light_layer", "name": "Diffuse", "values": {"light": "key"}},
+        {"id": "output", "kind": "output"}],
+    "wires": [{"from": "base", "to": "diffuse.below"}, {"from": "diffuse", "to": "output.color"}],
+    "direction_keys": [{"by": {"light": "key"}, "keys": [
+        {"direction": [0, 0, 1], "values": {"diffuse.opacity": 0.5, "lights.key.intensity": 0.5}},
+        {"direction": [0, 0, -1], "values": {"diffuse.opacity": 0.1, "lights.key.intensity": 2}}]}]}"#;
+
+#[test]
+fn rows_set_keyed_values_at_their_key() {
+    let mut hand = Hand::new();
+    let _folder = open(&mut hand, KEYED);
+    let own = (hand.look().graph.clone(), hand.look().lights.clone());
+    let at_key = |hand: &Hand, key: usize, target: &str| {
+        let target = chiaro::document::Target::parse(target).unwrap();
+        match &hand.look().direction_keys[0].keys[key].values[&target] {
+            Value::Number(number) => *number,
+            other => panic!("{other:?}"),
+        }
+    };
+    let slider = hand.harness.get_all_by_role_and_label(Role::Slider, "Opacity of Diffuse").next();
+    let slider = slider.expect("a slider").rect();
+    hand.drag(slider.center(), slider.right_center() - vec2(5.0, 0.0));
+    hand.settle();
+    let opacity = at_key(&hand, 0, "diffuse.opacity");
+    assert!(opacity > 0.9, "{opacity}");
+    tab(&mut hand, "Lights");
+    let drag = rect(&hand, "Intensity of key").center();
+    hand.drag(drag, drag + vec2(30.0, 0.0));
+    hand.settle();
+    let intensity = at_key(&hand, 0, "lights.key.intensity");
+    assert!((0.6..1.2).contains(&intensity), "from the key's 0.5, not from the light's 1: {intensity}");
+    assert_eq!((at_key(&hand, 1, "diffuse.opacity"), at_key(&hand, 1, "lights.key.intensity")), (0.1, 2.0));
+    assert_eq!((hand.look().graph.clone(), hand.look().lights.clone()), own, "what is said without keys stays");
+    assert_eq!(hand.app().session().steps().count(), 2, "one step a gesture");
+}
+
 #[test]
 fn what_is_no_stack_is_a_branch() {
     let mut hand = Hand::new();

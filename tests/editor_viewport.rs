@@ -104,6 +104,38 @@ fn a_line_follows_the_pointer_and_a_gesture_is_one_step() {
 }
 
 #[test]
+fn a_line_of_a_keyed_value_sets_its_key() {
+    let mut hand = Hand::new();
+    hand.app_mut().show_on("shape:sphere");
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("look.json");
+    let look = r#"{"lights": {"key": {"direction": [-0.5, 0.7, 0.6]}},
+        "nodes": [{"id": "base", "kind": "base"}, {"id": "diffuse", "kind": "light_layer", "values": {"light": "key"}},
+            {"id": "output", "kind": "output"}],
+        "wires": [{"from": "base", "to": "diffuse.below"}, {"from": "diffuse", "to": "output.color"}],
+        "direction_keys": [{"by": {"light": "key"}, "keys": [{"direction": [-0.5, 0.7, 0.6], "values": {"diffuse.cutoff": 1.2, "diffuse.falloff": 1.2}}]}]}"#;
+    std::fs::write(&path, look).unwrap();
+    hand.app_mut().open(&path);
+    hand.settle();
+    hand.app_mut().session_mut().select(vec!["diffuse".into()]);
+    hand.settle();
+    let l = light(&hand);
+    let from = grip(&hand, "cutoff");
+    assert!((normal_at(&hand, from).unwrap().angle_between(l) - 1.2).abs() < 0.01, "the line is where the key has it");
+    let to = screen_at(&hand, normal_at(&hand, from).unwrap().lerp(l, 0.3).normalize());
+    hand.drag(from, to);
+    hand.settle();
+    let wanted = normal_at(&hand, to).unwrap().angle_between(l);
+    for port in ["cutoff", "falloff"] {
+        let target = chiaro::document::Target::parse(&format!("diffuse.{port}")).unwrap();
+        let Value::Number(set) = hand.look().direction_keys[0].keys[0].values[&target] else { panic!("a number") };
+        assert!((set - wanted).abs() < 0.004, "{port}: {set} for {wanted}");
+    }
+    assert_eq!((number(&hand, "falloff"), number(&hand, "cutoff")), (None, None), "the node's own values stay");
+    assert_eq!(hand.app().session().steps().count(), 1);
+}
+
+#[test]
 fn ctrl_pulls_one_line_off_and_order_is_kept() {
     let mut hand = on_ball();
     let from = grip(&hand, "cutoff");

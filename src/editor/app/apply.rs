@@ -15,7 +15,6 @@ use crate::editor::dialogs::Purpose;
 use crate::editor::dock;
 use crate::editor::session::Session;
 use crate::editor::shortcuts::{self, Action};
-use crate::editor::viewport::Export;
 
 impl App {
     pub(super) fn apply(&mut self, ui: &Ui, command: Command) {

@@ -6,7 +6,6 @@ use eframe::egui::{self, RichText, Ui, ViewportCommand};
 
 use super::App;
 use crate::editor::command::Command;
-use crate::editor::dialogs::Purpose;
 use crate::editor::panels::{library, problems};
 
 /// What would lose unsaved changes.

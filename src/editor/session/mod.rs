@@ -67,6 +67,8 @@ pub struct Session {
     solo: Solo,
     /// Grows whenever another solo needs another shader.
     solo_number: u64,
+    /// Grows with every change of what nodes give, and not while they are only moved about.
+    meaning: u64,
     /// How often files that the look uses have changed.
     files: u64,
     keeping: Keeping,
@@ -112,6 +114,7 @@ impl Session {
             wire: None,
             solo: Solo::default(),
             solo_number: 0,
+            meaning: 0,
             files: 0,
             keeping: Keeping::default(),
             place: Default::default(),
@@ -247,6 +250,11 @@ impl Session {
         self.history.revision()
     }
 
+    /// Grows with every change of what nodes give; it stays while they are only moved about.
+    pub(crate) fn meaning(&self) -> u64 {
+        self.meaning
+    }
+
     /// What undo would take back.
     pub fn undo_label(&self) -> Option<&str> {
         self.history.undo_label()
@@ -370,6 +378,7 @@ impl Session {
     /// A diagnostic where the edit is impossible; nothing is changed then.
     pub fn apply(&mut self, edit: Edit, hand: Option<u64>) -> Result<(), Box<Diagnostic>> {
         let is_structural = self.is_structural(&edit);
+        let means = !is_layout(&edit);
         let before = self.history.revision();
         self.shaders.touch(&edit);
         let kept = self.keeping.is_on().then(|| edit.clone());
@@ -383,6 +392,7 @@ impl Session {
         }
         if self.history.revision() != before {
             self.keeping.note(kept.map(|edit| Op::Edit { gesture, edit }));
+            self.meaning += u64::from(means);
             self.changed(is_structural);
         }
         Ok(())
@@ -393,6 +403,7 @@ impl Session {
         let did = self.history.undo().is_some();
         if did {
             self.keeping.note(Some(Op::Undo));
+            self.meaning += 1;
             self.changed(true);
         }
         did
@@ -403,6 +414,7 @@ impl Session {
         let did = self.history.redo().is_some();
         if did {
             self.keeping.note(Some(Op::Redo));
+            self.meaning += 1;
             self.changed(true);
         }
         did
@@ -427,13 +439,7 @@ impl Session {
     fn is_structural(&self, edit: &Edit) -> bool {
         match edit {
             Edit::Group { edits } => edits.iter().any(|edit| self.is_structural(edit)),
-            Edit::MoveNodes { .. }
-            | Edit::SetCollapsed { .. }
-            | Edit::AddNote { .. }
-            | Edit::SetNote { .. }
-            | Edit::RemoveNote { .. }
-            | Edit::SetBookmarks { .. }
-            | Edit::SetLookName { .. } => false,
+            edit if is_layout(edit) => false,
             // A long look's uniforms are told by paths, and a group's node lies at many of them.
             Edit::SetValue { graph: GraphId::Definition(_), .. } if self.shaders.is_long() => true,
             // Where the same is keyed, all of it is in uniforms; words are not.
@@ -494,6 +500,21 @@ impl Gestures {
 }
 
 /// What a new look begins with.
+/// Whether an edit changes only how the graph lies on the canvas and what is written there.
+fn is_layout(edit: &Edit) -> bool {
+    match edit {
+        Edit::Group { edits } => edits.iter().all(is_layout),
+        Edit::MoveNodes { .. }
+        | Edit::SetCollapsed { .. }
+        | Edit::AddNote { .. }
+        | Edit::SetNote { .. }
+        | Edit::RemoveNote { .. }
+        | Edit::SetBookmarks { .. }
+        | Edit::SetLookName { .. } => true,
+        _ => false,
+    }
+}
+
 const NEW_LOOK: &str = r##"{
   "name": "New look",
   "lights": {"key": {"direction": [-0.5, 0.7, 0.6]}},

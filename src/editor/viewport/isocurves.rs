@@ -15,7 +15,7 @@ use super::field::{Field, Line, light_values};
 use super::layer::{Curve, Layer};
 use super::surface::Surface;
 use crate::compile::LightValues;
-use crate::document::{Edit, Value};
+use crate::document::Value;
 
 /// So near to a line, in points, the hand is on it.
 const REACH: f32 = 7.0;

@@ -19,7 +19,7 @@ use super::solo;
 use super::stack::{BELOW, Stack};
 use super::thumbs::{Shot, Thumbs, key_of};
 use super::widgets::{Renaming, leave_with_pointer, undo_keys};
-use crate::document::{Edit, Endpoint, GraphId, Node, Value, Wire};
+use crate::document::{Edit, Endpoint, GraphId, Node, Wire};
 use crate::ids::{NodeId, make_slug};
 use presets::PRESETS;
 use row::{ROW, Row};
