@@ -139,7 +139,7 @@ fn a_window_with_a_probe_at_rest_asks_for_no_frame() {
 
 #[test]
 fn effects_are_listed_with_state_and_lead_to_nodes() {
-    let mut hand = Hand::drawing(|app, _| app);
+    let mut hand = Hand::drawing_with(|app, _| app);
     click_label(&mut hand, "Effects");
     hand.harness.run_steps(8);
     hand.settle();
@@ -182,7 +182,7 @@ fn compare_with(hand: &mut Hand, before: &str, what: &str) {
 
 #[test]
 fn the_picture_is_wiped_against_truth_and_tiers() {
-    let mut hand = Hand::drawing(|app, _| app);
+    let mut hand = Hand::drawing_with(|app, _| app);
     compare_with(&mut hand, "Compare with", "Truth (f64)");
     let figures = hand.app().wipe().figures().expect("chosen by hand, it is computed at once").clone();
     assert!(figures.pixels > 10_000 && figures.broken == 0);
@@ -223,7 +223,7 @@ fn the_picture_is_wiped_against_truth_and_tiers() {
 #[test]
 fn tiers_are_measured_when_asked_and_adopted_by_a_click() {
     use chiaro::document::Tier;
-    let mut hand = Hand::drawing(|app, _| app);
+    let mut hand = Hand::drawing_with(|app, _| app);
     click_label(&mut hand, "Cost and accuracy");
     hand.harness.run_steps(8);
     hand.settle();
@@ -302,7 +302,7 @@ fn choose(hand: &mut Hand, list: &str, what: &str) {
 
 #[test]
 fn any_wire_is_shown_in_place_of_the_picture() {
-    let mut hand = Hand::drawing(|app, _| app);
+    let mut hand = Hand::drawing_with(|app, _| app);
     let _folder = open(&mut hand, WIRES);
     let grey = middle(&mut hand);
     assert!(grey[0].abs_diff(128) <= 1, "{grey:?}");
@@ -328,7 +328,7 @@ fn any_wire_is_shown_in_place_of_the_picture() {
 /// The wires inside of groups too: the probe lists them, and a right click shows one.
 #[test]
 fn a_wire_inside_a_group_is_shown_in_place_of_the_picture() {
-    let mut hand = Hand::drawing(|app, _| app);
+    let mut hand = Hand::drawing_with(|app, _| app);
     hand.app_mut().show_on("shape:sphere");
     hand.settle();
     hand.key(Key::I);

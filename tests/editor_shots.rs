@@ -423,3 +423,34 @@ fn scene_shots() {
     hand.click(tab);
     save(&mut hand, "objects-of-a-look");
 }
+
+/// Nodes found by name, a group that can be shared, a search that hides values, and what is told over the picture.
+#[test]
+#[ignore = "writes pictures to be looked at"]
+fn found_and_shared_shots() {
+    use eframe::egui::Modifiers;
+    let mut hand = window();
+    hand.app_mut().open(Path::new("examples/looks/figure1-layers.json"));
+    hand.settle();
+    hand.key_with(Modifiers::COMMAND, Key::F);
+    hand.type_text("f");
+    save(&mut hand, "find-nodes");
+    hand.key(Key::Escape);
+    hand.app_mut().session_mut().select(vec!["diffuse".into(), "specular".into()]);
+    hand.settle();
+    let search = hand.place("Find a value");
+    hand.type_over(search, "color");
+    hand.press("Solo Specular");
+    hand.choose("View wire", "Tone");
+    save(&mut hand, "over-the-picture");
+    hand.press("Show the look");
+    hand.press("Show all");
+    let at = hand.empty_place();
+    hand.hover(at);
+    hand.key_with(Modifiers::COMMAND, Key::G);
+    hand.key_with(Modifiers::COMMAND, Key::Enter);
+    save(&mut hand, "share-a-group");
+    hand.harness.ctx.set_theme(Theme::Light);
+    hand.key_with(Modifiers::SHIFT, Key::Questionmark);
+    save(&mut hand, "shortcuts-light");
+}

@@ -427,7 +427,7 @@ fn a_look_of_the_library_opens_as_a_new_one() {
 
 #[test]
 fn small_pictures_are_drawn_at_rest_and_kept_by_what_they_show() {
-    let mut hand = Hand::drawing(|app, _| app);
+    let mut hand = Hand::drawing_with(|app, _| app);
     hand.app_mut().open(std::path::Path::new("examples/looks/figure1-layers.json"));
     let rest = |hand: &mut Hand| {
         hand.settle();

@@ -107,7 +107,7 @@ fn show_shortcuts(ui: &mut Ui, height: f32) {
 
 /// The rows of a place; the nine bookmarks are told as one.
 fn rows(place: Place) -> impl Iterator<Item = (String, &'static str)> {
-    let rows = shortcuts::ALL.iter().filter(move |row| row.place == place);
+    let rows = shortcuts::ALL.iter().filter(move |row| row.place == place && !row.keys.is_empty());
     rows.filter_map(|row| match row.action {
         Action::GoTo(1) => Some(("1 … 9".to_owned(), "Go to a bookmark")),
         Action::Remember(1) => Some(("Ctrl+1 … 9".to_owned(), "Bookmark this view")),

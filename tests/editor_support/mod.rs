@@ -31,11 +31,22 @@ impl Hand {
 
     /// A window that draws, on software where there is any; 60 frames a second by its own clock.
     pub(crate) fn drawing() -> Self {
+        Self::drawing_in(Harness::builder().with_step_dt(1.0 / 60.0), |app, _| app)
+    }
+
+    /// A window that draws, made into `App` as `prepare` leaves it; four frames a second by its own clock.
+    pub(crate) fn drawing_with(prepare: impl Fn(App, &egui::Context) -> App + 'static) -> Self {
+        Self::drawing_in(Harness::builder(), prepare)
+    }
+
+    fn drawing_in(
+        builder: HarnessBuilder<Option<App>>,
+        prepare: impl Fn(App, &egui::Context) -> App + 'static,
+    ) -> Self {
         block_on(Gpu::headless()).expect("an adapter; software Vulkan does");
         let state = create_render_state(default_wgpu_setup(), eframe::egui_wgpu::RendererOptions::PREDICTABLE);
-        let builder = Harness::builder().with_step_dt(1.0 / 60.0);
         let builder = builder.renderer(WgpuTestRenderer::from_render_state(state.clone()));
-        Self::with_builder(builder, move |ctx| App::new(ctx, Some(state.clone())))
+        Self::with_builder(builder, move |ctx| prepare(App::new(ctx, Some(state.clone())), ctx))
     }
 
     /// A window with a renderer of its own.

@@ -1,11 +1,8 @@
 //! What a hand does by the names that everybody sees and that screen readers tell.
 
-use chiaro::editor::App;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Rect, pos2};
-use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
 
 use super::Hand;
 
@@ -13,13 +10,6 @@ use super::Hand;
 const BOTTOM: f32 = 858.0;
 
 impl Hand {
-    /// A window that draws, made into `App` as `prepare` leaves it.
-    pub(crate) fn drawing(prepare: impl Fn(App, &eframe::egui::Context) -> App + 'static) -> Self {
-        let state = create_render_state(default_wgpu_setup(), eframe::egui_wgpu::RendererOptions::PREDICTABLE);
-        let builder = Harness::builder().renderer(WgpuTestRenderer::from_render_state(state.clone()));
-        Self::with_builder(builder, move |ctx| prepare(App::new(ctx, Some(state.clone())), ctx))
-    }
-
     /// Where the first thing of this name is.
     #[track_caller]
     pub(crate) fn place(&self, label: &str) -> Rect {

@@ -38,7 +38,7 @@ impl Studio {
 
     /// A new window, with a new look.
     pub(super) fn window(&self) -> Artist {
-        Artist::at(Hand::drawing(|app, _| app.without_dialogs()))
+        Artist::at(Hand::drawing_with(|app, _| app.without_dialogs()))
     }
 
     /// A new window in which a look is opened.

@@ -11,7 +11,7 @@ use crate::editor_support::home::Home;
 /// A window as the program opens it for this user.
 fn window(home: &Home) -> Artist {
     let places = home.places();
-    Artist::at(Hand::drawing(move |app, ctx| {
+    Artist::at(Hand::drawing_with(move |app, ctx| {
         let mut app = app.without_dialogs();
         app.keep_in(places.clone(), ctx);
         app.resume();

@@ -97,8 +97,8 @@ fn show_node(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
     let hidden = kind.inputs.iter().filter(|port| !fits(port, &wanted)).count();
     if hidden > 0 {
         ui.horizontal(|ui| {
-            let text = format!("{hidden} more {} hidden by the search", if hidden == 1 { "is" } else { "are" });
-            ui.label(RichText::new(text).color(theme::of(ui).dim));
+            let text = RichText::new(format!("{hidden} more hidden")).color(theme::of(ui).dim);
+            ui.label(text).on_hover_text("The search above hides them");
             if ui.small_button("Show all values").on_hover_text("Ends the search").clicked() {
                 ui.data_mut(|data| data.remove::<String>(search_id(kind)));
             }
