@@ -197,7 +197,7 @@ fn picture(hand: &mut Hand) -> Vec<u8> {
 
 /// Drags step by step. Each step's frame, drawn as it is, shows what the window shows when nothing is left to be done.
 fn assert_in_the_next_frame(hand: &mut Hand, from: Pos2, what: &str) {
-    hand.press(from);
+    hand.hold(from);
     let mut last = picture(hand);
     for step in 1..=6_u8 {
         hand.move_to(from + f32::from(step) * vec2(-4.0, 2.0));

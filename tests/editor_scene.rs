@@ -14,20 +14,11 @@ use chiaro::library::Library;
 use chiaro::render::{Gpu, Renderer, block_on};
 use editor_support::Hand;
 use eframe::egui::{DroppedFile, Event, Key, Modifiers, Pos2, Role};
-use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
 
 const CAST: &str = "examples/scenes/cast.json";
 const BEHIND: &str = "examples/scenes/figure5-from-behind.json";
 
-/// A window that draws.
-fn drawing() -> Hand {
-    let state = create_render_state(default_wgpu_setup(), eframe::egui_wgpu::RendererOptions::PREDICTABLE);
-    let builder = Harness::builder().with_step_dt(1.0 / 60.0);
-    let builder = builder.renderer(WgpuTestRenderer::from_render_state(state.clone()));
-    Hand::with_builder(builder, move |ctx| App::new(ctx, Some(state.clone())))
-}
 
 /// A folder with a scene of two objects in two looks, and a window that keeps its work there.
 struct Home {
@@ -182,7 +173,7 @@ fn is_smooth(bytes: &[u8], size: [u32; 2], [x, y]: [u32; 2], range: u8) -> bool 
 #[test]
 fn a_scene_is_seen_as_it_is_rendered() {
     for path in [CAST, BEHIND, "examples/scenes/figure4-curvature.json"].map(Path::new) {
-        let mut hand = drawing();
+        let mut hand = Hand::drawing();
         hand.app_mut().open(path);
         hand.settle();
         assert_eq!(hand.app().message(), None);
@@ -484,7 +475,7 @@ fn bad_scene_files_are_told_and_what_is_open_stays() {
 
 #[test]
 fn the_other_looks_are_read_again_when_they_change() {
-    let mut hand = drawing();
+    let mut hand = Hand::drawing();
     let home = Home::new();
     hand.app_mut().open(&home.scene());
     hand.settle();

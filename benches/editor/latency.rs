@@ -20,7 +20,7 @@ fn pixels(hand: &mut Hand) -> Vec<u8> {
 /// Drags along a small loop, and tells how many pictures were in the very frame of their edit, and how long it took
 /// from the pointer's move until that frame was drawn.
 fn drag(hand: &mut Hand, from: Pos2, what: &str) {
-    hand.press(from);
+    hand.hold(from);
     let (mut in_time, mut times, mut own) = (0, Vec::new(), Vec::new());
     let mut last = pixels(hand);
     for step in 1..=FRAMES {
