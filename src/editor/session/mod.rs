@@ -68,6 +68,8 @@ pub struct Session {
     solo_number: u64,
     /// How often files that the look uses have changed.
     files: u64,
+    /// Whether the first picture is on its way: small ones wait for it.
+    pub(crate) awaits_first_picture: bool,
     keeping: Keeping,
     place: place::OpenGroups,
 }
@@ -112,6 +114,7 @@ impl Session {
             solo: Solo::default(),
             solo_number: 0,
             files: 0,
+            awaits_first_picture: false,
             keeping: Keeping::default(),
             place: Default::default(),
         };
