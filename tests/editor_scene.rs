@@ -19,7 +19,6 @@ use egui_kittest::kittest::Queryable as _;
 const CAST: &str = "examples/scenes/cast.json";
 const BEHIND: &str = "examples/scenes/figure5-from-behind.json";
 
-
 /// A folder with a scene of two objects in two looks, and a window that keeps its work there.
 struct Home {
     folder: tempfile::TempDir,

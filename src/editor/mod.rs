@@ -56,6 +56,8 @@ pub use wipe::Wipe;
 use panels::problems;
 
 use crate::diag::Diagnostic;
+use crate::frame::{DEFAULT_MESH, SHAPE_PREFIX};
+use crate::library::Library;
 use crate::milestones;
 
 /// How the window is opened, and with which device.
@@ -82,6 +84,18 @@ fn icon() -> egui::IconData {
     eframe::icon_data::from_png_bytes(include_bytes!("icon.png")).unwrap_or_default()
 }
 
+/// Begins what the first picture needs of the processor, beside the window's and the device's beginning: nodes are read,
+/// and an own shape is made, once for all who ask.
+fn warm_up(mesh: Option<&str>) {
+    drop(worker::start("library", || {
+        Library::built_in();
+    }));
+    let shape = mesh.unwrap_or(DEFAULT_MESH).strip_prefix(SHAPE_PREFIX).map(str::to_owned);
+    if let Some(shape) = shape {
+        drop(worker::start("shape", move || drop(crate::geometry::shape(&shape))));
+    }
+}
+
 /// Opens the window with the first of `files`, or a new look, on `mesh` (a path, or `shape:` and a name), and returns
 /// when it is closed.
 ///
@@ -90,6 +104,7 @@ fn icon() -> egui::IconData {
 pub fn run(files: &[PathBuf], mesh: Option<&str>) -> Result<(), Box<Diagnostic>> {
     let file = files.first().cloned();
     let mesh = mesh.map(str::to_owned);
+    warm_up(mesh.as_deref());
     let create = move |context: &eframe::CreationContext<'_>| {
         milestones::reached("window and device");
         let mut app = App::new(&context.egui_ctx, context.wgpu_render_state.clone());

@@ -37,6 +37,7 @@ use super::tour::Tour;
 use super::viewport::{Export, Viewport};
 use super::wipe::Wipe;
 use super::{dock, inspector, spots, theme};
+use crate::diag::has_errors;
 use crate::library::Library;
 use crate::milestones;
 use files::Pending;
@@ -383,6 +384,7 @@ impl App {
         status.show(ui, |ui| {
             commands.extend(self.status(ui));
         });
+        self.session.awaits_first_picture = self.awaits_first_picture();
         self.panels.update(ui, &self.session);
         if let Some(picture) = &mut self.picture {
             picture.tells_effects = self.dock.shows(dock::Panel::Effects);
@@ -438,6 +440,14 @@ impl App {
                 self.panels.show(ui, other, &self.session)
             }
         });
+    }
+
+    /// Whether the first picture is on its way.
+    fn awaits_first_picture(&self) -> bool {
+        let is_awaited = |picture: &Picture| !picture.is_there() && picture.problems.is_empty();
+        self.dock.shows(dock::Panel::Picture)
+            && self.picture.as_ref().is_some_and(is_awaited)
+            && !has_errors(self.session.problems())
     }
 
     fn has_picture(&self) -> bool {

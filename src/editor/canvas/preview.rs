@@ -105,7 +105,10 @@ impl Previews {
             self.seen = Some((state, now));
         }
         let rested = now - self.seen.map_or(now, |(_, since)| since);
-        if self.waits || session.graph().nodes.len() > MAX_NODES || session.look().graph.nodes.len() > MAX_NODES {
+        if self.waits || session.awaits_first_picture {
+            return;
+        }
+        if session.graph().nodes.len() > MAX_NODES || session.look().graph.nodes.len() > MAX_NODES {
             return;
         }
         let is_missing = |(path, _): &(NodePath, PortName)| self.known.get(path).is_none_or(|(of, _)| *of != state);

@@ -81,6 +81,8 @@ pub struct Session {
     meaning: u64,
     /// How often files that the look uses have changed.
     files: u64,
+    /// Whether the first picture is on its way: small ones wait for it.
+    pub(crate) awaits_first_picture: bool,
     keeping: Keeping<Look>,
     /// Where journals are kept, and who is told when that fails.
     keeps: Option<(PathBuf, Arc<dyn Fn() + Send + Sync>)>,
@@ -124,6 +126,7 @@ impl Session {
             solo_number: 0,
             meaning: 0,
             files: 0,
+            awaits_first_picture: false,
             keeping: Keeping::default(),
             keeps: None,
             place: Default::default(),
