@@ -598,3 +598,28 @@ fn objects_are_renamed_duplicated_and_removed() {
     hand.settle();
     assert_eq!(ids(&hand), ["big_ring", "ball", "ball_2"], "with the work that was put aside");
 }
+
+#[test]
+fn where_nothing_is_kept_one_is_asked_before_a_look_is_left() {
+    let home = Home::new();
+    let mut hand = Hand::new();
+    hand.app_mut().open(&home.scene());
+    hand.settle();
+    // Of the scene nothing would be lost by going to another of its looks.
+    press(&mut hand, "Object ring is seen");
+    press(&mut hand, "Object ball");
+    assert_eq!(open_look(&hand), "figure6-minimal.json");
+    set_name(&mut hand, "mine");
+    press(&mut hand, "Object ring");
+    assert!(sees(&hand, "figure6-minimal.json has changes"));
+    press(&mut hand, "Cancel");
+    assert_eq!((open_look(&hand).as_str(), hand.look().name.as_str()), ("figure6-minimal.json", "mine"));
+    press(&mut hand, "Object ring");
+    press(&mut hand, "Do not save");
+    assert_eq!(open_look(&hand), "figure4-color.json");
+    assert!(stage(&hand).is_dirty(), "the scene's changes are still there");
+    choose(&mut hand, "More of the scene", "Close the scene");
+    assert!(sees(&hand, "two.json has changes"));
+    press(&mut hand, "Do not save");
+    assert!(hand.app().session().stage().is_none());
+}
