@@ -623,3 +623,33 @@ fn where_nothing_is_kept_one_is_asked_before_a_look_is_left() {
     press(&mut hand, "Do not save");
     assert!(hand.app().session().stage().is_none());
 }
+
+#[test]
+fn materials_of_one_mesh_wear_different_looks() {
+    let home = Home::new();
+    let halves = "v -1 -1 0\nv 0 -1 0\nv 0 1 0\nv -1 1 0\nv 1 -1 0\nv 1 1 0\n\
+                  usemtl left\nf 1 2 3 4\nusemtl right\nf 2 5 6 3\n";
+    fs::write(home.file("halves.obj"), halves).unwrap();
+    fs::write(home.scene(), TWO.replace("shape:torus", "halves.obj")).unwrap();
+    let mut hand = home.window(Some(&home.scene()));
+    press(&mut hand, "Object ring");
+    let combo = hand.harness.get_by_role_and_label(Role::ComboBox, "right").rect().center();
+    hand.click(combo);
+    hand.settle();
+    press_button(&mut hand, "figure6-minimal.json");
+    let looks = &scene(&hand).objects["ring"].looks;
+    assert_eq!(
+        (looks["right"].as_str(), looks["*"].as_str()),
+        ("looks/figure6-minimal.json", "looks/figure4-color.json")
+    );
+    // A click on a part opens the look of that part.
+    let middle = on_screen(&hand, "ring");
+    hand.click(middle + eframe::egui::vec2(20.0, 0.0));
+    hand.settle();
+    assert_eq!(open_look(&hand), "figure6-minimal.json");
+    hand.click(middle - eframe::egui::vec2(20.0, 0.0));
+    hand.settle();
+    assert_eq!(open_look(&hand), "figure4-color.json");
+    hand.undo();
+    assert!(!scene(&hand).objects["ring"].looks.contains_key("right"));
+}
