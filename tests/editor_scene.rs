@@ -7,9 +7,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro::compile::{Live, Options, compile};
 use chiaro::document::{Edit, Scene};
-use chiaro::editor::{App, Places, Stage};
-use chiaro::frame::{Assets, Picture, PlanOptions, Planner, open};
+use chiaro::editor::{App, Places};
+use chiaro::frame::{Assets, Cull, Draw, Picture, PlanOptions, Planner, Setup, Stage, open};
 use chiaro::library::Library;
 use chiaro::render::{Gpu, Renderer, block_on};
 use editor_support::Hand;
@@ -84,7 +85,7 @@ const TWO: &str = r#"{
 }
 "#;
 
-fn stage(hand: &Hand) -> &Stage {
+fn stage(hand: &Hand) -> &chiaro::editor::Stage {
     hand.app().session().stage().expect("a scene is open")
 }
 
@@ -165,7 +166,7 @@ fn rendered(path: &Path, size: [u32; 2]) -> Picture {
     let mut planner = Planner::new(Assets::default());
     let (setup, _) = open(path, None, &mut planner.assets).unwrap();
     let options = PlanOptions { size, samples: 4, time: 0.0 };
-    let plan = planner.plan(&setup, Library::built_in(), &chiaro::compile::Live::Keyed, &options).unwrap();
+    let plan = planner.plan(&setup, Library::built_in(), &Live::Keyed, &options).unwrap();
     let mut renderer = Renderer::new(block_on(Gpu::headless()).expect("an adapter; software Vulkan does"));
     block_on(renderer.picture(&plan)).unwrap()
 }
@@ -652,4 +653,35 @@ fn materials_of_one_mesh_wear_different_looks() {
     assert_eq!(open_look(&hand), "figure4-color.json");
     hand.undo();
     assert!(!scene(&hand).objects["ring"].looks.contains_key("right"));
+}
+
+#[test]
+fn while_one_look_is_edited_the_others_are_compiled_once() {
+    let home = Home::new();
+    let mut planner = Planner::new(Assets::default()).culling(Cull::Objects);
+    let (mut setup, _) = open(&home.scene(), None, &mut planner.assets).unwrap();
+    setup.edited = Some(0);
+    let plan = PlanOptions { size: [64, 32], samples: 1, time: 0.0 };
+    let mut picture = |setup: &Setup, is_new: bool| {
+        if is_new {
+            let options = Options { live: Live::All, display: true, ..Options::default() };
+            let shader = compile(&setup.looks[0].look, Library::built_in(), &options).unwrap();
+            planner.provide(&setup.looks[0].look, &Live::All, Arc::new(shader));
+        }
+        let plan = planner.plan(setup, Library::built_in(), &Live::All, &plan).unwrap();
+        ["ring", "ball"].map(|id| plan.draws.iter().find(|draw| draw.object.as_str() == id).unwrap().clone())
+    };
+    let [ring, ball] = picture(&setup, true);
+    assert_eq!((&ring.look.live, &ball.look.live), (&Live::All, &Live::Keyed));
+    // A light of the edited look is another at once, by its uniforms; the other look has its own of the same name.
+    assert!(setup.looks[1].look.lights.contains_key(setup.looks[0].look.lights.keys().next().unwrap()));
+    setup.looks[0].look.lights.values_mut().for_each(|light| light.direction = [0.0, -1.0, 0.0]);
+    let [turned, same] = picture(&setup, false);
+    assert!(Arc::ptr_eq(&ring.look, &turned.look) && Arc::ptr_eq(&ball.look, &same.look));
+    let bytes = |draw: &Draw| draw.look_uniforms[&Stage::Draw].bytes.clone();
+    assert!(bytes(&ring) != bytes(&turned) && bytes(&ball) == bytes(&same));
+    // Another structure is another module, of that look alone.
+    setup.looks[0].look.tier = chiaro::document::Tier::Fast;
+    let [other, same] = picture(&setup, true);
+    assert!(!Arc::ptr_eq(&ring.look, &other.look) && Arc::ptr_eq(&ball.look, &same.look));
 }
