@@ -89,6 +89,7 @@ impl Card {
             (Some(_), None) if thumbs.is_done(self.key) || !thumbs.can_draw() => say(ui, picture, "no picture"),
             (Some(look), None) => {
                 thumbs.look_again(ui);
+                say(ui, picture, "drawing…");
                 let folder = match &self.origin {
                     Origin::File(path) => path.parent().map(Path::to_path_buf).unwrap_or_default(),
                     Origin::Example(_) => PathBuf::new(),
