@@ -13,6 +13,7 @@
 pub mod clock;
 pub mod diag;
 pub mod ids;
+pub mod milestones;
 
 // Floor 1: WGSL sources, and the only caller of naga's front end and validator.
 pub mod wgsl;

@@ -9,7 +9,7 @@ mod support;
 
 use std::path::Path;
 
-use chiaro::document::Look;
+use chiaro::document::{Look, Scene};
 use chiaro::editor::App;
 use editor_support::Hand;
 use eframe::egui::{
@@ -210,6 +210,20 @@ impl Monkey {
         text
     }
 
+    /// The scene as a file says it, which is read back as what it is; empty where none is open.
+    fn check_scene(&self) -> String {
+        let Some(stage) = self.hand.app().session().stage() else { return String::new() };
+        let text = stage.scene().to_text();
+        let loaded = Scene::read(&text, "monkey");
+        assert!(!loaded.has_errors(), "after {} gestures: {:?}", self.done, loaded.diagnostics);
+        assert!(
+            loaded.value.as_ref() == Some(stage.scene()),
+            "after {} gestures the scene says something else",
+            self.done
+        );
+        text
+    }
+
     /// Takes everything back, and does it again. Returns what the look began as.
     fn there_and_back(&mut self) -> String {
         // The monkey may have stopped in the middle of its past.
@@ -302,8 +316,36 @@ fn a_monkey_breaks_no_comics() {
 
 #[test]
 fn a_monkey_breaks_no_tour() {
-    let monkey = Monkey { random: Random::new(5), hand: on_tour(), done: 0 };
+    let monkey = Monkey { random: Random::new(6), hand: on_tour(), done: 0 };
     let_loose_in(monkey, None, gestures());
+}
+
+#[test]
+fn a_monkey_breaks_no_scene() {
+    let mut monkey = Monkey::new(5);
+    let folder = tempfile::tempdir().unwrap();
+    for part in ["looks", "scenes"] {
+        std::fs::create_dir(folder.path().join(part)).unwrap();
+        let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(part);
+        for file in std::fs::read_dir(examples).unwrap().flatten() {
+            std::fs::copy(file.path(), folder.path().join(part).join(file.file_name())).unwrap();
+        }
+    }
+    while monkey.done < gestures() {
+        if monkey.hand.app().session().stage().is_none() {
+            monkey.hand.app_mut().open(&folder.path().join("scenes/cast.json"));
+        }
+        for _ in 0..ROUND {
+            monkey.gesture();
+        }
+        monkey.check();
+        monkey.check_scene();
+        let session = monkey.hand.app_mut().session_mut();
+        while session.redo() {}
+        let last = monkey.check_scene();
+        monkey.there_and_back();
+        assert_eq!(monkey.check_scene(), last, "redo leads to the last change");
+    }
 }
 
 #[test]

@@ -3,21 +3,9 @@
 
 mod editor_support;
 
-use chiaro::editor::App;
-use chiaro::render::{Gpu, block_on};
 use editor_support::Hand;
 use eframe::egui::{Key, Rect, vec2};
-use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
-
-/// A window that draws.
-fn window() -> Hand {
-    block_on(Gpu::headless()).expect("an adapter; software Vulkan does");
-    let state = create_render_state(default_wgpu_setup(), eframe::egui_wgpu::RendererOptions::PREDICTABLE);
-    let builder = Harness::builder().renderer(WgpuTestRenderer::from_render_state(state.clone()));
-    Hand::with_builder(builder, move |ctx| App::new(ctx, Some(state.clone())))
-}
 
 fn picture(hand: &Hand) -> Rect {
     hand.app().viewport().rect().unwrap()
@@ -26,10 +14,6 @@ fn picture(hand: &Hand) -> Rect {
 fn click_label(hand: &mut Hand, label: &str) {
     let at = hand.harness.get_by_label(label).rect().center();
     hand.click(at);
-}
-
-fn selected(hand: &Hand) -> Vec<String> {
-    hand.app().session().selected().map(ToString::to_string).collect()
 }
 
 /// A look whose second node divides by 0, and whose last hides it.
@@ -124,7 +108,7 @@ fn a_row_of_the_probe_leads_to_its_node() {
     hand.settle();
     let at = hand.harness.get_all_by_label("Wire of base").next().unwrap().rect().center();
     hand.click(at);
-    assert_eq!(selected(&hand), ["base"]);
+    assert_eq!(hand.selected(), ["base"]);
     assert!(hand.app().probe().pinned().is_some(), "the probe goes on");
 }
 
@@ -139,7 +123,7 @@ fn the_first_broken_wire_is_found() {
     let broken: Vec<String> = wires.iter().filter(|w| !w.is_finite()).map(|w| w.node.to_string()).collect();
     assert_eq!(broken.first().map(String::as_str), Some("broken"), "{wires:?}");
     click_label(&mut hand, "Go to first broken wire");
-    assert_eq!(selected(&hand), ["broken"]);
+    assert_eq!(hand.selected(), ["broken"]);
 }
 
 #[test]
@@ -155,7 +139,7 @@ fn a_window_with_a_probe_at_rest_asks_for_no_frame() {
 
 #[test]
 fn effects_are_listed_with_state_and_lead_to_nodes() {
-    let mut hand = window();
+    let mut hand = Hand::drawing_with(|app, _| app);
     click_label(&mut hand, "Effects");
     hand.harness.run_steps(8);
     hand.settle();
@@ -182,7 +166,7 @@ fn effects_are_listed_with_state_and_lead_to_nodes() {
     hand.wheel(list, -40.0);
     let at = of_diffuse(&hand).expect("the diffuse layer runs");
     hand.click(at);
-    assert_eq!(selected(&hand), ["diffuse"]);
+    assert_eq!(hand.selected(), ["diffuse"]);
 }
 
 /// Opens the list of what the picture is compared with, and chooses from it.
@@ -198,7 +182,7 @@ fn compare_with(hand: &mut Hand, before: &str, what: &str) {
 
 #[test]
 fn the_picture_is_wiped_against_truth_and_tiers() {
-    let mut hand = window();
+    let mut hand = Hand::drawing_with(|app, _| app);
     compare_with(&mut hand, "Compare with", "Truth (f64)");
     let figures = hand.app().wipe().figures().expect("chosen by hand, it is computed at once").clone();
     assert!(figures.pixels > 10_000 && figures.broken == 0);
@@ -239,7 +223,7 @@ fn the_picture_is_wiped_against_truth_and_tiers() {
 #[test]
 fn tiers_are_measured_when_asked_and_adopted_by_a_click() {
     use chiaro::document::Tier;
-    let mut hand = window();
+    let mut hand = Hand::drawing_with(|app, _| app);
     click_label(&mut hand, "Cost and accuracy");
     hand.harness.run_steps(8);
     hand.settle();
@@ -318,12 +302,14 @@ fn choose(hand: &mut Hand, list: &str, what: &str) {
 
 #[test]
 fn any_wire_is_shown_in_place_of_the_picture() {
-    let mut hand = window();
+    let mut hand = Hand::drawing_with(|app, _| app);
     let _folder = open(&mut hand, WIRES);
     let grey = middle(&mut hand);
     assert!(grey[0].abs_diff(128) <= 1, "{grey:?}");
     hand.click(editor_support::node_center(&hand, "two"));
+    let room = picture(&hand);
     choose(&mut hand, "View wire", "Value");
+    assert_eq!(picture(&hand), room, "what is told of it lies over the picture, which stays where it is");
     assert_eq!(middle(&mut hand), [255; 4], "2 is white");
     // Heat is red above 1, whatever the look's output is.
     click_label(&mut hand, "Heat");
@@ -342,7 +328,7 @@ fn any_wire_is_shown_in_place_of_the_picture() {
 /// The wires inside of groups too: the probe lists them, and a right click shows one.
 #[test]
 fn a_wire_inside_a_group_is_shown_in_place_of_the_picture() {
-    let mut hand = window();
+    let mut hand = Hand::drawing_with(|app, _| app);
     hand.app_mut().show_on("shape:sphere");
     hand.settle();
     hand.key(Key::I);

@@ -5,77 +5,16 @@
 mod editor_support;
 
 use std::fs;
-use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use chiaro::document::{Edit, GraphId, Value};
 use chiaro::editor::settings::Theme;
-use chiaro::editor::{App, Places};
+use editor_support::home::Home;
 use editor_support::{Hand, node_center};
 use eframe::egui::{Event, Key, Modifiers, ViewportEvent, ViewportId};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
-/// A user's folders, and files beside them.
-struct Home {
-    folder: tempfile::TempDir,
-}
-
-impl Home {
-    fn new() -> Self {
-        Self { folder: tempfile::tempdir().unwrap() }
-    }
-
-    fn places(&self) -> Places {
-        Places { state: self.folder.path().join("state"), config: self.folder.path().join("config") }
-    }
-
-    fn file(&self, name: &str) -> PathBuf {
-        self.folder.path().join(name)
-    }
-
-    /// A window as the program opens it.
-    fn window(&self, file: Option<&Path>) -> Hand {
-        let (places, file) = (self.places(), file.map(Path::to_path_buf));
-        Hand::with(move |ctx| {
-            let mut app = App::new(ctx, None);
-            app.keep_in(places.clone(), ctx);
-            match &file {
-                Some(file) => app.open(file),
-                None => app.resume(),
-            }
-            app
-        })
-    }
-
-    /// The same user on the same machine after everything that runs was killed at this moment: locks are gone, files are
-    /// there.
-    fn after_a_crash(&self) -> Self {
-        let other = Self::new();
-        let journals = other.places().journals();
-        fs::create_dir_all(&journals).unwrap();
-        for entry in fs::read_dir(self.places().journals()).into_iter().flatten().flatten() {
-            fs::copy(entry.path(), journals.join(entry.file_name())).unwrap();
-        }
-        other
-    }
-
-    fn journals(&self) -> usize {
-        let entries = fs::read_dir(self.places().journals()).into_iter().flatten().flatten();
-        entries.filter(|entry| entry.path().extension().is_some_and(|ending| ending == "journal")).count()
-    }
-}
-
 const OFFER: &str = "Work that was not saved";
-
-fn sees(hand: &Hand, text: &str) -> bool {
-    hand.harness.query_all_by_label_contains(text).next().is_some()
-}
-
-fn press(hand: &mut Hand, label: &str) {
-    let at = hand.harness.get_by_label(label).rect().center();
-    hand.click(at);
-    hand.settle();
-}
 
 fn set_offset(hand: &mut Hand, value: f64) {
     let (graph, id) = (GraphId::Look, "diffuse".into());
@@ -97,7 +36,7 @@ fn work_is_taken_back_after_a_crash_with_its_past() {
     let home = Home::new();
     let path = home.file("rim.json");
     let mut hand = home.window(None);
-    assert!(!sees(&hand, OFFER));
+    assert!(!hand.says(OFFER));
     assert!(hand.app_mut().save_as(&path));
     hand.click(node_center(&hand, "base"));
     hand.key(Key::Delete);
@@ -109,11 +48,11 @@ fn work_is_taken_back_after_a_crash_with_its_past() {
     let later = home.after_a_crash();
     let mut hand = later.window(None);
     assert_eq!(hand.look().graph.nodes.len(), 3, "a crash may come from the work itself: it is only offered");
-    assert!(sees(&hand, "rim.json, 2 changes, just now"));
-    press(&mut hand, "Take it back");
+    assert!(hand.says("rim.json, 2 changes, just now"));
+    hand.press("Take it back");
     assert_eq!(*hand.look(), before);
     assert_eq!(hand.app().session().path(), Some(path.as_path()));
-    assert!(hand.app().session().is_dirty() && !sees(&hand, OFFER));
+    assert!(hand.app().session().is_dirty() && !hand.says(OFFER));
     hand.redo();
     assert_eq!(offset(&hand), Some(0.75));
     for _ in 0..3 {
@@ -127,7 +66,7 @@ fn work_is_taken_back_after_a_crash_with_its_past() {
     set_offset(&mut hand, 0.25);
     let again = later.after_a_crash();
     let mut hand = again.window(None);
-    press(&mut hand, "Take it back");
+    hand.press("Take it back");
     assert_eq!(offset(&hand), Some(0.25));
 }
 
@@ -143,7 +82,7 @@ fn a_drag_that_a_crash_ends_is_there() {
     let value = offset(&hand).expect("the drag set it");
     let later = home.after_a_crash();
     let mut hand = later.window(None);
-    press(&mut hand, "Take it back");
+    hand.press("Take it back");
     assert_eq!(offset(&hand), Some(value));
     hand.undo();
     assert_eq!(offset(&hand), None, "one step, as before");
@@ -155,7 +94,7 @@ fn a_living_window_is_not_robbed() {
     let mut hand = home.window(None);
     set_offset(&mut hand, 0.5);
     let other = home.window(None);
-    assert!(!sees(&other, OFFER));
+    assert!(!other.says(OFFER));
     assert_eq!(offset(&other), None);
     assert_eq!(offset(&hand), Some(0.5));
 }
@@ -167,15 +106,15 @@ fn what_is_thrown_away_stays_until_the_window_closes() {
     set_offset(&mut hand, 0.5);
     let later = home.after_a_crash();
     let mut hand = later.window(None);
-    press(&mut hand, "Throw it away");
-    assert!(sees(&hand, "thrown away when this window closes") && later.journals() == 1);
-    press(&mut hand, "Keep it");
+    hand.press("Throw it away");
+    assert!(hand.says("thrown away when this window closes") && later.journals() == 1);
+    hand.press("Keep it");
     drop(hand);
     let mut hand = later.window(None);
-    press(&mut hand, "Throw it away");
+    hand.press("Throw it away");
     drop(hand);
     assert_eq!(later.journals(), 0);
-    assert!(!sees(&later.window(None), OFFER));
+    assert!(!later.window(None).says(OFFER));
 }
 
 #[test]
@@ -194,14 +133,14 @@ fn a_damaged_journal_gives_what_it_can_and_says_so() {
     let text = fs::read_to_string(&path).unwrap();
     fs::write(&path, text.replacen("0.222", "9.222", 1)).unwrap();
     let mut hand = later.window(None);
-    assert!(sees(&hand, "a part of it was damaged and is lost"));
-    press(&mut hand, "Take it back");
+    assert!(hand.says("a part of it was damaged and is lost"));
+    hand.press("Take it back");
     assert_eq!(offset(&hand), Some(0.111));
 
     let later = home.after_a_crash();
     fs::write(journal_of(&later), "nothing good").unwrap();
     let hand = later.window(None);
-    assert!(sees(&hand, "nothing in it can be read"));
+    assert!(hand.says("nothing in it can be read"));
     assert!(hand.harness.query_by_label("Take it back").is_none());
     drop(hand);
     assert_eq!(later.journals(), 1, "what nobody threw away stays");
@@ -231,7 +170,7 @@ fn a_closed_window_goes_on_where_it_was() {
     let mut hand = home.window(None);
     assert_eq!(offset(&hand), Some(0.5));
     assert_eq!(hand.app().session().path(), Some(path.as_path()));
-    assert!(hand.app().session().is_dirty() && !sees(&hand, OFFER));
+    assert!(hand.app().session().is_dirty() && !hand.says(OFFER));
     drop(hand);
     // The same where the file is named.
     hand = home.window(Some(&path));
@@ -255,11 +194,11 @@ fn a_named_file_that_has_changed_since_is_opened_as_it_is() {
     fs::write(&path, text.replace("New look", "Theirs")).unwrap();
     let mut hand = home.window(Some(&path));
     assert_eq!((hand.look().name.as_str(), offset(&hand)), ("Theirs", None));
-    assert!(sees(&hand, OFFER));
+    assert!(hand.says(OFFER));
     // Taken back, both versions are there to choose from.
-    press(&mut hand, "Take it back");
+    hand.press("Take it back");
     assert_eq!(offset(&hand), Some(0.5));
-    assert!(sees(&hand, "was changed by another program, and by you"));
+    assert!(hand.says("was changed by another program, and by you"));
 }
 
 #[test]
@@ -271,10 +210,10 @@ fn another_look_puts_this_one_aside() {
     hand.settle();
     assert!(hand.harness.query_by_label("Do not save").is_none(), "nothing is asked");
     assert_eq!(offset(&hand), None);
-    assert!(sees(&hand, "New look, 1 change, just now"));
-    press(&mut hand, "Take it back");
+    assert!(hand.says("New look, 1 change, just now"));
+    hand.press("Take it back");
     assert_eq!(offset(&hand), Some(0.5));
-    assert!(!sees(&hand, OFFER), "the new look had nothing to be kept");
+    assert!(!hand.says(OFFER), "the new look had nothing to be kept");
 }
 
 #[test]
@@ -288,7 +227,7 @@ fn the_past_of_a_saved_look_survives_a_crash() {
     hand.app().session().wait_for_journal();
     let later = home.after_a_crash();
     let mut hand = later.window(Some(&path));
-    assert!(!sees(&hand, OFFER) && !hand.app().session().is_dirty(), "it is saved");
+    assert!(!hand.says(OFFER) && !hand.app().session().is_dirty(), "it is saved");
     hand.undo();
     assert_eq!(offset(&hand), None);
 }
@@ -306,7 +245,7 @@ fn a_file_changed_by_others_is_loaded_again_as_one_step() {
     hand.app_mut().look_at_files();
     hand.settle();
     assert_eq!(hand.look().graph.nodes["diffuse"].name, "Theirs");
-    assert!(!hand.app().session().is_dirty() && sees(&hand, "loaded again"));
+    assert!(!hand.app().session().is_dirty() && hand.says("loaded again"));
     let selected: Vec<String> = hand.app().session().selected().map(ToString::to_string).collect();
     assert_eq!(selected, ["diffuse"]);
     hand.undo();
@@ -322,12 +261,12 @@ fn a_file_changed_by_others_is_loaded_again_as_one_step() {
     hand.app_mut().look_at_files();
     hand.settle();
     assert_eq!(hand.look().graph.nodes.len(), 3);
-    assert!(sees(&hand, "cannot be read now"));
+    assert!(hand.says("cannot be read now"));
     fs::write(&path, text.replace("\"Diffuse\"", "\"Mended\"")).unwrap();
     hand.app_mut().look_at_files();
     hand.settle();
     assert_eq!(hand.look().graph.nodes["diffuse"].name, "Mended");
-    assert!(!sees(&hand, "cannot be read now"));
+    assert!(!hand.says("cannot be read now"));
 }
 
 #[test]
@@ -344,8 +283,8 @@ fn of_two_versions_one_is_chosen_and_the_other_not_lost() {
     hand.key_with(Modifiers::COMMAND, Key::S);
     hand.settle();
     assert_eq!(fs::read_to_string(&path).unwrap(), before);
-    assert!(sees(&hand, "was changed by another program, and by you"));
-    press(&mut hand, "Load the file's version");
+    assert!(hand.says("was changed by another program, and by you"));
+    hand.press("Load the file's version");
     assert_eq!((offset(&hand), hand.look().graph.nodes["diffuse"].name.as_str()), (None, "Theirs"));
     hand.undo();
     assert_eq!(offset(&hand), Some(0.5), "mine is one step away");
@@ -353,8 +292,8 @@ fn of_two_versions_one_is_chosen_and_the_other_not_lost() {
     fs::write(&path, before.replace("Theirs", "Once more")).unwrap();
     hand.app_mut().look_at_files();
     hand.settle();
-    press(&mut hand, "Keep mine");
-    assert!(!sees(&hand, "was changed by another program, and by you"));
+    hand.press("Keep mine");
+    assert!(!hand.says("was changed by another program, and by you"));
     hand.key_with(Modifiers::COMMAND, Key::S);
     assert!(!hand.app().session().is_dirty());
     assert!(fs::read_to_string(&path).unwrap().contains("\"offset\": 0.5"));
@@ -371,11 +310,11 @@ fn a_removed_file_is_told_and_saved_again() {
     fs::remove_file(&path).unwrap();
     hand.app_mut().look_at_files();
     hand.settle();
-    assert!(sees(&hand, "rim.json was removed or moved"));
+    assert!(hand.says("rim.json was removed or moved"));
     hand.key_with(Modifiers::COMMAND, Key::S);
     hand.app_mut().look_at_files();
     hand.settle();
-    assert!(path.exists() && !sees(&hand, "rim.json was removed or moved"));
+    assert!(path.exists() && !hand.says("rim.json was removed or moved"));
 }
 
 /// Waits until what the system tells has come to the window.
@@ -438,7 +377,7 @@ fn node_files_are_loaded_again_and_a_broken_one_keeps_the_picture() {
     let first = wgsl(&hand);
 
     fs::write(&node, NODE.replace("2.0 * value", "7.5 * value")).unwrap();
-    wait_until(&mut hand, |hand| sees(hand, "nodes were loaded again"));
+    wait_until(&mut hand, |hand| hand.says("nodes were loaded again"));
     hand.settle();
     assert_ne!(wgsl(&hand), first);
     let good = wgsl(&hand);
@@ -447,7 +386,7 @@ fn node_files_are_loaded_again_and_a_broken_one_keeps_the_picture() {
     hand.app_mut().look_at_files();
     hand.settle();
     assert!(hand.app().canvas().has_error("mine"), "the error is shown at the node");
-    assert!(sees(&hand, "valu"));
+    assert!(hand.says("valu"));
     assert_eq!(wgsl(&hand), good, "the last good one stays");
     set_value(&mut hand);
     assert!(hand.app().session().problems().is_empty(), "and goes on to work");
@@ -480,9 +419,9 @@ fn meshes_and_images_are_loaded_again() {
     hand.app_mut().show_on(&mesh.to_string_lossy());
     hand.settle();
     fs::write(&mesh, "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n# longer\n").unwrap();
-    wait_until(&mut hand, |hand| sees(hand, "tri.obj was loaded again"));
+    wait_until(&mut hand, |hand| hand.says("tri.obj was loaded again"));
     image::RgbaImage::from_pixel(3, 3, image::Rgba([200, 0, 0, 255])).save(&image).unwrap();
-    wait_until(&mut hand, |hand| sees(hand, "skin.png was loaded again"));
+    wait_until(&mut hand, |hand| hand.says("skin.png was loaded again"));
     assert!(!hand.app().session().is_dirty());
 }
 
@@ -493,24 +432,24 @@ fn a_folder_that_cannot_be_written_is_told_once_and_editing_goes_on() {
     let mut hand = home.window(None);
     set_offset(&mut hand, 0.5);
     hand.settle();
-    assert!(sees(&hand, "a crash now would lose what is not saved"));
-    press(&mut hand, "Understood");
+    assert!(hand.says("a crash now would lose what is not saved"));
+    hand.press("Understood");
     set_offset(&mut hand, 0.75);
     hand.settle();
-    assert!(!sees(&hand, "a crash now would lose what is not saved"));
+    assert!(!hand.says("a crash now would lose what is not saved"));
     assert_eq!(offset(&hand), Some(0.75));
     // Here closing would lose something, so it asks.
     close(&mut hand);
     hand.harness.run_steps(3);
-    assert!(sees(&hand, "Do not save"));
-    press(&mut hand, "Cancel");
+    assert!(hand.says("Do not save"));
+    hand.press("Cancel");
 
     // Once the folder can be written, the work is kept, without anything being done.
     fs::remove_file(home.file("state")).unwrap();
     wait_until(&mut hand, |_| home.journals() == 1);
     let later = home.after_a_crash();
     let mut hand = later.window(None);
-    press(&mut hand, "Take it back");
+    hand.press("Take it back");
     assert_eq!(offset(&hand), Some(0.75));
 }
 
@@ -524,11 +463,11 @@ fn files_that_were_open_are_listed() {
     fs::remove_file(home.file("two.json")).unwrap();
     drop(hand);
     let mut hand = home.window(None);
-    press(&mut hand, "Recent");
+    hand.press("Recent");
     let rect = |name: &str| hand.harness.get_by_label(name).rect();
     assert!(rect("three.json").min.y < rect("two.json").min.y && rect("two.json").min.y < rect("one.json").min.y);
     assert!(hand.harness.get_by_label("two.json").accesskit_node().is_disabled());
-    press(&mut hand, "one.json");
+    hand.press("one.json");
     assert_eq!(hand.app().session().path(), Some(home.file("one.json").as_path()));
     assert_eq!(hand.app().settings().recent[0], home.file("one.json"));
 }
@@ -537,10 +476,10 @@ fn files_that_were_open_are_listed() {
 fn theme_scale_and_panels_are_remembered() {
     let home = Home::new();
     let mut hand = home.window(None);
-    press(&mut hand, "View");
-    press(&mut hand, "Light");
-    press(&mut hand, "View");
-    press(&mut hand, "125%");
+    hand.press("View");
+    hand.press("Light");
+    hand.press("View");
+    hand.press("125%");
     assert_eq!((hand.app().settings().theme, hand.app().settings().scale), (Theme::Light, 1.25));
     drop(hand);
     let mut hand = home.window(None);
@@ -549,7 +488,7 @@ fn theme_scale_and_panels_are_remembered() {
     hand.harness.ctx.set_zoom_factor(1.0);
     hand.settle();
     assert!(hand.harness.query_by_role_and_label(eframe::egui::accesskit::Role::Tab, "Code").is_some());
-    press(&mut hand, "View");
+    hand.press("View");
     let code = hand.harness.get_by_role_and_label(eframe::egui::accesskit::Role::CheckBox, "Code").rect().center();
     hand.click(code);
     hand.settle();

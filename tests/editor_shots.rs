@@ -401,3 +401,56 @@ fn path_shots() {
     click_label(&mut hand, "Copy as");
     save(&mut hand, "copy-menu");
 }
+
+/// A scene with its objects listed, one of them selected.
+#[test]
+#[ignore = "writes pictures to be looked at"]
+fn scene_shots() {
+    let mut hand = window();
+    hand.app_mut().open(Path::new("examples/scenes/cast.json"));
+    hand.settle();
+    let row = hand.harness.get_by_label("Object comics").rect().center();
+    hand.click(row);
+    hand.settle();
+    let rect = hand.app().viewport().rect().unwrap();
+    hand.hover(rect.center() + vec2(0.0, -60.0));
+    save(&mut hand, "scene");
+    hand.harness.ctx.set_theme(Theme::Light);
+    save(&mut hand, "scene-light");
+    hand.harness.ctx.set_theme(Theme::Dark);
+    let mut hand = window();
+    let tab = hand.harness.get_by_role_and_label(Role::Tab, "Objects").rect().center();
+    hand.click(tab);
+    save(&mut hand, "objects-of-a-look");
+}
+
+/// Nodes found by name, a group that can be shared, a search that hides values, and what is told over the picture.
+#[test]
+#[ignore = "writes pictures to be looked at"]
+fn found_and_shared_shots() {
+    use eframe::egui::Modifiers;
+    let mut hand = window();
+    hand.app_mut().open(Path::new("examples/looks/figure1-layers.json"));
+    hand.settle();
+    hand.key_with(Modifiers::COMMAND, Key::F);
+    hand.type_text("f");
+    save(&mut hand, "find-nodes");
+    hand.key(Key::Escape);
+    hand.app_mut().session_mut().select(vec!["diffuse".into(), "specular".into()]);
+    hand.settle();
+    let search = hand.place("Find a value");
+    hand.type_over(search, "color");
+    hand.press("Solo Specular");
+    hand.choose("View wire", "Tone");
+    save(&mut hand, "over-the-picture");
+    hand.press("Show the look");
+    hand.press("Show all");
+    let at = hand.empty_place();
+    hand.hover(at);
+    hand.key_with(Modifiers::COMMAND, Key::G);
+    hand.key_with(Modifiers::COMMAND, Key::Enter);
+    save(&mut hand, "share-a-group");
+    hand.harness.ctx.set_theme(Theme::Light);
+    hand.key_with(Modifiers::SHIFT, Key::Questionmark);
+    save(&mut hand, "shortcuts-light");
+}

@@ -4,41 +4,9 @@
 mod editor_support;
 
 use chiaro::document::{Endpoint, Look, Value};
-use chiaro::editor::App;
-use chiaro::render::{Gpu, block_on};
 use editor_support::{Hand, node_center};
-use eframe::egui::{Key, Modifiers, Pos2, Rect, Role, accesskit::Toggled, vec2};
-use egui_kittest::Harness;
+use eframe::egui::{Key, Modifiers, Pos2, Role, accesskit::Toggled, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
-
-fn tab(hand: &mut Hand, label: &str) {
-    let at = hand.harness.get_by_role_and_label(Role::Tab, label).rect().center();
-    hand.click(at);
-    hand.settle();
-}
-
-fn rect(hand: &Hand, label: &str) -> Rect {
-    hand.harness.get_all_by_label(label).next().unwrap_or_else(|| panic!("no {label}")).rect()
-}
-
-fn press(hand: &mut Hand, label: &str) {
-    let at = rect(hand, label).center();
-    hand.click(at);
-    hand.settle();
-}
-
-fn has(hand: &Hand, label: &str) -> bool {
-    hand.harness.query_all_by_label(label).next().is_some()
-}
-
-fn says(hand: &Hand, text: &str) -> bool {
-    hand.harness.query_all_by_label_contains(text).next().is_some()
-}
-
-fn selected(hand: &Hand) -> Vec<String> {
-    hand.app().session().selected().map(ToString::to_string).collect()
-}
 
 /// The layers as they are listed, from the top.
 fn rows(hand: &Hand) -> Vec<String> {
@@ -80,12 +48,12 @@ fn open(hand: &mut Hand, text: &str) -> tempfile::TempDir {
 fn the_stack_and_the_graph_are_one_selection() {
     let mut hand = figure1();
     assert_eq!(rows(&hand), ["Layer Back-light", "Layer Specular", "Layer Diffuse", "Layer Fill", "Base Base"]);
-    press(&mut hand, "Layer Specular");
-    assert_eq!(selected(&hand), ["specular"]);
+    hand.press("Layer Specular");
+    assert_eq!(hand.selected(), ["specular"]);
     let at = node_center(&hand, "fill");
     hand.click(at);
     hand.settle();
-    assert_eq!(selected(&hand), ["fill"]);
+    assert_eq!(hand.selected(), ["fill"]);
     let row = hand.harness.get_by_label("Layer Fill");
     assert_eq!(row.accesskit_node().toggled(), Some(Toggled::True), "the row shows what the canvas selected");
 }
@@ -94,7 +62,7 @@ fn the_stack_and_the_graph_are_one_selection() {
 fn a_row_that_is_dragged_rewires_the_graph_as_one_step() {
     let mut hand = figure1();
     let before = hand.look().clone();
-    let grip = |hand: &Hand, label: &str| rect(hand, label).left_top() + vec2(60.0, 26.0);
+    let grip = |hand: &Hand, label: &str| hand.place(label).left_top() + vec2(60.0, 26.0);
     let (from, to) = (grip(&hand, "Layer Back-light"), grip(&hand, "Layer Diffuse"));
     hand.drag(from, to + vec2(0.0, 20.0));
     hand.settle();
@@ -106,13 +74,13 @@ fn a_row_that_is_dragged_rewires_the_graph_as_one_step() {
     hand.settle();
     assert_eq!(*hand.look(), before);
     // The same with the keyboard.
-    press(&mut hand, "Layer Back-light");
+    hand.press("Layer Back-light");
     hand.key_with(Modifiers::ALT, Key::ArrowDown);
     hand.settle();
     assert_eq!(chain(hand.look()), ["specular", "back", "diffuse", "fill", "base"]);
     hand.key(Key::ArrowUp);
     hand.settle();
-    assert_eq!(selected(&hand), ["specular"], "the row above");
+    assert_eq!(hand.selected(), ["specular"], "the row above");
     hand.key_with(Modifiers::COMMAND, Key::Z);
     hand.settle();
     assert_eq!(*hand.look(), before);
@@ -127,7 +95,7 @@ fn a_row_that_is_dragged_rewires_the_graph_as_one_step() {
 fn a_drag_that_is_given_up_changes_nothing() {
     let mut hand = figure1();
     let before = hand.look().clone();
-    let from = rect(&hand, "Layer Back-light").left_top() + vec2(60.0, 26.0);
+    let from = hand.place("Layer Back-light").left_top() + vec2(60.0, 26.0);
     hand.drag(from, from + vec2(0.0, 12.0));
     hand.settle();
     assert_eq!(*hand.look(), before, "too short a way");
@@ -138,11 +106,11 @@ fn a_drag_that_is_given_up_changes_nothing() {
 fn a_layer_is_added_over_the_selected_one_with_the_light_it_needs() {
     let mut hand = Hand::new();
     let before = hand.look().clone();
-    press(&mut hand, "Layer Diffuse");
-    press(&mut hand, "Add layer");
-    press(&mut hand, "Rim, back-light");
+    hand.press("Layer Diffuse");
+    hand.press("Add layer");
+    hand.press("Rim, back-light");
     assert_eq!(chain(hand.look()), ["back-light", "diffuse", "base"].map(|id| id.replace('-', "_")));
-    assert_eq!(selected(&hand), ["back_light"]);
+    assert_eq!(hand.selected(), ["back_light"]);
     let look = hand.look();
     assert_eq!(look.graph.nodes["back_light"].values["light"], Value::Text("back".into()));
     assert!(look.lights["back"].direction[2] < 0.0, "it shines from behind");
@@ -152,8 +120,8 @@ fn a_layer_is_added_over_the_selected_one_with_the_light_it_needs() {
     assert_eq!(*hand.look(), before, "one step");
     // Every preset compiles as it is.
     for preset in ["Ambient fill", "Lambert diffuse", "Cartoon", "Shadow, multiplied", "Phong highlight"] {
-        press(&mut hand, "Add layer");
-        press(&mut hand, preset);
+        hand.press("Add layer");
+        hand.press(preset);
     }
     assert!(hand.app().session().problems().is_empty(), "{:?}", hand.app().session().problems());
     assert_eq!(chain(hand.look()).len(), 7);
@@ -162,7 +130,7 @@ fn a_layer_is_added_over_the_selected_one_with_the_light_it_needs() {
 #[test]
 fn an_eye_mutes_a_layer_of_the_look_and_undo_takes_it_back() {
     let mut hand = figure1();
-    press(&mut hand, "Show Specular");
+    hand.press("Show Specular");
     assert!(hand.look().graph.nodes["specular"].muted);
     assert!(hand.app().session().is_dirty(), "it is saved with the look");
     hand.undo();
@@ -174,25 +142,25 @@ fn an_eye_mutes_a_layer_of_the_look_and_undo_takes_it_back() {
 fn solo_is_of_the_window_and_nobody_can_forget_it() {
     let mut hand = figure1();
     let full = hand.app().session().baked().unwrap().wgsl.clone();
-    press(&mut hand, "Solo Specular");
+    hand.press("Solo Specular");
     assert!(!hand.app().session().is_dirty(), "the document is as it was");
-    assert!(says(&hand, "Solo: Specular"));
+    assert!(hand.says("Solo: Specular"));
     let alone = hand.app().session().baked().unwrap().wgsl.clone();
     assert!(full.contains("diffuse") && !alone.contains("diffuse") && alone.contains("specular"));
     // An edit while it lasts is shown alone, too.
-    press(&mut hand, "Show Fill");
+    hand.press("Show Fill");
     assert!(!hand.app().session().baked().unwrap().wgsl.contains("diffuse"));
     hand.undo();
     hand.settle();
     // Another one takes its place; both together with Ctrl.
-    press(&mut hand, "Solo Diffuse");
-    assert!(says(&hand, "Solo: Diffuse ·") && !says(&hand, "Solo: Specular"));
-    let at = rect(&hand, "Solo Specular").center();
+    hand.press("Solo Diffuse");
+    assert!(hand.says("Solo: Diffuse ·") && !hand.says("Solo: Specular"));
+    let at = hand.place("Solo Specular").center();
     hand.click_with(Modifiers::COMMAND, at);
     hand.settle();
-    assert!(says(&hand, "Solo: Diffuse, Specular"));
-    press(&mut hand, "Show all");
-    assert!(!says(&hand, "Solo: "));
+    assert!(hand.says("Solo: Diffuse, Specular"));
+    hand.press("Show all");
+    assert!(!hand.says("Solo: "));
     assert_eq!(hand.app().session().baked().unwrap().wgsl, full);
 }
 
@@ -207,18 +175,18 @@ fn a_layer_is_renamed_duplicated_and_deleted_in_the_list() {
     hand.key(Key::Enter);
     hand.settle();
     assert_eq!(hand.look().graph.nodes["specular"].name, "Shine");
-    press(&mut hand, "Layer Shine");
+    hand.press("Layer Shine");
     hand.key_with(Modifiers::COMMAND, Key::D);
     hand.settle();
     assert_eq!(chain(hand.look()), ["back", "specular_2", "specular", "diffuse", "fill", "base"]);
-    press(&mut hand, "Layer Diffuse");
+    hand.press("Layer Diffuse");
     hand.key(Key::Delete);
     hand.settle();
     assert_eq!(chain(hand.look()), ["back", "specular_2", "specular", "fill", "base"]);
     assert!(hand.app().session().problems().is_empty());
     // From the menu of a row.
-    press(&mut hand, "More of Fill");
-    press(&mut hand, "Delete layer");
+    hand.press("More of Fill");
+    hand.press("Delete layer");
     assert_eq!(chain(hand.look()), ["back", "specular_2", "specular", "base"]);
     for _ in 0..4 {
         hand.undo();
@@ -239,13 +207,51 @@ fn blending_and_opacity_are_set_in_the_row() {
     };
     assert!((0.4..0.6).contains(opacity), "{opacity}");
     assert_eq!(hand.app().session().steps().count(), 1, "one gesture");
-    press(&mut hand, "Blending of Diffuse");
-    press(&mut hand, "Alpha");
+    hand.press("Blending of Diffuse");
+    hand.press("Alpha");
     assert_eq!(hand.look().graph.nodes["diffuse"].values["blend"], Value::Text("alpha".into()));
     hand.undo();
     hand.undo();
     hand.settle();
     assert!(!hand.look().graph.nodes["diffuse"].values.contains_key("opacity"));
+}
+
+/// Two direction keys over an opacity and an intensity, of which the second is far away.
+const KEYED: &str = r#"{"lights": {"key": {"direction": [0, 0, 1]}},
+    "nodes": [{"id": "base", "kind": "base"}, {"id": "diffuse", "kind": "light_layer", "name": "Diffuse", "values": {"light": "key"}},
+        {"id": "output", "kind": "output"}],
+    "wires": [{"from": "base", "to": "diffuse.below"}, {"from": "diffuse", "to": "output.color"}],
+    "direction_keys": [{"by": {"light": "key"}, "keys": [
+        {"direction": [0, 0, 1], "values": {"diffuse.opacity": 0.5, "lights.key.intensity": 0.5}},
+        {"direction": [0, 0, -1], "values": {"diffuse.opacity": 0.1, "lights.key.intensity": 2}}]}]}"#;
+
+#[test]
+fn rows_set_keyed_values_at_their_key() {
+    let mut hand = Hand::new();
+    let _folder = open(&mut hand, KEYED);
+    let own = (hand.look().graph.clone(), hand.look().lights.clone());
+    let at_key = |hand: &Hand, key: usize, target: &str| {
+        let target = chiaro::document::Target::parse(target).unwrap();
+        match &hand.look().direction_keys[0].keys[key].values[&target] {
+            Value::Number(number) => *number,
+            other => panic!("{other:?}"),
+        }
+    };
+    let slider = hand.harness.get_all_by_role_and_label(Role::Slider, "Opacity of Diffuse").next();
+    let slider = slider.expect("a slider").rect();
+    hand.drag(slider.center(), slider.right_center() - vec2(5.0, 0.0));
+    hand.settle();
+    let opacity = at_key(&hand, 0, "diffuse.opacity");
+    assert!(opacity > 0.9, "{opacity}");
+    hand.tab("Lights");
+    let drag = hand.place("Intensity of key").center();
+    hand.drag(drag, drag + vec2(30.0, 0.0));
+    hand.settle();
+    let intensity = at_key(&hand, 0, "lights.key.intensity");
+    assert!((0.6..1.2).contains(&intensity), "from the key's 0.5, not from the light's 1: {intensity}");
+    assert_eq!((at_key(&hand, 1, "diffuse.opacity"), at_key(&hand, 1, "lights.key.intensity")), (0.1, 2.0));
+    assert_eq!((hand.look().graph.clone(), hand.look().lights.clone()), own, "what is said without keys stays");
+    assert_eq!(hand.app().session().steps().count(), 2, "one step a gesture");
 }
 
 #[test]
@@ -257,45 +263,45 @@ fn what_is_no_stack_is_a_branch() {
             "wires": [{"from": "mix", "to": "output.color"}]}"#,
     );
     assert_eq!(rows(&hand), ["Branch Mix colors"]);
-    press(&mut hand, "Branch Mix colors");
-    assert_eq!(selected(&hand), ["mix"]);
+    hand.press("Branch Mix colors");
+    assert_eq!(hand.selected(), ["mix"]);
 }
 
 #[test]
 fn lights_are_muted_in_the_window_and_edited_in_the_look() {
     let mut hand = figure1();
-    tab(&mut hand, "Lights");
-    let drag = rect(&hand, "Intensity of key").center();
+    hand.tab("Lights");
+    let drag = hand.place("Intensity of key").center();
     hand.drag(drag, drag + vec2(30.0, 0.0));
     hand.settle();
     assert!(hand.look().lights["key"].intensity > 1.1, "{}", hand.look().lights["key"].intensity);
     assert_eq!(hand.app().session().steps().count(), 1, "one gesture");
     hand.undo();
     hand.settle();
-    press(&mut hand, "Light key shines");
+    hand.press("Light key shines");
     assert!(!hand.app().session().shines("key") && hand.app().session().shines("back"));
-    assert!(!hand.app().session().is_dirty() && says(&hand, "Muted: light key"));
-    press(&mut hand, "Show all");
-    press(&mut hand, "Solo back");
+    assert!(!hand.app().session().is_dirty() && hand.says("Muted: light key"));
+    hand.press("Show all");
+    hand.press("Solo back");
     assert!(!hand.app().session().shines("key") && hand.app().session().shines("back"));
-    press(&mut hand, "Solo back");
+    hand.press("Solo back");
     assert!(hand.app().session().shines("key"));
     let before = hand.look().clone();
-    press(&mut hand, "More of key");
-    press(&mut hand, "Duplicate light");
+    hand.press("More of key");
+    hand.press("Duplicate light");
     assert_eq!(hand.look().lights.keys().map(ToString::to_string).collect::<Vec<_>>(), ["key", "key_2", "back"]);
-    assert!(has(&hand, "unused"), "nothing names it yet");
-    press(&mut hand, "More of key_2");
-    press(&mut hand, "Rename light");
+    assert!(hand.has("unused"), "nothing names it yet");
+    hand.press("More of key_2");
+    hand.press("Rename light");
     hand.type_text("Window");
     hand.key(Key::Enter);
     hand.settle();
     assert_eq!(hand.look().lights["key_2"].name, "Window");
-    press(&mut hand, "More of Window");
-    press(&mut hand, "Remove light");
+    hand.press("More of Window");
+    hand.press("Remove light");
     assert_eq!(*hand.look(), before);
-    press(&mut hand, "Add light");
-    press(&mut hand, "Spot");
+    hand.press("Add light");
+    hand.press("Spot");
     assert_eq!(hand.look().lights.len(), 3);
     assert_eq!(hand.app().session().steps().count(), 4);
 }
@@ -314,7 +320,7 @@ const BROKEN: &str = r##"{"lights": {"key": {"direction": [-0.5, 0.7, 0.6]}}, "n
 fn every_problem_that_has_a_fix_is_mended_by_a_click() {
     let mut hand = Hand::new();
     let _folder = open(&mut hand, BROKEN);
-    press(&mut hand, "Open the list of problems");
+    hand.press("Open the list of problems");
     let before = hand.look().clone();
     let fixes = ["Use ", "Make it ", "Wire ", "Add ", "Set ", "Remove "];
     let skipped = ["Add layer", "Wire of"];
@@ -345,7 +351,7 @@ fn every_problem_that_has_a_fix_is_mended_by_a_click() {
     assert_eq!(nodes["diffuse"].values["light"], Value::Text("key".into()));
     assert_eq!(nodes["diffuse"].values["blend"], Value::Text("add".into()));
     assert_eq!(nodes["base"].values["color"], Value::Vector(vec![0.2, 0.2, 0.3]));
-    assert!(says(&hand, "No problems") && !has(&hand, "Open the list of problems"));
+    assert!(hand.says("No problems") && !hand.has("Open the list of problems"));
     let steps = hand.app().session().steps().count();
     for _ in 0..steps {
         hand.undo();
@@ -358,22 +364,22 @@ fn every_problem_that_has_a_fix_is_mended_by_a_click() {
 fn the_history_is_a_list_that_leads_back_and_forth() {
     let mut hand = figure1();
     let before = hand.look().clone();
-    press(&mut hand, "Show Specular");
-    press(&mut hand, "Show Fill");
-    press(&mut hand, "Layer Diffuse");
+    hand.press("Show Specular");
+    hand.press("Show Fill");
+    hand.press("Layer Diffuse");
     hand.key(Key::Delete);
     hand.settle();
     let last = hand.look().clone();
-    tab(&mut hand, "History");
+    hand.tab("History");
     assert_eq!(rows(&hand), ["Step 0: Opened", "Step 1: mute specular", "Step 2: mute fill", "Step 3: remove diffuse"]);
-    press(&mut hand, "Step 1: mute specular");
+    hand.press("Step 1: mute specular");
     let look = hand.look();
     assert!(look.graph.nodes["specular"].muted && !look.graph.nodes["fill"].muted && look.graph.nodes.len() == 6);
     assert_eq!(rows(&hand).len(), 4, "what was taken back is still listed");
-    press(&mut hand, "Step 0: Opened");
+    hand.press("Step 0: Opened");
     assert_eq!(*hand.look(), before);
     assert!(!hand.app().session().is_dirty());
-    press(&mut hand, "Step 3: remove diffuse");
+    hand.press("Step 3: remove diffuse");
     assert_eq!(*hand.look(), last);
     hand.key(Key::ArrowUp);
     hand.settle();
@@ -383,15 +389,15 @@ fn the_history_is_a_list_that_leads_back_and_forth() {
 #[test]
 fn nodes_come_from_the_library_by_a_click_or_a_drag() {
     let mut hand = Hand::new();
-    tab(&mut hand, "Library");
-    let search = rect(&hand, "Search nodes").center();
+    hand.tab("Library");
+    let search = hand.place("Search nodes").center();
     hand.click(search);
     hand.type_text("profile");
     hand.settle();
-    press(&mut hand, "Library node Profile");
+    hand.press("Library node Profile");
     assert!(hand.look().graph.nodes.contains_key("profile"));
-    assert_eq!(selected(&hand), ["profile"]);
-    let (from, to) = (rect(&hand, "Library node Profile").center(), hand.empty_place());
+    assert_eq!(hand.selected(), ["profile"]);
+    let (from, to) = (hand.place("Library node Profile").center(), hand.empty_place());
     hand.drag(from, to);
     hand.settle();
     let place = hand.app().canvas().node_rect("profile_2").expect("the dragged one").min;
@@ -406,30 +412,22 @@ fn nodes_come_from_the_library_by_a_click_or_a_drag() {
 #[test]
 fn a_look_of_the_library_opens_as_a_new_one() {
     let mut hand = Hand::new();
-    tab(&mut hand, "Library");
-    press(&mut hand, "Looks");
+    hand.tab("Library");
+    hand.press("Looks");
     let name = hand
         .harness
         .get_all_by_label_contains("Open the look")
         .next()
         .and_then(|node| node.accesskit_node().label())
         .expect("one");
-    press(&mut hand, &name);
+    hand.press(&name);
     assert_eq!(hand.look().name, "Layers");
     assert!(hand.app().session().path().is_none() && !hand.app().session().is_dirty());
 }
 
-/// A window that draws.
-fn drawing() -> Hand {
-    block_on(Gpu::headless()).expect("an adapter; software Vulkan does");
-    let state = create_render_state(default_wgpu_setup(), eframe::egui_wgpu::RendererOptions::PREDICTABLE);
-    let builder = Harness::builder().renderer(WgpuTestRenderer::from_render_state(state.clone()));
-    Hand::with_builder(builder, move |ctx| App::new(ctx, Some(state.clone())))
-}
-
 #[test]
 fn small_pictures_are_drawn_at_rest_and_kept_by_what_they_show() {
-    let mut hand = drawing();
+    let mut hand = Hand::drawing_with(|app, _| app);
     hand.app_mut().open(std::path::Path::new("examples/looks/figure1-layers.json"));
     let rest = |hand: &mut Hand| {
         hand.settle();
@@ -440,7 +438,7 @@ fn small_pictures_are_drawn_at_rest_and_kept_by_what_they_show() {
     let first = rest(&mut hand);
     assert!(first >= 5, "four layers and the base: {first}");
     // A name, a place and another order are no other pictures; a colour is one.
-    press(&mut hand, "Layer Specular");
+    hand.press("Layer Specular");
     hand.key_with(Modifiers::ALT, Key::ArrowDown);
     assert_eq!(rest(&mut hand), first);
     let graph = chiaro::document::GraphId::Look;
@@ -455,18 +453,18 @@ fn small_pictures_are_drawn_at_rest_and_kept_by_what_they_show() {
 #[test]
 fn what_was_opened_before_is_among_the_looks() {
     let mut hand = figure1();
-    tab(&mut hand, "Library");
-    press(&mut hand, "Looks");
-    let search = rect(&hand, "Search looks").center();
+    hand.tab("Library");
+    hand.press("Looks");
+    let search = hand.place("Search looks").center();
     hand.click(search);
     hand.type_text("·");
     hand.settle();
-    press(&mut hand, "Open the look Layers · Figure 1");
+    hand.press("Open the look Layers · Figure 1");
     assert!(hand.app().session().path().is_none(), "the example");
     hand.click(search);
     hand.key(Key::End);
     hand.key(Key::Backspace);
     hand.settle();
-    press(&mut hand, "Open the look figure1-layers");
+    hand.press("Open the look figure1-layers");
     assert!(hand.app().session().path().is_some_and(|path| path.ends_with("figure1-layers.json")), "the file");
 }

@@ -104,6 +104,38 @@ fn a_line_follows_the_pointer_and_a_gesture_is_one_step() {
 }
 
 #[test]
+fn a_line_of_a_keyed_value_sets_its_key() {
+    let mut hand = Hand::new();
+    hand.app_mut().show_on("shape:sphere");
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("look.json");
+    let look = r#"{"lights": {"key": {"direction": [-0.5, 0.7, 0.6]}},
+        "nodes": [{"id": "base", "kind": "base"}, {"id": "diffuse", "kind": "light_layer", "values": {"light": "key"}},
+            {"id": "output", "kind": "output"}],
+        "wires": [{"from": "base", "to": "diffuse.below"}, {"from": "diffuse", "to": "output.color"}],
+        "direction_keys": [{"by": {"light": "key"}, "keys": [{"direction": [-0.5, 0.7, 0.6], "values": {"diffuse.cutoff": 1.2, "diffuse.falloff": 1.2}}]}]}"#;
+    std::fs::write(&path, look).unwrap();
+    hand.app_mut().open(&path);
+    hand.settle();
+    hand.app_mut().session_mut().select(vec!["diffuse".into()]);
+    hand.settle();
+    let l = light(&hand);
+    let from = grip(&hand, "cutoff");
+    assert!((normal_at(&hand, from).unwrap().angle_between(l) - 1.2).abs() < 0.01, "the line is where the key has it");
+    let to = screen_at(&hand, normal_at(&hand, from).unwrap().lerp(l, 0.3).normalize());
+    hand.drag(from, to);
+    hand.settle();
+    let wanted = normal_at(&hand, to).unwrap().angle_between(l);
+    for port in ["cutoff", "falloff"] {
+        let target = chiaro::document::Target::parse(&format!("diffuse.{port}")).unwrap();
+        let Value::Number(set) = hand.look().direction_keys[0].keys[0].values[&target] else { panic!("a number") };
+        assert!((set - wanted).abs() < 0.004, "{port}: {set} for {wanted}");
+    }
+    assert_eq!((number(&hand, "falloff"), number(&hand, "cutoff")), (None, None), "the node's own values stay");
+    assert_eq!(hand.app().session().steps().count(), 1);
+}
+
+#[test]
 fn ctrl_pulls_one_line_off_and_order_is_kept() {
     let mut hand = on_ball();
     let from = grip(&hand, "cutoff");
@@ -210,6 +242,40 @@ fn without_a_layer_all_lights_turn() {
 }
 
 #[test]
+fn escape_gives_a_drag_up() {
+    let mut hand = on_ball();
+    let before = hand.app().session().orbit().clone();
+    let corner = rect(&hand).left_top() + vec2(12.0, 12.0);
+    hand.hold(corner);
+    hand.move_to(corner + vec2(60.0, 20.0));
+    assert_ne!(*hand.app().session().orbit(), before);
+    hand.key(Key::Escape);
+    assert_eq!(*hand.app().session().orbit(), before);
+    hand.move_to(corner + vec2(90.0, 20.0));
+    hand.release(corner + vec2(90.0, 20.0));
+    assert_eq!(*hand.app().session().orbit(), before, "the hand holds nothing any more");
+    // What a line has set goes too, and nothing is left to be taken back.
+    let from = grip(&hand, "cutoff");
+    let to = screen_at(&hand, normal_at(&hand, from).unwrap().lerp(light(&hand), 0.3).normalize());
+    hand.hold(from);
+    hand.move_to(from + (to - from) * 0.5);
+    hand.move_to(to);
+    assert!(number(&hand, "cutoff").is_some());
+    hand.key(Key::Escape);
+    assert_eq!((number(&hand, "cutoff"), hand.app().session().undo_label()), (None, None));
+    hand.release(to);
+    assert!(!hand.app().session().is_dirty());
+    // An edit of before the drag stays.
+    hand.drag(from, to);
+    let first = number(&hand, "cutoff");
+    hand.hold(corner);
+    hand.move_to(corner + vec2(60.0, 20.0));
+    hand.key(Key::Escape);
+    hand.release(corner + vec2(60.0, 20.0));
+    assert_eq!(number(&hand, "cutoff"), first);
+}
+
+#[test]
 fn plain_nodes_have_lines_too() {
     let mut hand = Hand::new();
     hand.app_mut().show_on("shape:sphere");
@@ -234,4 +300,15 @@ fn the_window_rests_with_lines_on_the_object() {
     hand.key(Key::T);
     hand.settle();
     assert!(hand.repaint_delay() > std::time::Duration::from_secs(60));
+    // The same from the palette; over the graph the key is the graph's.
+    hand.key_with(Modifiers::COMMAND, Key::P);
+    hand.type_text("turntable");
+    hand.key(Key::Enter);
+    hand.harness.run_steps(2);
+    assert!(hand.repaint_delay() < std::time::Duration::from_secs(1), "it runs again");
+    let nothing = hand.empty_place();
+    hand.hover(nothing);
+    hand.key(Key::T);
+    hand.harness.run_steps(2);
+    assert!(hand.repaint_delay() < std::time::Duration::from_secs(1), "and goes on");
 }

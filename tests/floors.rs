@@ -16,11 +16,11 @@ use scan::Reference;
 /// The floors of `docs/decisions.md`, lowest first. A module may import from any line above its own here, and from
 /// itself; never from its own line or a line below.
 ///
-/// The half floors hold what stands on a neighbour of the same floor: a diagnostic names nodes by their ids, a group
-/// that the library ships is a document, and a frame plan joins what the rest of floor 3 makes.
+/// The half floors hold what stands on a neighbour of the same floor: a diagnostic names nodes by their ids, a milestone
+/// has a time, a group that the library ships is a document, and a frame plan joins what the rest of floor 3 makes.
 const FLOORS: &[(&str, &[&str])] = &[
     ("0", &["clock", "ids", "math"]),
-    ("0½", &["diag"]),
+    ("0½", &["diag", "milestones"]),
     ("1", &["wgsl"]),
     ("2", &["document", "interp"]),
     ("2½", &["library"]),

@@ -33,6 +33,7 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{CommandFactory as _, Parser, Subcommand};
 
+use crate::milestones;
 use output::Output;
 
 /// Draw with light: stylized shading as a graph, compiled to one readable WGSL shader.
@@ -123,6 +124,7 @@ pub enum Outcome {
 
 /// Reads the command line and does what it says, but for the editor, which `main` opens.
 pub fn run() -> Outcome {
+    milestones::reached("program");
     let command = match Arguments::parse() {
         Arguments { command: Some(Command::Edit { files, mesh }), .. } => return Outcome::Edit { files, mesh },
         Arguments { command: Some(command), .. } => command,

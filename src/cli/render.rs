@@ -16,6 +16,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Projection, Scene, Tier, parse_hex, write_atomic};
 use crate::frame::{Assets, FramePlan, PassKind, Picture, PlanOptions, Planner, open};
 use crate::interp::Precision;
+use crate::milestones;
 use crate::reference::{self, Control, Modules, execute};
 #[cfg(feature = "gpu")]
 use crate::render::{Gpu, Renderer, block_on};
@@ -131,6 +132,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let options = PlanOptions { size: arguments.size.0, samples: arguments.samples, time: arguments.time };
     let live = if arguments.live || is_truth { Live::All } else { Live::Keyed };
     let plan = planner.plan(&setup, &library, &live, &options)?;
+    milestones::reached("first shaders");
     warnings.extend(planner.warnings);
     output.diagnostics(&warnings);
     let Drawn { picture, passes, adapter } = draw(&plan, arguments.on, output).map_err(one)?;
@@ -165,6 +167,7 @@ fn draw(plan: &FramePlan, on: Option<On>, output: &Output) -> Result<Drawn, Diag
                 let passes = block_on(renderer.draw(plan))?;
                 // Nothing is drawn again: every pass has what it would draw.
                 let picture = block_on(renderer.picture(plan))?;
+                milestones::reached("first picture");
                 return Ok(Drawn { picture, passes, adapter: renderer.gpu().name() });
             }
             Err(error) if on.is_none() => {

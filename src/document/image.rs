@@ -48,3 +48,19 @@ pub(super) fn serialize<S: Serializer>(look: &Look, serializer: S) -> Result<S::
 pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Box<Look>, D::Error> {
     LookImage::deserialize(deserializer).map(Box::new)
 }
+
+/// The same for scenes.
+pub(super) mod of_scene {
+    use serde::{Deserializer, Serializer};
+
+    use super::SceneImage;
+    use crate::document::Scene;
+
+    pub(in crate::document) fn serialize<S: Serializer>(scene: &Scene, serializer: S) -> Result<S::Ok, S::Error> {
+        SceneImage::serialize(scene, serializer)
+    }
+
+    pub(in crate::document) fn deserialize<'de, D: Deserializer<'de>>(source: D) -> Result<Box<Scene>, D::Error> {
+        SceneImage::deserialize(source).map(Box::new)
+    }
+}

@@ -8,10 +8,11 @@ use super::orbit::Orbit;
 use super::panels::solo::Solo;
 use super::safety::Wish;
 use super::shortcuts::Action;
+use super::stage;
 use super::viewport::Export;
 use super::wire::ShownWire;
 use crate::document::Edit;
-use crate::ids::{NodeId, NodePath};
+use crate::ids::{DefinitionId, NodeId, NodePath};
 
 /// Something that a panel asks for.
 #[derive(Clone, Debug)]
@@ -77,6 +78,8 @@ pub(crate) enum Command {
         kind: String,
         at: Option<egui::Pos2>,
     },
+    /// Puts a group of the look's own where all looks of the project have it.
+    ShareGroup(DefinitionId),
     /// Begins a new look with an example of the library, by its number.
     OpenExample(usize),
     /// Copies text to the clipboard.
@@ -87,6 +90,8 @@ pub(crate) enum Command {
     SetTime(f64),
     /// Looks from elsewhere, or under lights that are turned otherwise.
     TurnTo(Box<Orbit>),
+    /// What is asked for of the scene around the look.
+    Stage(stage::Wish),
     /// What the bar of unsaved work and changed files asks for.
     Safety(Wish),
 }

@@ -11,6 +11,7 @@ use crate::diag::Diagnostic;
 use crate::document::Look;
 use crate::ids::{NodePath, PortName};
 use crate::library::{Library, Type};
+use crate::milestones;
 
 /// What is to be compiled.
 pub(crate) struct Request {
@@ -80,5 +81,6 @@ fn compile(request: &Request) -> Result<Shaders, Vec<Diagnostic>> {
         true => None,
         false => Some(Arc::new(compile_typed(&typed, &with(Live::All), warnings)?)),
     };
+    milestones::reached("first shaders");
     Ok(Shaders { live, baked })
 }

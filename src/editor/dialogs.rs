@@ -1,6 +1,7 @@
 //! The system's file dialogs, which wait on a thread of their own. Where the system has none to show, the window asks for
 //! a path itself.
 
+use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -15,6 +16,13 @@ pub(crate) enum Purpose {
     Open,
     Save,
     Mesh,
+    /// A mesh for one more object.
+    AddMesh,
+    /// A mesh for the object that is asked for.
+    ObjectMesh,
+    /// A look for the object that is asked for.
+    ObjectLook,
+    SaveScene,
     /// A picture is written.
     Export(Export),
     /// An image is shown.
@@ -35,8 +43,10 @@ impl Purpose {
     /// What such files are called, and their endings.
     pub(crate) fn files(self) -> (&'static str, &'static [&'static str]) {
         match self {
-            Self::Open | Self::Save => ("Chiaro look", &["json"]),
-            Self::Mesh => ("Mesh", &MESHES),
+            Self::Open => ("Chiaro look or scene", &["json"]),
+            Self::Save | Self::ObjectLook => ("Chiaro look", &["json"]),
+            Self::SaveScene => ("Chiaro scene", &["json"]),
+            Self::Mesh | Self::AddMesh | Self::ObjectMesh => ("Mesh", &MESHES),
             Self::Export(_) => ("PNG", &["png"]),
             Self::Reference => ("Image", &IMAGES),
         }
@@ -44,7 +54,7 @@ impl Purpose {
 
     /// Whether the file is written.
     pub(crate) fn writes(self) -> bool {
-        matches!(self, Self::Save | Self::Export(_))
+        matches!(self, Self::Save | Self::SaveScene | Self::Export(_))
     }
 
     /// The path with an ending, where one is to be written and has none.
@@ -82,16 +92,21 @@ pub(crate) struct Dialogs {
     answers: Arc<Mutex<Vec<Answer>>>,
     wake: Arc<dyn Fn() + Send + Sync>,
     pub(crate) way: Way,
+    /// What is answered in place of whom the dialogs would ask, for programs that drive the window.
+    pub(crate) prepared: VecDeque<PathBuf>,
 }
 
 impl Dialogs {
     /// `wake` is called from another thread when a file was chosen.
     pub(crate) fn new(wake: impl Fn() + Send + Sync + 'static) -> Self {
-        Self { answers: Arc::default(), wake: Arc::new(wake), way: Way::System }
+        Self { answers: Arc::default(), wake: Arc::new(wake), way: Way::System, prepared: VecDeque::new() }
     }
 
     /// Asks for a file, beginning in the folder of `near`.
-    pub(crate) fn ask(&self, purpose: Purpose, near: Option<&Path>) {
+    pub(crate) fn ask(&mut self, purpose: Purpose, near: Option<&Path>) {
+        if let Some(path) = self.prepared.pop_front() {
+            return self.answer(Answer::File(purpose, path));
+        }
         match self.way {
             Way::System => self.ask_system(purpose, near),
             Way::Window => self.answer(Answer::NoDialog(purpose, suggested(purpose, near))),

@@ -27,6 +27,7 @@ pub mod settings;
 mod sheet;
 mod shortcuts;
 mod spots;
+pub mod stage;
 mod still;
 mod theme;
 mod tour;
@@ -48,16 +49,51 @@ pub use probe::Probe;
 pub use safety::places::Places;
 pub use session::Session;
 pub use settings::Settings;
+pub use stage::Stage;
 pub use viewport::Viewport;
 pub use wipe::Wipe;
 
 use panels::problems;
 
 use crate::diag::Diagnostic;
+use crate::frame::{DEFAULT_MESH, SHAPE_PREFIX};
+use crate::library::Library;
+use crate::milestones;
+
+/// How the window is opened, and with which device.
+pub fn options() -> eframe::NativeOptions {
+    let viewport = egui::ViewportBuilder::default()
+        .with_app_id("chiaro")
+        .with_title("Chiaro")
+        .with_inner_size([1600.0, 960.0])
+        .with_min_inner_size([760.0, 480.0])
+        .with_drag_and_drop(true)
+        .with_icon(icon());
+    let mut setup = eframe::egui_wgpu::WgpuSetupCreateNew::without_display_handle();
+    setup.device_descriptor = Arc::new(|adapter| {
+        milestones::reached("adapter");
+        crate::render::device_descriptor(adapter)
+    });
+    let mut options = eframe::NativeOptions { viewport, renderer: eframe::Renderer::Wgpu, ..Default::default() };
+    options.wgpu_options.wgpu_setup = setup.into();
+    options
+}
 
 /// The program's icon, as `chiaro desktop` installs it too.
 fn icon() -> egui::IconData {
     eframe::icon_data::from_png_bytes(include_bytes!("icon.png")).unwrap_or_default()
+}
+
+/// Begins what the first picture needs of the processor, beside the window's and the device's beginning: nodes are read,
+/// and an own shape is made, once for all who ask.
+fn warm_up(mesh: Option<&str>) {
+    drop(worker::start("library", || {
+        Library::built_in();
+    }));
+    let shape = mesh.unwrap_or(DEFAULT_MESH).strip_prefix(SHAPE_PREFIX).map(str::to_owned);
+    if let Some(shape) = shape {
+        drop(worker::start("shape", move || drop(crate::geometry::shape(&shape))));
+    }
 }
 
 /// Opens the window with the first of `files`, or a new look, on `mesh` (a path, or `shape:` and a name), and returns
@@ -68,18 +104,9 @@ fn icon() -> egui::IconData {
 pub fn run(files: &[PathBuf], mesh: Option<&str>) -> Result<(), Box<Diagnostic>> {
     let file = files.first().cloned();
     let mesh = mesh.map(str::to_owned);
-    let viewport = egui::ViewportBuilder::default()
-        .with_app_id("chiaro")
-        .with_title("Chiaro")
-        .with_inner_size([1600.0, 960.0])
-        .with_min_inner_size([760.0, 480.0])
-        .with_drag_and_drop(true)
-        .with_icon(icon());
-    let mut setup = eframe::egui_wgpu::WgpuSetupCreateNew::without_display_handle();
-    setup.device_descriptor = Arc::new(crate::render::device_descriptor);
-    let mut options = eframe::NativeOptions { viewport, renderer: eframe::Renderer::Wgpu, ..Default::default() };
-    options.wgpu_options.wgpu_setup = setup.into();
+    warm_up(mesh.as_deref());
     let create = move |context: &eframe::CreationContext<'_>| {
+        milestones::reached("window and device");
         let mut app = App::new(&context.egui_ctx, context.wgpu_render_state.clone());
         if let Some(places) = Places::of_user() {
             app.keep_in(places, &context.egui_ctx);
@@ -93,7 +120,7 @@ pub fn run(files: &[PathBuf], mesh: Option<&str>) -> Result<(), Box<Diagnostic>>
         }
         Ok(Box::new(app) as Box<dyn eframe::App>)
     };
-    eframe::run_native("chiaro", options, Box::new(create)).map_err(|error| {
+    eframe::run_native("chiaro", options(), Box::new(create)).map_err(|error| {
         let problem = Diagnostic::error("no-window", format!("no window could be opened: {error}"));
         let hint = "without a display, `chiaro render` makes pictures; on Linux DISPLAY or WAYLAND_DISPLAY names one";
         Box::new(problem.hint(hint))

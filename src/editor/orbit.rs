@@ -5,10 +5,12 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use glam::{DQuat, DVec3};
 
 use crate::document::{Camera, Projection};
-use crate::frame::DEFAULT_MESH;
+use crate::frame::{DEFAULT_MESH, View};
 
-/// The closest and the farthest that the eye may be.
+/// The closest and the farthest that the eye may come by the wheel.
 const DISTANCE: std::ops::RangeInclusive<f64> = 0.2..=200.0;
+/// What is framed takes so much of the picture's height, or of its width.
+const FRAMED: f64 = 0.86;
 
 /// A camera on a sphere around a target, the illumination frame, and the mesh that the look is judged on.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,6 +19,8 @@ pub struct Orbit {
     pub yaw: f64,
     /// Above the horizon, in radians.
     pub pitch: f64,
+    /// World from turntable: what is up there may lie elsewhere in the world.
+    pub upright: DQuat,
     /// From target to eye, in scene units.
     pub distance: f64,
     /// What is looked at.
@@ -41,6 +45,7 @@ impl Default for Orbit {
         Self {
             yaw: 0.0,
             pitch: 0.0,
+            upright: DQuat::IDENTITY,
             distance: DVec3::from(camera.eye).distance(camera.target.into()),
             target: camera.target.into(),
             fov: camera.fov,
@@ -58,12 +63,12 @@ impl Orbit {
     pub fn direction(&self) -> DVec3 {
         let (sin_yaw, cos_yaw) = self.yaw.sin_cos();
         let (sin_pitch, cos_pitch) = self.pitch.sin_cos();
-        DVec3::new(cos_pitch * sin_yaw, sin_pitch, cos_pitch * cos_yaw)
+        self.upright * DVec3::new(cos_pitch * sin_yaw, sin_pitch, cos_pitch * cos_yaw)
     }
 
     /// The camera's right and up, in world space.
     pub fn right_and_up(&self) -> (DVec3, DVec3) {
-        let right = DVec3::new(self.yaw.cos(), 0.0, -self.yaw.sin());
+        let right = self.upright * DVec3::new(self.yaw.cos(), 0.0, -self.yaw.sin());
         (right, self.direction().cross(right))
     }
 
@@ -72,11 +77,40 @@ impl Orbit {
         Camera {
             eye: (self.target + self.direction() * self.distance).to_array(),
             target: self.target.to_array(),
-            up: [0.0, 1.0, 0.0],
+            up: (self.upright * DVec3::Y).to_array(),
             projection: self.projection,
             fov: self.fov,
             height: self.height(),
         }
+    }
+
+    /// Looks from where a scene's camera does; mesh, backdrop and lights stay.
+    pub fn look_from(&mut self, camera: &Camera) {
+        let view = View::new(camera, [1, 1], DVec3::ZERO, 1.0);
+        let up = DVec3::from(camera.up).try_normalize().unwrap_or(DVec3::Y);
+        self.upright = DQuat::from_rotation_arc(DVec3::Y, up);
+        self.target = camera.target.into();
+        self.distance = DVec3::from(camera.eye).distance(self.target).max(1e-3);
+        self.projection = camera.projection;
+        self.fov = match camera.projection {
+            Projection::Perspective => camera.fov.clamp(0.01, 3.1),
+            Projection::Orthographic => 2.0 * (0.5 * camera.height.max(1e-6) / self.distance).atan(),
+        };
+        let to_turntable = self.upright.inverse();
+        let (backward, right) = (to_turntable * view.backward, to_turntable * view.rotation().row(0));
+        self.pitch = backward.y.clamp(-1.0, 1.0).asin();
+        self.yaw = (-right.z).atan2(right.x).rem_euclid(2.0 * PI);
+    }
+
+    /// Brings a sphere into view, whole, in a picture of so many times its height in width; the direction stays.
+    pub fn frame(&mut self, center: DVec3, radius: f64, aspect: f64) {
+        let radius = if radius.is_finite() { radius.max(1e-3) } else { 1.0 };
+        let half = (0.5 * self.fov).tan() * aspect.clamp(0.05, 1.0) * FRAMED;
+        self.target = center;
+        self.distance = match self.projection {
+            Projection::Perspective => radius / half.atan().sin(),
+            Projection::Orthographic => radius / half,
+        };
     }
 
     /// The height of the picture, in scene units, at the target: the same in either projection, so that the object
@@ -100,7 +134,9 @@ impl Orbit {
 
     /// Brings the eye nearer (`factor` below 1) or farther.
     pub fn dolly(&mut self, factor: f64) {
-        self.distance = (self.distance * factor).clamp(*DISTANCE.start(), *DISTANCE.end());
+        // A scene may be larger, or smaller.
+        let (least, most) = (DISTANCE.start().min(self.distance), DISTANCE.end().max(self.distance));
+        self.distance = (self.distance * factor).clamp(least, most);
     }
 
     /// Turns the illumination frame as a ball under the pointer, by a drag in parts of the picture's height.
@@ -164,6 +200,44 @@ mod tests {
         orbit.turn_lights(0.0, 0.5);
         let light = orbit.illumination * DVec3::Z;
         assert!((light + DVec3::Y).length() < 1e-12, "dragging down brings it below: {light}");
+    }
+
+    #[test]
+    fn a_scenes_camera_is_looked_from() {
+        let mut cameras = vec![Camera::default()];
+        for up in [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.3, -1.0, 0.2]] {
+            for eye in [[3.0, 2.0, 1.0], [-1.0, -4.0, 0.5], [0.5, 7.0, 0.0], [0.0, -0.2, -9.0]] {
+                cameras.push(Camera { eye, up, target: [0.5, 0.0, 0.0], ..Camera::default() });
+            }
+        }
+        cameras.push(Camera { projection: Projection::Orthographic, height: 5.4, eye: [0.0, 0.0, 12.0], ..cameras[0] });
+        for camera in cameras {
+            let mut orbit = Orbit::default();
+            orbit.look_from(&camera);
+            let [wanted, found] =
+                [camera, orbit.camera()].map(|camera| View::new(&camera, [300, 200], DVec3::ZERO, 2.0));
+            assert!(wanted.clip_from_world.abs_diff_eq(found.clip_from_world, 1e-9), "{camera:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_framed_fills_the_picture() {
+        for projection in [Projection::Perspective, Projection::Orthographic] {
+            let mut orbit = Orbit { projection, ..Orbit::default() };
+            let (center, radius) = (DVec3::new(5.0, 1.0, -3.0), 2.5);
+            orbit.frame(center, radius, 1.6);
+            let view = View::new(&orbit.camera(), [160, 100], center, radius);
+            let (_, up) = orbit.right_and_up();
+            // The outermost that is seen of the sphere: seen from the eye it leans toward it.
+            let highest = (0..900).map(|step| {
+                let angle = f64::from(step) * 1e-3 * PI;
+                view.clip_from_world
+                    .project_point3(center + radius * (up * angle.sin() + orbit.direction() * angle.cos()))
+                    .y
+            });
+            let highest = highest.fold(0.0, f64::max);
+            assert!((highest - FRAMED).abs() < 1e-3, "{highest}");
+        }
     }
 
     #[test]

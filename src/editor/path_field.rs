@@ -159,9 +159,13 @@ impl PathField {
 
 fn title(purpose: Purpose) -> &'static str {
     match purpose {
-        Purpose::Open => "Open a look",
+        Purpose::Open => "Open a look or a scene",
         Purpose::Save => "Save the look",
+        Purpose::SaveScene => "Save the scene",
         Purpose::Mesh => "Show the look on a mesh",
+        Purpose::AddMesh => "Add an object of a mesh",
+        Purpose::ObjectMesh => "Give the object another mesh",
+        Purpose::ObjectLook => "Give the object another look",
         Purpose::Export(_) => "Save the picture",
         Purpose::Reference => "Show an image with the picture",
     }

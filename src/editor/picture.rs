@@ -17,6 +17,7 @@ use crate::diag::Diagnostic;
 use crate::document::Look;
 use crate::frame::{Cull, Effect, PlanOptions, Planner, effects};
 use crate::library::Library;
+use crate::milestones;
 use crate::render::{Gpu, Renderer, block_on, set_times};
 
 /// What is to be drawn.
@@ -39,15 +40,38 @@ struct Wished {
     tells_effects: bool,
 }
 
-/// What was drawn: a texture where it is another than the last time.
+/// What was drawn: a texture where it could be.
 struct Drawn {
     texture: Option<wgpu::TextureView>,
+    /// What was made ready for it, and need not be made for the next one.
+    ready: Option<Ready>,
     problems: Vec<Diagnostic>,
     effects: Option<Vec<Effect>>,
 }
 
-/// How long a frame waits for the picture of its own edit.
-const HURRY: Duration = Duration::from_millis(8);
+/// What takes long to make: a shader's pipelines, and what a mesh is on the GPU.
+#[derive(Clone)]
+struct Ready {
+    shader: Arc<CompiledShader>,
+    library: Arc<Library>,
+    mesh: String,
+}
+
+impl Ready {
+    fn of(showing: &Showing, still: &Still) -> Self {
+        Self { shader: showing.shader.clone(), library: still.library.clone(), mesh: still.orbit.mesh.clone() }
+    }
+
+    fn is(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.shader, &other.shader)
+            && Arc::ptr_eq(&self.library, &other.library)
+            && self.mesh == other.mesh
+    }
+}
+
+/// How long a frame waits for the picture of its own edit to be handed to the GPU. With everything ready that takes a
+/// few milliseconds; a software GPU draws on the same cores, and takes its time.
+const HURRY: Duration = Duration::from_millis(60);
 /// After so many frames whose picture came too late, waiting is given up for a while.
 const MOST_LATE: u32 = 4;
 /// Frames that take longer than this, in seconds, are too slow for a hand at work.
@@ -109,6 +133,12 @@ pub(crate) struct Picture {
     texture: Option<TextureId>,
     wished: Option<Wished>,
     pace: Pace,
+    /// What the last picture was drawn with.
+    ready: Option<Ready>,
+    /// Whether all that is asked for needs only to be drawn: nothing is to be built, and no mesh to be read.
+    is_quick: bool,
+    /// The longest that a frame waits.
+    pub(crate) patience: Duration,
     /// How many frames in a row went without the picture of their own edit.
     late: u32,
     /// The size that was asked for last, before it was made coarser.
@@ -138,6 +168,9 @@ impl Picture {
             texture: None,
             wished: None,
             pace: Pace::default(),
+            ready: None,
+            is_quick: true,
+            patience: HURRY,
             late: 0,
             size: [0; 2],
             wishes: 0,
@@ -168,15 +201,19 @@ impl Picture {
         self.texture
     }
 
-    /// Asks for what an edit of this very frame changes, and gives the thread a moment to have it drawn: the picture is
-    /// drawn into the texture that the window shows, so that this frame may show it already.
+    /// Asks for what an edit of this very frame changes, and waits until it is handed to the GPU, where that needs
+    /// only to be drawn. The GPU does what it is given in order, so that this frame shows the picture already: it need
+    /// not be finished, only be handed over before the frame is.
     pub(crate) fn hurry(&mut self, session: &mut Session) {
         self.pace.has_wished |= self.ask(session);
-        // Where it never comes in time (software Vulkan shares the cores), waiting is only tried now and then.
-        if self.worker.is_busy() && (self.late < MOST_LATE || self.late.is_multiple_of(MOST_LATE * 8)) {
-            self.worker.wait_at_most(HURRY);
+        if !self.worker.is_busy() {
+            return;
         }
-        self.late = if self.worker.is_busy() { self.late.saturating_add(1) } else { 0 };
+        if self.is_quick && (self.late < MOST_LATE || self.late.is_multiple_of(MOST_LATE * 8)) {
+            self.worker.wait_at_most(self.patience);
+            self.late = if self.worker.is_busy() { self.late.saturating_add(1) } else { 0 };
+        }
+        self.take();
     }
 
     fn take(&mut self) {
@@ -184,6 +221,7 @@ impl Picture {
             if let Some(view) = drawn.texture {
                 self.show(&view);
             }
+            self.ready = drawn.ready.or(self.ready.take());
             self.problems = drawn.problems;
             if let Some(effects) = drawn.effects {
                 self.effects = Arc::new(effects);
@@ -208,6 +246,9 @@ impl Picture {
             self.wished = wished;
             self.wishes += 1;
             let still = session.still_of(showing.look.clone());
+            let wanted = Ready::of(&showing, &still);
+            let is_ready = self.ready.as_ref().is_some_and(|ready| ready.is(&wanted));
+            self.is_quick = is_ready && (self.is_quick || !self.worker.is_busy());
             let wish = Wish { showing, still, size, tells_effects: self.tells_effects };
             self.worker.request(|_| wish);
             return true;
@@ -223,6 +264,11 @@ impl Picture {
     /// Whether one is being made.
     pub(crate) fn is_busy(&self) -> bool {
         self.worker.is_busy()
+    }
+
+    /// Whether there is one.
+    pub(crate) fn is_there(&self) -> bool {
+        self.texture.is_some()
     }
 
     /// Waits for it.
@@ -255,9 +301,10 @@ impl Artist {
         match self.try_draw(wish) {
             Ok(effects) => {
                 let problems = std::mem::take(&mut self.planner.warnings);
-                Drawn { texture: self.renderer.picture_view(), problems, effects }
+                let ready = Some(Ready::of(&wish.showing, &wish.still));
+                Drawn { texture: self.renderer.picture_view(), ready, problems, effects }
             }
-            Err(problems) => Drawn { texture: None, problems, effects: None },
+            Err(problems) => Drawn { texture: None, ready: None, problems, effects: None },
         }
     }
 
@@ -270,8 +317,7 @@ impl Artist {
             (self.library, self.provided) = (Some(wish.still.library.clone()), None);
         }
         let (mut setup, notes) = wish.still.setup(&mut self.planner.assets)?;
-        // The look's lights as they are now: the planner keeps those of the time when it was given the shader.
-        setup.scene.lights.clone_from(&showing.look.lights);
+        setup.edited = Some(0);
         if !self
             .provided
             .as_ref()
@@ -286,6 +332,9 @@ impl Artist {
         let is_told = wish.tells_effects && showing.live == Live::Keyed;
         let mut effects = is_told.then(|| effects(&plan, self.renderer.done()));
         block_on(self.renderer.draw(&plan)).map_err(|error| vec![error.into()])?;
+        if milestones::are_told() {
+            self.renderer.gpu().queue.on_submitted_work_done(|| milestones::reached("first picture"));
+        }
         if let Some(effects) = &mut effects {
             // Once more with a clock, everything anew: what was drawn just now may have been little, or the first time.
             let times = block_on(self.renderer.measure(&plan)).map_err(|error| vec![error.into()])?;

@@ -1,15 +1,21 @@
-//! The sheet of all shortcuts, and the command palette: both list what is in the table of shortcuts.
+//! The sheet of all shortcuts, and the command palette: both list what is in the table of shortcuts. The palette finds
+//! nodes of the open graph too, however many there are.
 
 use eframe::egui;
 use eframe::egui::{Align2, Key, Modifiers, RichText, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
 
+use super::command::Command;
+use super::session::Session;
 use super::shortcuts::{self, Action, POINTER, Place, Shortcut};
 use super::theme;
+use crate::ids::NodeId;
 
 const WIDTH: f32 = 420.0;
 /// The width of the sheet of shortcuts.
 const SHEET: f32 = 1080.0;
 const ROW: f32 = 24.0;
+/// As many nodes are listed; another word finds the others.
+const MOST_NODES: usize = 40;
 
 /// What is open of both.
 #[derive(Default)]
@@ -45,7 +51,7 @@ impl Sheet {
     }
 
     /// Shows what is open; what was chosen.
-    pub(crate) fn show(&mut self, ui: &Ui) -> Option<Action> {
+    pub(crate) fn show(&mut self, ui: &Ui, session: &Session) -> Option<Command> {
         let shown = self.shown.as_mut()?;
         let (mut chosen, is_new) = (None, shown.is_new());
         let screen = ui.ctx().content_rect();
@@ -56,7 +62,7 @@ impl Sheet {
         let response = area.show(ui.ctx(), |ui| {
             egui::Frame::popup(ui.style()).show(ui, |ui| match shown {
                 Shown::Shortcuts { .. } => show_shortcuts(ui, screen.height() - 180.0),
-                Shown::Commands { query, index, is_new } => chosen = show_commands(ui, query, index, is_new),
+                Shown::Commands { query, index, is_new } => chosen = show_commands(ui, session, query, index, is_new),
             });
         });
         let is_outside = ui.input(|input| {
@@ -101,7 +107,7 @@ fn show_shortcuts(ui: &mut Ui, height: f32) {
 
 /// The rows of a place; the nine bookmarks are told as one.
 fn rows(place: Place) -> impl Iterator<Item = (String, &'static str)> {
-    let rows = shortcuts::ALL.iter().filter(move |row| row.place == place);
+    let rows = shortcuts::ALL.iter().filter(move |row| row.place == place && !row.keys.is_empty());
     rows.filter_map(|row| match row.action {
         Action::GoTo(1) => Some(("1 … 9".to_owned(), "Go to a bookmark")),
         Action::Remember(1) => Some(("Ctrl+1 … 9".to_owned(), "Bookmark this view")),
@@ -126,8 +132,24 @@ fn list(ui: &mut Ui, title: &str, rows: &[(String, &str)]) {
     }
 }
 
-/// The command that was chosen.
-fn show_commands(ui: &mut Ui, query: &mut String, index: &mut usize, is_new: &mut bool) -> Option<Action> {
+/// A row of the palette.
+struct Entry {
+    label: String,
+    /// The key, or what else tells it from others.
+    aside: String,
+    /// What screen readers call it.
+    name: String,
+    command: Command,
+}
+
+/// What was chosen.
+fn show_commands(
+    ui: &mut Ui,
+    session: &Session,
+    query: &mut String,
+    index: &mut usize,
+    is_new: &mut bool,
+) -> Option<Command> {
     ui.set_width(WIDTH);
     let key = |ui: &Ui, key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
     if key(ui, Key::ArrowDown) {
@@ -137,44 +159,66 @@ fn show_commands(ui: &mut Ui, query: &mut String, index: &mut usize, is_new: &mu
         *index = index.saturating_sub(1);
     }
     let enter = key(ui, Key::Enter);
-    let edit = TextEdit::singleline(query).hint_text("Find a command").desired_width(f32::INFINITY);
+    let edit = TextEdit::singleline(query).hint_text("Find a command or a node").desired_width(f32::INFINITY);
     let response = ui.add(edit.id(egui::Id::unique("command query")));
+    response.widget_info(|| WidgetInfo::labeled(egui::Role::SearchInput, true, "Find a command or a node"));
     if std::mem::replace(is_new, false) {
         response.request_focus();
     }
     if response.changed() {
         *index = 0;
     }
-    let found = found(query);
-    *index = (*index).min(found.len().saturating_sub(1));
-    let mut chosen = found.get(*index).filter(|_| enter).map(|row| row.action);
+    let entries = entries(session, query);
+    *index = (*index).min(entries.len().saturating_sub(1));
+    let mut chosen = enter.then_some(*index);
     ui.spacing_mut().item_spacing.y = 0.0;
     ScrollArea::vertical().max_height(ROW * 14.0).min_scrolled_height(ROW * 14.0).auto_shrink([false, true]).show(
         ui,
         |ui| {
-            for (place, row) in found.iter().enumerate() {
-                let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), egui::Sense::click());
-                let name = format!("Command: {}", row.label);
-                response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, &name));
-                let colors = theme::of(ui);
-                if place == *index || response.hovered() {
-                    let fill = if place == *index { colors.accent_dim } else { colors.field };
-                    ui.painter().rect_filled(rect, 4.0, fill);
-                }
-                let font = egui::FontId::proportional(theme::TEXT_SIZE);
-                let text = |at, align, text: String, color| ui.painter().text(at, align, text, font.clone(), color);
-                text(rect.left_center() + vec2(8.0, 0.0), Align2::LEFT_CENTER, row.label.to_owned(), colors.text);
-                text(rect.right_center() - vec2(8.0, 0.0), Align2::RIGHT_CENTER, row.text(), colors.dim);
-                if response.clicked() {
-                    chosen = Some(row.action);
+            for (place, entry) in entries.iter().enumerate() {
+                if show_entry(ui, entry, place == *index) {
+                    chosen = Some(place);
                 }
             }
-            if found.is_empty() {
-                ui.label(RichText::new("No command of that name").color(theme::of(ui).dim));
+            if entries.is_empty() {
+                ui.label(RichText::new("Neither a command nor a node of that name").color(theme::of(ui).dim));
             }
         },
     );
-    chosen
+    chosen.and_then(|place| entries.into_iter().nth(place)).map(|entry| entry.command)
+}
+
+/// Whether it was clicked.
+fn show_entry(ui: &mut Ui, entry: &Entry, is_current: bool) -> bool {
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), egui::Sense::click());
+    response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, &entry.name));
+    let colors = theme::of(ui);
+    if is_current || response.hovered() {
+        let fill = if is_current { colors.accent_dim } else { colors.field };
+        ui.painter().rect_filled(rect, 4.0, fill);
+    }
+    let font = egui::FontId::proportional(theme::TEXT_SIZE);
+    let text = |at, align, text: &str, color| ui.painter().text(at, align, text, font.clone(), color);
+    text(rect.left_center() + vec2(8.0, 0.0), Align2::LEFT_CENTER, &entry.label, colors.text);
+    text(rect.right_center() - vec2(8.0, 0.0), Align2::RIGHT_CENTER, &entry.aside, colors.dim);
+    response.clicked()
+}
+
+/// Commands, and once there is a query nodes.
+fn entries(session: &Session, query: &str) -> Vec<Entry> {
+    let command = |row: &Shortcut| Entry {
+        label: row.label.to_owned(),
+        aside: row.text(),
+        name: format!("Command: {}", row.label),
+        command: Command::Act(row.action),
+    };
+    let node = |(id, title): (&NodeId, String)| Entry {
+        name: format!("Node: {title}"),
+        label: title,
+        aside: format!("node {id}"),
+        command: Command::Reveal(id.clone()),
+    };
+    found(query).into_iter().map(command).chain(found_nodes(session, query).into_iter().map(node)).collect()
 }
 
 /// Commands whose label has all words of the query, those that begin with the first one first.
@@ -191,6 +235,26 @@ fn found(query: &str) -> Vec<&'static Shortcut> {
     found
 }
 
+/// Nodes of the open graph whose title or id has all words of the query, with their titles; those that are called just
+/// that first.
+fn found_nodes<'s>(session: &'s Session, query: &str) -> Vec<(&'s NodeId, String)> {
+    let query = query.trim().to_lowercase();
+    if query.is_empty() {
+        return Vec::new();
+    }
+    let words: Vec<&str> = query.split_whitespace().collect();
+    let named = session.graph().nodes.iter().filter_map(|(id, node)| {
+        let kind = || session.catalog.of(node).map(|kind| kind.label.to_string());
+        let title = if node.name.is_empty() { kind().unwrap_or_else(|| id.to_string()) } else { node.name.clone() };
+        let text = format!("{title} {id}").to_lowercase();
+        words.iter().all(|word| text.contains(word)).then_some((id, title))
+    });
+    let mut found: Vec<(&NodeId, String)> = named.collect();
+    found.sort_by_key(|(id, title)| id.as_str() != query && title.to_lowercase() != query);
+    found.truncate(MOST_NODES);
+    found
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -200,5 +264,15 @@ mod tests {
         assert_eq!(found("group make").first().map(|row| row.action), Some(Action::Group));
         assert_eq!(found("tidy").first().map(|row| row.action), Some(Action::Layout));
         assert!(found("xyzzy").is_empty());
+    }
+
+    #[test]
+    fn nodes_are_found_by_title_and_id() {
+        let session = Session::new(std::sync::Arc::new(crate::library::Library::built_in().clone()), || {});
+        let titles = |query| found_nodes(&session, query).into_iter().map(|(id, _)| id.to_string()).collect::<Vec<_>>();
+        assert!(titles("").is_empty(), "nobody asked for any");
+        assert_eq!(titles("Diff"), ["diffuse"]);
+        assert_eq!(titles("out"), ["output"]);
+        assert!(titles("xyzzy").is_empty());
     }
 }

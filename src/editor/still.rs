@@ -8,6 +8,7 @@ use glam::DQuat;
 use super::orbit::Orbit;
 use super::panels::solo::Solo;
 use super::session::Session;
+use super::stage::Staged;
 use crate::diag::Diagnostic;
 use crate::document::{Look, SourceMap};
 use crate::frame::{Assets, Planner, Setup, SetupLook, default_setup};
@@ -24,17 +25,30 @@ pub(crate) struct Still {
     pub(crate) orbit: Orbit,
     /// In seconds.
     pub(crate) time: f64,
+    /// The scene around the look; without one it is on a mesh of its own.
+    pub(crate) stage: Option<Arc<Staged>>,
 }
 
 impl Still {
-    /// As a scene, with what was odd about the mesh.
+    /// Without what does not wear the look.
+    #[must_use]
+    pub(crate) fn alone(self) -> Self {
+        let stage = self.stage.map(|stage| Arc::new(stage.alone()));
+        Self { stage, ..self }
+    }
+
+    /// As a scene, with what was odd about the mesh. The look is the first of its looks. Of a stage what is missing is left
+    /// out and told.
     ///
     /// # Errors
-    /// What is wrong with the mesh.
+    /// What is wrong with the mesh, without a stage.
     pub(crate) fn setup(&self, assets: &mut Assets) -> Result<(Setup, Vec<Diagnostic>), Vec<Diagnostic>> {
         let look = SetupLook { look: (*self.look).clone(), source: self.source.clone(), folder: self.folder.clone() };
-        let (mut setup, notes) = default_setup(look, &self.orbit.mesh, assets)?;
-        if self.orbit.z_is_up {
+        let (mut setup, notes) = match &self.stage {
+            Some(stage) => stage.setup(look, assets),
+            None => default_setup(look, &self.orbit.mesh, assets)?,
+        };
+        if self.orbit.z_is_up && self.stage.is_none() {
             setup.stand_up();
         }
         setup.scene.camera = self.orbit.camera();
@@ -77,6 +91,8 @@ pub(crate) struct Stamp {
     orbit: Orbit,
     time: f64,
     solo: Solo,
+    /// Of what there is of a scene.
+    stage: Option<u64>,
 }
 
 impl Session {
@@ -94,7 +110,13 @@ impl Session {
             library: self.library.clone(),
             orbit: self.view.clone(),
             time: self.time,
+            stage: self.stage().map(|stage| stage.staged().clone()),
         }
+    }
+
+    /// What tells the scene as it is from what it was, if there is one.
+    pub(crate) fn stage_version(&self) -> Option<u64> {
+        self.stage().map(|stage| stage.staged().version())
     }
 
     /// What the look's assets are relative to.
@@ -111,6 +133,7 @@ impl Session {
             orbit: self.view.clone(),
             time: self.time,
             solo: self.solo().clone(),
+            stage: self.stage_version(),
         }
     }
 }

@@ -30,7 +30,8 @@ pub use picture::Picture;
 pub use plan::{Draw, Dropped, FramePlan, LookShaders, Pass, PassKind, PlanOptions, Planner};
 pub use samples::{EvalBatch, EvalSample, LightOverride, eval_batches};
 pub use setup::{
-    ANY_MATERIAL, DEFAULT_MESH, Setup, SetupLook, SetupObject, default_setup, object_matrix, open, scene_setup,
+    ANY_MATERIAL, DEFAULT_MESH, Setup, SetupLook, SetupObject, Wardrobe, default_setup, look_of, object_matrix, open,
+    place_objects, scene_setup,
 };
 pub use values::check_exposed_value;
 pub use visibility::Cull;

@@ -1,11 +1,13 @@
 //! The frame plan: what a renderer executes.
 
-use std::collections::{BTreeSet, HashMap};
+use std::borrow::Cow;
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::ops::Range;
 use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
+use indexmap::IndexMap;
 
 use super::assets::{Assets, Image};
 use super::camera::{View, object_uniform};
@@ -17,7 +19,7 @@ use super::values::live_for_values;
 use super::visibility::{Cull, KnownBounds, Placed, dark_lights, fields, hidden};
 use crate::compile::{CompiledShader, HostInputs, Live, Options, Param, Proof, Stage, Uniform, compile};
 use crate::diag::Diagnostic;
-use crate::document::{Graph, Look, Value};
+use crate::document::{Graph, Light, Look, Value};
 use crate::geometry::Mesh;
 use crate::ids::{LightId, ObjectId};
 use crate::library::{Context, Library, LightField};
@@ -203,6 +205,8 @@ pub struct Planner {
     bounds: KnownBounds,
     /// Compiled looks by what they were compiled from.
     shaders: HashMap<u64, LookShaders>,
+    /// Those that the last plan used.
+    used: HashSet<u64>,
     /// What was odd, but stopped nothing.
     pub warnings: Vec<Diagnostic>,
     /// Whether looks are compiled as they are written: nothing folded, merged or removed.
@@ -242,8 +246,8 @@ impl Planner {
             let tables = HashMap::from([(Stage::Draw, ParamTable::new(&draw.params))]);
             LookShaders { draw, normals: HashMap::new(), rig, tables }
         });
-        // One look is being edited at a time; what was compiled for its earlier states is not kept.
-        self.shaders.clear();
+        // One look is being edited at a time: what was compiled for its earlier states goes, the other looks stay.
+        self.shaders.retain(|key, _| self.used.contains(key));
         self.shaders.insert(key, shaders);
     }
 
@@ -258,7 +262,7 @@ impl Planner {
         live: &Live,
         options: &PlanOptions,
     ) -> Result<FramePlan, Vec<Diagnostic>> {
-        let live = &live_for_values(live, setup.objects.iter().any(|object| !object.values.is_empty()));
+        let lives = lives(setup, live);
         let placed = self.bounds.place(&setup.objects);
         let (center, radius) = bounds(&placed);
         let view = View::new(&setup.scene.camera, options.size, center, radius);
@@ -272,6 +276,7 @@ impl Planner {
                     continue;
                 }
                 let shown = structural_look(&setup.looks[look].look, options.time, &object.values);
+                let live = &lives[look];
                 let dark = self.dark(setup, &shown, live, &placed[number], &view);
                 let wanted = Wanted { live, cutout: has_cutout(object, look), dark: fields(&dark) };
                 let key = look_key(&shown, live, wanted.cutout, &wanted.dark);
@@ -290,6 +295,7 @@ impl Planner {
         if !problems.is_empty() {
             return Err(problems);
         }
+        self.used = keys.values().map(|(key, _)| *key).collect();
         push_equal_looks(&mut dropped, setup, &keys);
         let needs = |context: Context, what: &str| {
             seen.iter().find_map(|(number, object)| {
@@ -305,7 +311,7 @@ impl Planner {
         let mut draws = Vec::new();
         for &(number, object) in &seen {
             let center = placed[number].center;
-            match self.draws(setup, object, (number, center), &keys, library, live, &stages, &view, options) {
+            match self.draws(setup, object, (number, center), &keys, library, &lives, &stages, &view, options) {
                 Ok(found) => draws.extend(found),
                 Err(found) => problems.extend(found),
             }
@@ -394,7 +400,7 @@ impl Planner {
         (number, center): (usize, DVec3),
         keys: &Keys,
         library: &Library,
-        live: &Live,
+        lives: &[Live],
         stages: &[(PassKind, Stage)],
         view: &View,
         options: &PlanOptions,
@@ -408,7 +414,7 @@ impl Planner {
             for (_, stage) in stages {
                 if !shaders.normals.contains_key(stage) {
                     let cutout = has_cutout(object, look);
-                    let (dark, live, stage) = (dark.clone(), live.clone(), *stage);
+                    let (dark, live, stage) = (dark.clone(), lives[look].clone(), *stage);
                     let unspecialized = self.unspecialized;
                     let wanted = Options { live, stage, cutout, dark, unspecialized, ..Options::default() };
                     let compiled = Arc::new(compile(&shown, library, &wanted)?);
@@ -416,6 +422,7 @@ impl Planner {
                     shaders.normals.insert(stage, compiled);
                 }
             }
+            let lights = lights(setup, look);
             let moment = Moment {
                 time: options.time,
                 illumination: DQuat::from_array(setup.scene.illumination).normalize(),
@@ -423,7 +430,7 @@ impl Planner {
                 view: view.toward_viewer(center),
                 center,
                 exposed: &object.values,
-                lights: &setup.scene.lights,
+                lights: &lights,
             };
             let mut look_uniforms = HashMap::new();
             for (stage, shader) in std::iter::once((Stage::Draw, &shaders.draw))
@@ -476,6 +483,29 @@ impl Planner {
         }
         Ok(draws)
     }
+}
+
+/// How alive each look is to be: those whose objects set values by name are seen to change.
+fn lives(setup: &Setup, live: &Live) -> Vec<Live> {
+    let sets_values = |look: usize| {
+        setup.objects.iter().any(|object| !object.values.is_empty() && object.looks.contains(&Some(look)))
+    };
+    let asked = |look: usize| match setup.edited {
+        Some(edited) if edited != look => &Live::Keyed,
+        _ => live,
+    };
+    (0..setup.looks.len()).map(|look| live_for_values(asked(look), sets_values(look))).collect()
+}
+
+/// Lights in place of those that a look was compiled with: the scene's, and of a look that is being edited its own as they
+/// are now.
+fn lights(setup: &Setup, look: usize) -> Cow<'_, IndexMap<LightId, Light>> {
+    if setup.edited != Some(look) {
+        return Cow::Borrowed(&setup.scene.lights);
+    }
+    let mut lights = setup.looks[look].look.lights.clone();
+    lights.extend(setup.scene.lights.iter().map(|(id, light)| (id.clone(), light.clone())));
+    Cow::Owned(lights)
 }
 
 /// Lists the lights of a look that its module does not read, and those that are dark.

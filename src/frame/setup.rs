@@ -65,6 +65,9 @@ pub struct Setup {
     pub looks: Vec<SetupLook>,
     /// Visible objects.
     pub objects: Vec<SetupObject>,
+    /// The look that is being edited, if one is: its lights are taken as they are now, and the others are compiled with
+    /// their values folded, however alive this one is asked for.
+    pub edited: Option<usize>,
 }
 
 impl Setup {
@@ -167,14 +170,40 @@ pub fn scene_setup(
     assets: &mut Assets,
     problems: &mut Vec<Diagnostic>,
 ) -> Setup {
-    let mut looks: Vec<(PathBuf, SetupLook)> = Vec::new();
+    let mut looks = LookFiles { folder, found: Vec::new() };
+    let objects = place_objects(&scene, folder, source, mesh, assets, &mut looks, problems);
+    let looks = looks.found.into_iter().map(|(_, look)| look).collect();
+    Setup { scene, source: Some(source.clone().into()), looks, objects, edited: None }
+}
+
+/// Where the looks of a scene come from.
+pub trait Wardrobe {
+    /// Whether there is a look of this name, be it a broken one.
+    fn has(&self, name: &str) -> bool;
+
+    /// The number of a look among those of the setup; `None` where it cannot be used. What is wrong with it goes to
+    /// `problems`.
+    fn find(&mut self, name: &str, problems: &mut Vec<Diagnostic>) -> Option<usize>;
+}
+
+/// Puts the visible objects of a scene where they stand, with their meshes, relative to `folder`, and their looks. What is
+/// wrong goes to `problems`; what could not be found is left out.
+pub fn place_objects(
+    scene: &Scene,
+    folder: &Path,
+    source: &SourceMap,
+    mesh: Option<&str>,
+    assets: &mut Assets,
+    looks: &mut dyn Wardrobe,
+    problems: &mut Vec<Diagnostic>,
+) -> Vec<SetupObject> {
     let mut objects = Vec::new();
     for (index, (id, object)) in scene.objects.iter().enumerate() {
         if !object.visible {
             continue;
         }
         let path_of = |field: &str| format!("objects[{index}].{field}");
-        missing_looks(id, object, folder, &path_of("looks"), source, problems);
+        missing_looks(id, object, looks, &path_of("looks"), source, problems);
         let found = match mesh {
             Some(replacement) => assets.mesh(Path::new(""), replacement),
             None => assets.mesh(folder, &object.mesh),
@@ -191,29 +220,22 @@ pub fn scene_setup(
                 continue;
             }
         };
-        let looks = mesh
-            .parts
-            .iter()
-            .map(|part| {
-                let name = object.looks.get(&part.material).or_else(|| object.looks.get(ANY_MATERIAL))?;
-                find_look(folder, name, &mut looks, problems)
-            })
-            .collect();
+        let worn = mesh.parts.iter().map(|part| looks.find(look_of(object, &part.material)?, problems)).collect();
         objects.push(SetupObject {
             id: id.clone(),
             world_from_object: object_matrix(&object.transform, &mesh),
             mesh,
-            looks,
+            looks: worn,
             values: object.values.clone(),
         });
         material_problems(id, object, &objects[objects.len() - 1].mesh, &path_of("looks"), source, problems);
     }
-    Setup {
-        scene,
-        source: Some(source.clone().into()),
-        looks: looks.into_iter().map(|(_, look)| look).collect(),
-        objects,
-    }
+    objects
+}
+
+/// The name of the look that an object wears on a material.
+pub fn look_of<'o>(object: &'o Object, material: &str) -> Option<&'o str> {
+    object.looks.get(material).or_else(|| object.looks.get(ANY_MATERIAL)).map(String::as_str)
 }
 
 /// A problem with an object's mesh. Where there is no such mesh, its place is where the scene names it.
@@ -233,16 +255,16 @@ fn of_object(id: &ObjectId, mut problem: Diagnostic, json_path: Option<&str>, so
     problem
 }
 
-/// Looks that an object names and that are no files, also those of materials that its mesh has not.
+/// Looks that an object names and that are nowhere, also those of materials that its mesh has not.
 fn missing_looks(
     id: &ObjectId,
     object: &Object,
-    folder: &Path,
+    looks: &dyn Wardrobe,
     json_path: &str,
     source: &SourceMap,
     problems: &mut Vec<Diagnostic>,
 ) {
-    for (material, name) in object.looks.iter().filter(|(_, name)| !folder.join(name).is_file()) {
+    for (material, name) in object.looks.iter().filter(|(_, name)| !looks.has(name)) {
         let message = format!("object `{id}` wears the look `{name}`, which there is not");
         let mut problem = Diagnostic::error("missing-asset", message)
             .json_path(format!("{json_path}[{}]", serde_json::Value::from(material.as_str())))
@@ -280,24 +302,31 @@ fn material_problems(
     }
 }
 
-fn find_look(
-    folder: &Path,
-    name: &str,
-    looks: &mut Vec<(PathBuf, SetupLook)>,
-    problems: &mut Vec<Diagnostic>,
-) -> Option<usize> {
-    let path = folder.join(name);
-    if let Some(index) = looks.iter().position(|(known, _)| *known == path) {
-        return Some(index);
+/// Looks in files, by paths relative to a folder.
+struct LookFiles<'f> {
+    folder: &'f Path,
+    found: Vec<(PathBuf, SetupLook)>,
+}
+
+impl Wardrobe for LookFiles<'_> {
+    fn has(&self, name: &str) -> bool {
+        self.folder.join(name).is_file()
     }
-    if !path.is_file() {
-        // Told with the object that names it.
-        return None;
+
+    fn find(&mut self, name: &str, problems: &mut Vec<Diagnostic>) -> Option<usize> {
+        let path = self.folder.join(name);
+        if let Some(index) = self.found.iter().position(|(known, _)| *known == path) {
+            return Some(index);
+        }
+        if !path.is_file() {
+            // Told with the object that names it.
+            return None;
+        }
+        let loaded = Look::load(&path);
+        problems.extend(loaded.diagnostics.iter().cloned());
+        let look = loaded.value.clone()?;
+        let own_folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
+        self.found.push((path, SetupLook { look, source: loaded.source.clone().into(), folder: own_folder }));
+        Some(self.found.len() - 1)
     }
-    let loaded = Look::load(&path);
-    problems.extend(loaded.diagnostics.iter().cloned());
-    let look = loaded.value.clone()?;
-    let own_folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
-    looks.push((path, SetupLook { look, source: loaded.source.clone().into(), folder: own_folder }));
-    Some(looks.len() - 1)
 }

@@ -9,6 +9,7 @@ use super::node::NodeDef;
 use super::read::{load_module, load_node, read_node, stem_and_folder};
 use crate::diag::{Diagnostic, has_errors};
 use crate::document::{Definition, Look};
+use crate::milestones;
 use crate::wgsl::{NODES, Source};
 
 /// The nodes and groups there are.
@@ -61,6 +62,7 @@ impl Library {
         for (path, text) in NODES.iter().filter(|(path, _)| path.ends_with(".json")) {
             library.add_groups(path, text);
         }
+        milestones::reached("library");
         if has_errors(&library.problems) { Err(library.problems) } else { Ok(library) }
     }
 

@@ -97,6 +97,8 @@ pub fn probe(
 /// A node's value at a pixel, in both precisions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WireValue {
+    /// The draw that the pixel shows, by its index in the plan.
+    pub draw: usize,
     /// The node that gives it.
     pub node: NodePath,
     /// What the generated source calls it.
@@ -139,11 +141,12 @@ pub fn probe_wires(
     let both = [Precision::F32, Precision::F64].map(|precision| probe(plan, pixel, precision, options, control));
     let [single, double] = both;
     let (Some(single), Some(double)) = (single?, double?) else { return Ok(None) };
-    let Some(draw) = plan.draws.get(double.draw) else { return Ok(None) };
+    let drawn = double.draw;
+    let Some(draw) = plan.draws.get(drawn) else { return Ok(None) };
     let wires = double.values.into_iter().filter_map(|value| {
         let node = draw.look.spans.node_at(value.span.start)?.clone();
-        let same = single.values.iter().find(|other| other.span == value.span && single.draw == double.draw)?;
-        Some(WireValue { node, name: value.name, single: same.numbers.clone(), double: value.numbers })
+        let same = single.values.iter().find(|other| other.span == value.span && single.draw == drawn)?;
+        Some(WireValue { draw: drawn, node, name: value.name, single: same.numbers.clone(), double: value.numbers })
     });
     Ok(Some(wires.collect()))
 }

@@ -4,6 +4,7 @@ use std::sync::{Arc, Mutex};
 
 use super::error::RenderError;
 use super::target::PICTURE;
+use crate::milestones;
 
 /// A device, our own or a window's.
 #[derive(Clone, Debug)]
@@ -70,9 +71,11 @@ impl Gpu {
             }
         }
         let adapter = found.ok_or(RenderError::NoAdapter { message: failure })?;
+        milestones::reached("adapter");
         let descriptor = device_descriptor(&adapter);
         let refused = |error: wgpu::RequestDeviceError| RenderError::NoAdapter { message: error.to_string() };
         let (device, queue) = adapter.request_device(&descriptor).await.map_err(refused)?;
+        milestones::reached("device");
         Ok(Self::new(device, queue, adapter.get_info()))
     }
 

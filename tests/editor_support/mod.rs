@@ -1,10 +1,15 @@
 //! A hand that drives the window.
 #![allow(dead_code, reason = "each test file uses its part")]
 
+pub(crate) mod home;
+mod verbs;
+
 use chiaro::document::Look;
 use chiaro::editor::App;
+use chiaro::render::{Gpu, block_on};
 use eframe::egui::{self, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect, Vec2, ViewportId, vec2};
 use egui_kittest::kittest::Queryable as _;
+use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
 use egui_kittest::{Harness, HarnessBuilder};
 
 /// A window without display and GPU, and a hand in it.
@@ -22,6 +27,26 @@ impl Hand {
     /// A window made by `make`.
     pub(crate) fn with(make: impl Fn(&egui::Context) -> App + 'static) -> Self {
         Self::with_builder(Harness::builder(), make)
+    }
+
+    /// A window that draws, on software where there is any; 60 frames a second by its own clock.
+    pub(crate) fn drawing() -> Self {
+        Self::drawing_in(Harness::builder().with_step_dt(1.0 / 60.0), |app, _| app)
+    }
+
+    /// A window that draws, made into `App` as `prepare` leaves it; four frames a second by its own clock.
+    pub(crate) fn drawing_with(prepare: impl Fn(App, &egui::Context) -> App + 'static) -> Self {
+        Self::drawing_in(Harness::builder(), prepare)
+    }
+
+    fn drawing_in(
+        builder: HarnessBuilder<Option<App>>,
+        prepare: impl Fn(App, &egui::Context) -> App + 'static,
+    ) -> Self {
+        block_on(Gpu::headless()).expect("an adapter; software Vulkan does");
+        let state = create_render_state(default_wgpu_setup(), eframe::egui_wgpu::RendererOptions::PREDICTABLE);
+        let builder = builder.renderer(WgpuTestRenderer::from_render_state(state.clone()));
+        Self::with_builder(builder, move |ctx| prepare(App::new(ctx, Some(state.clone())), ctx))
     }
 
     /// A window with a renderer of its own.
@@ -124,7 +149,7 @@ impl Hand {
     }
 
     /// Presses and holds.
-    pub(crate) fn press(&mut self, at: Pos2) {
+    pub(crate) fn hold(&mut self, at: Pos2) {
         self.hover(at);
         self.button(Modifiers::NONE, at, true);
     }

@@ -16,6 +16,11 @@ use crate::ids::{LightId, ObjectId};
 pub enum SceneEdit {
     /// Several edits as one: all or none.
     Group { edits: Vec<SceneEdit> },
+    /// Puts another scene in the place of the whole one, as when its file was changed by others.
+    Replace {
+        #[serde(with = "crate::document::image::of_scene")]
+        scene: Box<Scene>,
+    },
     /// Names the scene.
     SetSceneName { name: String },
     /// Adds an object under a new id.
@@ -60,6 +65,7 @@ impl Editable for Scene {
         }
         Ok(match edit {
             SceneEdit::Group { edits } => SceneEdit::Group { edits: all_or_none(self, edits, is_known_good)? },
+            SceneEdit::Replace { scene } => SceneEdit::Replace { scene: Box::new(replace(self, *scene)) },
             SceneEdit::SetSceneName { name } => SceneEdit::SetSceneName { name: replace(&mut self.name, name) },
             SceneEdit::AddObject { id, object, index } => {
                 insert(&mut self.objects, "object", id.clone(), object, index)?;
@@ -97,6 +103,7 @@ impl Editable for Scene {
     fn label(edit: &SceneEdit) -> String {
         match edit {
             SceneEdit::Group { edits } => edits.first().map_or_else(|| "nothing".to_owned(), Self::label),
+            SceneEdit::Replace { .. } => "load the file again".to_owned(),
             SceneEdit::SetSceneName { .. } => "rename the scene".to_owned(),
             SceneEdit::AddObject { id, .. } => format!("add {id}"),
             SceneEdit::SetObject { id, .. } => format!("change {id}"),

@@ -22,7 +22,7 @@ use serde::Serialize;
 use super::edit::{History, Step};
 use record::{Record, VERSION};
 
-pub use read::{Recovered, recover};
+pub use read::{Found, Recovered, recover, recover_any};
 pub use record::{About, Journaled, LookOp, Op, SceneOp};
 pub use slot::{Slot, left_behind};
 

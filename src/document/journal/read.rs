@@ -8,6 +8,7 @@ use super::line::{Line, Lines};
 use super::record::{About, Journaled, Op, Record, VERSION};
 use crate::diag::Diagnostic;
 use crate::document::edit::{Editable, History, Numbers, Step};
+use crate::document::{Look, Scene};
 
 /// What a journal gave back.
 #[derive(Clone, Debug)]
@@ -22,6 +23,27 @@ pub struct Recovered<D: Editable> {
     pub damage: Vec<Diagnostic>,
     /// Whether the window was closed as windows are, and did not crash.
     pub is_closed: bool,
+}
+
+/// What a journal gave back, whichever kind of document it is of.
+#[derive(Clone, Debug)]
+pub enum Found {
+    /// A look.
+    Look(Box<Recovered<Look>>),
+    /// A scene.
+    Scene(Box<Recovered<Scene>>),
+}
+
+/// Reads a journal of either kind.
+///
+/// # Errors
+/// As [`recover`].
+pub fn recover_any(path: &Path) -> Result<Found, Box<Diagnostic>> {
+    // What is damaged where it begins is told as that of a look.
+    match recover::<Scene>(path) {
+        Ok(scene) => Ok(Found::Scene(Box::new(scene))),
+        Err(_) => recover::<Look>(path).map(|look| Found::Look(Box::new(look))),
+    }
 }
 
 /// Reads a journal.

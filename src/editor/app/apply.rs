@@ -14,7 +14,8 @@ use crate::editor::command::Command;
 use crate::editor::dialogs::Purpose;
 use crate::editor::dock;
 use crate::editor::session::Session;
-use crate::editor::shortcuts::Action;
+use crate::editor::shortcuts::{self, Action};
+use crate::editor::stage::Stage;
 
 impl App {
     pub(super) fn apply(&mut self, ui: &Ui, command: Command) {
@@ -27,10 +28,7 @@ impl App {
         match command {
             Command::Edit(edit) => self.tell(|session| session.apply(edit, None)),
             Command::EditHeld(widget, edit) => {
-                let focus = ui.memory(egui::Memory::focused);
-                let mut hasher = DefaultHasher::new();
-                (widget, self.presses, focus).hash(&mut hasher);
-                let hand = hasher.finish();
+                let hand = self.hand(ui, widget);
                 self.tell(|session| session.apply(edit, Some(hand)));
             }
             Command::Select(ids) => self.session.select(ids),
@@ -61,7 +59,7 @@ impl App {
             Command::SaveAs => self.ask_where_to_save(),
             Command::SaveTo(path) => {
                 if self.save_as(&path) {
-                    self.go_on();
+                    self.go_on_if_safe();
                 }
             }
             Command::ShowOn(Some(path)) => self.show_on(&path.to_string_lossy()),
@@ -92,15 +90,28 @@ impl App {
             }
             Command::GoTo(place) => self.session.go_to(place),
             Command::AddNode { kind, at } => self.add_node(&kind, at),
+            Command::ShareGroup(id) => self.message = Some(self.session.share_group(&id)),
             Command::OpenExample(index) => self.do_or_ask(Pending::Example(index)),
             Command::Copy(text) => ui.ctx().copy_text(text),
             Command::SelectKey(key) => self.session.key = key,
             Command::SetTime(time) => self.session.time = time,
             Command::TurnTo(view) => self.session.view = *view,
-            Command::Safety(wish) => self.message = self.safety.apply(wish, &mut self.session),
+            Command::Stage(wish) => self.apply_to_stage(ui, wish),
+            Command::Safety(wish) => {
+                self.message = self.safety.apply(wish, &mut self.session);
+                self.open_lacking_look();
+            }
             Command::Tell(text) => self.message = Some(text),
             Command::Act(action) => self.act(ui, action),
         }
+    }
+
+    /// What edits: a widget, for as long as it is held or has the keyboard.
+    pub(super) fn hand(&self, ui: &Ui, widget: egui::Id) -> u64 {
+        let focus = ui.memory(egui::Memory::focused);
+        let mut hasher = DefaultHasher::new();
+        (widget, self.presses, focus).hash(&mut hasher);
+        hasher.finish()
     }
 
     /// Does what the command palette chose.
@@ -119,6 +130,14 @@ impl App {
             Action::CopyPicture => Command::CopyPicture,
             Action::CopyWgsl => Command::CopyWgsl,
             Action::Commands | Action::Shortcuts => return self.sheet.open(action),
+            Action::ResetView
+            | Action::FrameObject
+            | Action::FrameAll
+            | Action::Projection
+            | Action::Turntable
+            | Action::Handles => {
+                return self.viewport.act(action, &mut self.session);
+            }
             action => {
                 self.start = None;
                 return self.canvas.ask(action);
@@ -135,7 +154,7 @@ impl App {
         self.session.select(vec![id]);
     }
 
-    fn ask_where_to_save(&self) {
+    fn ask_where_to_save(&mut self) {
         let by_name = || Path::new(&file_name(&self.session.look().name)).to_owned();
         let near = self.session.path().map_or_else(by_name, Path::to_path_buf);
         self.dialogs.ask(Purpose::Save, Some(&near));
@@ -154,21 +173,40 @@ impl App {
         self.message = Some(told.to_owned());
     }
 
+    /// Esc gives up a drag on the picture, before it does anything else: what was changed is as it was.
+    pub(super) fn give_up_drag(&mut self, ui: &Ui) {
+        if self.viewport.is_dragging()
+            && shortcuts::take(ui, (egui::Modifiers::NONE, egui::Key::Escape))
+            && self.viewport.give_up(&mut self.session)
+        {
+            self.session.undo();
+        }
+    }
+
     pub(super) fn tell(&mut self, edit: impl FnOnce(&mut Session) -> Result<(), Box<Diagnostic>>) {
         if let Err(problem) = edit(&mut self.session) {
             self.message = Some(problem.message);
         }
     }
 
+    /// Saves what has changed: the look, and the scene around it. Asks where what has no file is to go.
     pub(super) fn save(&mut self) {
-        match self.session.path().map(Path::to_path_buf) {
-            Some(path) => {
-                if self.save_as(&path) {
-                    self.go_on();
-                }
+        let is_scene_dirty = self.session.stage().is_some_and(Stage::is_dirty);
+        let saves_look = self.session.is_look_dirty() || !is_scene_dirty;
+        if saves_look {
+            let Some(path) = self.session.path().map(Path::to_path_buf) else {
+                return self.ask_where_to_save();
+            };
+            if !self.save_as(&path) {
+                return;
             }
-            None => self.ask_where_to_save(),
         }
+        // A scene that nobody has saved yet is only asked about where it is what is to be saved.
+        let has_file = self.session.stage().is_some_and(|stage| stage.path().is_some());
+        if is_scene_dirty && (has_file || !saves_look || self.pending.is_some()) {
+            return self.save_scene();
+        }
+        self.go_on_if_safe();
     }
 }
 

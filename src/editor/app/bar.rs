@@ -20,11 +20,11 @@ impl App {
                 response.rect
             };
             button(ui, "New", "A new look (Ctrl+N)", true, Command::New);
-            button(ui, "Open", "Opens a look (Ctrl+O)", true, Command::Open(None));
+            button(ui, "Open", "Opens a look or a scene (Ctrl+O)", true, Command::Open(None));
             let recent = self.safety.recent_menu(ui);
-            let save = button(ui, "Save", "Saves the look (Ctrl+S)", true, Command::Save);
+            let save = button(ui, "Save", "Saves the look, and its scene (Ctrl+S)", true, Command::Save);
             spots::note(ui, Spot::Save, save);
-            button(ui, "Save as", "Saves under another name (Ctrl+Shift+S)", true, Command::SaveAs);
+            button(ui, "Save as", "Saves the look under another name (Ctrl+Shift+S)", true, Command::SaveAs);
             ui.separator();
             let step = |label: Option<&str>, otherwise: &str| label.map_or(otherwise.to_owned(), str::to_owned);
             let (undo, redo) = (self.session.undo_label(), self.session.redo_label());
@@ -40,7 +40,7 @@ impl App {
             let helps = [Action::Start, Action::Tour, Action::Commands, Action::Shortcuts];
             menu(ui, "Help", "The start page, the tour, all commands and keys", &helps, commands);
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                let name = self.document_name();
+                let name = self.documents();
                 if self.session.is_dirty() {
                     ui.label(RichText::new("changed").color(theme::of(ui).accent)).on_hover_text("Not saved yet");
                 }
@@ -108,9 +108,17 @@ impl App {
         }
     }
 
+    /// What is open: the look, and the scene that it is in.
+    fn documents(&self) -> String {
+        match self.session.stage() {
+            Some(stage) => format!("{} in {}", self.document_name(), stage.name()),
+            None => self.document_name(),
+        }
+    }
+
     pub(super) fn set_title(&self, ctx: &egui::Context) {
         let mark = if self.session.is_dirty() { "*" } else { "" };
-        let title = format!("{}{mark} - Chiaro", self.document_name());
+        let title = format!("{}{mark} - Chiaro", self.documents());
         let id = egui::Id::unique("title");
         if ctx.data(|data| data.get_temp::<String>(id)).as_ref() != Some(&title) {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));

@@ -5,27 +5,60 @@ use std::path::{Path, PathBuf};
 use eframe::egui::{self, RichText, Ui, ViewportCommand};
 
 use super::App;
+use crate::diag::Severity;
 use crate::editor::command::Command;
+use crate::editor::dock::Panel;
 use crate::editor::panels::{library, problems};
+use crate::editor::stage::Wanted;
 
 /// What would lose unsaved changes.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Pending {
     New,
     Open(PathBuf),
+    /// Opens a look of the scene, which stays.
+    Switch(PathBuf),
+    /// Puts the scene aside; the look stays open.
+    LeaveScene,
     Example(usize),
     Tour,
     Close,
 }
 
 impl App {
-    /// Opens a look and tells where that fails.
+    /// Opens a look or a scene, and tells where that fails.
     pub fn open(&mut self, path: &Path) {
+        self.open_alone(path);
+        self.open_lacking_look();
+        if self.session.stage().is_some_and(|stage| stage.path() == Some(path)) {
+            self.dock.open(Panel::Objects);
+            // The scene was asked for, and the look came with it.
+            self.safety.opened(path);
+        }
+    }
+
+    /// Opens the look that a scene lacks which was just opened.
+    pub(super) fn open_lacking_look(&mut self) {
+        match self.session.look_to_open() {
+            Some(Wanted::File(path)) => {
+                let told = self.message.take();
+                self.open_alone(&path);
+                self.message = told.or(self.message.take());
+            }
+            Some(Wanted::Unsaved) => self.safety.take_back_unsaved(&mut self.session),
+            None => {}
+        }
+    }
+
+    fn open_alone(&mut self, path: &Path) {
+        self.safety.put_aside(&self.session);
         if let Some(told) = self.safety.reopen(path, &mut self.session) {
             self.message = Some(told).filter(|told| !told.is_empty());
         } else {
             let is_open = self.session.open(path);
-            self.message = (!is_open).then(|| format!("{} could not be opened", path.display()));
+            let why = self.session.load_problems.iter().find(|problem| problem.severity == Severity::Error);
+            let why = why.map(|problem| format!(": {}", problem.message)).unwrap_or_default();
+            self.message = (!is_open).then(|| format!("{} could not be opened{why}", path.display()));
         }
         if self.message.is_none() {
             self.safety.opened(path);
@@ -54,7 +87,22 @@ impl App {
     /// Does what would lose changes, where there are none, or where the journal keeps them; else asks first.
     pub(super) fn do_or_ask(&mut self, pending: Pending) {
         self.pending = Some(pending);
-        if !self.session.is_dirty() || self.session.keeps_work() {
+        if !self.is_at_risk() || self.session.keeps_work() {
+            self.go_on();
+        }
+    }
+
+    /// Whether what is to be done would lose changes, if nothing keeps them.
+    fn is_at_risk(&self) -> bool {
+        match self.pending {
+            Some(Pending::Switch(_)) => self.session.is_look_dirty(),
+            _ => self.session.is_dirty(),
+        }
+    }
+
+    /// After a save: does what waited for it, if nothing else is to be saved.
+    pub(super) fn go_on_if_safe(&mut self) {
+        if !self.is_at_risk() {
             self.go_on();
         }
     }
@@ -65,25 +113,34 @@ impl App {
                 self.session.start_new();
                 self.safety.look();
             }
-            Some(Pending::Open(path)) => self.open(&path),
+            Some(Pending::Open(path) | Pending::Switch(path)) => self.open(&path),
             Some(Pending::Example(index)) => {
                 let (name, text) = library::EXAMPLES[index];
                 self.session.start_from(text, name);
                 self.safety.look();
             }
             Some(Pending::Tour) => self.begin_tour(),
+            Some(Pending::LeaveScene) => {
+                self.safety.put_aside(&self.session);
+                self.session.leave_stage(false);
+                self.safety.look();
+            }
             Some(Pending::Close) => self.closes = true,
             None => {}
         }
     }
 
     pub(super) fn ask_about_changes(&mut self, ui: &Ui, commands: &mut Vec<Command>) {
-        if self.pending.is_none() || !self.session.is_dirty() {
+        if self.pending.is_none() || !self.is_at_risk() {
             return;
         }
         let modal = egui::Modal::new(egui::Id::unique("unsaved")).show(ui.ctx(), |ui| {
             ui.set_width(320.0);
-            ui.label(RichText::new(format!("{} has changes", self.document_name())).heading());
+            let name = match self.session.stage() {
+                Some(stage) if !self.session.is_look_dirty() => stage.name(),
+                _ => self.document_name(),
+            };
+            ui.label(RichText::new(format!("{name} has changes")).heading());
             ui.label("They are lost unless you save them.");
             ui.add_space(8.0);
             ui.horizontal(|ui| {
@@ -91,7 +148,8 @@ impl App {
                     commands.push(Command::Save);
                 }
                 if ui.button("Do not save").clicked() {
-                    self.session.give_up_changes();
+                    let is_all = !matches!(self.pending, Some(Pending::Switch(_)));
+                    self.session.give_up_changes(is_all);
                     self.go_on();
                 }
                 if ui.button("Cancel").clicked() {

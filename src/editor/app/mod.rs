@@ -3,10 +3,12 @@
 mod apply;
 mod bar;
 mod files;
+mod stage;
 mod welcome;
 
 use std::path::Path;
 use std::sync::Arc;
+use std::time::Duration;
 
 use eframe::egui::{self, Key, Modifiers, Panel, Ui};
 
@@ -17,7 +19,7 @@ use super::cost::Cost;
 use super::curves::keys::Keys;
 use super::curves::profile::Profile;
 use super::curves::timeline::Timeline;
-use super::dialogs::{Dialogs, IMAGES, MESHES, Way};
+use super::dialogs::{Dialogs, IMAGES, MESHES, Purpose, Way};
 use super::dock::Dock;
 use super::dock::effects::Effects;
 use super::panels::{Panels, library, solo};
@@ -29,12 +31,15 @@ use super::safety::places::Places;
 use super::session::Session;
 use super::settings::Settings;
 use super::sheet::Sheet;
-use super::shortcuts::{self, Action, Place};
+use super::shortcuts::{self, Action, Place, Shortcut};
+use super::stage::Wish;
 use super::tour::Tour;
 use super::viewport::{Export, Viewport};
 use super::wipe::Wipe;
 use super::{dock, inspector, spots, theme};
+use crate::diag::has_errors;
 use crate::library::Library;
+use crate::milestones;
 use files::Pending;
 use welcome::StartPage;
 
@@ -70,6 +75,10 @@ pub struct App {
     /// Presses of the pointer, and what had the keyboard: together with a widget they are the hand that edits.
     presses: u64,
     closes: bool,
+    /// Whether the last frame was the first one with a picture, where that is to be told.
+    shows_first_picture: bool,
+    /// Where the panel of objects is, while it is seen.
+    objects: Option<egui::Rect>,
 }
 
 impl App {
@@ -112,12 +121,17 @@ impl App {
             message: None,
             presses: 0,
             closes: false,
+            shows_first_picture: false,
+            objects: None,
         }
     }
 
-    /// Shows the look on a mesh: a path, or `shape:` and the name of an own shape. What is wrong with it is told where
+    /// Shows the look, or of a scene the selected object, on a mesh: a path, or `shape:` and the name of an own shape. What is wrong with it is told where
     /// problems are; the last good picture stays.
     pub fn show_on(&mut self, mesh: &str) {
+        if self.session.stage().is_some() {
+            return self.mesh_of_object(mesh);
+        }
         mesh.clone_into(&mut self.session.view.mesh);
         self.safety.shown_on(mesh);
     }
@@ -135,6 +149,7 @@ impl App {
     /// Goes on where the last window was closed, if anything was not saved then.
     pub fn resume(&mut self) {
         self.message = self.safety.resume(&mut self.session);
+        self.open_lacking_look();
     }
 
     /// Looks at once whether other programs changed files, which else takes a moment.
@@ -171,6 +186,19 @@ impl App {
     pub fn with_path_fields(mut self) -> Self {
         self.dialogs.way = Way::Window;
         self
+    }
+
+    /// Answers the next dialog that would ask for a file with this one; for programs that drive the window.
+    pub fn answer_dialog(&mut self, path: &Path) {
+        self.dialogs.prepared.push_back(path.to_owned());
+    }
+
+    /// Waits so long for the picture of a drag before a frame is shown without it. A software GPU takes long on a busy
+    /// machine.
+    pub fn wait_for_pictures(&mut self, time: Duration) {
+        if let Some(picture) = &mut self.picture {
+            picture.patience = time;
+        }
     }
 
     /// Writes the picture, in so many pixels, to a PNG file; what becomes of it is told in the status bar.
@@ -240,8 +268,8 @@ impl App {
 
     /// Whether shaders, pictures or values are being made.
     pub fn is_busy(&self) -> bool {
-        let is_drawing = self.picture.as_ref().is_some_and(Picture::is_busy) || self.viewport.is_busy();
-        is_drawing
+        self.is_drawing()
+            || self.viewport.is_busy()
             || self.session.is_compiling()
             || self.canvas.is_busy()
             || self.probe.is_busy()
@@ -262,6 +290,11 @@ impl App {
         if let Some(picture) = &self.picture {
             picture.wait();
         }
+    }
+
+    /// Whether a picture was asked for that is not handed to the GPU yet.
+    pub fn is_drawing(&self) -> bool {
+        self.picture.as_ref().is_some_and(Picture::is_busy)
     }
 
     /// How many pictures were asked for.
@@ -286,15 +319,18 @@ impl App {
         }
         self.sheet.take_escape(ui);
         self.leave_start_page();
+        self.give_up_drag(ui);
         let mut commands = Vec::new();
         if self.start.is_none() {
             self.canvas.claim_tab(ui);
         }
         self.shortcuts(ui, &mut commands);
         let dropped = ui.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_path_buf()));
+        let adds = self.adds_what_is_dropped(ui);
         commands.extend(dropped.map(|path| {
             let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_lowercase();
             match ending.as_str() {
+                mesh if MESHES.contains(&mesh) && adds => Command::Stage(Wish::Chosen(Purpose::AddMesh, path)),
                 mesh if MESHES.contains(&mesh) => Command::ShowOn(Some(path)),
                 image if IMAGES.contains(&image) => Command::ShowReference(Some(path)),
                 _ => Command::Open(Some(path)),
@@ -317,7 +353,7 @@ impl App {
         }
         self.panels(ui, &mut commands);
         self.ask_about_changes(ui, &mut commands);
-        commands.extend(self.sheet.show(ui).map(Command::Act));
+        commands.extend(self.sheet.show(ui, &self.session));
         self.show_tour(ui, &mut commands);
         for command in commands {
             self.apply(ui, command);
@@ -348,10 +384,12 @@ impl App {
         status.show(ui, |ui| {
             commands.extend(self.status(ui));
         });
+        self.session.awaits_first_picture = self.awaits_first_picture();
         self.panels.update(ui, &self.session);
         if let Some(picture) = &mut self.picture {
             picture.tells_effects = self.dock.shows(dock::Panel::Effects);
         }
+        self.objects = None;
         if self.start.is_some() {
             return self.start_page(ui, commands);
         }
@@ -393,6 +431,9 @@ impl App {
             dock::Panel::Keys => self.keys.show(ui, &self.session),
             dock::Panel::Timeline => self.timeline.show(ui, &self.session),
             other => {
+                if other == dock::Panel::Objects {
+                    self.objects = Some(ui.max_rect());
+                }
                 if other == dock::Panel::Library {
                     self.panels.know_recent(self.safety.recent());
                 }
@@ -401,11 +442,25 @@ impl App {
         });
     }
 
+    /// Whether the first picture is on its way.
+    fn awaits_first_picture(&self) -> bool {
+        let is_awaited = |picture: &Picture| !picture.is_there() && picture.problems.is_empty();
+        self.dock.shows(dock::Panel::Picture)
+            && self.picture.as_ref().is_some_and(is_awaited)
+            && !has_errors(self.session.problems())
+    }
+
+    fn has_picture(&self) -> bool {
+        self.picture.as_ref().is_some_and(Picture::is_there)
+    }
+
     fn shortcuts(&self, ui: &Ui, commands: &mut Vec<Command>) {
         let is_typing = ui.ctx().egui_wants_keyboard_input();
         // A field that is being typed in has an undo of its own, and question marks.
         let is_text = |action| matches!(action, Action::Undo | Action::Redo | Action::Shortcuts);
-        for row in shortcuts::ALL.iter().filter(|row| row.place != Place::Graph) {
+        // The other keys of the picture work over it alone, where it takes them itself.
+        let is_here = |row: &&Shortcut| row.place == Place::Window || row.action == Action::Probe;
+        for row in shortcuts::ALL.iter().filter(is_here) {
             if row.place == Place::Picture && (is_typing || self.start.is_some()) || is_typing && is_text(row.action) {
                 continue;
             }
@@ -426,7 +481,17 @@ impl App {
 
 impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
+        // What the last frame showed is on the screen when the next one begins.
+        if std::mem::take(&mut self.shows_first_picture) {
+            milestones::reached("picture on the screen");
+        }
+        let had_picture = self.has_picture();
         self.show(ui);
+        milestones::reached("first frame");
+        if self.has_picture() && !had_picture && milestones::are_told() {
+            self.shows_first_picture = true;
+            ui.ctx().request_repaint();
+        }
     }
 
     fn on_exit(&mut self) {

@@ -7,6 +7,7 @@ use crate::editor::command::Command;
 use crate::editor::dialogs::{Answer, Purpose, Way};
 use crate::editor::path_field::PathField;
 use crate::editor::session::Session;
+use crate::editor::stage::Wish;
 use crate::editor::theme;
 use crate::editor::tour::{NOTHING, Tour};
 
@@ -111,6 +112,9 @@ impl App {
             Purpose::Open => Command::Open(Some(path)),
             Purpose::Save => Command::SaveTo(path),
             Purpose::Mesh => Command::ShowOn(Some(path)),
+            Purpose::AddMesh | Purpose::ObjectMesh | Purpose::ObjectLook | Purpose::SaveScene => {
+                Command::Stage(Wish::Chosen(purpose, path))
+            }
             Purpose::Export(export) => Command::Export(export, Some(path)),
             Purpose::Reference => Command::ShowReference(Some(path)),
         };

@@ -179,6 +179,13 @@ impl Canvas {
                 Err(problem) => out.push(Command::Tell(problem)),
             },
             Action::OpenGroup => out.extend(chosen.last().and_then(|id| self.open(session, id))),
+            Action::ShareGroup => {
+                let kind = chosen.last().and_then(|id| of.nodes.get(id)).map(|node| node.kind.as_str());
+                out.extend(
+                    kind.filter(|kind| session.definition_of(kind).is_some())
+                        .map(|kind| Command::ShareGroup(kind.into())),
+                );
+            }
             Action::Frame => {
                 if let Some((id, edit)) = edits::frame(session, chosen) {
                     out.push(Command::Edit(edit));

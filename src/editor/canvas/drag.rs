@@ -293,7 +293,10 @@ impl Canvas {
         }
         let fixed = self.endpoint(drag.fixed);
         let name = inspector::free_port(definition, is_output, fixed.port.as_str());
-        let port = InterfacePort { name: name.clone(), ..InterfacePort::default() };
+        // An input begins with what the node inside has there, so that the picture stays.
+        let own = session.graph().nodes.get(&fixed.node).filter(|_| !is_output);
+        let default = own.and_then(|node| node.values.get(&fixed.port)).cloned();
+        let port = InterfacePort { name: name.clone(), default, ..InterfacePort::default() };
         let interface = inspector::set_interface(id, definition, |changed| {
             if is_output { changed.outputs.push(port) } else { changed.inputs.push(port) }
         });

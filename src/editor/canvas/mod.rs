@@ -45,6 +45,9 @@ use view::View;
 /// As many nodes in view are named for screen readers; a far view of more is a picture, not a form.
 const MAX_NAMED: usize = 120;
 
+/// Sockets are named while no more nodes than this are in view.
+const MAX_WITH_SOCKETS: usize = 30;
+
 /// What is told to who would change a group of the library.
 const READ_ONLY: &str = "This group is of the library: make it the look's own to change it";
 
@@ -222,6 +225,9 @@ impl Canvas {
                 WidgetInfo::labeled(Role::Label, true, name)
             });
         }
+        if in_view().nth(MAX_WITH_SOCKETS).is_none() && self.view.zoom > 0.25 {
+            self.name_sockets(ui, visible);
+        }
         let frames = self.table.frames.iter().map(|row| (row.rect, format!("Frame {}", row.title)));
         let notes = self.table.notes.iter().map(|row| (row.rect, format!("Note {}", row.content)));
         for (index, (rect, name)) in frames.chain(notes).enumerate().take(MAX_NAMED) {
@@ -230,6 +236,28 @@ impl Canvas {
                 let response = ui.interact(rect, ui.scope_id().with(("item", index)), Sense::hover());
                 response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &name));
             }
+        }
+    }
+
+    /// Gives the sockets of nodes in view names, by which wires can be drawn from one to another.
+    fn name_sockets(&self, ui: &Ui, visible: Rect) {
+        let nodes = (0..self.table.nodes.len()).filter(|&node| self.table.nodes[node].rect.intersects(visible));
+        for socket in nodes.flat_map(|node| self.table.sockets(node)) {
+            let at = self.view.to_screen(self.table.place(socket));
+            let rect = Rect::from_center_size(at, egui::Vec2::splat(10.0)).intersect(self.view.screen);
+            if !rect.is_positive() {
+                continue;
+            }
+            let row = &self.table.nodes[socket.node];
+            let id = ui.scope_id().with(("socket", &row.id, socket.port, socket.is_output));
+            ui.interact(rect, id, Sense::hover()).widget_info(|| {
+                let kind = &row.kind;
+                let (way, port) = match socket.is_output {
+                    true => ("Output", &kind.outputs[socket.port]),
+                    false => ("Input", &kind.inputs[socket.port]),
+                };
+                WidgetInfo::labeled(Role::Label, true, format!("{way} {} of {}", port.label, row.title))
+            });
         }
     }
 

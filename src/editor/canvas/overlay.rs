@@ -12,6 +12,7 @@ use super::inplace::Item;
 use super::mesh::{plain, rounded};
 use super::table::{Hit, Socket};
 use super::{Canvas, edits};
+use crate::document::GraphId;
 use crate::ids::NodeId;
 
 /// The map's size, on the screen.
@@ -64,6 +65,11 @@ impl Canvas {
                             out.extend(session.own_group().map(Command::Edit));
                         }
                         ui.label(RichText::new("From the library: look, don't touch").color(theme::of(ui).dim));
+                    } else if let GraphId::Definition(id) = session.graph_id() {
+                        let help = "Puts this group into the nodes folder beside the look, where every look of the folder has it";
+                        if ui.button("Share with the project").on_hover_text(help).clicked() {
+                            out.push(Command::ShareGroup(id.clone()));
+                        }
                     }
                 });
             });
@@ -153,8 +159,11 @@ impl Canvas {
         if row.is_end {
             return rows(ui, &[&[A::LeaveGroup]]);
         }
-        let group: &[A] =
-            if self.open(session, &row.id).is_some() { &[A::OpenGroup, A::Group, A::Ungroup] } else { &[A::Group] };
+        let group: &[A] = if self.open(session, &row.id).is_some() {
+            &[A::OpenGroup, A::Group, A::Ungroup, A::ShareGroup]
+        } else {
+            &[A::Group]
+        };
         let frame: &[A] = if self.table.frame_of(index).is_some() { &[A::Frame, A::Unframe] } else { &[A::Frame] };
         let chosen = rows(
             ui,

@@ -137,6 +137,7 @@ impl Palette {
         };
         let edit = TextEdit::singleline(&mut self.query).hint_text(hint).desired_width(f32::INFINITY);
         let response = ui.add(edit.id(Id::unique("palette query")));
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SearchInput, true, hint));
         if self.is_new {
             response.request_focus();
         }

@@ -8,13 +8,15 @@ use std::collections::HashMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use eframe::egui::{Color32, ColorImage, Context, Rect, TextureHandle, TextureOptions, Ui, pos2, vec2};
+use eframe::egui::{Color32, ColorImage, Context, Pos2, Rect, TextureHandle, TextureOptions, Ui, pos2, vec2};
 
 use super::super::session::Session;
 use super::super::theme::{NODE_WIDTH, TITLE_HEIGHT};
 use super::super::values::number_text;
 use super::super::worker::Worker;
 use super::Canvas;
+use super::draw::ALL_TEXT;
+use super::table::NodeRow;
 use crate::compile::Options;
 use crate::document::{Look, SourceMap};
 use crate::frame::{Assets, EvalSample, SetupLook, eval_batches};
@@ -24,15 +26,17 @@ use crate::library::{Library, Type};
 use crate::reference;
 
 /// Points across the ball.
-const SIZE: usize = 28;
+const SIZE: usize = 48;
 /// Nothing is asked for until the look was left alone for so long, in seconds.
 const REST: f64 = 0.35;
 /// Longer looks take too long to compile for each of their nodes.
 const MAX_NODES: usize = 1500;
 /// Below this zoom nothing is seen of them.
-const MIN_ZOOM: f32 = 0.42;
-/// On a node, in points.
+const MIN_ZOOM: f32 = 0.18;
+/// In a node's title, in points.
 const SIDE: f32 = 22.0;
+/// Between a ball and the sockets beside it, where it takes the place of values that would be too small to read.
+const MARGIN: f32 = 18.0;
 
 /// What an output gives.
 #[derive(Clone)]
@@ -90,7 +94,7 @@ impl Previews {
 
     /// Takes what was evaluated, and asks for what is missing among `visible`.
     fn update(&mut self, ctx: &Context, session: &Session, visible: impl Iterator<Item = (NodePath, PortName)>) {
-        let state = (session.document_number(), session.revision());
+        let state = (session.document_number(), session.meaning());
         for Answer { key: (path, of), values } in self.worker.iter().flat_map(Worker::answers) {
             let shown = values.map_or(Preview::Nothing, |(values, ty)| show(ctx, &path, &values, &ty));
             self.known.insert(path, (of, shown));
@@ -101,7 +105,10 @@ impl Previews {
             self.seen = Some((state, now));
         }
         let rested = now - self.seen.map_or(now, |(_, since)| since);
-        if self.waits || session.graph().nodes.len() > MAX_NODES || session.look().graph.nodes.len() > MAX_NODES {
+        if self.waits || session.awaits_first_picture {
+            return;
+        }
+        if session.graph().nodes.len() > MAX_NODES || session.look().graph.nodes.len() > MAX_NODES {
             return;
         }
         let is_missing = |(path, _): &(NodePath, PortName)| self.known.get(path).is_none_or(|(of, _)| *of != state);
@@ -231,12 +238,12 @@ impl Canvas {
         for (index, path) in shown {
             let row = &self.table.nodes[index];
             let Some((_, Preview::Ball(texture))) = self.previews.known.get(&path) else { continue };
-            let center = row.rect.min + vec2(NODE_WIDTH - SIDE / 2.0 - 4.0, TITLE_HEIGHT / 2.0);
+            let (center, side) = place(row, self.view.zoom);
             let is_tagged = row.is_muted || self.idle_of(row).is_some();
             // What lies on top is drawn already.
             let is_covered = self.table.nodes[index + 1..].iter().any(|other| other.rect.contains(center));
             if !is_tagged && !is_covered {
-                let place = self.view.rect_to_screen(Rect::from_center_size(center, vec2(SIDE, SIDE)));
+                let place = self.view.rect_to_screen(Rect::from_center_size(center, vec2(side, side)));
                 let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
                 painter.image(texture.id(), place, uv, Color32::WHITE);
             }
@@ -268,6 +275,16 @@ impl Canvas {
     pub(crate) fn wait(&self) {
         self.previews.wait();
     }
+}
+
+/// Where a node's ball is and how wide: in the title, or, from afar, all over the node, which is told apart by it then.
+fn place(row: &NodeRow, zoom: f32) -> (Pos2, f32) {
+    let body = Rect::from_min_max(row.rect.min + vec2(0.0, TITLE_HEIGHT), row.rect.max);
+    let side = (body.width() - 2.0 * MARGIN).min(body.height() - 8.0);
+    if zoom > ALL_TEXT || side < SIDE {
+        return (row.rect.min + vec2(NODE_WIDTH - SIDE / 2.0 - 4.0, TITLE_HEIGHT / 2.0), SIDE);
+    }
+    (body.center(), side)
 }
 
 /// Whether a type has numbers.

@@ -43,16 +43,17 @@ struct Done {
 struct Measured {
     look: Look,
     mesh: String,
+    stage: Option<u64>,
 }
 
 impl Measured {
-    fn of(look: &Look, mesh: &str) -> Self {
+    fn of(look: &Look, mesh: &str, stage: Option<u64>) -> Self {
         let mut look = Look { tier: Tier::Exact, ..look.clone() };
         for node in look.graph.nodes.values_mut() {
             node.tier = None;
             node.position = [0.0; 2];
         }
-        Self { look, mesh: mesh.to_owned() }
+        Self { look, mesh: mesh.to_owned(), stage }
     }
 }
 
@@ -107,7 +108,9 @@ impl Cost {
         self.cancel = Arc::default();
         self.progress = Arc::default();
         let (cancel, progress) = (self.cancel.clone(), self.progress.clone());
-        let job = Job { still: session.still_of(Arc::new(session.look().clone())), size, cancel, progress };
+        // Of a scene, what wears the look: only its figures are asked for, and only its tiers can be chosen.
+        let still = session.still_of(Arc::new(session.look().clone())).alone();
+        let job = Job { still, size, cancel, progress };
         if let Some(worker) = &self.worker {
             worker.request(|_| job);
         }
@@ -130,7 +133,7 @@ impl Cost {
         }
         let number = 1 + session.revision() + (session.document_number() << 32);
         if self.is_current.0 != number {
-            let now = Measured::of(session.look(), &session.view.mesh);
+            let now = Measured::of(session.look(), &session.view.mesh, session.stage_version());
             self.is_current = (number, self.done.as_ref().is_some_and(|done| done.of == now));
         }
     }
@@ -187,5 +190,6 @@ fn measure(renderer: &mut Option<Renderer>, window: &Gpu, wake: &impl Fn(), job:
         bench(&setup, &job.still.library, renderer, &options, &mut Progress::new(&mut told)).map_err(Vec::from)
     };
     let result = run();
-    Done { of: Measured::of(&job.still.look, &job.still.orbit.mesh), result }
+    let stage = job.still.stage.as_ref().map(|stage| stage.version());
+    Done { of: Measured::of(&job.still.look, &job.still.orbit.mesh, stage), result }
 }

@@ -199,6 +199,10 @@ pub(super) fn told(row: &Row, is_used: bool) -> String {
     if matches!(row.subject, Subject::Node { .. }) {
         text += if row.time.is_noise() { "\nnothing seen beyond noise" } else { "\nadded by the node" };
     }
+    if let Some(sizes) = &row.sizes {
+        let megabytes = sizes.traffic as f64 / f64::from(1 << 20);
+        text += &format!("\n{} instructions, {megabytes:.1} MiB moved in a frame, as counted", sizes.instructions);
+    }
     if let Some(error) = &row.error {
         let [x, y] = error.worst;
         text += &format!("\nerror max {} at pixel {x}, {y}; rms {}", small(error.max), small(error.rms));

@@ -28,6 +28,7 @@ pub(crate) enum Panel {
     Timeline,
     Layers,
     Lights,
+    Objects,
     Problems,
     History,
     Library,
@@ -35,11 +36,12 @@ pub(crate) enum Panel {
 
 impl Panel {
     /// All, in the order of menus.
-    pub(crate) const ALL: [Self; 15] = [
+    pub(crate) const ALL: [Self; 16] = [
         Self::Picture,
         Self::Graph,
         Self::Layers,
         Self::Lights,
+        Self::Objects,
         Self::Library,
         Self::History,
         Self::Inspector,
@@ -68,6 +70,7 @@ impl Panel {
             Self::Timeline => "Timeline",
             Self::Layers => "Layers",
             Self::Lights => "Lights",
+            Self::Objects => "Objects",
             Self::Problems => "Problems",
             Self::History => "History",
             Self::Library => "Library",
@@ -89,6 +92,7 @@ impl Panel {
             Self::Timeline => "Values that change with time: keys, play, scrub",
             Self::Layers => "The look as a stack of layers: another view of the same graph",
             Self::Lights => "The lights that layers name: which shine, from where, how bright",
+            Self::Objects => "The objects of the scene: their meshes, their looks, where they stand",
             Self::Problems => "What is wrong, where, and what mends it",
             Self::History => "Everything that was done; a click goes there and back",
             Self::Library => "Nodes to drag onto the canvas, and finished looks to begin with",
@@ -103,8 +107,8 @@ impl Panel {
             Self::Code | Self::Problems | Self::Effects | Self::Cost | Self::Probe => {
                 &[Self::Code, Self::Problems, Self::Effects, Self::Cost, Self::Probe, Self::Profile, Self::Keys]
             }
-            Self::Layers | Self::Lights | Self::Library | Self::History => {
-                &[Self::Layers, Self::Lights, Self::Library, Self::History, Self::Inspector]
+            Self::Layers | Self::Lights | Self::Objects | Self::Library | Self::History => {
+                &[Self::Layers, Self::Lights, Self::Objects, Self::Library, Self::History, Self::Inspector]
             }
         }
     }
@@ -134,7 +138,7 @@ fn arrangement() -> Tree<Panel> {
     let below =
         tabs(&[Panel::Profile, Panel::Keys, Panel::Code, Panel::Problems, Panel::Effects, Panel::Cost, Panel::Probe]);
     let graph = tabs(&[Panel::Graph]);
-    let stack = tabs(&[Panel::Layers, Panel::Lights, Panel::Library, Panel::History]);
+    let stack = tabs(&[Panel::Layers, Panel::Lights, Panel::Objects, Panel::Library, Panel::History]);
     let inspector = tabs(&[Panel::Inspector]);
     let mut shared = |dir, parts: &[(TileId, f32)]| {
         let mut linear = Linear::new(dir, parts.iter().map(|(tile, _)| *tile).collect());

@@ -95,6 +95,16 @@ fn show_node(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
             egui::Rect::from_x_y_ranges(ui.max_rect().x_range(), top..=ui.cursor().top() - ui.spacing().item_spacing.y);
         spots::note(ui, Spot::Input(port.name.clone()), rect);
     }
+    let hidden = kind.inputs.iter().filter(|port| !fits(port, &wanted)).count();
+    if hidden > 0 {
+        ui.horizontal(|ui| {
+            let text = RichText::new(format!("{hidden} more hidden")).color(theme::of(ui).dim);
+            ui.label(text).on_hover_text("The search above hides them");
+            if ui.small_button("Show all values").on_hover_text("Ends the search").clicked() {
+                ui.data_mut(|data| data.remove::<String>(search_id(kind)));
+            }
+        });
+    }
     tier_row(ui, subject, out);
     shown_row(ui, subject, out);
     let path = session.path_of(id);
@@ -110,7 +120,7 @@ fn search(ui: &mut Ui, kind: &Kind) -> String {
     if kind.inputs.len() < LONG {
         return String::new();
     }
-    let id = egui::Id::unique(("inspector search", &kind.id));
+    let id = search_id(kind);
     let mut text = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_default();
     let response =
         ui.add(TextEdit::singleline(&mut text).id(id).hint_text("Find a value").desired_width(f32::INFINITY));
@@ -119,6 +129,10 @@ fn search(ui: &mut Ui, kind: &Kind) -> String {
         ui.data_mut(|data| data.insert_temp(id, text.clone()));
     }
     text.trim().to_lowercase()
+}
+
+fn search_id(kind: &Kind) -> egui::Id {
+    egui::Id::unique(("inspector search", &kind.id))
 }
 
 fn fits(port: &super::catalog::Port, wanted: &str) -> bool {

@@ -154,12 +154,6 @@ impl Session {
         self.keyed.now.values.get(target).cloned().or_else(|| self.own_value(target))
     }
 
-    /// A light as keys make it now.
-    pub(crate) fn light_now(&self, id: &LightId) -> Option<&Light> {
-        let own = self.look().lights.get(id)?;
-        Some(self.keyed.now.lights.get(id).unwrap_or(own))
-    }
-
     /// What moves a target. Direction keys lie over those of time.
     pub(crate) fn keyed_by(&self, target: &Target) -> KeyedBy {
         let look = self.look();
@@ -198,7 +192,7 @@ impl Session {
     pub(crate) fn direction_of(&self, by: &KeyDirection) -> DVec3 {
         match by {
             KeyDirection::View => from_center_to_eye(&self.view),
-            KeyDirection::Light(id) => self.light_now(id).map_or(DVec3::Z, |light| light_in_camera(light, &self.view)),
+            KeyDirection::Light(id) => self.light(id).map_or(DVec3::Z, |light| light_in_camera(light, &self.view)),
         }
     }
 }

@@ -4,6 +4,7 @@ mod history;
 pub(crate) mod layers;
 pub(crate) mod library;
 pub(crate) mod lights;
+mod objects;
 pub(crate) mod problems;
 pub(crate) mod solo;
 pub(crate) mod stack;
@@ -23,6 +24,7 @@ use thumbs::Thumbs;
 pub(crate) struct Panels {
     layers: layers::Layers,
     lights: lights::Lights,
+    objects: objects::Objects,
     history: history::History,
     library: library::Library,
     start: start::Start,
@@ -35,6 +37,7 @@ impl Panels {
         Self {
             layers: layers::Layers::default(),
             lights: lights::Lights::default(),
+            objects: objects::Objects::default(),
             history: history::History::default(),
             library: library::Library::default(),
             start: start::Start::default(),
@@ -47,6 +50,7 @@ impl Panels {
         match panel {
             Panel::Layers => self.layers.show(ui, session, &self.thumbs),
             Panel::Lights => self.lights.show(ui, session),
+            Panel::Objects => self.objects.show(ui, session),
             Panel::Problems => problems::show(ui, session),
             Panel::History => self.history.show(ui, session),
             Panel::Library => self.library.show(ui, session, &self.thumbs),

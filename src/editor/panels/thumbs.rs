@@ -73,6 +73,8 @@ pub(crate) struct Thumbs {
     seen: (u64, u64),
     seen_at: f64,
     rests: bool,
+    /// Whether the first large picture is on its way, which wakes the window.
+    waits: bool,
 }
 
 impl Thumbs {
@@ -85,7 +87,14 @@ impl Thumbs {
             };
             Worker::new("thumbs", wake, move |job: Job| Done { key: job.key, image: artist.draw(&job) })
         };
-        Self { worker: gpu.map(start), pictures: HashMap::new(), seen: (0, 0), seen_at: 0.0, rests: false }
+        Self {
+            worker: gpu.map(start),
+            pictures: HashMap::new(),
+            seen: (0, 0),
+            seen_at: 0.0,
+            rests: false,
+            waits: false,
+        }
     }
 
     pub(crate) fn is_busy(&self) -> bool {
@@ -109,9 +118,10 @@ impl Thumbs {
             self.pictures.insert(key, texture);
         }
         let now = ui.input(|input| input.time);
+        self.waits = session.awaits_first_picture;
         let seen = (session.document_number(), session.revision());
         let is_held = ui.input(|input| input.pointer.any_down());
-        if self.seen != seen || is_held || session.is_compiling() {
+        if self.seen != seen || is_held || session.is_compiling() || self.waits {
             self.seen = seen;
             self.seen_at = now;
         }
@@ -145,7 +155,7 @@ impl Thumbs {
 
     /// Looks again once the window rests.
     pub(crate) fn look_again(&self, ui: &Ui) {
-        if self.worker.is_some() && !self.rests {
+        if self.worker.is_some() && !self.rests && !self.waits {
             let left = REST - (ui.input(|input| input.time) - self.seen_at);
             ui.ctx().request_repaint_after_secs(left.max(0.02) as f32);
         }
@@ -157,7 +167,7 @@ impl Thumbs {
         let (distance, height) = shot.distance_and_height();
         let orbit = Orbit { distance, target: DVec3::new(0.0, height, 0.0), ..Orbit::default() };
         let side = (side.round() as u32).clamp(8, MAX_SIDE);
-        let still = Still { folder, orbit, ..session.still_of(look) };
+        let still = Still { folder, orbit, stage: None, ..session.still_of(look) };
         worker.request(|_| Job { key, still, shot, side });
     }
 }

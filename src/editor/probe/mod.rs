@@ -17,7 +17,7 @@ use super::theme;
 use super::worker::Worker;
 use crate::compile::Live;
 use crate::diag::Diagnostic;
-use crate::frame::{PlanOptions, Planner};
+use crate::frame::{Draw, PlanOptions, Planner, Setup};
 use crate::reference::{Control, Options, WireValue, probe_wires};
 
 /// The pointer rests after so many seconds.
@@ -208,6 +208,18 @@ pub(crate) fn picture_size(rect: Rect, scale: f32) -> [u32; 2] {
     [rect.width(), rect.height()].map(|side| (side * scale).round().clamp(0.0, 8192.0) as u32)
 }
 
+/// What is told where the object that is seen wears another look than the open one, whose nodes are not on the canvas.
+fn other_look(setup: &Setup, draw: &Draw) -> Option<Diagnostic> {
+    let object = setup.objects.iter().find(|object| object.id == draw.object)?;
+    let part = object.mesh.parts.iter().position(|part| part.indices == draw.indices)?;
+    // The open look is the first.
+    let is_other = *object.looks.get(part)? != Some(0);
+    is_other.then(|| {
+        let message = format!("`{}` wears another look, {}", draw.object, draw.look_name);
+        Diagnostic::note("other-look", message).hint("leave the probe and click the object to open its look")
+    })
+}
+
 fn probe(planner: &mut Reused, Query { spot, still, cancel }: Query) -> Found {
     let planner = planner.of(&still.look, &still.library);
     let mut find = || {
@@ -215,7 +227,12 @@ fn probe(planner: &mut Reused, Query { spot, still, cancel }: Query) -> Found {
         let options = PlanOptions { size: spot.size, samples: 1, time: still.time };
         let plan = planner.plan(&setup, &still.library, &Live::All, &options)?;
         let control = Control { cancel: &cancel, progress: &|_| {} };
-        probe_wires(&plan, spot.pixel, &Options::default(), &control).map_err(|problem| vec![problem])
+        let wires = probe_wires(&plan, spot.pixel, &Options::default(), &control).map_err(|problem| vec![problem])?;
+        let seen = wires.as_ref().and_then(|wires| plan.draws.get(wires.first()?.draw));
+        match seen.and_then(|draw| other_look(&setup, draw)) {
+            Some(problem) => Err(vec![problem]),
+            None => Ok(wires),
+        }
     };
     let result = find();
     Found { spot, result }

@@ -20,7 +20,7 @@ impl Safety {
         self.is_problem_read &= problem.is_some();
         let problem = problem.filter(|_| !self.is_problem_read);
         let count = self.offers.shown().count();
-        if problem.is_none() && self.disk.conflict.is_none() && count == 0 {
+        if problem.is_none() && self.disk.conflict.is_none() && self.disk.scene_conflict.is_none() && count == 0 {
             return Vec::new();
         }
         let mut wishes = Vec::new();
@@ -34,6 +34,15 @@ impl Safety {
             }
             if let Some(conflict) = &self.disk.conflict {
                 self.conflict(ui, conflict, session, &mut wishes);
+            }
+            if let (Some(_), Some(stage)) = (&self.disk.scene_conflict, session.stage()) {
+                let text = format!("{} was changed by another program, and by you", stage.name());
+                row(ui, Tone::Warning, &text, |ui| {
+                    let help = "Takes the scene as it is in the file now, as one step: Undo brings your version back";
+                    ask(ui, "Load the file's version", help, Wish::ReloadScene, &mut wishes);
+                    let help = "Saving the scene then writes your version over the other one";
+                    ask(ui, "Keep mine", help, Wish::KeepMyScene, &mut wishes);
+                });
             }
             for (number, offer) in self.offers.shown().take(MAX_SHOWN) {
                 offered(ui, number, offer, &mut wishes);

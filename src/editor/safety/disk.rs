@@ -7,6 +7,7 @@ use std::time::{Duration, SystemTime};
 
 use super::super::session::Session;
 use super::super::session::keeping::OnDisk;
+use super::super::stage::Stage;
 use super::watch::{Watch, Watched};
 use crate::compile::CompiledShader;
 use crate::frame::SHAPE_PREFIX;
@@ -35,6 +36,7 @@ struct Use {
     document: u64,
     path: Option<PathBuf>,
     mesh: String,
+    stage: Option<u64>,
     shader: Option<Arc<CompiledShader>>,
 }
 
@@ -49,6 +51,7 @@ impl Use {
             && self.document == session.document_number()
             && self.path.as_deref() == session.path()
             && self.mesh == session.view.mesh
+            && self.stage == session.stage_version()
     }
 }
 
@@ -65,6 +68,8 @@ pub(crate) struct Disk {
     due: Option<f64>,
     /// What is to be decided.
     pub(crate) conflict: Option<Conflict>,
+    /// What another program made of the scene's file, which has changes here too.
+    pub(crate) scene_conflict: Option<String>,
     /// Whether there was a file, and nobody knows yet that it is gone.
     was_there: bool,
 }
@@ -82,6 +87,7 @@ impl Disk {
             assets: BTreeMap::new(),
             due: None,
             conflict: None,
+            scene_conflict: None,
             was_there: false,
         }
     }
@@ -122,6 +128,7 @@ impl Disk {
             document: session.document_number(),
             path: session.path().map(Path::to_path_buf),
             mesh: session.view.mesh.clone(),
+            stage: session.stage_version(),
             shader: session.baked().cloned(),
         };
         if is_other {
@@ -135,13 +142,15 @@ impl Disk {
         let images =
             session.baked().into_iter().flat_map(|shader| &shader.named_images).map(|image| image.path.as_str());
         let mesh = Some(session.view.mesh.as_str()).filter(|mesh| !mesh.starts_with(SHAPE_PREFIX));
-        let paths = images.map(|path| folder.join(path)).chain(mesh.map(PathBuf::from));
+        let of_scene = session.stage().map(Stage::files).unwrap_or_default();
+        let paths = images.map(|path| folder.join(path)).chain(mesh.map(PathBuf::from)).chain(of_scene);
         let paths = paths.filter_map(|path| std::path::absolute(path).ok());
         let known = std::mem::take(&mut self.assets);
         self.assets =
             paths.map(|path| (path.clone(), known.get(&path).copied().unwrap_or_else(|| stamp(&path)))).collect();
         let links = self.look.iter().filter_map(|path| path.canonicalize().ok());
-        let files = self.assets.keys().cloned().chain(self.look.clone()).chain(links).collect();
+        let scene = session.stage().and_then(|stage| std::path::absolute(stage.path()?).ok());
+        let files = self.assets.keys().cloned().chain(self.look.clone()).chain(links).chain(scene).collect();
         self.watch.set(Watched { files, folder: self.nodes.clone() });
         is_other
     }
@@ -156,7 +165,7 @@ impl Disk {
 
     /// Looks at all files. Returns what to tell.
     pub(crate) fn check(&mut self, session: &mut Session) -> Option<String> {
-        let mut told = self.check_look(session);
+        let mut told = self.check_look(session).or_else(|| self.check_scene(session));
         let nodes = self.nodes.as_deref().map(stamps_below).unwrap_or_default();
         if nodes != self.node_stamps {
             // The folder may be new, and is watched from now on.
@@ -180,6 +189,23 @@ impl Disk {
         told
     }
 
+    fn check_scene(&mut self, session: &mut Session) -> Option<String> {
+        let text = match session.stage().map(Stage::on_disk) {
+            Some(OnDisk::Changed(text)) => text,
+            _ => {
+                self.scene_conflict = None;
+                return None;
+            }
+        };
+        if session.stage().is_some_and(Stage::is_dirty) {
+            self.scene_conflict = Some(text);
+            return None;
+        }
+        let name = session.stage().map(Stage::name).unwrap_or_default();
+        // What cannot be read yet is told where problems are, and looked at again when the file changes.
+        session.reload_scene(&text).then(|| format!("{name} was changed by another program and loaded again"))
+    }
+
     fn check_look(&mut self, session: &mut Session) -> Option<String> {
         match session.on_disk() {
             OnDisk::Same => {
@@ -194,7 +220,7 @@ impl Disk {
                 None
             }
             OnDisk::Unreadable => None,
-            OnDisk::Changed(text) if session.is_dirty() => {
+            OnDisk::Changed(text) if session.is_look_dirty() => {
                 self.conflict = Some(Conflict::Changed(text));
                 None
             }

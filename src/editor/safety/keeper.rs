@@ -1,4 +1,4 @@
-//! Writes the journal of the open look, on a thread of its own: a slow disk holds up no hand.
+//! Writes the journal of an open document, on a thread of its own: a slow disk holds up no hand.
 //!
 //! Edits of one gesture that set the same thing again and again, such as all of a drag, are joined for a moment before
 //! they are written, and the disk itself is waited for only when nothing was done for a while.
@@ -13,8 +13,8 @@ use std::time::Duration;
 use super::super::worker::start;
 use crate::clock::Clock;
 use crate::diag::Diagnostic;
-use crate::document::journal::{About, Journal, LookOp, Op, Slot};
-use crate::document::{Editable, History, Look};
+use crate::document::History;
+use crate::document::journal::{About, Journal, Journaled, Op, Slot};
 
 /// As long as a gesture goes on, what was done is written so often.
 const OFTEN: Duration = Duration::from_millis(100);
@@ -24,18 +24,18 @@ const REST: Duration = Duration::from_secs(1);
 const RETRY: f64 = 3.0;
 
 /// A document as it stands, for a journal to begin with.
-pub(crate) struct Standing {
+pub(crate) struct Standing<D: Journaled> {
     pub(crate) about: About,
     pub(crate) source: Option<Arc<str>>,
-    pub(crate) history: History<Look>,
+    pub(crate) history: History<D>,
     /// The slot that it was in, if it was taken back.
     pub(crate) slot: Option<Slot>,
 }
 
-enum Message {
-    Begin(Box<Standing>),
+enum Message<D: Journaled> {
+    Begin(Box<Standing<D>>),
     /// What was done, and whether the gesture goes on.
-    Ops(Vec<LookOp>, bool),
+    Ops(Vec<Op<D::Edit>>, bool),
     /// The journal stays where it is, for whoever wants it; whether the window is closed in peace.
     Leave(bool),
     /// The journal is not needed any more.
@@ -52,8 +52,8 @@ struct Shared {
 }
 
 /// Keeps a journal of what is done.
-pub(crate) struct Keeper {
-    sender: Option<Sender<Message>>,
+pub(crate) struct Keeper<D: Journaled> {
+    sender: Option<Sender<Message<D>>>,
     sent: u64,
     shared: Arc<Shared>,
     thread: Option<JoinHandle<()>>,
@@ -63,12 +63,16 @@ pub(crate) struct Keeper {
     goes_on: bool,
 }
 
-impl Keeper {
+impl<D> Keeper<D>
+where
+    D: Journaled + Send + 'static,
+    D::Edit: Send,
+{
     /// Keeps journals in `folder`. `wake` is called from another thread when there is a problem, or none any more.
     pub(crate) fn new(folder: PathBuf, wake: impl Fn() + Send + 'static) -> Self {
         let (sender, receiver) = channel();
         let shared = Arc::new(Shared::default());
-        let mut writer = Writer {
+        let mut writer: Writer<D> = Writer {
             folder,
             slot: None,
             journal: None,
@@ -82,7 +86,7 @@ impl Keeper {
         Self { sender: Some(sender), sent: 0, shared, thread, has_begun: false, goes_on: false }
     }
 
-    fn send(&mut self, message: Message) {
+    fn send(&mut self, message: Message<D>) {
         self.sent += 1;
         // Without a thread nothing is kept, which `problem` tells.
         let _ = self.sender.as_ref().map(|sender| sender.send(message));
@@ -94,14 +98,14 @@ impl Keeper {
     }
 
     /// Begins the journal, or begins it anew.
-    pub(crate) fn begin(&mut self, standing: Standing) {
+    pub(crate) fn begin(&mut self, standing: Standing<D>) {
         self.has_begun = true;
         self.shared.wants_to_begin.store(false, Ordering::Relaxed);
         self.send(Message::Begin(Box::new(standing)));
     }
 
     /// Adds what was done. While the gesture goes on it may wait for a moment.
-    pub(crate) fn add(&mut self, ops: Vec<LookOp>, goes_on: bool) {
+    pub(crate) fn add(&mut self, ops: Vec<Op<D::Edit>>, goes_on: bool) {
         if !ops.is_empty() || self.goes_on && !goes_on {
             self.goes_on = goes_on;
             self.send(Message::Ops(ops, goes_on));
@@ -137,7 +141,7 @@ impl Keeper {
     }
 }
 
-impl Drop for Keeper {
+impl<D: Journaled> Drop for Keeper<D> {
     fn drop(&mut self) {
         // The thread ends when nobody can send any more, and after it has written what was sent.
         self.sender = None;
@@ -153,23 +157,28 @@ fn problem(why: impl std::fmt::Display) -> Diagnostic {
 }
 
 /// What is about to be written.
-#[derive(Default)]
-struct Waiting {
-    ops: Vec<LookOp>,
+struct Waiting<D: Journaled> {
+    ops: Vec<Op<D::Edit>>,
     /// Whether the last of them is the first of its gesture. Others of the same gesture never take its place: it is what
     /// makes the undo step, and what takes away what could be redone.
     is_first: bool,
 }
 
-impl Waiting {
+impl<D: Journaled> Default for Waiting<D> {
+    fn default() -> Self {
+        Self { ops: Vec::new(), is_first: false }
+    }
+}
+
+impl<D: Journaled> Waiting<D> {
     /// Puts an edit after what waits, or in the place of the last that waits, if it sets the same anyway.
-    fn join(&mut self, op: LookOp) {
+    fn join(&mut self, op: Op<D::Edit>) {
         let last = self.ops.last_mut();
         let (goes_on, sets_the_same) = match (&last, &op) {
             (Some(Op::Edit { gesture: Some(old), edit: covered }), Op::Edit { gesture: Some(new), edit })
                 if old == new =>
             {
-                (true, Look::covers(covered, edit))
+                (true, D::covers(covered, edit))
             }
             _ => (false, false),
         };
@@ -184,19 +193,19 @@ impl Waiting {
 }
 
 /// Lives on the thread.
-struct Writer {
+struct Writer<D: Journaled> {
     folder: PathBuf,
     slot: Option<Slot>,
     journal: Option<Journal>,
-    waiting: Waiting,
+    waiting: Waiting<D>,
     is_synced: bool,
     shared: Arc<Shared>,
     failed: Option<Clock>,
     wake: Box<dyn Fn() + Send>,
 }
 
-impl Writer {
-    fn run(&mut self, receiver: &Receiver<Message>) {
+impl<D: Journaled> Writer<D> {
+    fn run(&mut self, receiver: &Receiver<Message<D>>) {
         let mut since: Option<Clock> = None;
         loop {
             let pause = match &since {
@@ -231,7 +240,7 @@ impl Writer {
         }
     }
 
-    fn handle(&mut self, message: Message) {
+    fn handle(&mut self, message: Message<D>) {
         match message {
             Message::Begin(standing) => {
                 // It holds what waits.
@@ -261,7 +270,7 @@ impl Writer {
         }
     }
 
-    fn begin(&mut self, Standing { about, source, history, slot }: Standing) -> std::io::Result<()> {
+    fn begin(&mut self, Standing { about, source, history, slot }: Standing<D>) -> std::io::Result<()> {
         self.journal = None;
         if slot.is_some() {
             self.slot = slot;
@@ -340,7 +349,8 @@ fn reason(error: &std::io::Error) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::{Edit, GraphId, Node, Value};
+    use crate::document::journal::LookOp;
+    use crate::document::{Edit, GraphId, Look, Node, Value};
 
     /// The document, and all that undo and redo lead through.
     fn all_of(mut history: History<Look>) -> Vec<String> {
@@ -408,7 +418,7 @@ mod tests {
                     ops.push(op);
                 }
             }
-            let mut waiting = Waiting::default();
+            let mut waiting = Waiting::<Look>::default();
             ops.iter().cloned().for_each(|op| waiting.join(op));
             fewer += ops.len() - waiting.ops.len();
             let joined = done(&waiting.ops);

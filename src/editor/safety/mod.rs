@@ -9,6 +9,7 @@ mod offers;
 pub(crate) mod places;
 mod watch;
 
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -17,6 +18,7 @@ use eframe::egui::Ui;
 
 use super::session::Session;
 use super::settings::{Settings, Theme};
+use super::stage::real;
 use crate::frame::SHAPE_PREFIX;
 use disk::{Conflict, Disk};
 use offers::Offers;
@@ -33,6 +35,10 @@ pub(crate) enum Wish {
     Reload,
     /// Lets saving write over it.
     KeepMine,
+    /// Takes the scene's file as another program left it.
+    ReloadScene,
+    /// Lets saving the scene write over it.
+    KeepMyScene,
     /// The note was read.
     Hide,
 }
@@ -47,6 +53,8 @@ pub(crate) struct Safety {
     window: Option<(Theme, f32)>,
     /// Whether the note that nothing is kept was read.
     is_problem_read: bool,
+    /// The files of scenes, and of looks within them, that this window has put aside: their work comes back with them.
+    aside: HashSet<PathBuf>,
 }
 
 impl Safety {
@@ -60,11 +68,12 @@ impl Safety {
             settings: Settings::default(),
             window: None,
             is_problem_read: false,
+            aside: HashSet::new(),
         }
     }
 
     /// Keeps journals and settings here from now on, and looks for what was left behind.
-    pub(crate) fn keep_in(&mut self, places: Places, session: &mut Session, wake: impl Fn() + Send + 'static) {
+    pub(crate) fn keep_in(&mut self, places: Places, session: &mut Session, wake: impl Fn() + Send + Sync + 'static) {
         session.keep_in(&places.journals(), wake);
         self.settings = Settings::load(&places.settings());
         if let Some(mesh) = &self.settings.mesh
@@ -87,16 +96,32 @@ impl Safety {
     /// with unasked: what it was at may be what broke it.
     pub(crate) fn resume(&mut self, session: &mut Session) -> Option<String> {
         let number = self.offers.closed()?;
+        // What a scene was closed with comes back by the scene.
+        let number = self.offers.scene_closed_with(number).unwrap_or(number);
         Some(self.take_back(number, session))
+    }
+
+    /// Remembers that the scene that is open, and the look in it, are about to be put aside.
+    pub(crate) fn put_aside(&mut self, session: &Session) {
+        let Some(stage) = session.stage() else { return };
+        self.aside.extend([stage.path(), session.path()].into_iter().flatten().map(real));
+    }
+
+    /// Takes the look back that was put aside with a scene, and that has no file.
+    pub(crate) fn take_back_unsaved(&mut self, session: &mut Session) {
+        if let Some(number) = self.offers.unsaved_of_scene() {
+            self.take_back(number, session);
+        }
     }
 
     /// Opens a file with the past or the unsaved work that a journal has of it, where the file is what that was based on.
     /// Returns what to tell; `None` where the file is to be read.
     pub(crate) fn reopen(&mut self, path: &Path, session: &mut Session) -> Option<String> {
-        if let Some(number) = self.offers.of_file(path, false) {
+        let is_aside = self.aside.contains(&real(path));
+        if let Some(number) = self.offers.of_file(path, false, is_aside) {
             return Some(self.take_back(number, session));
         }
-        let number = self.offers.of_file(path, true)?;
+        let number = self.offers.of_file(path, true, is_aside)?;
         self.take_back(number, session);
         Some(String::new())
     }
@@ -105,6 +130,7 @@ impl Safety {
         if session.is_dirty() && !session.keeps_work() {
             return "Save this look first: its changes cannot be put aside now".to_owned();
         }
+        self.open_scene_of(number, session);
         session.leave_journal(false);
         let told = match self.offers.take_back(number, session) {
             Ok(name) => format!("{name} is as it was, with all its changes"),
@@ -112,6 +138,16 @@ impl Safety {
         };
         self.look();
         told
+    }
+
+    /// Opens the scene that a look was in when it was put aside, if that is not open.
+    fn open_scene_of(&self, number: usize, session: &mut Session) {
+        let Some(offer) = self.offers.get(number).filter(|offer| !offer.is_scene) else { return };
+        let is_open =
+            |path: &Path| session.stage().and_then(|stage| stage.path()).is_some_and(|open| real(open) == real(path));
+        if let Some(scene) = offer.beside.clone().filter(|path| path.is_file() && !is_open(path)) {
+            session.open(&scene);
+        }
     }
 
     /// Remembers that a file was opened or saved.
@@ -182,6 +218,21 @@ impl Safety {
                 if let Some(Conflict::Changed(text) | Conflict::Broken(text)) = self.disk.conflict.take() {
                     session.keep_mine(text);
                     return Some("Saving will write over the other version".to_owned());
+                }
+            }
+            Wish::ReloadScene => {
+                if let Some(text) = self.disk.scene_conflict.take() {
+                    let is_read = session.reload_scene(&text);
+                    return Some(match is_read {
+                        true => "The scene was loaded again; Undo brings your changes back".to_owned(),
+                        false => "The scene's file cannot be read now; your version stays".to_owned(),
+                    });
+                }
+            }
+            Wish::KeepMyScene => {
+                if let (Some(text), Some(stage)) = (self.disk.scene_conflict.take(), session.stage_mut()) {
+                    stage.keep_mine(text);
+                    return Some("Saving the scene will write over the other version".to_owned());
                 }
             }
             Wish::Hide => {

@@ -6,8 +6,8 @@ use std::time::{Duration, SystemTime};
 use super::super::session::Session;
 use crate::clock;
 use crate::diag::Diagnostic;
-use crate::document::journal::{Recovered, Slot, left_behind, recover};
-use crate::document::{Look, read_text};
+use crate::document::journal::{Found, Journaled, Recovered, Slot, left_behind, recover_any};
+use crate::document::{Look, Scene, read_text};
 
 /// Nobody asks any more what could be undone in a saved look after so long.
 const FORGOTTEN: Duration = Duration::from_secs(7 * 24 * 60 * 60);
@@ -34,30 +34,93 @@ pub(crate) struct Offer {
     pub(crate) is_readable: bool,
     /// Whether its file holds it all: only its past is worth anything, to who opens the file again.
     is_saved: bool,
+    /// Whether it is a scene, and no look.
+    pub(crate) is_scene: bool,
+    /// What was open with it: of a look the scene, of a scene the look.
+    pub(crate) beside: Option<PathBuf>,
+    /// Whether it is a look that was in a scene.
+    is_staged: bool,
+}
+
+/// What a journal says of either kind of document.
+struct Outline {
+    name: String,
+    path: Option<PathBuf>,
+    source: Option<String>,
+    /// Whether it was saved, and the journal knows.
+    is_saved: bool,
+    /// Whether the file holds it, in whatever way that came.
+    is_in_file: bool,
+    steps: Option<usize>,
+    damage: Vec<Diagnostic>,
+    is_closed: bool,
+    is_scene: bool,
+    beside: Option<PathBuf>,
+    is_staged: bool,
+}
+
+impl Outline {
+    fn read(path: &Path) -> Result<Self, Box<Diagnostic>> {
+        Ok(match recover_any(path)? {
+            Found::Look(found) => {
+                let is_in_file = is_in_file(&found, |text| Some(Look::read(text, "").value?.to_text()), Look::to_text);
+                let beside = text_of(&found.about.window, "scene");
+                Self { is_in_file, beside, ..Self::of(*found) }
+            }
+            Found::Scene(found) => {
+                let is_in_file =
+                    is_in_file(&found, |text| Some(Scene::read(text, "").value?.to_text()), Scene::to_text);
+                let beside = text_of(&found.about.window, "look");
+                Self { is_in_file, beside, is_scene: true, ..Self::of(*found) }
+            }
+        })
+    }
+
+    fn of<D: Journaled>(found: Recovered<D>) -> Self {
+        Self {
+            name: found.about.name,
+            path: found.about.path.map(PathBuf::from),
+            source: found.source,
+            is_saved: found.history.is_saved(),
+            is_in_file: false,
+            steps: found.history.unsaved_steps().or(Some(found.history.steps().0)),
+            damage: found.damage,
+            is_closed: found.is_closed,
+            is_scene: false,
+            beside: None,
+            is_staged: found.about.window.get("staged").and_then(serde_json::Value::as_bool).unwrap_or(false),
+        }
+    }
+}
+
+fn text_of(window: &serde_json::Value, key: &str) -> Option<PathBuf> {
+    window.get(key).and_then(serde_json::Value::as_str).map(PathBuf::from)
 }
 
 impl Offer {
     fn of(slot: Slot) -> Option<Self> {
         let written = slot.written();
-        match recover::<Look>(slot.path()) {
+        match Outline::read(slot.path()) {
             Ok(found) => {
-                let path = found.about.path.as_ref().map(PathBuf::from);
-                let is_saved = found.history.is_saved() || is_in_file(&found, path.as_deref());
+                let is_saved = found.is_saved || found.is_in_file;
                 if is_saved && written.is_none_or(|written| clock::age(written) > FORGOTTEN) {
                     slot.discard();
                     return None;
                 }
                 Some(Self {
                     slot,
-                    name: found.about.name,
-                    path,
-                    steps: found.history.unsaved_steps().or(Some(found.history.steps().0)),
+                    name: found.name,
+                    path: found.path,
+                    steps: found.steps,
                     written,
                     is_closed: found.is_closed,
                     is_thrown: false,
                     damage: found.damage,
                     is_readable: true,
                     is_saved,
+                    is_scene: found.is_scene,
+                    beside: found.beside,
+                    is_staged: found.is_staged,
                 })
             }
             Err(problem) => Some(Self {
@@ -70,6 +133,9 @@ impl Offer {
                 damage: vec![*problem],
                 is_readable: false,
                 is_saved: false,
+                is_scene: false,
+                beside: None,
+                is_staged: false,
                 slot,
             }),
         }
@@ -92,11 +158,15 @@ impl Offer {
     }
 }
 
-/// Whether the file holds the document as it is: it was saved, and the journal did not come to know.
-fn is_in_file(found: &Recovered<Look>, path: Option<&Path>) -> bool {
-    let text = path.and_then(|path| read_text(path).ok());
-    let in_file = text.and_then(|text| Look::read(&text, "").value);
-    in_file.is_some_and(|look| look.to_text() == found.history.document().to_text())
+/// Whether the file holds the document as it is: it was saved, and the journal did not come to know. `canonical` is the
+/// canonical form of a text.
+fn is_in_file<D: Journaled>(
+    found: &Recovered<D>,
+    canonical: impl Fn(&str) -> Option<String>,
+    to_text: impl Fn(&D) -> String,
+) -> bool {
+    let text = found.about.path.as_ref().and_then(|path| read_text(Path::new(path)).ok());
+    text.and_then(|text| canonical(&text)).is_some_and(|text| text == to_text(found.history.document()))
 }
 
 /// How long ago, as people say it.
@@ -135,20 +205,36 @@ impl Offers {
     }
 
     /// What was left of the look in this file, if the file is still what it was based on: `is_saved` asks for the past
-    /// of a saved look, else for unsaved work of a window that was closed.
-    pub(crate) fn of_file(&self, path: &Path, is_saved: bool) -> Option<usize> {
+    /// of a saved look, else for unsaved work of a window that was closed, or with `is_aside` of whichever.
+    pub(crate) fn of_file(&self, path: &Path, is_saved: bool, is_aside: bool) -> Option<usize> {
         let path = std::path::absolute(path).ok()?;
         let is_it = |offer: &Offer| {
-            offer.path.as_ref() == Some(&path) && offer.is_saved == is_saved && (is_saved || offer.is_closed)
+            let is_free = is_saved || offer.is_closed || is_aside;
+            offer.path.as_ref() == Some(&path) && offer.is_saved == is_saved && is_free
         };
         let number = self.all.iter().position(is_it)?;
-        let found = recover::<Look>(self.all[number].slot.path()).ok()?;
+        let found = Outline::read(self.all[number].slot.path()).ok()?;
         let text = read_text(&path).ok()?;
-        let is_same = match is_saved {
-            true => found.source.as_ref() == Some(&text) && found.history.is_saved(),
-            false => found.source.as_ref() == Some(&text),
-        };
+        let is_same = found.source.as_ref() == Some(&text) && (found.is_saved || !is_saved);
         is_same.then_some(number)
+    }
+
+    /// What is offered under a number.
+    pub(crate) fn get(&self, number: usize) -> Option<&Offer> {
+        self.all.get(number)
+    }
+
+    /// The scene that was closed with a look, if it was not saved then.
+    pub(crate) fn scene_closed_with(&self, number: usize) -> Option<usize> {
+        let look = self.all.get(number).filter(|offer| !offer.is_scene)?;
+        let is_it = |offer: &Offer| offer.is_scene && offer.is_closed && offer.beside == look.path;
+        self.shown().find(|(_, offer)| is_it(offer)).map(|(number, _)| number)
+    }
+
+    /// The look without a file that was put aside with a scene.
+    pub(crate) fn unsaved_of_scene(&self) -> Option<usize> {
+        let is_it = |offer: &Offer| !offer.is_scene && offer.is_staged && offer.path.is_none() && offer.is_readable;
+        self.all.iter().position(is_it)
     }
 
     /// Opens what is offered in the window, in place of the open look, which the caller has put aside.
@@ -157,9 +243,12 @@ impl Offers {
     /// Why it cannot be read; it is still offered then.
     pub(crate) fn take_back(&mut self, number: usize, session: &mut Session) -> Result<String, Box<Diagnostic>> {
         let Some(offer) = self.all.get(number) else { return Ok(String::new()) };
-        let found = recover::<Look>(offer.slot.path())?;
+        let found = recover_any(offer.slot.path())?;
         let offer = self.all.remove(number);
-        session.take_back(found, offer.slot);
+        match found {
+            Found::Look(found) => session.take_back(*found, offer.slot),
+            Found::Scene(found) => session.take_back_scene(*found, offer.slot),
+        }
         Ok(offer.name)
     }
 

@@ -1,4 +1,4 @@
-//! What keeps a session's work: its journal, and what another program did to its file.
+//! What keeps a session's work: journals, and what another program did to its file.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -7,16 +7,15 @@ use super::super::catalog::Catalog;
 use super::super::safety::keeper::{Keeper, Standing};
 use super::Session;
 use crate::diag::Diagnostic;
-use crate::document::journal::{About, LookOp, Recovered, Slot};
+use crate::document::journal::{About, Journaled, Op, Recovered, Slot};
 use crate::document::{Edit, Look, read_text};
 use crate::ids::NodePath;
 use crate::library::Library;
 
-/// A look's journal, and what is not sent to it yet.
-#[derive(Default)]
-pub(super) struct Keeping {
-    keeper: Option<Keeper>,
-    ops: Vec<LookOp>,
+/// A document's journal, and what is not sent to it yet.
+pub(crate) struct Keeping<D: Journaled> {
+    keeper: Option<Keeper<D>>,
+    ops: Vec<Op<D::Edit>>,
     /// What the file holds by another program's hand and may be written over.
     overridden: Option<String>,
 }
@@ -33,99 +32,66 @@ pub(crate) enum OnDisk {
     Unreadable,
 }
 
-impl Keeping {
+impl<D: Journaled> Default for Keeping<D> {
+    fn default() -> Self {
+        Self { keeper: None, ops: Vec::new(), overridden: None }
+    }
+}
+
+impl<D> Keeping<D>
+where
+    D: Journaled + Send + 'static,
+    D::Edit: Send,
+{
+    /// Keeps journals in a folder from now on. `wake` is called from another thread when that fails, or works again.
+    pub(crate) fn keep_in(&mut self, folder: &Path, wake: impl Fn() + Send + 'static) {
+        self.keeper = Some(Keeper::new(folder.to_owned(), wake));
+    }
+
     /// Notes what was done, if anything is kept.
-    pub(super) fn note(&mut self, op: Option<LookOp>) {
+    pub(crate) fn note(&mut self, op: Option<Op<D::Edit>>) {
         if self.keeper.is_some() {
             self.ops.extend(op);
         }
     }
 
     /// Whether edits are noted, so that one must be kept before it is applied.
-    pub(super) fn is_on(&self) -> bool {
+    pub(crate) fn is_on(&self) -> bool {
         self.keeper.is_some()
     }
-}
 
-impl Session {
-    /// Keeps the journal of unsaved work in a folder from now on. `wake` is called from another thread when that fails,
-    /// or works again.
-    pub fn keep_in(&mut self, folder: &Path, wake: impl Fn() + Send + 'static) {
-        self.keeping.keeper = Some(Keeper::new(folder.to_owned(), wake));
-        if self.is_dirty() {
-            self.begin_journal(None);
-        }
+    /// Whether the document as it stands is wanted rather than what was done.
+    pub(crate) fn wants_to_begin(&self, is_dirty: bool) -> bool {
+        let is_wanted =
+            |keeper: &Keeper<D>| keeper.wants_to_begin() && (keeper.has_begun && is_dirty || !self.ops.is_empty());
+        self.keeper.as_ref().is_some_and(is_wanted)
     }
 
     /// Hands what was done since the last call to the journal; a gesture that goes on may wait for a moment there.
-    pub fn commit(&mut self, goes_on: bool) {
-        let is_dirty = self.is_dirty();
-        let Some(keeper) = &mut self.keeping.keeper else { return };
-        let is_asked = keeper.has_begun && keeper.wants_to_begin() && is_dirty;
-        if is_asked || !self.keeping.ops.is_empty() && keeper.wants_to_begin() {
-            self.begin_journal(None);
-        } else {
-            keeper.add(std::mem::take(&mut self.keeping.ops), goes_on);
+    pub(crate) fn add(&mut self, goes_on: bool) {
+        if let Some(keeper) = &mut self.keeper {
+            keeper.add(std::mem::take(&mut self.ops), goes_on);
         }
     }
 
-    /// Waits until the system has all that was handed over; for tests, and before something is put away.
-    pub fn wait_for_journal(&self) {
-        if let Some(keeper) = &self.keeping.keeper {
-            keeper.wait();
-        }
-    }
-
-    /// Why unsaved work is not kept, if it should be and is not.
-    pub(crate) fn keeping_problem(&self) -> Option<Diagnostic> {
-        self.keeping.keeper.as_ref().and_then(Keeper::problem)
-    }
-
-    /// Whether closing or another document would lose nothing, once all is handed over.
-    pub(crate) fn keeps_work(&mut self) -> bool {
-        self.commit(false);
-        self.wait_for_journal();
-        self.keeping.keeper.as_ref().is_some_and(|keeper| keeper.problem().is_none())
-    }
-
-    /// Begins the journal with the look as it stands.
-    pub(super) fn begin_journal(&mut self, slot: Option<Slot>) {
-        self.keeping.ops.clear();
-        if self.keeping.keeper.is_none() {
-            return;
-        }
-        let path = self.path().map(|path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned()));
-        let file_name = path.as_ref().and_then(|path| path.file_name()).map(|name| name.to_string_lossy().into_owned());
-        let about = About {
-            name: file_name.unwrap_or_else(|| "New look".to_owned()),
-            path: path.as_ref().and_then(|path| path.to_str()).map(str::to_owned),
-            is_partial: self.is_partial,
-            window: serde_json::json!({ "mesh": self.view.mesh }),
-        };
-        let source = self.path.is_some().then(|| self.source.text().clone());
-        let standing = Standing { about, source, history: self.history.clone(), slot };
-        if let Some(keeper) = &mut self.keeping.keeper {
+    /// Begins the journal with a document as it stands, all that was done included.
+    pub(crate) fn begin(&mut self, standing: Standing<D>) {
+        self.ops.clear();
+        if let Some(keeper) = &mut self.keeper {
             keeper.begin(standing);
         }
     }
 
-    /// After a save the journal begins anew: with the same past, and nothing unsaved.
-    pub(super) fn saved(&mut self) {
-        self.keeping.overridden = None;
-        if self.history.steps() == (0, 0) {
-            self.keeping.ops.clear();
-        } else {
-            self.begin_journal(None);
-        }
+    /// Forgets what was done: there is nothing that is worth a journal.
+    pub(crate) fn clear(&mut self) {
+        self.ops.clear();
     }
 
-    /// Lets go of the journal before another document comes: it stays if anything in it is not saved.
-    pub(crate) fn leave_journal(&mut self, in_peace: bool) {
-        self.commit(false);
-        self.keeping.overridden = None;
-        let is_dirty = self.is_dirty();
-        if let Some(keeper) = &mut self.keeping.keeper {
-            match is_dirty {
+    /// Lets go of the journal: it stays if anything in it is needed.
+    pub(crate) fn leave(&mut self, is_needed: bool, in_peace: bool) {
+        self.overridden = None;
+        if let Some(keeper) = &mut self.keeper {
+            match is_needed {
                 true => keeper.leave(in_peace),
                 false => keeper.discard(),
             }
@@ -133,16 +99,148 @@ impl Session {
         }
     }
 
-    /// Closes the journal as a window that is closed does; nothing is kept any more after that.
+    /// Nothing is kept any more.
+    pub(crate) fn end(&mut self) {
+        self.keeper = None;
+    }
+
+    /// Waits until the system has all that was handed over.
+    pub(crate) fn wait(&self) {
+        if let Some(keeper) = &self.keeper {
+            keeper.wait();
+        }
+    }
+
+    /// Why unsaved work is not kept, if it should be and is not.
+    pub(crate) fn problem(&self) -> Option<Diagnostic> {
+        self.keeper.as_ref().and_then(Keeper::problem)
+    }
+
+    /// Whether everything that was handed over is kept.
+    pub(crate) fn keeps(&self) -> bool {
+        self.wait();
+        self.keeper.as_ref().is_some_and(|keeper| keeper.problem().is_none())
+    }
+
+    /// Compares a file with the text that it held when it was read or written last.
+    pub(crate) fn on_disk(&self, path: &Path, text: &str) -> OnDisk {
+        match read_text(path) {
+            Ok(found) if found == text => OnDisk::Same,
+            Ok(found) if self.overridden.as_ref() == Some(&found) => OnDisk::Same,
+            Ok(found) => OnDisk::Changed(found),
+            Err(_) if !path.exists() => OnDisk::Gone,
+            Err(_) => OnDisk::Unreadable,
+        }
+    }
+
+    /// Lets saving write over what another program wrote.
+    pub(crate) fn override_with(&mut self, theirs: String) {
+        self.overridden = Some(theirs);
+    }
+
+    /// After a save nothing of another program's is written over any more.
+    pub(crate) fn forget_overridden(&mut self) {
+        self.overridden = None;
+    }
+}
+
+impl Session {
+    /// Keeps the journals of unsaved work in a folder from now on. `wake` is called from another thread when that fails,
+    /// or works again.
+    pub fn keep_in(&mut self, folder: &Path, wake: impl Fn() + Send + Sync + 'static) {
+        let wake: Arc<dyn Fn() + Send + Sync> = Arc::new(wake);
+        self.keeps = Some((folder.to_owned(), wake.clone()));
+        self.keeping.keep_in(folder, move || wake());
+        self.keep_stage();
+        if self.is_look_dirty() {
+            self.begin_journal(None);
+        }
+    }
+
+    /// Hands what was done since the last call to the journals; a gesture that goes on may wait for a moment there.
+    pub fn commit(&mut self, goes_on: bool) {
+        if self.keeping.wants_to_begin(self.is_look_dirty()) {
+            self.begin_journal(None);
+        } else {
+            self.keeping.add(goes_on);
+        }
+        if let Some(stage) = &mut self.stage {
+            stage.commit(goes_on);
+        }
+    }
+
+    /// Waits until the system has all that was handed over; for tests, and before something is put away.
+    pub fn wait_for_journal(&self) {
+        self.keeping.wait();
+        if let Some(stage) = &self.stage {
+            stage.keeping().wait();
+        }
+    }
+
+    /// Why unsaved work is not kept, if it should be and is not.
+    pub(crate) fn keeping_problem(&self) -> Option<Diagnostic> {
+        self.keeping.problem().or_else(|| self.stage.as_ref().and_then(|stage| stage.keeping().problem()))
+    }
+
+    /// Whether closing or another document would lose nothing, once all is handed over.
+    pub(crate) fn keeps_work(&mut self) -> bool {
+        self.commit(false);
+        self.keeping.keeps() && self.stage.as_ref().is_none_or(|stage| stage.keeping().keeps())
+    }
+
+    /// Begins the journal with the look as it stands.
+    pub(super) fn begin_journal(&mut self, slot: Option<Slot>) {
+        if !self.keeping.is_on() {
+            return self.keeping.clear();
+        }
+        let path = self.path().map(|path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned()));
+        let file_name = path.as_ref().and_then(|path| path.file_name()).map(|name| name.to_string_lossy().into_owned());
+        let scene = self.stage.as_ref().and_then(|stage| std::path::absolute(stage.path()?).ok());
+        let about = About {
+            name: file_name.unwrap_or_else(|| "New look".to_owned()),
+            path: path.as_ref().and_then(|path| path.to_str()).map(str::to_owned),
+            is_partial: self.is_partial,
+            window: serde_json::json!({
+                "mesh": self.view.mesh,
+                "scene": scene.as_ref().and_then(|path| path.to_str()),
+                "staged": self.stage.is_some(),
+            }),
+        };
+        let source = self.path.is_some().then(|| self.source.text().clone());
+        self.keeping.begin(Standing { about, source, history: self.history.clone(), slot });
+    }
+
+    /// After a save the journal begins anew: with the same past, and nothing unsaved.
+    pub(super) fn saved(&mut self) {
+        self.keeping.forget_overridden();
+        if self.history.steps() == (0, 0) {
+            self.keeping.clear();
+        } else {
+            self.begin_journal(None);
+        }
+    }
+
+    /// Lets go of the look's journal before another look comes: it stays if anything in it is not saved.
+    pub(crate) fn leave_journal(&mut self, in_peace: bool) {
+        self.commit(false);
+        // What has no file is needed by a scene that is put aside with it, be it as it was in the beginning.
+        let is_needed = self.path.is_none() && self.stage.as_ref().is_some_and(|stage| stage.is_dirty());
+        self.keeping.leave(self.is_look_dirty() || is_needed, in_peace);
+    }
+
+    /// Closes the journals as a window that is closed does; nothing is kept any more after that.
     pub fn close_journal(&mut self, in_peace: bool) {
         self.leave_journal(in_peace);
-        self.keeping.keeper = None;
+        self.keeping.end();
+        self.leave_stage(in_peace);
+        self.keeps = None;
     }
 
     /// Takes work back that a journal gave: the document, its file, and all that can be undone and redone. The journal
     /// goes on where it is.
     pub(crate) fn take_back(&mut self, found: Recovered<Look>, slot: Slot) {
         let path = found.about.path.as_ref().map(PathBuf::from);
+        self.leave_stage_unless_worn(path.as_deref());
         let name = found.about.path.as_deref().unwrap_or("new look");
         let source = Look::read(found.source.as_deref().unwrap_or("{}"), name).source;
         match &path {
@@ -154,6 +252,7 @@ impl Session {
         }
         self.replace(found.history.document().clone(), source, path);
         self.history = found.history;
+        self.recall_times();
         self.is_partial = found.about.is_partial;
         self.load_problems = found.damage;
         self.begin_journal(Some(slot));
@@ -161,14 +260,7 @@ impl Session {
 
     /// Compares the look's file with what it held when it was read or written last.
     pub(crate) fn on_disk(&self) -> OnDisk {
-        let Some(path) = &self.path else { return OnDisk::Same };
-        match read_text(path) {
-            Ok(text) if text == **self.source.text() => OnDisk::Same,
-            Ok(text) if self.keeping.overridden.as_ref() == Some(&text) => OnDisk::Same,
-            Ok(text) => OnDisk::Changed(text),
-            Err(_) if !path.exists() => OnDisk::Gone,
-            Err(_) => OnDisk::Unreadable,
-        }
+        self.path.as_deref().map_or(OnDisk::Same, |path| self.keeping.on_disk(path, self.source.text()))
     }
 
     /// Takes what another program made of the file, as one step that can be undone. View and selection stay. Returns
@@ -196,7 +288,7 @@ impl Session {
 
     /// Lets saving write over what another program wrote.
     pub(crate) fn keep_mine(&mut self, theirs: String) {
-        self.keeping.overridden = Some(theirs);
+        self.keeping.override_with(theirs);
     }
 
     /// Reads the project's own nodes again. Where a file is broken now, the look goes on with the node as it was.
@@ -215,6 +307,9 @@ impl Session {
         self.catalog.sync(self.history.document(), &self.library);
         self.place_library_problems();
         self.shaders.structure_changed();
+        self.forget_stage_looks();
+        // What was probed or compared was so with the nodes of before.
+        self.files_changed();
     }
 
     /// Tells what is wrong with node files at a node of theirs, where the look has one.
@@ -232,7 +327,7 @@ impl Session {
     /// Draws again with files that changed: meshes and images are read anew where their files are others.
     pub(crate) fn files_changed(&mut self) {
         self.files += 1;
-        self.picture += 1;
+        self.stage_changed();
     }
 
     /// How often files that the look uses have changed.

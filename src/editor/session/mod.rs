@@ -3,6 +3,9 @@
 pub(super) mod keeping;
 mod place;
 mod shading;
+mod sharing;
+mod stage;
+pub(super) mod times;
 
 use std::borrow::Cow;
 use std::collections::HashSet;
@@ -15,21 +18,29 @@ use super::catalog::Catalog;
 use super::compiling::{self, Compiler};
 use super::orbit::Orbit;
 use super::panels::solo::Solo;
+use super::stage::Stage;
 use super::wire::ShownWire;
 use crate::diag::Diagnostic;
 use crate::document::journal::Op;
 use crate::document::{
-    DirectionKeys, Edit, GraphId, History, Light, Look, SourceMap, Target, Value, remove_abandoned, write_atomic,
+    DirectionKeys, Document, Edit, GraphId, History, Light, Look, SourceMap, Target, Value, remove_abandoned,
+    write_atomic,
 };
 use crate::ids::{LightId, NodeId};
 use crate::library::{Fallback, Library};
 use keeping::{Keeping, OnDisk};
 pub(crate) use shading::Showing;
 use shading::Shown;
+use times::{Gestures, Times};
 
 /// One open look.
 pub struct Session {
     history: History<Look>,
+    times: Times,
+    /// The scene around the look, where there is one.
+    stage: Option<Stage>,
+    /// Grows with every step that is done, in the look or in the scene.
+    now: u64,
     source: Arc<SourceMap>,
     /// As it was opened: what says the same again after a save is written as it was.
     opened: Arc<SourceMap>,
@@ -66,17 +77,16 @@ pub struct Session {
     solo: Solo,
     /// Grows whenever another solo needs another shader.
     solo_number: u64,
+    /// Grows with every change of what nodes give, and not while they are only moved about.
+    meaning: u64,
     /// How often files that the look uses have changed.
     files: u64,
-    keeping: Keeping,
+    /// Whether the first picture is on its way: small ones wait for it.
+    pub(crate) awaits_first_picture: bool,
+    keeping: Keeping<Look>,
+    /// Where journals are kept, and who is told when that fails.
+    keeps: Option<(PathBuf, Arc<dyn Fn() + Send + Sync>)>,
     place: place::OpenGroups,
-}
-
-/// Consecutive edits by the same hand, as one step.
-#[derive(Default)]
-struct Gestures {
-    last: Option<(u64, u64)>,
-    number: u64,
 }
 
 impl Session {
@@ -86,6 +96,9 @@ impl Session {
         let source = Arc::new(Look::read(NEW_LOOK, "new look").source);
         let mut session = Self {
             history: History::new(Look::default()),
+            times: Times::default(),
+            stage: None,
+            now: 0,
             opened: source.clone(),
             source,
             path: None,
@@ -111,16 +124,25 @@ impl Session {
             wire: None,
             solo: Solo::default(),
             solo_number: 0,
+            meaning: 0,
             files: 0,
+            awaits_first_picture: false,
             keeping: Keeping::default(),
+            keeps: None,
             place: Default::default(),
         };
         session.start_new();
         session
     }
 
-    /// Begins a new look: a base, one light layer and an output, wired.
+    /// Begins a new look: a base, one light layer and an output, wired. A scene that is open is put aside.
     pub fn start_new(&mut self) {
+        self.leave_journal(false);
+        self.leave_stage(false);
+        self.replace_with_new();
+    }
+
+    fn replace_with_new(&mut self) {
         self.leave_journal(false);
         let loaded = Look::read(NEW_LOOK, "new look");
         self.replace(loaded.value.unwrap_or_default(), loaded.source, None);
@@ -131,20 +153,26 @@ impl Session {
     /// Begins a new look with what a text says, as one that no file holds.
     pub(crate) fn start_from(&mut self, text: &str, name: &str) {
         self.leave_journal(false);
+        self.leave_stage(false);
         let loaded = Look::read(text, name);
         self.replace(loaded.value.unwrap_or_default(), loaded.source, None);
         self.is_partial = false;
         self.load_problems = loaded.diagnostics;
     }
 
-    /// Opens a look. Where the file cannot be read at all, the look that was open stays, and the problems are told.
+    /// Opens a look, within the scene if one is open that wears it, or a scene. Where the file cannot be read at all, what
+    /// was open stays, and the problems are told.
     pub fn open(&mut self, path: &Path) -> bool {
-        let loaded = Look::load(path);
+        let loaded = match Document::load(path) {
+            Document::Look(loaded) => loaded,
+            Document::Scene(loaded) => return self.open_scene(path, loaded),
+        };
         let is_partial = loaded.has_errors();
         let diagnostics = loaded.diagnostics;
         let opened = loaded.value.is_some();
         if let Some(look) = loaded.value {
             self.leave_journal(false);
+            self.leave_stage_unless_worn(Some(path));
             self.use_project(path);
             self.replace(look, loaded.source, Some(path.to_owned()));
             self.is_partial = is_partial;
@@ -177,6 +205,13 @@ impl Session {
         self.is_partial = false;
         self.load_problems.clear();
         self.problems_number += 1;
+        if !is_own {
+            // Another folder is another project, with nodes of its own.
+            self.reload_library();
+        }
+        if !is_own && self.stage.is_some() {
+            self.wear_saved(path);
+        }
         self.saved();
         Ok(())
     }
@@ -190,21 +225,31 @@ impl Session {
     fn use_project(&mut self, path: &Path) {
         let folder = path.parent().unwrap_or(Path::new(""));
         remove_abandoned(folder);
-        let folder = folder.join("nodes");
-        let built_in = Library::built_in();
-        let library = if folder.is_dir() { built_in.with_project(&folder) } else { built_in.clone() };
+        let mut library = Library::built_in().clone();
+        // Nodes beside the look stand before those beside the scene that it is in.
+        let of_scene = self.stage.as_ref().and_then(|stage| stage.path()?.parent()).map(|scene| scene.join("nodes"));
+        let own = folder.join("nodes");
+        for nodes in of_scene.into_iter().filter(|nodes| *nodes != own).chain([own.clone()]) {
+            if nodes.is_dir() {
+                library = library.with_project(&nodes);
+            }
+        }
         self.use_library(library);
     }
 
     fn replace(&mut self, look: Look, source: SourceMap, path: Option<PathBuf>) {
         self.document_number += 1;
+        self.remember_times();
         self.history = History::new(look);
         self.source = Arc::new(source);
         self.opened = self.source.clone();
         self.path = path;
         self.selection.clear();
-        self.view = Orbit { mesh: self.view.mesh.clone(), ..Orbit::default() };
-        self.time = 0.0;
+        // A scene has the camera, and goes on.
+        if self.stage.is_none() {
+            self.view = Orbit { mesh: self.view.mesh.clone(), ..Orbit::default() };
+            self.time = 0.0;
+        }
         self.key = None;
         self.problems.clear();
         self.problems_number += 1;
@@ -215,6 +260,7 @@ impl Session {
         self.catalog.sync(self.history.document(), &self.library);
         self.place_library_problems();
         self.reset_place();
+        self.stage_changed();
     }
 
     /// The look as it is.
@@ -227,8 +273,13 @@ impl Session {
         self.path.as_deref()
     }
 
-    /// Whether there are changes that no file holds.
+    /// Whether there are changes that no file holds, of the look or of the scene around it.
     pub fn is_dirty(&self) -> bool {
+        self.is_look_dirty() || self.stage.as_ref().is_some_and(Stage::is_dirty)
+    }
+
+    /// Whether there are changes of the look that no file holds.
+    pub fn is_look_dirty(&self) -> bool {
         !self.history.is_saved()
     }
 
@@ -242,14 +293,9 @@ impl Session {
         self.history.revision()
     }
 
-    /// What undo would take back.
-    pub fn undo_label(&self) -> Option<&str> {
-        self.history.undo_label()
-    }
-
-    /// What redo would repeat.
-    pub fn redo_label(&self) -> Option<&str> {
-        self.history.redo_label()
+    /// Grows with every change of what nodes give; it stays while they are only moved about.
+    pub(crate) fn meaning(&self) -> u64 {
+        self.meaning
     }
 
     /// Nodes that are selected.
@@ -262,9 +308,12 @@ impl Session {
         self.selection = ids.into_iter().filter(|id| self.is_here(id)).collect();
     }
 
-    /// Lets unsaved changes go: they are no longer asked about.
-    pub(crate) fn give_up_changes(&mut self) {
+    /// Lets unsaved changes of the look go, or of all that is open: they are no longer asked about.
+    pub(crate) fn give_up_changes(&mut self, is_all: bool) {
         self.history.mark_saved();
+        if let Some(stage) = self.stage.as_mut().filter(|_| is_all) {
+            stage.give_up_changes();
+        }
     }
 
     /// Where the camera and the lights are turned to.
@@ -290,10 +339,10 @@ impl Session {
         }
     }
 
-    /// The lights that are neither muted nor left out by a solo, as keys make them now.
+    /// The lights that are neither muted nor left out by a solo, as they are now.
     pub(crate) fn shining(&self) -> impl Iterator<Item = (&LightId, &Light)> {
         let lights = self.look().lights.iter().filter(|(id, _)| !self.solo.is_dark(id));
-        lights.map(|(id, light)| (id, self.light_now(id).unwrap_or(light)))
+        lights.map(|(id, light)| (id, self.light(id).unwrap_or(light)))
     }
 
     /// What is shown alone or left out for now.
@@ -334,22 +383,6 @@ impl Session {
         }
     }
 
-    /// What undo calls every step, the first one first.
-    pub fn steps(&self) -> impl Iterator<Item = &str> {
-        self.history.labels()
-    }
-
-    /// How many of the steps are done.
-    pub fn place(&self) -> usize {
-        self.history.place()
-    }
-
-    /// Takes steps back or repeats them until so many are done.
-    pub fn go_to(&mut self, place: usize) {
-        while self.place() > place && self.undo() {}
-        while self.place() < place && self.redo() {}
-    }
-
     /// What is wrong with the look, as the compiler last told.
     pub fn problems(&self) -> &[Diagnostic] {
         &self.problems
@@ -365,39 +398,43 @@ impl Session {
     /// A diagnostic where the edit is impossible; nothing is changed then.
     pub fn apply(&mut self, edit: Edit, hand: Option<u64>) -> Result<(), Box<Diagnostic>> {
         let is_structural = self.is_structural(&edit);
+        let means = !is_layout(&edit);
         let before = self.history.revision();
         self.shaders.touch(&edit);
         let kept = self.keeping.is_on().then(|| edit.clone());
         let gesture = hand.map(|hand| self.gestures.of(hand, before));
         match gesture {
-            Some(gesture) => {
-                self.history.apply_in(gesture, edit)?;
-                self.gestures.last = hand.map(|hand| (hand, self.history.revision()));
-            }
+            Some(gesture) => self.history.apply_in(gesture, edit)?,
             None => self.history.apply(edit)?,
         }
+        self.gestures.did(hand, self.history.revision());
         if self.history.revision() != before {
+            self.step_done();
             self.keeping.note(kept.map(|edit| Op::Edit { gesture, edit }));
+            self.meaning += u64::from(means);
             self.changed(is_structural);
         }
         Ok(())
     }
 
-    /// Takes the last step back.
-    pub fn undo(&mut self) -> bool {
+    fn undo_look(&mut self) -> bool {
         let did = self.history.undo().is_some();
         if did {
+            self.times.undid();
             self.keeping.note(Some(Op::Undo));
+            self.meaning += 1;
             self.changed(true);
         }
         did
     }
 
-    /// Repeats the step that was taken back last.
-    pub fn redo(&mut self) -> bool {
+    fn redo_look(&mut self) -> bool {
         let did = self.history.redo().is_some();
         if did {
+            self.now += 1;
+            self.times.redid(self.now);
             self.keeping.note(Some(Op::Redo));
+            self.meaning += 1;
             self.changed(true);
         }
         did
@@ -422,13 +459,7 @@ impl Session {
     fn is_structural(&self, edit: &Edit) -> bool {
         match edit {
             Edit::Group { edits } => edits.iter().any(|edit| self.is_structural(edit)),
-            Edit::MoveNodes { .. }
-            | Edit::SetCollapsed { .. }
-            | Edit::AddNote { .. }
-            | Edit::SetNote { .. }
-            | Edit::RemoveNote { .. }
-            | Edit::SetBookmarks { .. }
-            | Edit::SetLookName { .. } => false,
+            edit if is_layout(edit) => false,
             // A long look's uniforms are told by paths, and a group's node lies at many of them.
             Edit::SetValue { graph: GraphId::Definition(_), .. } if self.shaders.is_long() => true,
             // Where the same is keyed, all of it is in uniforms; words are not.
@@ -465,7 +496,8 @@ impl Session {
 
     /// Everything wrong with the file and the look.
     pub(crate) fn all_problems(&self) -> impl Iterator<Item = &Diagnostic> {
-        let files = self.load_problems.iter().chain(&self.library_problems);
+        let scene = self.stage.iter().flat_map(Stage::problems);
+        let files = self.load_problems.iter().chain(scene).chain(&self.library_problems);
         files.chain(&self.problems).chain(&self.picture_problems)
     }
 
@@ -478,13 +510,18 @@ impl Session {
     }
 }
 
-impl Gestures {
-    /// The gesture that an edit by `hand` belongs to: the last one, if nothing else was done since.
-    fn of(&mut self, hand: u64, revision: u64) -> u64 {
-        if self.last != Some((hand, revision)) {
-            self.number += 1;
-        }
-        self.number
+/// Whether an edit changes only how the graph lies on the canvas and what is written there.
+fn is_layout(edit: &Edit) -> bool {
+    match edit {
+        Edit::Group { edits } => edits.iter().all(is_layout),
+        Edit::MoveNodes { .. }
+        | Edit::SetCollapsed { .. }
+        | Edit::AddNote { .. }
+        | Edit::SetNote { .. }
+        | Edit::RemoveNote { .. }
+        | Edit::SetBookmarks { .. }
+        | Edit::SetLookName { .. } => true,
+        _ => false,
     }
 }
 

@@ -2,10 +2,12 @@
 
 use eframe::egui;
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
-use eframe::egui::{PopupCloseBehavior, Ui};
+use eframe::egui::{PopupCloseBehavior, Rect, Role, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2};
 use std::path::Path;
 
 use super::super::command::Command;
+use super::super::dock::Panel;
+use super::super::panels::solo;
 use super::super::probe::{Probe, picture_size, wire_name};
 use super::super::session::Session;
 use super::super::theme;
@@ -29,7 +31,19 @@ impl Viewport {
         out: &mut Vec<Command>,
     ) {
         ui.horizontal(|ui| {
-            mesh_choice(ui, session, out);
+            match session.stage() {
+                None => mesh_choice(ui, session, out),
+                Some(stage) => {
+                    let text = match stage.scene().objects.len() {
+                        1 => "1 object".to_owned(),
+                        count => format!("{count} objects"),
+                    };
+                    let label = ui.link(format!("{}, {text}", stage.name()));
+                    if label.on_hover_text("Shows the objects of the scene").clicked() {
+                        out.push(Command::ShowPanel(Panel::Objects));
+                    }
+                }
+            }
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
                 let (menu, _) = MenuButton::new("Options").config(stays).ui(ui, |ui| self.options(ui, session, out));
@@ -54,7 +68,7 @@ impl Viewport {
         ui.checkbox(&mut self.turns, "Turntable").on_hover_text(help);
         if session.view.mesh.starts_with(SHAPE_PREFIX) {
             session.view.z_is_up = false;
-        } else {
+        } else if session.stage().is_none() {
             ui.checkbox(&mut session.view.z_is_up, "Z is up").on_hover_text("Stands up a mesh whose z axis points up");
         }
         ui.separator();
@@ -64,11 +78,19 @@ impl Viewport {
         ] {
             ui.radio_value(&mut session.view.projection, projection, label).on_hover_text(help);
         }
-        if ui.button("Frame the object").on_hover_text("Brings the whole object into view (F)").clicked() {
-            session.view.frame_object();
+        let selected = session.stage().and_then(|stage| stage.selected()).map(|(id, _)| id.clone());
+        let help = "Brings the whole object into view; of a scene the one that is selected (F)";
+        if ui.button("Frame the object").on_hover_text(help).clicked() {
+            session.frame(selected.as_ref(), self.aspect());
         }
-        if ui.button("Reset camera and lights").on_hover_text("Turns both back (R)").clicked() {
-            session.view.reset();
+        if session.stage().is_some()
+            && ui.button("Frame all").on_hover_text("Brings every object into view (A)").clicked()
+        {
+            session.frame(None, self.aspect());
+        }
+        let help = "Turns both back; in a scene to where the scene has them (R)";
+        if ui.button("Reset camera and lights").on_hover_text(help).clicked() {
+            session.reset_view();
         }
         ui.separator();
         self.display(ui, session);
@@ -140,11 +162,12 @@ impl Viewport {
         }
         ui.horizontal(|ui| {
             let own = self.rect.map_or([800, 800], |rect| picture_size(rect, ui.pixels_per_point()));
-            let height = ui.label("Save picture");
+            ui.label("Save picture");
             for (label, factor) in [("1×", 1), ("2×", 2), ("4×", 4)] {
                 let size = own.map(|side| (side * factor).clamp(1, MOST_SIDE));
                 let help = format!("As PNG, {} by {} pixels", size[0], size[1]);
-                let button = ui.button(label).labelled_by(height.id).on_hover_text(help);
+                let button = ui.button(label).on_hover_text(help);
+                button.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Save picture {label}")));
                 if button.clicked() {
                     out.push(Command::Export(Export::Picture(size), None));
                     ui.close();
@@ -191,20 +214,47 @@ fn mesh_choice(ui: &mut Ui, session: &mut Session, out: &mut Vec<Command>) {
     combo.response.labelled_by(label.id);
 }
 
+/// What is told over the top of the picture, which stays where it is when that comes and goes: a wire that is shown in
+/// its place, layers and lights that are shown alone.
+pub(super) fn over_top(ui: &mut Ui, rect: Rect, session: &Session, out: &mut Vec<Command>) {
+    if session.wire().is_none() && session.solo().is_empty() {
+        return;
+    }
+    let id = ui.scope_id().with("told over the picture");
+    let room = Rect::from_min_max(rect.min + vec2(8.0, 8.0), pos2(rect.max.x - 8.0, rect.max.y));
+    // Its height is known from the frame before. What is pressed beside its buttons does nothing to the picture below.
+    let height: f32 = ui.data(|data| data.get_temp(id)).unwrap_or(30.0);
+    ui.interact(Rect::from_min_size(room.min, vec2(room.width(), height)), id, Sense::click_and_drag());
+    let shown = ui.scope_builder(UiBuilder::new().id_salt("over the picture").max_rect(room), |ui| {
+        wire_bar(ui, session, out);
+        out.extend(solo::bar(ui, session));
+    });
+    ui.data_mut(|data| data.insert_temp(id, shown.response.rect.height()));
+}
+
 /// Says that a wire is shown in place of the picture, and leads back.
-pub(super) fn wire_bar(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) -> Option<()> {
+fn wire_bar(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) -> Option<()> {
     let wire = session.wire()?;
     let node = node_at(session.look(), &session.library, wire.node.ids())?;
     let kind = session.catalog.of(node);
     let name = wire_name(session, &wire.node);
     let port = kind.and_then(|kind| Some(&*kind.outputs[kind.output(wire.port.as_str())?].label)).unwrap_or_default();
-    ui.horizontal(|ui| {
-        let text = format!("Showing {port} of {name} as {}", wire.style.label().to_lowercase());
-        ui.label(egui::RichText::new(text).color(theme::of(ui).accent)).on_hover_text(wire.style.help());
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            if ui.button("Show the look").clicked() {
-                out.push(Command::ShowWire(None));
-            }
+    let frame = egui::Frame::new()
+        .fill(theme::of(ui).panel.gamma_multiply(0.9))
+        .corner_radius(4.0)
+        .inner_margin(egui::Margin::symmetric(8, 3));
+    frame.show(ui, |ui| {
+        ui.horizontal(|ui| {
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                if ui.button("Show the look").clicked() {
+                    out.push(Command::ShowWire(None));
+                }
+                ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
+                    let text = format!("Showing {port} of {name} as {}", wire.style.label().to_lowercase());
+                    let label = egui::Label::new(egui::RichText::new(text).color(theme::of(ui).accent)).truncate();
+                    ui.add(label).on_hover_text(wire.style.help());
+                });
+            });
         });
     });
     Some(())

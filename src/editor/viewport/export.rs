@@ -145,6 +145,7 @@ impl Drawer {
             Export::Picture(size) => size,
             Export::LitSphere(side) => {
                 still.orbit = before_a_ball(&still.orbit);
+                still.stage = None;
                 [side; 2]
             }
         };
@@ -169,7 +170,7 @@ impl Drawer {
         if matches!(export, Export::LitSphere(_)) {
             setup.scene.backdrop = None;
         }
-        let options = PlanOptions { size, samples: 4, time: 0.0 };
+        let options = PlanOptions { size, samples: 4, time: still.time };
         let plan = planner.plan(&setup, &still.library, &Live::Keyed, &options)?;
         block_on(self.renderer.picture(&plan)).map_err(|error| vec![error.into()])
     }

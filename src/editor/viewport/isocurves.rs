@@ -77,7 +77,7 @@ impl Isocurves {
 
     /// Makes the lines anew where that is needed.
     pub(super) fn update(&mut self, session: &Session, surface: &Arc<Surface>, layer: &Layer) {
-        let Some(light) = session.light_now(&layer.light) else { return self.clear() };
+        let Some(light) = session.light(&layer.light) else { return self.clear() };
         let light = light_values(light, session.view.illumination, surface);
         let is_same_surface = self.surface.as_ref().is_some_and(|known| Arc::ptr_eq(known, surface));
         let same = |made: &&Made| is_same_surface && made.light == light;

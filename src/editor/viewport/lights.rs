@@ -81,9 +81,10 @@ fn resolved(light: &Light, orbit: &Orbit) -> LightValues {
 /// The light whose needle's end is under the pointer.
 pub(super) fn hit(session: &Session, rect: Rect, at: Pos2) -> Option<Held> {
     let lights = session.shining().filter(|(_, light)| light.kind == LightKind::Directional);
+    let (center, radius) = session.ball();
     let ends = lights.filter_map(|(id, light)| {
         let toward = resolved(light, &session.view).direction;
-        let distance = project(toward * NEEDLE[1], rect, session)?.distance(at);
+        let distance = project(center + toward * NEEDLE[1] * radius, rect, session)?.distance(at);
         let is_behind = toward.dot(session.view.direction()) < 0.0;
         Some((distance, is_behind, id))
     });
@@ -99,12 +100,12 @@ pub(super) fn drag(
     rect: Rect,
     at: Pos2,
 ) -> Option<Command> {
-    let light = session.light_now(&held.light)?;
+    let light = session.light(&held.light)?;
     let values = resolved(light, &session.view);
     let (toward, place) = match &mut held.grip {
         Grip::Middle(shading) => at_surface(surface?, *shading, &values, rect, at)?,
         Grip::Needle { is_behind, is_outside } => {
-            let (toward, is_on_ball) = on_ball(&session.view, rect, at, *is_behind);
+            let (toward, is_on_ball) = on_ball(&session.view, session.ball(), rect, at, *is_behind);
             // Over the rim and back is the other side.
             if is_on_ball && *is_outside {
                 *is_behind = !*is_behind;
@@ -158,7 +159,7 @@ fn at_surface(
 
 /// The direction of the ball of needles' ends at a point of the screen, and whether the ball is there at all; else that
 /// of its rim.
-fn on_ball(orbit: &Orbit, rect: Rect, at: Pos2, is_behind: bool) -> (DVec3, bool) {
+fn on_ball(orbit: &Orbit, (center, radius): (DVec3, f64), rect: Rect, at: Pos2, is_behind: bool) -> (DVec3, bool) {
     let (right, up) = orbit.right_and_up();
     let backward = orbit.direction();
     let offset = (at - rect.center()) / rect.height();
@@ -169,6 +170,8 @@ fn on_ball(orbit: &Orbit, rect: Rect, at: Pos2, is_behind: bool) -> (DVec3, bool
         Projection::Perspective => (eye, (plane * 2.0 * (camera.fov / 2.0).tan() - backward).normalize()),
         Projection::Orthographic => (eye + plane * camera.height, -backward),
     };
+    // As if the ball were in the middle of the world, and of radius 1.
+    let origin = (origin - center) / radius;
     let along = -origin.dot(ray);
     let nearest = origin + ray * along;
     let half = NEEDLE[1] * NEEDLE[1] - nearest.length_squared();
@@ -182,9 +185,11 @@ fn on_ball(orbit: &Orbit, rect: Rect, at: Pos2, is_behind: bool) -> (DVec3, bool
 /// Shows where the directional lights come from: a needle from the object's outside toward each.
 pub(super) fn paint_needles(ui: &Ui, rect: Rect, session: &Session, is_turning: bool, held: Option<&LightId>) {
     let painter = ui.painter_at(rect);
+    let (center, radius) = session.ball();
     for (id, light) in session.shining().filter(|(_, light)| light.kind == LightKind::Directional) {
         let toward = resolved(light, &session.view).direction;
-        let [Some(from), Some(to)] = NEEDLE.map(|far| project(toward * far, rect, session)) else { continue };
+        let ends = NEEDLE.map(|far| project(center + toward * far * radius, rect, session));
+        let [Some(from), Some(to)] = ends else { continue };
         let color = light.color.map(|c| (c.clamp(0.0, 1.0) * 255.0) as u8);
         let is_behind = toward.dot(session.view.direction()) < 0.0;
         let is_held = held == Some(id);

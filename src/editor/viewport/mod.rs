@@ -9,27 +9,28 @@ mod field;
 mod isocurves;
 mod layer;
 mod lights;
+mod objects;
 mod show;
 mod strip;
 mod surface;
 
 use eframe::egui;
-use eframe::egui::{
-    CursorIcon, Key, Modifiers, PointerButton, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2,
-};
+use eframe::egui::{CursorIcon, PointerButton, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2};
 use glam::DVec3;
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::command::Command;
-use super::panels::solo;
+use super::orbit::Orbit;
 use super::picture::Picture;
 use super::probe::{Probe, picture_size};
 use super::session::Session;
+use super::shortcuts::{self, Action};
 use super::spots::{self, Spot};
 use super::theme;
 use super::wipe::Wipe;
 use crate::document::Projection;
+use crate::ids::{LightId, ObjectId};
 use crate::render::Gpu;
 pub(crate) use export::Export;
 use export::{Destination, Done, Exports};
@@ -51,11 +52,22 @@ enum Drag {
     Light(lights::Held),
 }
 
+/// What a drag that is given up goes back to.
+struct Before {
+    view: Orbit,
+    /// How many steps of the look were done.
+    place: usize,
+}
+
 /// The viewport and what it remembers between frames.
 pub struct Viewport {
     drag: Option<Drag>,
+    /// How everything was when the drag began.
+    before: Option<Before>,
     rect: Option<Rect>,
     hint: String,
+    /// The object of a scene under the pointer.
+    hovered: Option<ObjectId>,
     surfaces: Surfaces,
     isocurves: Isocurves,
     /// Whether lines and handles are shown.
@@ -80,8 +92,10 @@ impl Viewport {
     pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Clone + Send + 'static) -> Self {
         Self {
             drag: None,
+            before: None,
             rect: None,
             hint: String::new(),
+            hovered: None,
             surfaces: Surfaces::new(wake.clone()),
             isocurves: Isocurves::default(),
             handles: true,
@@ -105,8 +119,6 @@ impl Viewport {
     ) -> Vec<Command> {
         let mut out = Vec::new();
         self.bar(ui, session, probe, wipe, &mut out);
-        bar::wire_bar(ui, session, &mut out);
-        out.extend(solo::bar(ui, session));
         wipe.bar(ui, session);
         self.take_exports(ui, &mut out);
         let (room, _) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
@@ -117,6 +129,11 @@ impl Viewport {
         spots::note(ui, Spot::Picture, rect);
         let pointer = response.contains_pointer().then(|| ui.input(|input| input.pointer.hover_pos())).flatten();
         let handles = self.handles(rect, session, probe);
+        let seen = objects::seen(session, handles.surface.as_deref(), rect, pointer.filter(|_| self.drag.is_none()));
+        self.hovered = seen.as_ref().map(|seen| seen.object().clone());
+        if response.clicked() && !probe.is_on() {
+            out.extend(objects::pick(session, handles.surface.as_deref(), seen.as_ref()));
+        }
         self.drags(ui, &response, rect, session, &handles, &mut out);
         self.wheel_and_keys(ui, pointer, session);
         self.turn(ui, session);
@@ -141,8 +158,10 @@ impl Viewport {
         self.hint = if probe.is_on() {
             probe_hint(probe).to_owned()
         } else {
-            self.hint_at(pointer, rect, session, hovered.as_ref())
+            let hint = self.hint_at(pointer, rect, session, &handles, hovered.as_ref());
+            seen.as_ref().filter(|_| hovered.is_none()).map_or(String::new(), objects::Seen::hint) + &hint
         };
+        objects::paint(ui, rect, session, handles.surface.as_deref(), seen.as_ref());
         if probe.is_on() {
             response.on_hover_cursor(CursorIcon::Crosshair);
             probe.mark(ui, rect);
@@ -156,21 +175,28 @@ impl Viewport {
                 strip::show(ui, rect, session, layer, &mut out);
             }
         }
+        bar::over_top(ui, rect, session, &mut out);
         out
     }
 
     /// Finds out what is handled, and brings its lines up to date.
-    fn handles(&mut self, rect: Rect, session: &Session, probe: &Probe) -> Handles {
+    fn handles(&mut self, rect: Rect, session: &mut Session, probe: &Probe) -> Handles {
         let layer = layer::selected(session).filter(|_| self.handles && !probe.is_on());
-        let wants = self.handles && (layer.is_some() || layer::selected_light(session).is_some());
-        if !wants || rect.area() < 16.0 {
+        let wants_lines = self.handles && (layer.is_some() || layer::selected_light(session).is_some());
+        // Of a scene one wants to know what is where, in any case.
+        if !(wants_lines || session.stage().is_some()) || rect.area() < 16.0 {
             self.isocurves.clear();
             return Handles { surface: None, layer };
         }
-        let key = SurfaceKey::new(&session.view, rect.size());
+        let key = SurfaceKey::new(session, rect.size());
         let with_kappa =
             layer.as_ref().and_then(|layer| layer.warp).is_some_and(|(slope, amount)| slope * amount != 0.0);
         let surface = self.surfaces.update(&key, with_kappa, || session.still());
+        if let (Some(surface), Some(stage)) = (&surface, session.stage_mut())
+            && stage.placed != surface.pieces.placed
+        {
+            stage.placed.clone_from(&surface.pieces.placed);
+        }
         match (&surface, &layer) {
             (Some(surface), Some(layer)) => self.isocurves.update(session, surface, layer),
             _ => self.isocurves.clear(),
@@ -183,13 +209,15 @@ impl Viewport {
         let modifiers = ui.input(|input| input.modifiers);
         let of_layer = handles.layer.as_ref().map(|layer| (layer.light.clone(), layer.shading));
         let chosen = of_layer.or_else(|| Some((layer::selected_light(session)?, layer::ShadingType::Diffuse)));
-        if let Some((light, shading)) = chosen {
+        // A scene's own lights are not the look's to turn.
+        let is_own = |light: &LightId| session.light_of_scene(light).is_none();
+        if let Some((light, shading)) = chosen.filter(|(light, _)| is_own(light)) {
             let is_there = handles.surface.as_ref().is_some_and(|surface| surface.is_at(place_in(rect, at)));
             if modifiers.shift && is_there || lights::is_at_middle(self.isocurves.middle(rect), at) {
                 return Some(Drag::Light(lights::Held::by_middle(light, shading)));
             }
         }
-        if let Some(held) = lights::hit(session, rect, at) {
+        if let Some(held) = lights::hit(session, rect, at).filter(|held| is_own(&held.light)) {
             return Some(Drag::Light(held));
         }
         self.isocurves.hit(rect, at, modifiers.command).map(Drag::Curve)
@@ -244,6 +272,7 @@ impl Viewport {
         if response.drag_started()
             && let Some(origin) = ui.input(|input| input.pointer.press_origin())
         {
+            self.before = Some(Before { view: session.view.clone(), place: session.place() });
             let is_primary = response.dragged_by(PointerButton::Primary);
             let grip = (is_primary && !is_alt && self.handles).then(|| self.grip(ui, rect, origin, session, handles));
             self.drag = Some(match grip.flatten() {
@@ -285,37 +314,65 @@ impl Viewport {
         if ui.ctx().egui_wants_keyboard_input() {
             return;
         }
-        let pressed = |key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
-        if pressed(Key::R) {
-            session.view.reset();
-        }
-        if pressed(Key::F) {
-            session.view.frame_object();
-        }
-        if pressed(Key::T) {
-            self.turns = !self.turns;
-        }
-        if pressed(Key::H) {
-            self.handles = !self.handles;
-        }
-        if pressed(Key::P) {
-            session.view.projection = match session.view.projection {
-                Projection::Perspective => Projection::Orthographic,
-                Projection::Orthographic => Projection::Perspective,
-            };
+        for action in shortcuts::pressed(ui, shortcuts::Place::Picture) {
+            self.act(action, session);
         }
     }
 
-    fn hint_at(&self, pointer: Option<Pos2>, rect: Rect, session: &Session, hovered: Option<&Drag>) -> String {
-        let handles = Handles { surface: None, layer: None };
+    /// Does what a key over the picture or the command palette asks for.
+    pub(crate) fn act(&mut self, action: Action, session: &mut Session) {
+        let aspect = objects::aspect(self.rect);
+        match action {
+            Action::ResetView => session.reset_view(),
+            Action::FrameObject => {
+                let selected = session.stage().and_then(|stage| stage.selected()).map(|(id, _)| id.clone());
+                session.frame(selected.as_ref(), aspect);
+            }
+            Action::FrameAll => session.frame(None, aspect),
+            Action::Turntable => self.turns = !self.turns,
+            Action::Handles => self.handles = !self.handles,
+            Action::Projection => {
+                session.view.projection = match session.view.projection {
+                    Projection::Perspective => Projection::Orthographic,
+                    Projection::Orthographic => Projection::Perspective,
+                };
+            }
+            _ => {}
+        }
+    }
+
+    /// Whether something is dragged on the picture.
+    pub(crate) fn is_dragging(&self) -> bool {
+        self.drag.is_some()
+    }
+
+    /// Gives a drag up: camera and lights are where they were when it began. Returns whether the last step of the look
+    /// is the drag's, and is to be taken back too.
+    pub(crate) fn give_up(&mut self, session: &mut Session) -> bool {
+        self.drag = None;
+        let Some(before) = self.before.take() else { return false };
+        session.view = before.view;
+        session.place() == before.place + 1
+    }
+
+    fn hint_at(
+        &self,
+        pointer: Option<Pos2>,
+        rect: Rect,
+        session: &Session,
+        handles: &Handles,
+        hovered: Option<&Drag>,
+    ) -> String {
         match (self.drag.as_ref().or(hovered), pointer) {
             (Some(Drag::Curve(held)), _) => self.isocurves.hint(held),
             (Some(Drag::Light(held)), _) => held.hint(session),
-            (Some(Drag::Lights), _) => "Turning the illumination frame: every light in it turns with it".to_owned(),
-            (Some(Drag::Camera), _) => "Turning the camera around the object".to_owned(),
-            (Some(Drag::Pan), _) => "Moving the camera".to_owned(),
+            (Some(Drag::Lights), _) => {
+                "Turning the illumination frame: every light in it turns with it · Esc puts it back".to_owned()
+            }
+            (Some(Drag::Camera), _) => "Turning the camera around the object · Esc puts it back".to_owned(),
+            (Some(Drag::Pan), _) => "Moving the camera · Esc puts it back".to_owned(),
             (None, None) => String::new(),
-            (None, Some(at)) if is_on_object(at, rect, session, &handles) => {
+            (None, Some(at)) if is_on_object(at, rect, session, handles) => {
                 let one = if layer::selected_light(session).is_some() || layer::selected(session).is_some() {
                     "Shift-drag turns the layer's light · "
                 } else {
@@ -332,6 +389,16 @@ impl Viewport {
     /// What may be done at the pointer; empty while it is elsewhere.
     pub(crate) fn hint(&self) -> &str {
         &self.hint
+    }
+
+    /// The object of a scene that was under the pointer in the last frame.
+    pub(crate) fn hovered(&self) -> Option<&ObjectId> {
+        self.hovered.as_ref()
+    }
+
+    /// How wide the picture is, in parts of its height.
+    pub(crate) fn aspect(&self) -> f64 {
+        objects::aspect(self.rect)
     }
 
     /// Where the picture is on the screen; for tests.
@@ -443,7 +510,10 @@ fn stand_in(ui: &Ui, rect: Rect, session: &Session) {
 /// Whether a point of the screen is on the object, or near enough: its bounding sphere has radius 1.
 fn is_on_object(at: Pos2, rect: Rect, session: &Session, handles: &Handles) -> bool {
     if let Some(surface) = &handles.surface {
-        return surface.is_at(place_in(rect, at));
+        return surface.piece_at(place_in(rect, at)).is_some();
+    }
+    if session.stage().is_some() {
+        return false;
     }
     let radius = session.view.radius_in_picture() as f32 * rect.height();
     let center = project(DVec3::ZERO, rect, session).unwrap_or(rect.center());

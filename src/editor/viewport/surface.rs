@@ -7,11 +7,14 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3, Vec3};
 
+use super::super::session::Session;
+use super::super::stage::Placed;
 use super::super::still::Still;
 use super::super::worker::Worker;
 use crate::diag::Diagnostic;
 use crate::document::Camera;
 use crate::frame::{Assets, FramePlan, Pass, PassKind, Setup, SetupObject, View};
+use crate::ids::ObjectId;
 use crate::interp::Precision;
 use crate::reference::{
     Control, FragmentStage, Interpolation, Modules, Options, QuadBatch, Shaded, Shader, Shaders, Sides, Target, Texels,
@@ -30,16 +33,18 @@ const LEAST_FACING: f32 = 0.05;
 pub(super) struct Key {
     mesh: String,
     z_is_up: bool,
+    stage: Option<u64>,
     camera: Camera,
     size: [u32; 2],
 }
 
 impl Key {
     /// Of a picture of so many points.
-    pub(super) fn new(orbit: &super::super::orbit::Orbit, points: eframe::egui::Vec2) -> Self {
+    pub(super) fn new(session: &Session, points: eframe::egui::Vec2) -> Self {
+        let (orbit, stage) = (&session.view, session.stage_version());
         let scale = (MOST / (points.x * points.y).max(1.0)).sqrt().min(1.0);
         let size = [points.x, points.y].map(|side| (side * scale).round().clamp(2.0, 4096.0) as u32);
-        Self { mesh: orbit.mesh.clone(), z_is_up: orbit.z_is_up, camera: orbit.camera(), size }
+        Self { mesh: orbit.mesh.clone(), z_is_up: orbit.z_is_up, stage, camera: orbit.camera(), size }
     }
 }
 
@@ -49,7 +54,7 @@ pub(super) struct Surface {
     pub(super) key: Key,
     /// Pixels along x and y.
     pub(super) size: [usize; 2],
-    /// World space, unit; 0 where nothing is.
+    /// World space, unit; 0 where nothing is, or what does not wear the open look.
     pub(super) normals: Vec<Vec3>,
     /// World space.
     pub(super) positions: Vec<Vec3>,
@@ -58,6 +63,26 @@ pub(super) struct Surface {
     /// In 1/viewport-height, convex positive; where it was asked for.
     pub(super) kappa: Option<Vec<f32>>,
     pub(super) view: View,
+    /// What there is to be seen.
+    pub(super) pieces: Arc<Pieces>,
+}
+
+/// A part of an object.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Piece {
+    pub(super) object: ObjectId,
+    pub(super) material: String,
+    /// Whether it wears the open look.
+    pub(super) is_open: bool,
+}
+
+/// What is seen at each pixel, and where all objects are.
+#[derive(Debug, Default)]
+pub(super) struct Pieces {
+    all: Vec<Piece>,
+    /// For each pixel a piece's number from 1 on; 0 where nothing is.
+    seen: Vec<u16>,
+    pub(super) placed: Vec<Placed>,
 }
 
 impl Surface {
@@ -96,11 +121,40 @@ impl Surface {
         covered.min_by(|a, b| distance(a).total_cmp(&distance(b)))
     }
 
-    /// Whether the object itself is at a place of the picture, in parts of its size.
-    pub(super) fn is_at(&self, place: [f32; 2]) -> bool {
+    /// The pixel at a place of the picture, in parts of its size.
+    fn pixel_at(&self, place: [f32; 2]) -> Option<usize> {
         let [x, y] = [place[0] * self.size[0] as f32, place[1] * self.size[1] as f32];
         let is_inside = x >= 0.0 && y >= 0.0 && (x as usize) < self.size[0] && (y as usize) < self.size[1];
-        is_inside && self.is_covered(y as usize * self.size[0] + x as usize)
+        is_inside.then(|| y as usize * self.size[0] + x as usize)
+    }
+
+    /// Whether an object that wears the open look is at a place of the picture, in parts of its size.
+    pub(super) fn is_at(&self, place: [f32; 2]) -> bool {
+        self.pixel_at(place).is_some_and(|pixel| self.is_covered(pixel))
+    }
+
+    /// What is at a place of the picture, in parts of its size, whatever it wears.
+    pub(super) fn piece_at(&self, place: [f32; 2]) -> Option<&Piece> {
+        let number = *self.pieces.seen.get(self.pixel_at(place)?)?;
+        self.pieces.all.get(usize::from(number).checked_sub(1)?)
+    }
+
+    /// The corners, in parts of the picture's size, of a box around what is seen of an object.
+    pub(super) fn box_of(&self, object: &ObjectId) -> Option<[[f32; 2]; 2]> {
+        let width = self.size[0];
+        let is_it: Vec<bool> = self.pieces.all.iter().map(|piece| piece.object == *object).collect();
+        let of_it = |number: &u16| usize::from(*number).checked_sub(1).is_some_and(|piece| is_it[piece]);
+        let pixels = self.pieces.seen.iter().enumerate().filter(|(_, number)| of_it(number));
+        let (mut least, mut most) = ([usize::MAX; 2], [0; 2]);
+        for (pixel, _) in pixels {
+            let at = [pixel % width, pixel / width];
+            for axis in [0, 1] {
+                least[axis] = least[axis].min(at[axis]);
+                most[axis] = most[axis].max(at[axis] + 1);
+            }
+        }
+        let part = |at: [usize; 2]| [0, 1].map(|axis| at[axis] as f32 / self.size[axis] as f32);
+        (least[0] < most[0]).then(|| [part(least), part(most)])
     }
 
     /// The middle of a pixel, in parts of the picture's size.
@@ -180,26 +234,55 @@ fn surface_of(setup: &Setup, key: &Key) -> Result<Surface, Diagnostic> {
     let reach = |object: &SetupObject| object.center().length() + object.radius();
     let radius = setup.objects.iter().map(reach).fold(1e-6, f64::max);
     let view = View::new(&setup.scene.camera, size, DVec3::ZERO, radius);
-    let shaders: Vec<_> = setup.objects.iter().map(|object| Plain::new(object, &view)).collect();
-    let triangles = setup.objects.iter().zip(&shaders).flat_map(|(object, shader)| {
+    // What wears nothing is not drawn.
+    let parts = |object: &SetupObject| -> Vec<usize> {
+        (0..object.mesh.parts.len()).filter(|&part| object.looks[part].is_some()).collect()
+    };
+    let parts = setup.objects.iter().flat_map(|object| parts(object).into_iter().map(move |part| (object, part)));
+    let parts: Vec<_> = parts.take(usize::from(u16::MAX)).collect();
+    let shaders: Vec<_> =
+        parts.iter().zip(1..).map(|((object, _), number)| Plain::new(object, &view, number)).collect();
+    let triangles = parts.iter().zip(&shaders).map(|((object, part), shader)| {
+        let part = &object.mesh.parts[*part];
         let is_mirrored = DMat3::from_mat4(object.world_from_object).determinant() < 0.0;
-        object.mesh.parts.iter().map(move |part| Triangles {
+        Triangles {
             indices: &object.mesh.indices[part.indices.start as usize..part.indices.end as usize],
             shader,
             sides: Sides { both: part.two_sided, is_mirrored },
-        })
+        }
     });
     let triangles: Vec<_> = triangles.collect();
-    let raster = rasterise(size, 1, &Target::Numbers(6), &triangles, &Options::default(), &Control::none())?;
+    let raster = rasterise(size, 1, &Target::Numbers(NUMBERS), &triangles, &Options::default(), &Control::none())?;
+    let all: Vec<Piece> = parts.iter().map(|(object, part)| piece(object, *part)).collect();
     let vector = |numbers: &[f64]| Vec3::new(numbers[0] as f32, numbers[1] as f32, numbers[2] as f32);
-    let (mut normals, mut positions) = (Vec::new(), Vec::new());
-    for pixel in raster.texels.values.chunks_exact(6) {
-        normals.push(vector(&pixel[..3]).normalize_or_zero());
+    let (mut normals, mut positions, mut seen) = (Vec::new(), Vec::new(), Vec::new());
+    for pixel in raster.texels.values.chunks_exact(NUMBERS) {
+        let number = pixel[6].round() as u16;
+        let is_open = usize::from(number).checked_sub(1).is_some_and(|piece| all[piece].is_open);
+        normals.push(if is_open { vector(&pixel[..3]).normalize_or_zero() } else { Vec3::ZERO });
         positions.push(vector(&pixel[3..]));
+        seen.push(number);
     }
+    let pieces = Arc::new(Pieces { all, seen, placed: setup.objects.iter().map(placed).collect() });
     let size = size.map(|side| side as usize);
     let links = links(&normals, &positions, size, &view);
-    Ok(Surface { key: key.clone(), size, normals, positions, links, kappa: None, view })
+    Ok(Surface { key: key.clone(), size, normals, positions, links, kappa: None, view, pieces })
+}
+
+fn piece(object: &SetupObject, part: usize) -> Piece {
+    let material = object.mesh.parts[part].material.clone();
+    // The open look is the first of a setup's.
+    Piece { object: object.id.clone(), material, is_open: object.looks[part] == Some(0) }
+}
+
+fn placed(object: &SetupObject) -> Placed {
+    let mut materials: Vec<String> = Vec::new();
+    for part in &object.mesh.parts {
+        if !materials.contains(&part.material) {
+            materials.push(part.material.clone());
+        }
+    }
+    Placed { id: object.id.clone(), center: object.center(), radius: object.radius(), materials }
 }
 
 /// Which neighbours lie on one piece of surface: those no farther apart in depth than their slopes explain.
@@ -231,7 +314,7 @@ fn links(normals: &[Vec3], positions: &[Vec3], [width, height]: [usize; 2], view
 
 /// The same with curvature, by the very pass that the picture has it from.
 fn with_kappa(surface: &Surface) -> Surface {
-    let Surface { key, size, normals, positions, links, view, .. } = surface;
+    let Surface { key, size, normals, positions, links, view, pieces, .. } = surface;
     Surface {
         key: key.clone(),
         size: *size,
@@ -240,6 +323,7 @@ fn with_kappa(surface: &Surface) -> Surface {
         links: links.clone(),
         kappa: Some(kappa(surface).unwrap_or_else(|_| vec![0.0; normals.len()])),
         view: *view,
+        pieces: pieces.clone(),
     }
 }
 
@@ -270,18 +354,22 @@ fn kappa(surface: &Surface) -> Result<Vec<f32>, Diagnostic> {
     Ok(texels.values.iter().map(|&x| x as f32).collect())
 }
 
-/// Draws an object's normals and positions, world space.
+/// Numbers of a fragment: normal, position, and which piece it is of.
+const NUMBERS: usize = 7;
+
+/// Draws a piece's normals and positions, world space, and its number.
 struct Plain<'a> {
     object: &'a SetupObject,
+    number: usize,
     clip_from_object: glam::DMat4,
     normals: DMat3,
 }
 
 impl<'a> Plain<'a> {
-    fn new(object: &'a SetupObject, view: &View) -> Self {
+    fn new(object: &'a SetupObject, view: &View, number: usize) -> Self {
         let linear = DMat3::from_mat4(object.world_from_object);
         let normals = if linear.determinant().abs() > 1e-12 { linear.inverse().transpose() } else { linear };
-        Self { object, clip_from_object: view.clip_from_world * object.world_from_object, normals }
+        Self { object, number, clip_from_object: view.clip_from_world * object.world_from_object, normals }
     }
 }
 
@@ -305,7 +393,7 @@ struct Stage<'a>(&'a Plain<'a>);
 
 impl VertexStage for Stage<'_> {
     fn shade(&mut self, vertices: &[u32], out: &mut [f64]) -> Result<(), Diagnostic> {
-        let Plain { object, clip_from_object, normals } = self.0;
+        let Plain { object, clip_from_object, normals, .. } = self.0;
         for (&vertex, out) in vertices.iter().zip(out.chunks_exact_mut(10)) {
             let position = DVec3::from(object.mesh.positions[vertex as usize].map(f64::from));
             let normal = *normals * DVec3::from(object.mesh.normals[vertex as usize].map(f64::from));
@@ -322,6 +410,7 @@ impl FragmentStage for Stage<'_> {
         for component in 0..6 {
             out.channel_mut(component)[..batch.lanes()].copy_from_slice(&batch.varying(component)[..batch.lanes()]);
         }
+        out.channel_mut(6)[..batch.lanes()].fill(self.0.number as f64);
         // Backs are seen with their normals turned around, as looks see them.
         for lane in (0..batch.lanes()).filter(|lane| batch.front() >> lane & 1 == 0) {
             (0..3).for_each(|component| out.channel_mut(component)[lane] *= -1.0);

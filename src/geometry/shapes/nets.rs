@@ -5,6 +5,10 @@
 //! even triangles; and the normal is the field's gradient, so the shading is as smooth as the field.
 
 use glam::DVec3;
+use rayon::iter::{
+    IndexedParallelIterator as _, IntoParallelIterator as _, IntoParallelRefIterator as _,
+    IntoParallelRefMutIterator as _, ParallelIterator as _,
+};
 
 use super::sculpture::Sculpture;
 
@@ -69,9 +73,10 @@ pub(super) fn polygonize(sculpture: &Sculpture, cells: Cells) -> Net {
     for quad in &net.quads {
         quad.iter().for_each(|&i| counts[i as usize] += 2.0);
     }
-    for (i, point) in net.points.iter().enumerate() {
-        net.normals[i] = sculpture.gradient(*point, &pieces[i]).1;
-    }
+    let Net { points, normals, .. } = &mut net;
+    normals.par_iter_mut().zip(&*points).zip(&pieces).for_each(|((normal, point), pieces)| {
+        *normal = sculpture.gradient(*point, pieces).1;
+    });
     for _ in 0..ROUNDS {
         evened.fill(DVec3::ZERO);
         for quad in &net.quads {
@@ -80,18 +85,20 @@ pub(super) fn polygonize(sculpture: &Sculpture, cells: Cells) -> Net {
                     net.points[quad[(k + 1) % 4] as usize] + net.points[quad[(k + 3) % 4] as usize];
             }
         }
-        for (i, point) in net.points.iter_mut().enumerate() {
+        let Net { points, normals, .. } = &mut net;
+        points.par_iter_mut().enumerate().for_each(|(i, point)| {
             *point = point.lerp(evened[i] / f64::max(counts[i], 1.0), EVENING);
             // The gradient of the start is near enough until the end.
             let d = sculpture.distance(*point, &pieces[i]);
-            *point -= newton(d, net.normals[i], cell);
-        }
+            *point -= newton(d, normals[i], cell);
+        });
     }
-    for (i, point) in net.points.iter_mut().enumerate() {
-        let (d, gradient) = sculpture.gradient(*point, &pieces[i]);
+    let Net { points, normals, .. } = &mut net;
+    points.par_iter_mut().zip(normals).zip(&pieces).for_each(|((point, normal), pieces)| {
+        let (d, gradient) = sculpture.gradient(*point, pieces);
         *point -= newton(d, gradient, cell);
-        net.normals[i] = sculpture.gradient(*point, &pieces[i]).1.normalize_or(DVec3::Y);
-    }
+        *normal = sculpture.gradient(*point, pieces).1.normalize_or(DVec3::Y);
+    });
     net
 }
 
@@ -119,27 +126,35 @@ impl Grid {
         let size = [0, 1, 2].map(|axis| marks[axis].len());
         let mut grid = Self { marks, size, cell: cells.edge, values: vec![0.0; size[0] * size[1] * size[2]] };
         let all = sculpture.all();
-        for region in steps([0; 3], size.map(|n| n / (BLOCK * REGION)), BLOCK * REGION) {
+        let regions: Vec<_> = steps([0; 3], size.map(|n| n / (BLOCK * REGION)), BLOCK * REGION).collect();
+        let known = regions.into_par_iter().flat_map_iter(|region| {
             let (center, radius) = grid.block(region, BLOCK * REGION);
             let (pieces, _) = sculpture.near(center, radius, &all);
-            for block in steps(region, [REGION; 3], BLOCK) {
-                grid.fill(sculpture, block, &pieces);
+            let grid = &grid;
+            steps(region, [REGION; 3], BLOCK).map(move |block| (block, grid.values_of(sculpture, block, &pieces)))
+        });
+        for (block, values) in known.collect::<Vec<_>>() {
+            for (at, value) in steps(block, [BLOCK; 3], 1).zip(values) {
+                let index = grid.index(at);
+                grid.values[index] = value;
             }
         }
         grid
     }
 
-    /// The values of one block: exact near the surface, elsewhere the one in the middle.
-    fn fill(&mut self, sculpture: &Sculpture, first: [usize; 3], among: &[u16]) {
+    /// The values of one block, x fastest: exact near the surface, elsewhere the one in the middle.
+    fn values_of(&self, sculpture: &Sculpture, first: [usize; 3], among: &[u16]) -> [f32; BLOCK * BLOCK * BLOCK] {
         let (center, radius) = self.block(first, BLOCK);
         let (pieces, middle) = sculpture.near(center, radius, among);
         // A cell more, so that crossings between blocks have both ends right.
         let far = middle.abs() > Sculpture::slack() * (radius + 2.0 * self.cell);
-        for at in steps(first, [BLOCK; 3], 1) {
-            let value = if far { middle } else { sculpture.distance(self.place(at), &pieces) };
-            let index = self.index(at);
-            self.values[index] = value as f32;
+        let mut values = [middle as f32; BLOCK * BLOCK * BLOCK];
+        if !far {
+            for (value, at) in values.iter_mut().zip(steps(first, [BLOCK; 3], 1)) {
+                *value = sculpture.distance(self.place(at), &pieces) as f32;
+            }
         }
+        values
     }
 
     /// The middle of the corners of a block, and how far the farthest is from it.
@@ -189,7 +204,7 @@ impl Grid {
             }
         }
         let all = sculpture.all();
-        let pieces = net.points.iter().map(|p| sculpture.near(*p, 2.0 * self.cell, &all).0).collect();
+        let pieces = net.points.par_iter().map(|p| sculpture.near(*p, 2.0 * self.cell, &all).0).collect();
         net.normals = vec![DVec3::Y; net.points.len()];
         (net, pieces)
     }

@@ -308,7 +308,11 @@ fn scheme(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
 fn shares(ui: &mut Ui, shown: &Shown<'_>) {
     let colors = theme::of(ui);
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 12.0), Sense::hover());
-    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "Weights of the keys now"));
+    response.widget_info(|| {
+        let each = shown.weights.iter().enumerate().map(|(key, weight)| format!("{} {:.0}%", key + 1, weight * 100.0));
+        let said = format!("Weights of the keys now: {}", each.collect::<Vec<_>>().join(", "));
+        WidgetInfo::labeled(Role::Image, true, said)
+    });
     let painter = ui.painter();
     painter.rect_filled(rect, 3.0, colors.canvas);
     let mut left = rect.left();

@@ -1,0 +1,54 @@
+//! What the window costs a hand: frames of the canvas, opening, the way from an edit to its picture, startup, memory.
+//!
+//! `cargo bench --bench editor` prints tables; docs/performance.md holds the figures. With arguments after `--` only the
+//! parts so named run: `canvas`, `latency`, `startup`, `memory`.
+#![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
+#![allow(missing_docs, reason = "a program")]
+#![allow(clippy::disallowed_methods, reason = "it starts programs and reads what they say")]
+
+use std::path::{Path, PathBuf};
+
+#[path = "editor/canvas.rs"]
+mod canvas;
+#[path = "editor/driven.rs"]
+mod driven;
+#[path = "../tests/editor_support/mod.rs"]
+mod editor_support;
+#[path = "editor/latency.rs"]
+mod latency;
+#[path = "editor/looks.rs"]
+mod looks;
+#[path = "editor/memory.rs"]
+mod memory;
+#[path = "editor/startup.rs"]
+mod startup;
+#[path = "editor/times.rs"]
+mod times;
+#[path = "editor/window.rs"]
+mod window;
+
+/// Whether a window can be opened.
+fn has_display() -> bool {
+    ["DISPLAY", "WAYLAND_DISPLAY"].iter().any(|name| std::env::var_os(name).is_some())
+}
+
+/// One of the example looks.
+fn example(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks").join(name).with_extension("json")
+}
+
+fn main() {
+    let asked: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
+    if let [part, nodes] = asked.as_slice()
+        && part == memory::CHILD
+    {
+        return memory::child(nodes.parse().expect("a number of nodes"));
+    }
+    let parts: [(&str, fn()); 4] =
+        [("canvas", canvas::run), ("latency", latency::run), ("startup", startup::run), ("memory", memory::run)];
+    for (name, run) in parts {
+        if asked.is_empty() || asked.iter().any(|part| part == name) {
+            run();
+        }
+    }
+}

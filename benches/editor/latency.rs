@@ -1,0 +1,73 @@
+//! From a drag to its picture, in frames and in milliseconds, on the device that there is.
+
+use chiaro::clock::Clock;
+use eframe::egui::{Pos2, Rect, vec2};
+
+use crate::editor_support::Hand;
+use crate::times::told;
+use crate::{driven, example, has_display};
+
+const FRAMES: u8 = 80;
+
+/// The pixels of the picture in the window as it is drawn now, which waits for the GPU.
+fn pixels(hand: &mut Hand) -> Vec<u8> {
+    let rect: Rect = hand.app().viewport().rect().expect("the picture is shown");
+    let image = hand.harness.render().expect("it draws");
+    let [x, y, width, height] = [rect.min.x, rect.min.y, rect.width(), rect.height()].map(|side| side as u32);
+    image::imageops::crop_imm(&image, x, y, width, height).to_image().into_raw()
+}
+
+/// Drags along a small loop, and tells how many pictures were in the very frame of their edit, and how long it took
+/// from the pointer's move until that frame was drawn.
+fn drag(hand: &mut Hand, from: Pos2, what: &str) {
+    hand.hold(from);
+    let (mut in_time, mut times, mut own) = (0, Vec::new(), Vec::new());
+    let mut last = pixels(hand);
+    for step in 1..=FRAMES {
+        let clock = Clock::start();
+        let turn = f32::from(step) * 0.31;
+        hand.move_to(from + 40.0 * vec2(turn.cos() - 1.0, 0.5 * turn.sin()));
+        own.push(clock.seconds());
+        let shown = pixels(hand);
+        times.push(clock.seconds());
+        hand.app().wait();
+        let right = pixels(hand);
+        in_time += u32::from(shown == right && right != last);
+        last = right;
+    }
+    hand.release(from);
+    hand.settle();
+    println!("| {what} | {in_time} of {FRAMES} | {} | {} |", told(times), told(own));
+}
+
+pub(crate) fn run() {
+    let mut hand = Hand::drawing();
+    println!("\nFrom a drag to its picture (window of 1500x900 points); ms, median / p95");
+    println!(
+        "\n| what is dragged | in the very next frame | from the pointer to the drawn frame | of that the UI thread |"
+    );
+    println!("| --- | ---: | ---: | ---: |");
+    for (look, layer) in [("figure1-layers", "diffuse"), ("figure4-both", "LAYER")] {
+        hand.app_mut().open(&example(look));
+        hand.settle();
+        hand.app_mut().session_mut().select(vec!["diffuse".into()]);
+        hand.settle();
+        let slider = hand.slider("Cut-off");
+        // A first drag, for the live shader's pipeline.
+        let at = slider.left_center() + vec2(slider.width() * 0.5, 0.0);
+        hand.drag(at, at + vec2(5.0, 0.0));
+        hand.settle();
+        drag(&mut hand, at, &format!("{look}: a value"));
+        if let Some(line) = hand.app().viewport().curve("cutoff").first().copied() {
+            drag(&mut hand, line, &format!("{look}: a line on the object"));
+        }
+        if let Some(middle) = hand.app().viewport().middle() {
+            drag(&mut hand, middle, &format!("{look}: a light"));
+        }
+        let corner = hand.app().viewport().rect().expect("the picture is shown").min + vec2(60.0, 60.0);
+        drag(&mut hand, corner, &format!("{look}: the camera"));
+    }
+    if has_display() {
+        driven::run(&example("figure1-layers"));
+    }
+}

@@ -1,0 +1,99 @@
+//! A window without display, GPU and accessibility, of which a frame is what egui runs and tessellates.
+
+use std::path::Path;
+
+use chiaro::editor::App;
+use eframe::egui::{self, Event, Modifiers, PointerButton, Pos2, RawInput, Rect, pos2, vec2};
+
+use crate::times::timed;
+
+/// In points.
+pub(crate) const SIZE: egui::Vec2 = vec2(1500.0, 900.0);
+
+/// A context that is given frames one by one.
+pub(crate) struct Frames {
+    ctx: egui::Context,
+    count: u32,
+}
+
+impl Frames {
+    pub(crate) fn new() -> Self {
+        Self { ctx: egui::Context::default(), count: 0 }
+    }
+
+    pub(crate) fn ctx(&self) -> &egui::Context {
+        &self.ctx
+    }
+
+    /// Seconds that a frame takes, all of it on this thread.
+    pub(crate) fn frame(&mut self, events: Vec<Event>, mut show: impl FnMut(&mut egui::Ui)) -> f64 {
+        let input = RawInput {
+            screen_rect: Some(Rect::from_min_size(pos2(0.0, 0.0), SIZE)),
+            time: Some(f64::from(self.count) / 60.0),
+            events,
+            ..RawInput::default()
+        };
+        self.count += 1;
+        let (seconds, ()) = timed(|| {
+            let mut output = self.ctx.run_ui(input, &mut show);
+            // Nothing is drawn, so the fonts' image goes nowhere.
+            output.textures_delta.clear();
+            drop(self.ctx.tessellate(output.shapes, output.pixels_per_point));
+        });
+        seconds
+    }
+}
+
+/// The whole window.
+pub(crate) struct Window {
+    frames: Frames,
+    pub(crate) app: App,
+}
+
+impl Window {
+    pub(crate) fn new() -> Self {
+        let frames = Frames::new();
+        let app = App::new(frames.ctx(), None).without_dialogs();
+        let mut window = Self { frames, app };
+        window.settle();
+        window
+    }
+
+    /// Seconds that a frame takes.
+    pub(crate) fn frame(&mut self, events: Vec<Event>) -> f64 {
+        let app = &mut self.app;
+        self.frames.frame(events, |ui| app.show(ui))
+    }
+
+    /// Opens a look; seconds until the first frame shows it, and until its shaders are there too.
+    pub(crate) fn open(&mut self, path: &Path) -> [f64; 2] {
+        let (opening, ()) = timed(|| self.app.open(path));
+        let shown = opening + self.frame(Vec::new());
+        let (compiling, ()) = timed(|| self.app.session().wait());
+        [shown, shown + compiling + self.frame(Vec::new())]
+    }
+
+    /// Shows frames until nothing is being made.
+    pub(crate) fn settle(&mut self) {
+        for _ in 0..20 {
+            // A second of the window's clock goes by, after which a look is at rest.
+            for _ in 0..60 {
+                self.frame(Vec::new());
+            }
+            if !self.app.is_busy() {
+                break;
+            }
+            self.app.wait();
+        }
+    }
+}
+
+/// The pointer goes there.
+pub(crate) fn moved(at: Pos2) -> Event {
+    Event::PointerMoved(at)
+}
+
+/// The first button goes down or up.
+pub(crate) fn button(pos: Pos2, pressed: bool) -> Event {
+    Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers: Modifiers::NONE }
+}

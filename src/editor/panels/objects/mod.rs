@@ -1,0 +1,223 @@
+//! The objects of the scene: a row each, and of the selected one all that can be set.
+
+mod details;
+
+use eframe::egui;
+use eframe::egui::{
+    Button, Id, Key, Label, Layout, Modifiers, Popup, Rect, RichText, Role, ScrollArea, Sense, Ui, UiBuilder,
+    WidgetInfo, vec2,
+};
+
+use super::super::command::Command;
+use super::super::dock::hint;
+use super::super::session::Session;
+use super::super::stage::{Stage, Wish, mesh_label};
+use super::super::theme;
+use super::widgets::{Icon, Renaming, card_ground, icon, leave_with_pointer, undo_keys};
+use crate::document::{Object, SceneEdit};
+use crate::geometry::SHAPES;
+use crate::ids::ObjectId;
+
+const ROW: f32 = 40.0;
+
+/// The panel, and what it remembers.
+#[derive(Default)]
+pub(crate) struct Objects {
+    renaming: Option<Renaming<ObjectId>>,
+    /// The object whose row was brought into view.
+    shown_for: Option<ObjectId>,
+    details: details::Details,
+}
+
+impl Objects {
+    /// Lists the objects.
+    pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
+        let mut out = Vec::new();
+        bar(ui, session, &mut out);
+        let Some(stage) = session.stage() else {
+            hint(ui, "The look is on one object. Add another, and both are a scene that can be saved.");
+            hint(ui, "Open shows the objects of a scene file, each in its own look.");
+            return out.into_iter().map(Command::Stage).collect();
+        };
+        if stage.scene().objects.is_empty() {
+            hint(ui, "The scene has no objects yet.");
+        }
+        let selected = stage.selected().map(|(id, _)| id.clone());
+        let goal = selected.clone().filter(|_| self.shown_for != selected);
+        self.shown_for = selected;
+        let mut commands = Vec::new();
+        ScrollArea::vertical().auto_shrink([false, false]).id_salt("objects").show(ui, |ui| {
+            // Room for the scroll bar.
+            ui.set_max_width(ui.available_width() - 8.0);
+            ui.spacing_mut().item_spacing.y = 2.0;
+            for (id, object) in &stage.scene().objects {
+                let row = self.row(ui, stage, id, object, &mut out, &mut commands);
+                if goal.as_ref() == Some(id) {
+                    // With the first of what is below it.
+                    ui.scroll_to_rect(row.with_max_y(row.max.y + 3.0 * ROW), None);
+                }
+                if stage.selected().is_some_and(|(selected, _)| selected == id) {
+                    ui.add_space(2.0);
+                    self.details.show(ui, stage, id, object, &mut out);
+                    ui.add_space(8.0);
+                }
+            }
+        });
+        out.into_iter().map(Command::Stage).chain(commands).collect()
+    }
+
+    fn row(
+        &mut self,
+        ui: &mut Ui,
+        stage: &Stage,
+        id: &ObjectId,
+        object: &Object,
+        out: &mut Vec<Wish>,
+        commands: &mut Vec<Command>,
+    ) -> Rect {
+        let is_selected = stage.selected().is_some_and(|(selected, _)| selected == id);
+        let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
+        response.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_selected, format!("Object {id}")));
+        card_ground(ui, rect, &response, is_selected);
+        let builder = UiBuilder::new().id_salt(("object", id.as_str())).max_rect(rect.shrink2(vec2(6.0, 2.0)));
+        let mut inner = ui.new_child(builder.layout(Layout::left_to_right(egui::Align::Center)));
+        self.head(&mut inner, stage, id, object, out);
+        if response.clicked() {
+            response.request_focus();
+            out.push(Wish::Pick(id.clone(), None));
+        }
+        if response.double_clicked() {
+            self.renaming = Some(Renaming::new(id.clone(), id.as_str()));
+        }
+        leave_with_pointer(ui, &response);
+        if response.has_focus() {
+            let pressed = |key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
+            if pressed(Key::Delete) {
+                out.push(Wish::Edit(SceneEdit::RemoveObject { id: id.clone() }));
+            }
+            undo_keys(ui, commands);
+        }
+        let help = "A click selects it and opens its look; a double click renames it";
+        Popup::context_menu(&response.on_hover_text(help)).show(|ui| self.menu(ui, stage, id, out));
+        rect
+    }
+
+    fn head(&mut self, ui: &mut Ui, stage: &Stage, id: &ObjectId, object: &Object, out: &mut Vec<Wish>) {
+        ui.spacing_mut().item_spacing.x = 6.0;
+        let help = "Shows the object, or hides it";
+        if icon(ui, Icon::Eye, object.visible, &format!("Object {id} is seen"), help).clicked() {
+            out.extend(stage.change(id, |object| object.visible = !object.visible).map(Wish::Edit));
+        }
+        ui.with_layout(Layout::right_to_left(egui::Align::Center), |ui| {
+            let help = "Frame, duplicate, rename, remove";
+            let more = icon(ui, Icon::More, true, &format!("More of {id}"), help);
+            Popup::menu(&more).show(|ui| self.menu(ui, stage, id, out));
+            ui.with_layout(Layout::top_down(egui::Align::LEFT), |ui| {
+                ui.spacing_mut().item_spacing.y = 1.0;
+                self.title(ui, stage, id, object, out);
+                self.about(ui, stage, object);
+            });
+        });
+    }
+
+    fn title(&mut self, ui: &mut Ui, stage: &Stage, id: &ObjectId, object: &Object, out: &mut Vec<Wish>) {
+        if let Some(field) = self.renaming.as_mut().filter(|field| field.id == *id) {
+            if let Some(new) = field.show(ui, id.as_str(), &format!("New name of {id}")) {
+                self.renaming = None;
+                let renamed = new.filter(|name| !name.is_empty()).and_then(|name| stage.rename(id, &name));
+                out.extend(renamed.map(|(new, edit)| Wish::Make(new, edit)));
+            }
+            return;
+        }
+        let colors = theme::of(ui);
+        let text = RichText::new(id.as_str()).strong().color(if object.visible { colors.text } else { colors.dim });
+        // The row itself is what is clicked.
+        ui.add(Label::new(text).truncate().selectable(false).sense(Sense::empty()));
+    }
+
+    /// What it is, in a line.
+    fn about(&self, ui: &mut Ui, stage: &Stage, object: &Object) {
+        let looks: Vec<String> = object.looks.values().map(|name| details::look_label(stage, name)).collect();
+        let looks = if looks.is_empty() { "no look".to_owned() } else { looks.join(", ") };
+        let is_open = stage.wears_open(object);
+        let colors = theme::of(ui);
+        let color = if is_open { colors.accent } else { colors.dim };
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 4.0;
+            let mesh = RichText::new(format!("{} ·", mesh_label(&object.mesh))).small().color(colors.dim);
+            ui.add(Label::new(mesh).selectable(false).sense(Sense::empty()));
+            let looks = RichText::new(looks).small().color(color);
+            ui.add(Label::new(looks).truncate().selectable(false).sense(Sense::empty()));
+        });
+    }
+
+    fn menu(&mut self, ui: &mut Ui, stage: &Stage, id: &ObjectId, out: &mut Vec<Wish>) {
+        if ui.button("Frame object").on_hover_text("Brings it into view (F over the picture)").clicked() {
+            out.push(Wish::Frame(Some(id.clone())));
+        }
+        if ui.button("Duplicate object").on_hover_text("Adds the same once more, to the right of all").clicked() {
+            out.extend(stage.duplicate(id).map(|(new, edit)| Wish::Make(new, edit)));
+        }
+        if ui.button("Rename object").on_hover_text("Or double click on the row").clicked() {
+            self.renaming = Some(Renaming::new(id.clone(), id.as_str()));
+        }
+        ui.separator();
+        if ui.add(Button::new("Remove object")).on_hover_text("Its mesh and its look stay where they are").clicked() {
+            out.push(Wish::Edit(SceneEdit::RemoveObject { id: id.clone() }));
+        }
+    }
+}
+
+/// What can be done with the scene as a whole.
+fn bar(ui: &mut Ui, session: &Session, out: &mut Vec<Wish>) {
+    ui.horizontal(|ui| {
+        let menu = ui.menu_button("Add an object", |ui| {
+            for shape in SHAPES {
+                if ui.button(shape.label).on_hover_text(shape.help).clicked() {
+                    out.push(Wish::Add(Some(format!("{}{}", crate::frame::SHAPE_PREFIX, shape.name))));
+                    ui.close();
+                }
+            }
+            ui.separator();
+            let help = "OBJ, PLY, STL or glTF; it can also be dropped here, or on the picture with Shift";
+            if ui.button("Mesh from a file...").on_hover_text(help).clicked() {
+                out.push(Wish::Add(None));
+                ui.close();
+            }
+        });
+        menu.response.on_hover_text("Adds an object beside the others, in the look of the selected one");
+        let Some(stage) = session.stage() else { return };
+        ui.with_layout(Layout::right_to_left(egui::Align::Center), |ui| {
+            let more = icon(ui, Icon::More, true, "More of the scene", "Save, camera, close");
+            Popup::menu(&more).id(Id::unique("scene menu")).show(|ui| scene_menu(ui, out));
+            let text = RichText::new(stage.name()).color(theme::of(ui).dim);
+            let path = stage.path().map(|path| path.display().to_string());
+            let help = path.unwrap_or_else(|| "No file has it yet: save the scene to keep it".to_owned());
+            if stage.is_dirty() {
+                let help = "Saves the scene to its file";
+                if ui.button("Save scene").on_hover_text(help).clicked() {
+                    out.push(Wish::Save);
+                }
+            }
+            ui.add(Label::new(text).truncate()).on_hover_text(help);
+        });
+    });
+    ui.add_space(2.0);
+}
+
+fn scene_menu(ui: &mut Ui, out: &mut Vec<Wish>) {
+    if ui.button("Save scene as...").on_hover_text("Saves the scene under another name").clicked() {
+        out.push(Wish::SaveAs);
+    }
+    let help = "The scene's camera, lights and backdrop become what the picture shows now";
+    if ui.button("Keep this view").on_hover_text(help).clicked() {
+        out.push(Wish::KeepView);
+    }
+    if ui.button("Frame all objects").on_hover_text("Brings every object into view (A over the picture)").clicked() {
+        out.push(Wish::Frame(None));
+    }
+    ui.separator();
+    if ui.button("Close the scene").on_hover_text("The open look stays, on one object").clicked() {
+        out.push(Wish::Close);
+    }
+}

@@ -1,0 +1,359 @@
+//! The look in its scene: which scene is around it, and one order of undo for both.
+
+use std::path::Path;
+
+use super::super::stage::{OPEN_LOOK, Stage, Wanted, real, scene_of};
+use super::Session;
+use crate::diag::Diagnostic;
+use crate::document::journal::{Recovered, Slot};
+use crate::document::{Light, Loaded, Scene, SceneEdit};
+use crate::ids::{LightId, ObjectId};
+
+/// Which of both documents something is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Of {
+    Look,
+    Scene,
+}
+
+impl Session {
+    /// The scene around the look, where there is one.
+    pub fn stage(&self) -> Option<&Stage> {
+        self.stage.as_ref()
+    }
+
+    pub(crate) fn stage_mut(&mut self) -> Option<&mut Stage> {
+        self.stage.as_mut()
+    }
+
+    /// The light of an id as the picture has it: a scene's stands in place of the look's, and keys change the look's.
+    pub(crate) fn light(&self, id: &LightId) -> Option<&Light> {
+        let own = self.look().lights.get(id)?;
+        Some(self.light_of_scene(id).or_else(|| self.keyed_now().lights.get(id)).unwrap_or(own))
+    }
+
+    /// The scene's light that stands in place of the look's.
+    pub(crate) fn light_of_scene(&self, id: &LightId) -> Option<&Light> {
+        self.stage.as_ref()?.scene().lights.get(id)
+    }
+
+    /// Puts a scene around a look that is still to be opened: [`look_to_open`](Self::look_to_open) says which.
+    pub(super) fn open_scene(&mut self, path: &Path, loaded: Loaded<Scene>) -> bool {
+        match Stage::opened(path, loaded) {
+            Ok(stage) => {
+                self.set_stage(stage);
+                true
+            }
+            Err(problems) => {
+                self.load_problems = problems;
+                self.problems_number += 1;
+                false
+            }
+        }
+    }
+
+    /// Takes a scene back that a journal gave, in place of what is open. The journal goes on where it is.
+    pub(crate) fn take_back_scene(&mut self, found: Recovered<Scene>, slot: Slot) {
+        self.set_stage(Stage::taken_back(found));
+        if let Some(stage) = &mut self.stage {
+            stage.begin_journal(Some(slot));
+        }
+    }
+
+    /// Puts the open documents aside for a scene, around a new look to begin with.
+    fn set_stage(&mut self, stage: Stage) {
+        self.leave_journal(false);
+        self.leave_stage(false);
+        self.stage = Some(stage);
+        self.keep_stage();
+        self.replace_with_new();
+        if let Some(path) = self.stage.as_ref().and_then(|stage| stage.path().map(Path::to_path_buf)) {
+            self.use_project(&path);
+        }
+        self.stage_changed();
+        self.reset_view();
+        self.time = 0.0;
+    }
+
+    /// The look that the scene lacks: the one that was open in it, or else one that an object wears. `None` where the open
+    /// look is of the scene.
+    pub(crate) fn look_to_open(&mut self) -> Option<Wanted> {
+        let stage = self.stage.as_mut()?;
+        match stage.wanted.take() {
+            Some(Wanted::File(path)) if stage.wears(&path) => Some(Wanted::File(path)),
+            Some(Wanted::Unsaved) if stage.wears_unsaved() => Some(Wanted::Unsaved),
+            _ => stage.look_to_open().map(Wanted::File),
+        }
+    }
+
+    /// Puts a scene around the look, which so far was alone: one object on the mesh that it is seen on.
+    pub(crate) fn begin_stage(&mut self) {
+        if self.stage.is_some() {
+            return;
+        }
+        let look = match self.path() {
+            Some(path) => std::path::absolute(path).unwrap_or_else(|_| path.to_owned()).to_string_lossy().into_owned(),
+            None => OPEN_LOOK.to_owned(),
+        };
+        let mut orbit = self.view.clone();
+        // A scene may lie elsewhere than the working folder.
+        if !orbit.mesh.starts_with(crate::frame::SHAPE_PREFIX)
+            && let Ok(path) = std::path::absolute(&orbit.mesh)
+        {
+            orbit.mesh = path.to_string_lossy().into_owned();
+        }
+        self.stage = Some(Stage::unsaved(scene_of(&orbit, look)));
+        self.keep_stage();
+        self.stage_changed();
+        if self.path.is_none() {
+            self.begin_journal(None);
+        }
+    }
+
+    /// Puts the scene aside; its journal stays if anything in it is not saved. The look stays open.
+    pub(crate) fn leave_stage(&mut self, in_peace: bool) {
+        if let Some(mut stage) = self.stage.take() {
+            stage.leave_journal(in_peace);
+            self.picture += 1;
+            self.problems_number += 1;
+        }
+    }
+
+    /// The same, unless the scene wears the look of this file, or the one that has none.
+    pub(super) fn leave_stage_unless_worn(&mut self, look: Option<&Path>) {
+        let is_worn = |stage: &Stage| look.map_or(stage.wears_unsaved(), |look| stage.wears(look));
+        if !self.stage.as_ref().is_some_and(is_worn) {
+            self.leave_stage(false);
+        }
+    }
+
+    pub(super) fn keep_stage(&mut self) {
+        if let (Some(stage), Some((folder, wake))) = (&mut self.stage, &self.keeps) {
+            stage.keep_in(folder, wake.clone());
+        }
+    }
+
+    /// Brings what the picture shows of the scene up to date.
+    pub(super) fn stage_changed(&mut self) {
+        self.picture += 1;
+        if let Some(stage) = &mut self.stage {
+            stage.sync(self.path.as_deref(), &self.library, self.picture);
+            self.problems_number += 1;
+        }
+    }
+
+    pub(super) fn forget_stage_looks(&mut self) {
+        if let Some(stage) = &mut self.stage {
+            stage.forget_looks();
+        }
+        self.stage_changed();
+    }
+
+    /// Applies an edit of the scene. With a `hand`, consecutive edits by it are one step.
+    ///
+    /// # Errors
+    /// A diagnostic where the edit is impossible; nothing is changed then.
+    pub fn apply_to_scene(&mut self, edit: SceneEdit, hand: Option<u64>) -> Result<(), Box<Diagnostic>> {
+        let Some(stage) = &mut self.stage else {
+            return Err(Box::new(Diagnostic::error("impossible-edit", "no scene is open")));
+        };
+        self.now += 1;
+        if stage.apply(edit, hand, self.now)? {
+            self.gestures.end();
+            self.stage_changed();
+        }
+        Ok(())
+    }
+
+    /// Saves the scene to a file, which is its own from then on.
+    ///
+    /// # Errors
+    /// A diagnostic that says why not; the old file is then as it was.
+    pub fn save_scene_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
+        if let Some(stage) = &mut self.stage {
+            stage.save_as(path)?;
+            self.stage_changed();
+        }
+        Ok(())
+    }
+
+    /// After the look was saved to another file: what wears it wears it under that name.
+    pub(super) fn wear_saved(&mut self, path: &Path) {
+        let edit = self.stage.as_ref().and_then(|stage| stage.rename_open(&stage.name_of(path)));
+        if let Some(edit) = edit {
+            // An object that was there can be changed; where not, the scene stays as it is.
+            let _ = self.apply_to_scene(edit, None);
+        }
+        self.stage_changed();
+    }
+
+    /// Selects an object, or none.
+    pub fn select_object(&mut self, id: Option<ObjectId>) {
+        if let Some(stage) = &mut self.stage {
+            stage.select(id.filter(|id| stage.scene().objects.contains_key(id)));
+        }
+    }
+
+    /// Turns camera and lights to where the scene has them, or to where they are in the beginning.
+    pub(crate) fn reset_view(&mut self) {
+        let Some(stage) = &self.stage else { return self.view.reset() };
+        let scene = stage.scene();
+        self.view.look_from(&scene.camera);
+        let illumination = glam::DQuat::from_array(scene.illumination);
+        self.view.illumination =
+            if illumination.length_squared() > 1e-18 { illumination.normalize() } else { glam::DQuat::IDENTITY };
+        self.view.backdrop = None;
+    }
+
+    /// Lets the scene's camera and lights be as they are turned now.
+    pub(crate) fn view_as_edit(&self) -> SceneEdit {
+        let camera = SceneEdit::SetCamera { camera: self.view.camera() };
+        let mut edits = vec![camera, SceneEdit::SetIllumination { rotation: self.view.illumination.to_array() }];
+        edits.extend(self.view.backdrop.map(|color| SceneEdit::SetBackdrop { color: Some(color) }));
+        SceneEdit::Group { edits }
+    }
+
+    /// Brings an object into view, or all of them; the direction stays. `aspect` is of the picture.
+    pub(crate) fn frame(&mut self, only: Option<&ObjectId>, aspect: f64) {
+        match self.stage.as_ref().map(|stage| stage.sphere(only)) {
+            None => self.view.frame_object(),
+            Some(Some((center, radius))) => self.view.frame(center, radius, aspect),
+            Some(None) => {}
+        }
+    }
+
+    /// The sphere that needles of lights stand on: around the object that is judged by.
+    pub(crate) fn ball(&self) -> (glam::DVec3, f64) {
+        let unit = (glam::DVec3::ZERO, 1.0);
+        let Some(stage) = &self.stage else { return unit };
+        let selected = stage.selected().filter(|(_, object)| stage.wears_open(object));
+        let objects = stage.scene().objects.iter().filter(|(_, object)| object.visible);
+        let worn = selected.or_else(|| objects.into_iter().find(|(_, object)| stage.wears_open(object)));
+        worn.and_then(|(id, _)| stage.sphere(Some(id))).unwrap_or(unit)
+    }
+
+    /// Compares the scene's file with what it held, and takes what another program made of it.
+    pub(crate) fn reload_scene(&mut self, text: &str) -> bool {
+        self.now += 1;
+        let Some(stage) = &mut self.stage else { return false };
+        let is_read = stage.reload(text, self.now);
+        self.stage_changed();
+        is_read
+    }
+}
+
+/// One order of undo for the look and the scene.
+impl Session {
+    /// Notes that a step of the look was done.
+    pub(super) fn step_done(&mut self) {
+        self.now += 1;
+        self.times.did(self.history.steps(), self.now);
+        if let Some(stage) = &mut self.stage {
+            stage.end_gesture();
+        }
+    }
+
+    /// Remembers when the steps of the look were done, before another look comes.
+    pub(super) fn remember_times(&mut self) {
+        let times = std::mem::take(&mut self.times);
+        if let (Some(stage), Some(path)) = (&mut self.stage, &self.path) {
+            stage.left.insert(real(path), times);
+        }
+    }
+
+    /// Takes on what is remembered of a look that a journal brought back.
+    pub(super) fn recall_times(&mut self) {
+        if let (Some(stage), Some(path)) = (&mut self.stage, &self.path) {
+            self.times = stage.left.remove(&real(path)).unwrap_or_default();
+        }
+        self.times.fit(self.history.steps());
+    }
+
+    /// Where the step was done that undo would take back.
+    fn last(&self) -> Of {
+        let of_scene = self.stage.as_ref().and_then(|stage| stage.times.last());
+        // Of what journals brought back, the look's comes first.
+        if of_scene.is_some() && of_scene > self.history.undo_label().and(self.times.last()) {
+            Of::Scene
+        } else {
+            Of::Look
+        }
+    }
+
+    /// Where the step was done that redo would repeat.
+    fn next(&self) -> Of {
+        let of_scene = self.stage.as_ref().and_then(|stage| stage.times.next());
+        let of_look = self.history.redo_label().and(self.times.next());
+        match (of_look, of_scene) {
+            (Some(look), Some(scene)) if scene < look => Of::Scene,
+            (None, Some(_)) => Of::Scene,
+            _ => Of::Look,
+        }
+    }
+
+    /// What undo would take back.
+    pub fn undo_label(&self) -> Option<&str> {
+        match (self.last(), &self.stage) {
+            (Of::Scene, Some(stage)) => stage.history().undo_label(),
+            _ => self.history.undo_label(),
+        }
+    }
+
+    /// What redo would repeat.
+    pub fn redo_label(&self) -> Option<&str> {
+        match (self.next(), &self.stage) {
+            (Of::Scene, Some(stage)) => stage.history().redo_label(),
+            _ => self.history.redo_label(),
+        }
+    }
+
+    /// Takes the last step back, in the look or in the scene.
+    pub fn undo(&mut self) -> bool {
+        let of = self.last();
+        match &mut self.stage {
+            Some(stage) if of == Of::Scene => {
+                let did = stage.undo();
+                self.stage_changed();
+                did
+            }
+            _ => self.undo_look(),
+        }
+    }
+
+    /// Repeats the step that was taken back last.
+    pub fn redo(&mut self) -> bool {
+        let of = self.next();
+        match &mut self.stage {
+            Some(stage) if of == Of::Scene => {
+                self.now += 1;
+                let did = stage.redo(self.now);
+                self.stage_changed();
+                did
+            }
+            _ => self.redo_look(),
+        }
+    }
+
+    /// What undo calls every step, the first one first.
+    pub fn steps(&self) -> impl Iterator<Item = &str> {
+        let mut steps: Vec<((bool, u64), &str)> = self.times.all().zip(self.history.labels()).collect();
+        if let Some(stage) = &self.stage {
+            // Steps of the same time are of journals: the scene's are older.
+            let of_scene = stage.times.all().zip(stage.history().labels());
+            steps.splice(0..0, of_scene);
+            steps.sort_by_key(|(time, _)| *time);
+        }
+        steps.into_iter().map(|(_, label)| label)
+    }
+
+    /// How many of the steps are done.
+    pub fn place(&self) -> usize {
+        self.history.place() + self.stage.as_ref().map_or(0, |stage| stage.history().place())
+    }
+
+    /// Takes steps back or repeats them until so many are done.
+    pub fn go_to(&mut self, place: usize) {
+        while self.place() > place && self.undo() {}
+        while self.place() < place && self.redo() {}
+    }
+}

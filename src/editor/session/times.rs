@@ -1,0 +1,107 @@
+//! In which order steps were done in the look and in the scene around it, so that undo takes back the last one, wherever
+//! that was.
+
+/// When each step of a history was done, by a count that grows. What a journal brought back counts as older than all.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Times {
+    done: Vec<u64>,
+    undone: Vec<u64>,
+}
+
+impl Times {
+    /// After an edit: `steps` are those that are done now, and those that can be repeated. An edit that went on with the
+    /// last step leaves it where it was.
+    pub(crate) fn did(&mut self, (done, undone): (usize, usize), now: u64) {
+        self.done.resize(done, now);
+        self.undone.resize(undone, 0);
+    }
+
+    /// After the last step was taken back.
+    pub(crate) fn undid(&mut self) {
+        self.undone.extend(self.done.pop());
+    }
+
+    /// After a step was repeated: what is repeated is done anew.
+    pub(crate) fn redid(&mut self, now: u64) {
+        self.undone.pop();
+        self.done.push(now);
+    }
+
+    /// Takes on a history with so many steps: those of which nothing is known are the oldest.
+    pub(crate) fn fit(&mut self, (done, undone): (usize, usize)) {
+        fit(&mut self.done, done);
+        fit(&mut self.undone, undone);
+    }
+
+    /// When the step was done that undo would take back.
+    pub(crate) fn last(&self) -> Option<u64> {
+        self.done.last().copied()
+    }
+
+    /// When the step was done that redo would repeat.
+    pub(crate) fn next(&self) -> Option<u64> {
+        self.undone.last().copied()
+    }
+
+    /// When the steps were done: those that are, the oldest first, then those that were taken back, the next first.
+    pub(crate) fn all(&self) -> impl Iterator<Item = (bool, u64)> {
+        let done = self.done.iter().map(|time| (false, *time));
+        done.chain(self.undone.iter().rev().map(|time| (true, *time)))
+    }
+}
+
+fn fit(times: &mut Vec<u64>, count: usize) {
+    match count.checked_sub(times.len()) {
+        Some(missing) => drop(times.splice(0..0, std::iter::repeat_n(0, missing))),
+        None => drop(times.drain(..times.len() - count)),
+    }
+}
+
+/// Consecutive edits by the same hand, as one step.
+#[derive(Default)]
+pub(crate) struct Gestures {
+    last: Option<(u64, u64)>,
+    number: u64,
+}
+
+impl Gestures {
+    /// The gesture that an edit by `hand` belongs to: the last one, if nothing else was done since.
+    pub(crate) fn of(&mut self, hand: u64, revision: u64) -> u64 {
+        if self.last != Some((hand, revision)) {
+            self.number += 1;
+        }
+        self.number
+    }
+
+    /// Notes what an edit led to.
+    pub(crate) fn did(&mut self, hand: Option<u64>, revision: u64) {
+        self.last = hand.map(|hand| (hand, revision));
+    }
+
+    /// Whatever comes next is a gesture of its own.
+    pub(crate) fn end(&mut self) {
+        self.last = None;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_keep_their_times() {
+        let mut times = Times::default();
+        times.did((1, 0), 5);
+        times.did((1, 0), 6);
+        times.did((2, 0), 7);
+        assert_eq!(times.last(), Some(7));
+        times.undid();
+        assert_eq!((times.last(), times.next()), (Some(5), Some(7)), "a gesture's step has the time of its beginning");
+        times.redid(9);
+        assert_eq!(times.all().collect::<Vec<_>>(), [(false, 5), (false, 9)]);
+        times.fit((4, 1));
+        assert_eq!(times.all().map(|(_, time)| time).collect::<Vec<_>>(), [0, 0, 5, 9, 0]);
+        times.fit((1, 0));
+        assert_eq!(times.all().collect::<Vec<_>>(), [(false, 9)]);
+    }
+}

@@ -1,0 +1,93 @@
+//! The objects of a scene in the picture: what is under the pointer, what a click selects, and quiet marks.
+
+use eframe::egui;
+use eframe::egui::{Align2, FontId, Pos2, Rect, Stroke, Ui, pos2, vec2};
+
+use super::super::command::Command;
+use super::super::session::Session;
+use super::super::stage::{Wish, file_label};
+use super::super::theme;
+use super::place_in;
+use super::surface::{Piece, Surface};
+use crate::frame::look_of;
+use crate::ids::ObjectId;
+
+/// How long a corner's lines are, in points.
+const CORNER: f32 = 10.0;
+
+/// What is under the pointer.
+pub(super) struct Seen {
+    piece: Piece,
+    /// What the look is called.
+    look: String,
+}
+
+impl Seen {
+    pub(super) fn object(&self) -> &ObjectId {
+        &self.piece.object
+    }
+
+    /// What is told of it.
+    pub(super) fn hint(&self) -> String {
+        let Self { piece: Piece { object, is_open, .. }, look } = self;
+        match is_open {
+            true => format!("{object} wears the open look · "),
+            false => format!("{object} wears {look}: a click opens it · "),
+        }
+    }
+}
+
+/// How wide a picture is, in parts of its height.
+pub(super) fn aspect(rect: Option<Rect>) -> f64 {
+    rect.filter(|rect| rect.is_positive()).map_or(1.0, |rect| f64::from(rect.width() / rect.height()))
+}
+
+/// The object of a scene at the pointer.
+pub(super) fn seen(session: &Session, surface: Option<&Surface>, rect: Rect, pointer: Option<Pos2>) -> Option<Seen> {
+    let stage = session.stage()?;
+    let piece = surface?.piece_at(place_in(rect, pointer?))?.clone();
+    let look = look_of(stage.scene().objects.get(&piece.object)?, &piece.material).map(file_label)?;
+    Some(Seen { piece, look })
+}
+
+/// What a click asks for: the object that is seen, with its look; or, beside all, none.
+pub(super) fn pick(session: &Session, surface: Option<&Surface>, seen: Option<&Seen>) -> Option<Command> {
+    session.stage().filter(|_| surface.is_some())?;
+    Some(Command::Stage(match seen {
+        Some(Seen { piece, .. }) => Wish::Pick(piece.object.clone(), Some(piece.material.clone())),
+        None => Wish::Unselect,
+    }))
+}
+
+/// Marks the object that is selected by corners around it, and names the one under the pointer.
+pub(super) fn paint(ui: &Ui, rect: Rect, session: &Session, surface: Option<&Surface>, seen: Option<&Seen>) {
+    let (Some(stage), Some(surface)) = (session.stage(), surface) else { return };
+    let colors = theme::of(ui);
+    let around = |id: &ObjectId| {
+        let corners = surface.box_of(id)?;
+        let on_screen = |[x, y]: [f32; 2]| pos2(rect.left() + x * rect.width(), rect.top() + y * rect.height());
+        Some(Rect::from_two_pos(on_screen(corners[0]), on_screen(corners[1])).expand(4.0).intersect(rect.shrink(1.0)))
+    };
+    let painter = ui.painter_at(rect);
+    if let Some(at) = stage.selected().and_then(|(id, _)| around(id)) {
+        for (width, color) in [(3.0, theme::HALO), (1.5, colors.accent)] {
+            let stroke = Stroke::new(width, color);
+            for (corner, x, y) in [
+                (at.left_top(), 1.0, 1.0),
+                (at.right_top(), -1.0, 1.0),
+                (at.left_bottom(), 1.0, -1.0),
+                (at.right_bottom(), -1.0, -1.0),
+            ] {
+                painter.line_segment([corner, corner + vec2(x * CORNER, 0.0)], stroke);
+                painter.line_segment([corner, corner + vec2(0.0, y * CORNER)], stroke);
+            }
+        }
+    }
+    let Some((seen, at)) = seen.and_then(|seen| Some((seen, around(&seen.piece.object)?))) else { return };
+    let font = FontId::proportional(theme::SMALL_TEXT);
+    let galley = painter.layout_no_wrap(seen.piece.object.to_string(), font, egui::Color32::WHITE);
+    let place = Align2::LEFT_BOTTOM.anchor_size(at.left_top(), galley.size() + vec2(8.0, 3.0));
+    let place = place.translate(vec2(0.0, (rect.top() - place.top()).max(0.0)));
+    painter.rect_filled(place, 3.0, theme::PLATE);
+    painter.galley(place.min + vec2(4.0, 1.5), galley, egui::Color32::WHITE);
+}

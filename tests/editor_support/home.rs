@@ -1,0 +1,58 @@
+//! A user's folders, and files beside them.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use chiaro::editor::{App, Places};
+
+use super::Hand;
+
+/// A user's folders, and files beside them.
+pub(crate) struct Home {
+    folder: tempfile::TempDir,
+}
+
+impl Home {
+    pub(crate) fn new() -> Self {
+        Self { folder: tempfile::tempdir().unwrap() }
+    }
+
+    pub(crate) fn places(&self) -> Places {
+        Places { state: self.folder.path().join("state"), config: self.folder.path().join("config") }
+    }
+
+    pub(crate) fn file(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    /// A window as the program opens it.
+    pub(crate) fn window(&self, file: Option<&Path>) -> Hand {
+        let (places, file) = (self.places(), file.map(Path::to_path_buf));
+        Hand::with(move |ctx| {
+            let mut app = App::new(ctx, None);
+            app.keep_in(places.clone(), ctx);
+            match &file {
+                Some(file) => app.open(file),
+                None => app.resume(),
+            }
+            app
+        })
+    }
+
+    /// The same user on the same machine after everything that runs was killed at this moment: locks are gone, files are
+    /// there.
+    pub(crate) fn after_a_crash(&self) -> Self {
+        let other = Self::new();
+        let journals = other.places().journals();
+        fs::create_dir_all(&journals).unwrap();
+        for entry in fs::read_dir(self.places().journals()).into_iter().flatten().flatten() {
+            fs::copy(entry.path(), journals.join(entry.file_name())).unwrap();
+        }
+        other
+    }
+
+    pub(crate) fn journals(&self) -> usize {
+        let entries = fs::read_dir(self.places().journals()).into_iter().flatten().flatten();
+        entries.filter(|entry| entry.path().extension().is_some_and(|ending| ending == "journal")).count()
+    }
+}

@@ -1,0 +1,239 @@
+//! An artist: a hand at a window, and a folder for what is made there.
+
+use std::ops::{Deref, DerefMut};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use eframe::egui::{Key, Modifiers, Pos2, pos2};
+
+use super::picture::Picture;
+use crate::editor_support::Hand;
+use crate::support::files;
+use crate::support::validators::{Stage, glslang, tint};
+
+/// Width and height of the pictures that are held against each other.
+const SIZE: [u32; 2] = [160, 120];
+
+/// A folder of one journey's own, with windows at it.
+pub(super) struct Studio(tempfile::TempDir);
+
+impl Studio {
+    pub(super) fn new() -> Self {
+        Self(tempfile::tempdir().unwrap())
+    }
+
+    pub(super) fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    pub(super) fn write(&self, name: &str, text: &str) {
+        let path = self.path(name);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, text).unwrap();
+    }
+
+    pub(super) fn read(&self, name: &str) -> String {
+        std::fs::read_to_string(self.path(name)).unwrap()
+    }
+
+    /// A new window, with a new look.
+    pub(super) fn window(&self) -> Artist {
+        Artist::at(Hand::drawing_with(|app, _| app.without_dialogs()))
+    }
+
+    /// A new window in which a look is opened.
+    pub(super) fn window_with(&self, look: &Path) -> Artist {
+        let mut artist = self.window();
+        artist.open(look);
+        artist
+    }
+
+    /// The program without a window, in this folder; it must succeed.
+    #[track_caller]
+    pub(super) fn chiaro(&self, arguments: &[&str]) -> String {
+        let program = env!("CARGO_BIN_EXE_chiaro");
+        let output = Command::new(program).args(arguments).current_dir(self.0.path()).output().unwrap();
+        let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+        assert!(output.status.success(), "chiaro {arguments:?}: {}{}", text(&output.stdout), text(&output.stderr));
+        text(&output.stdout)
+    }
+
+    /// What the program without a window draws of a look.
+    #[track_caller]
+    pub(super) fn rendered(&self, look: &str, more: &[&str]) -> Picture {
+        let size = format!("{}x{}", SIZE[0], SIZE[1]);
+        self.chiaro(&[&["render", look, "-o", "rendered.png", "--size", &size], more].concat());
+        Picture::read(&self.path("rendered.png"))
+    }
+
+    /// Exports a look and has other compilers take what came out; the WGSL's text.
+    #[track_caller]
+    pub(super) fn exported(&self, look: &str) -> String {
+        self.chiaro(&["export", look, "--to", "wgsl,glsl-es300,glsl-450", "-o", "out"]);
+        let written = files::below(&self.path("out"));
+        let of = |ending: &str| -> Vec<&PathBuf> {
+            written.iter().filter(|path| path.extension().is_some_and(|found| found == ending)).collect()
+        };
+        let wgsl = of("wgsl");
+        assert!(!wgsl.is_empty() && of("vert").len() >= 2 && of("frag").len() >= 2, "{written:?}");
+        tint(&wgsl).unwrap();
+        for (ending, stage) in [("vert", Stage::Vertex), ("frag", Stage::Fragment)] {
+            for file in of(ending) {
+                glslang(&std::fs::read_to_string(file).unwrap(), stage, &[]).unwrap();
+            }
+        }
+        wgsl.iter().map(|path| std::fs::read_to_string(path).unwrap()).collect()
+    }
+
+    /// The end of every journey. The look is saved under `name`; another window opens it and shows the same picture; so
+    /// does the program without a window; and what is exported is taken by others. Gives the exported WGSL.
+    #[track_caller]
+    pub(super) fn finish(&self, mut artist: Artist, name: &str) -> String {
+        let mesh = artist.app().session().orbit().mesh.clone();
+        artist.save_under(&self.path(name));
+        artist.look_from_the_front();
+        assert_eq!(artist.app().session().time(), 0.0, "pictures of files are of their first moment");
+        let (look, picture) = (artist.look().clone(), artist.picture());
+        assert!(picture.object().count() > 500, "there is something to be seen");
+        drop(artist);
+
+        let mut other = self.window();
+        other.app_mut().show_on(&mesh);
+        other.open(&self.path(name));
+        assert_eq!(*other.look(), look, "the file holds what the window held");
+        assert!(!other.app().session().is_dirty() && other.errors().is_empty(), "{:?}", other.errors());
+        other.picture().equals(&picture);
+        drop(other);
+
+        self.rendered(name, &["--mesh", &mesh]).equals(&picture);
+        self.exported(name)
+    }
+}
+
+/// A hand at a window that draws.
+pub(super) struct Artist(Hand);
+
+impl Deref for Artist {
+    type Target = Hand;
+
+    fn deref(&self) -> &Hand {
+        &self.0
+    }
+}
+
+impl DerefMut for Artist {
+    fn deref_mut(&mut self) -> &mut Hand {
+        &mut self.0
+    }
+}
+
+impl Artist {
+    pub(super) fn at(hand: Hand) -> Self {
+        Self(hand)
+    }
+
+    /// Opens a file by the key, and by the dialog that asks for one.
+    pub(super) fn open(&mut self, path: &Path) {
+        self.app_mut().answer_dialog(path);
+        self.key_with(Modifiers::COMMAND, Key::O);
+        self.settle();
+        assert_eq!(self.app().session().path(), Some(path), "{:?}", self.app().message());
+    }
+
+    /// Saves by the key; a look without a file, or of another one, under `path`.
+    #[track_caller]
+    pub(super) fn save_under(&mut self, path: &Path) {
+        if self.app().session().path() == Some(path) {
+            self.key_with(Modifiers::COMMAND, Key::S);
+        } else {
+            self.app_mut().answer_dialog(path);
+            self.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
+        }
+        self.settle();
+        assert!(!self.app().session().is_dirty() && path.is_file(), "{:?}", self.app().message());
+    }
+
+    /// A place of the canvas, in parts of its width and height.
+    pub(super) fn on_canvas(&self, x: f32, y: f32) -> Pos2 {
+        let canvas = self.place("Node canvas");
+        pos2(canvas.min.x + x * canvas.width(), canvas.min.y + y * canvas.height())
+    }
+
+    /// Adds a node by the search that Tab opens; its id.
+    #[track_caller]
+    pub(super) fn add_node(&mut self, at: Pos2, query: &str) -> String {
+        self.hover(at);
+        self.key(Key::Tab);
+        self.type_text(query);
+        self.key(Key::Enter);
+        self.settle();
+        let selected = self.selected();
+        assert_eq!(selected.len(), 1, "\"{query}\" added {selected:?}");
+        selected.into_iter().next().unwrap()
+    }
+
+    /// Gives the selected node a name, on the canvas.
+    pub(super) fn name_node(&mut self, name: &str) {
+        let at = self.on_canvas(0.5, 0.97);
+        self.hover(at);
+        self.key(Key::F2);
+        self.key_with(Modifiers::COMMAND, Key::A);
+        self.type_text(name);
+        self.key(Key::Enter);
+        self.settle();
+    }
+
+    /// Adds a node and names it.
+    #[track_caller]
+    pub(super) fn add_named(&mut self, at: Pos2, query: &str, name: &str) -> String {
+        let id = self.add_node(at, query);
+        self.name_node(name);
+        id
+    }
+
+    /// Draws a wire between sockets by their names.
+    #[track_caller]
+    pub(super) fn wire(&mut self, from: &str, to: &str) {
+        let count = self.app().session().graph().wires.clone();
+        let (from_at, to_at) = (self.place(from).center(), self.place(to).center());
+        self.drag(from_at, to_at);
+        self.settle();
+        assert_ne!(self.app().session().graph().wires, count, "{from} and {to} are not wired");
+    }
+
+    /// Brings all of the graph into view.
+    pub(super) fn show_all(&mut self) {
+        let at = self.on_canvas(0.5, 0.97);
+        self.hover(at);
+        self.key(Key::Home);
+        self.settle();
+    }
+
+    /// Camera and lights as they are in the beginning.
+    pub(super) fn look_from_the_front(&mut self) {
+        let at = self.app().viewport().rect().unwrap().center();
+        self.hover(at);
+        self.key(Key::R);
+        self.settle();
+    }
+
+    /// A small picture of what is shown.
+    pub(super) fn picture(&mut self) -> Picture {
+        let file = tempfile::Builder::new().suffix(".png").tempfile().unwrap();
+        self.app_mut().save_picture(SIZE, file.path());
+        self.settle();
+        Picture::read(file.path())
+    }
+
+    /// Takes everything back by the key.
+    pub(super) fn undo_all(&mut self) {
+        let at = self.on_canvas(0.5, 0.97);
+        self.hover(at);
+        while self.app().session().undo_label().is_some() {
+            let before = self.steps();
+            self.key_with(Modifiers::COMMAND, Key::Z);
+            assert_eq!(self.steps() + 1, before);
+        }
+        self.settle();
+    }
+}

@@ -1,0 +1,105 @@
+//! A look that moves: an angle and a colour over time, a blend mode that switches at once; scrubbed, played, and drawn at
+//! three moments by the program without a window.
+
+use chiaro::document::{Interpolation, Value};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Rect, pos2};
+
+use super::artist::{Artist, Studio};
+use super::picture::Picture;
+
+/// Moves the playhead by a click on the ruler, to the frame nearest to a time.
+fn scrub(artist: &mut Artist, seconds: f64) {
+    let ruler = artist.place("Playhead");
+    let x = |artist: &Artist, flag: &str| artist.place(flag).center().x;
+    // The flags of the range stand at its ends, which fields tell.
+    let [start, end] = ["Start of the range", "End of the range"].map(|flag| x(artist, flag));
+    let [from, to] = ["Range from", "Range to"].map(|field| seconds_of(artist, field));
+    let at = start + ((seconds - from) / (to - from)) as f32 * (end - start);
+    artist.click(pos2(at, ruler.top() + 6.0));
+    artist.settle();
+    let time = artist.app().session().time();
+    assert!(
+        (time - seconds).abs() < 0.05 && (time * 24.0 - (time * 24.0).round()).abs() < 1e-3,
+        "{time} for {seconds}"
+    );
+}
+
+fn seconds_of(artist: &Artist, field: &str) -> f64 {
+    use egui_kittest::kittest::{NodeT as _, Queryable as _};
+    let field = artist.harness.get_by_role_and_label(Role::SpinButton, field);
+    let text = field.value().or_else(|| field.accesskit_node().numeric_value().map(|x| x.to_string())).unwrap();
+    text.trim_end_matches([' ', 's']).parse().unwrap()
+}
+
+fn drawn(studio: &Studio, time: f64) -> Picture {
+    studio.rendered("moving.json", &["--time", &time.to_string()])
+}
+
+#[test]
+fn a_look_is_animated_and_drawn_at_three_moments() {
+    let studio = Studio::new();
+    let mut artist = studio.window();
+    artist.press("Layer Diffuse");
+    artist.press("View");
+    let timeline: Rect = artist.place_of(Role::CheckBox, "Timeline");
+    artist.click(timeline.center());
+    artist.settle();
+    let at = artist.on_canvas(0.5, 0.95);
+    artist.hover(at);
+    // Three tracks, begun with what is seen now.
+    for value in ["Cut-off", "Convex color", "Blending"] {
+        artist.press("Key a value");
+        artist.press(&format!("Diffuse: {value}"));
+    }
+    assert_eq!(artist.look().time_keys.len(), 3);
+    // Later they are something else: set where the playhead is, they get a second key there.
+    scrub(&mut artist, 2.0);
+    let later = artist.app().session().time();
+    artist.set("Cut-off", "150");
+    artist.set_color("Convex color", "#2080ff");
+    artist.set_word("Blending", "Multiply");
+    let tracks = artist.look().time_keys.clone();
+    assert!(tracks.iter().all(|track| track.keys.len() == 2 && track.keys[1].time == later), "{tracks:?}");
+    let [first, second] = &tracks[2].keys[..] else { unreachable!() };
+    assert_eq!((&first.value, &second.value), (&Value::Text("add".into()), &Value::Text("multiply".into())));
+    assert_eq!(first.interpolation, Interpolation::Stepped, "a word has nothing between");
+    artist.save_under(&studio.path("moving.json"));
+
+    // At three moments the window shows what is drawn without it.
+    let mut seen = Vec::new();
+    for seconds in [0.0, 1.0, 2.0] {
+        scrub(&mut artist, seconds);
+        let (time, picture) = (artist.app().session().time(), artist.picture());
+        let apart = picture.apart(&drawn(&studio, time));
+        assert_eq!(apart.max, 0, "at {time} s: {apart:?}");
+        seen.push(picture);
+    }
+    seen[0].differs(&seen[1]);
+    seen[1].differs(&seen[2]);
+    // Just before the second key the blend mode is still the first: multiplied, all but the light would be dark.
+    scrub(&mut artist, 2.0 - 1.0 / 24.0);
+    let before = artist.picture();
+    assert!(before.brightness() > seen[2].brightness() + 10.0, "{} {}", before.brightness(), seen[2].brightness());
+
+    // It plays: the playhead goes on by itself, and comes around.
+    scrub(&mut artist, 1.0);
+    // While it plays there is no rest to be waited for.
+    let play = artist.place("Play").center();
+    artist.click(play);
+    let mut times = Vec::new();
+    for _ in 0..4 {
+        artist.harness.step();
+        times.push(artist.app().session().time());
+    }
+    assert!(times.windows(2).all(|pair| pair[1] >= pair[0]) && times[3] > 1.2, "{times:?}");
+    let pause = artist.place("Pause").center();
+    artist.click(pause);
+    artist.settle();
+    let stopped = artist.app().session().time();
+    artist.harness.run_steps(10);
+    assert_eq!(artist.app().session().time(), stopped);
+    assert!(!artist.app().session().is_dirty(), "playing changes nothing");
+    scrub(&mut artist, 0.0);
+    studio.finish(artist, "moving.json");
+}

@@ -1,0 +1,70 @@
+//! Pictures that are held against each other.
+
+use std::path::Path;
+
+use image::RgbaImage;
+
+/// A picture in bytes.
+pub(super) struct Picture(RgbaImage);
+
+/// How far two pictures are apart, in steps of 255.
+#[derive(Debug)]
+pub(super) struct Apart {
+    pub(super) mean: f64,
+    pub(super) max: u8,
+    /// Pixels that differ by more than 2 in a channel.
+    pub(super) far: usize,
+}
+
+impl Picture {
+    pub(super) fn read(path: &Path) -> Self {
+        Self(image::open(path).unwrap_or_else(|error| panic!("{}: {error}", path.display())).into_rgba8())
+    }
+
+    pub(super) fn at(&self, x: f32, y: f32) -> [u8; 4] {
+        let (width, height) = self.0.dimensions();
+        self.0.get_pixel((x * width as f32) as u32, (y * height as f32) as u32).0
+    }
+
+    /// What shows the object: everything but the colour of the corner.
+    pub(super) fn object(&self) -> impl Iterator<Item = [u8; 4]> + '_ {
+        let backdrop = self.0.get_pixel(0, 0).0;
+        self.0.pixels().map(|pixel| pixel.0).filter(move |pixel| *pixel != backdrop)
+    }
+
+    /// The share of the object that has this colour, to two steps of 255.
+    pub(super) fn share_of(&self, color: [u8; 3]) -> f64 {
+        let is_it = |pixel: &[u8; 4]| color.iter().zip(pixel).all(|(a, b)| a.abs_diff(*b) <= 2);
+        self.object().filter(is_it).count() as f64 / self.object().count().max(1) as f64
+    }
+
+    /// The mean of all channels of the object.
+    pub(super) fn brightness(&self) -> f64 {
+        let sum: f64 = self.object().flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).map(f64::from).sum();
+        sum / (3.0 * self.object().count().max(1) as f64)
+    }
+
+    pub(super) fn apart(&self, other: &Self) -> Apart {
+        assert_eq!(self.0.dimensions(), other.0.dimensions());
+        let differences = self.0.pixels().zip(other.0.pixels());
+        let of_pixel = differences.map(|(a, b)| (0..4).map(|k| a.0[k].abs_diff(b.0[k])).max().unwrap_or(0));
+        let all: Vec<u8> = of_pixel.collect();
+        Apart {
+            mean: all.iter().map(|&d| f64::from(d)).sum::<f64>() / all.len() as f64,
+            max: all.iter().copied().max().unwrap_or(0),
+            far: all.iter().filter(|&&d| d > 2).count(),
+        }
+    }
+
+    #[track_caller]
+    pub(super) fn equals(&self, other: &Self) {
+        let apart = self.apart(other);
+        assert_eq!(apart.max, 0, "{apart:?}");
+    }
+
+    #[track_caller]
+    pub(super) fn differs(&self, other: &Self) {
+        let apart = self.apart(other);
+        assert!(apart.far > 20, "the pictures are the same: {apart:?}");
+    }
+}

@@ -1,0 +1,78 @@
+//! A window dies in the middle of a drag. The next one offers the work, and it is complete to the last move of the hand,
+//! with its past; it is saved as if nothing had happened.
+
+use chiaro::document::Value;
+use eframe::egui::{Key, Modifiers, vec2};
+
+use super::artist::{Artist, Studio};
+use crate::editor_support::Hand;
+use crate::editor_support::home::Home;
+
+/// A window as the program opens it for this user.
+fn window(home: &Home) -> Artist {
+    let places = home.places();
+    Artist::at(Hand::drawing_with(move |app, ctx| {
+        let mut app = app.without_dialogs();
+        app.keep_in(places.clone(), ctx);
+        app.resume();
+        app
+    }))
+}
+
+#[test]
+fn work_is_complete_to_the_last_gesture() {
+    let studio = Studio::new();
+    let home = Home::new();
+    let mut artist = window(&home);
+    let first = artist.look().clone();
+    artist.press("Layer Diffuse");
+    artist.press("Add layer");
+    artist.press("Rim, back-light");
+    artist.set_color("Convex color", "#40c0ff");
+    artist.show_all();
+    let at = artist.on_canvas(0.2, 0.9);
+    artist.add_node(at, "noise");
+    artist.show_all();
+    artist.wire("Output Value of Noise", "Input Opacity of Back-light");
+    artist.key_with(Modifiers::COMMAND, Key::Z);
+    artist.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
+    artist.settle();
+    // A drag that never ends: the hand still holds the slider when the program dies.
+    artist.press("Layer Diffuse");
+    artist.press("Show all values");
+    let slider = artist.slider("Offset");
+    artist.hold(slider.left_center() + vec2(4.0, 0.0));
+    for step in 1..=5 {
+        artist.move_to(slider.left_center() + vec2(4.0 + 0.08 * slider.width() * step as f32, 0.0));
+    }
+    // Moves are written together for a tenth of a second at most; then the program dies, the hand still down.
+    artist.harness.run_steps(2);
+    artist.app().session().wait_for_journal();
+    let (last, steps) = (artist.look().clone(), artist.steps());
+    let offset = &last.graph.nodes["diffuse"].values["offset"];
+    assert!(matches!(offset, Value::Number(x) if *x > 0.2), "the drag set it: {offset:?}");
+
+    let later = home.after_a_crash();
+    drop(artist);
+    let mut artist = window(&later);
+    assert_eq!(*artist.look(), first, "it is only offered: the work may be what broke the window");
+    assert!(artist.says("Work that was not saved"));
+    artist.press("Take it back");
+    assert_eq!(*artist.look(), last, "nothing is lost");
+    assert_eq!(artist.steps(), steps);
+    assert!(artist.app().session().is_dirty() && !artist.says("Work that was not saved"));
+    let taken = artist.picture();
+    // With all of its past, and back.
+    artist.undo_all();
+    assert_eq!(*artist.look(), first);
+    artist.picture().differs(&taken);
+    for _ in 0..steps {
+        artist.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
+    }
+    artist.settle();
+    assert_eq!(*artist.look(), last);
+    artist.picture().equals(&taken);
+    studio.finish(artist, "saved.json");
+    drop(window(&later));
+    assert_eq!(later.journals(), 0, "what is saved needs no journal");
+}
