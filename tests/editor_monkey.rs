@@ -15,6 +15,7 @@ use editor_support::Hand;
 use eframe::egui::{
     Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, Rect, TouchPhase, pos2, vec2,
 };
+use egui_kittest::kittest::Queryable as _;
 use support::random::Random;
 
 const WINDOW: [f32; 2] = [1500.0, 900.0];
@@ -242,8 +243,25 @@ fn gestures() -> usize {
     std::env::var("MONKEY_GESTURES").ok().and_then(|text| text.parse().ok()).unwrap_or(5_000)
 }
 
+/// A window at the first step of the tour.
+fn on_tour() -> Hand {
+    let mut hand = Hand::with(|ctx| {
+        let mut app = App::new(ctx, None).without_dialogs();
+        app.show_start_page();
+        app
+    });
+    let at = hand.harness.get_by_label("Take the tour").rect().center();
+    hand.click(at);
+    hand.settle();
+    assert!(hand.app().is_on_tour());
+    hand
+}
+
 fn let_loose(seed: u64, file: Option<&str>, gestures: usize) {
-    let mut monkey = Monkey::new(seed);
+    let_loose_in(Monkey::new(seed), file, gestures);
+}
+
+fn let_loose_in(mut monkey: Monkey, file: Option<&str>, gestures: usize) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("look.json");
     let fresh = monkey.hand.look().to_text();
@@ -253,10 +271,10 @@ fn let_loose(seed: u64, file: Option<&str>, gestures: usize) {
         monkey.hand.settle();
     }
     let opened = monkey.hand.look().to_text();
-    // The library of the window opens examples, too.
+    // The library of the window opens examples, too, and Help has the tour.
     let examples = std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks")).unwrap();
     let examples = examples.map(|entry| Look::load(&entry.unwrap().path()).value.unwrap().to_text());
-    let beginnings: Vec<String> = examples.chain([fresh, opened]).collect();
+    let beginnings: Vec<String> = examples.chain([fresh, opened, on_tour().look().to_text()]).collect();
     while monkey.done < gestures {
         for _ in 0..ROUND {
             monkey.gesture();
@@ -294,6 +312,12 @@ fn a_monkey_breaks_no_keys() {
 #[test]
 fn a_monkey_breaks_no_comics() {
     let_loose(4, Some("examples/looks/figure6-comics.json"), gestures());
+}
+
+#[test]
+fn a_monkey_breaks_no_tour() {
+    let monkey = Monkey { random: Random::new(6), hand: on_tour(), done: 0 };
+    let_loose_in(monkey, None, gestures());
 }
 
 #[test]

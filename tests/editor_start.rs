@@ -113,13 +113,16 @@ fn the_start_page_has_every_example_and_leaves_when_one_is_opened() {
 #[test]
 fn what_was_open_is_offered_and_what_is_gone_is_forgotten() {
     let home = Home::new();
-    let [rim, lost, odd] = ["rim.json", "lost.json", "odd.json"].map(|name| home.file(name));
+    let [rim, lost, odd, stage] = ["rim.json", "lost.json", "odd.json", "stage.json"].map(|name| home.file(name));
+    fs::write(&stage, r#"{"chiaro": "scene", "objects": [{"mesh": "shape:sphere", "looks": "rim.json"}]}"#).unwrap();
     fs::write(&rim, r#"{"name": "Rim", "nodes": [{"kind": "base"}, {"kind": "output"}]}"#).unwrap();
     fs::write(&odd, "not JSON at all").unwrap();
     let mut hand = home.window(None);
-    hand.app_mut().change_settings(|settings| [&odd, &lost, &rim].into_iter().for_each(|path| settings.opened(path)));
+    hand.app_mut()
+        .change_settings(|settings| [&odd, &lost, &rim, &stage].into_iter().for_each(|path| settings.opened(path)));
     hand.settle();
     assert!(has(&hand, "Open the look rim") && has(&hand, "Open the look odd") && has(&hand, "lost is gone"));
+    assert!(has(&hand, "Open the scene stage"));
     press(&mut hand, "Forget lost");
     assert!(!has(&hand, "lost is gone") && !hand.app().settings().recent.contains(&lost));
     assert!(hand.app().shows_start_page(), "forgetting opens nothing");
@@ -408,7 +411,7 @@ fn paths_are_asked_for_in_the_window_where_there_is_no_dialog() {
     // Who would rather type can, in any case.
     hand.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::O);
     hand.settle();
-    assert!(!says(&hand, "shows no file dialog") && has(&hand, "Open a look"));
+    assert!(!says(&hand, "shows no file dialog") && has(&hand, "Open a look or a scene"));
 }
 
 #[test]

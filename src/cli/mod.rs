@@ -42,7 +42,7 @@ use output::Output;
 struct Arguments {
     #[command(subcommand)]
     command: Option<Command>,
-    /// A look to open in the editor
+    /// A look or a scene to open in the editor
     file: Option<PathBuf>,
 }
 

@@ -145,7 +145,7 @@ pub(crate) static ALL: &[Shortcut] = &[
     row(A::Save, "Save", &[(CTRL, Key::S)], Window),
     row(A::Redo, "Redo", &[(CTRL_SHIFT, Key::Z), (CTRL, Key::Y)], Window),
     row(A::Undo, "Undo", &[(CTRL, Key::Z)], Window),
-    row(A::OpenPath, "Open a look by its path", &[(CTRL_SHIFT, Key::O)], Window),
+    row(A::OpenPath, "Open a file by its path", &[(CTRL_SHIFT, Key::O)], Window),
     row(A::Start, "Start page", &[(ALT, Key::Home)], Window),
     row(A::Tour, "Take the tour", &[], Window),
     row(A::CopyPicture, "Copy the picture as an image", &[(CTRL_SHIFT, Key::I)], Window),

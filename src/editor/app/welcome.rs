@@ -4,7 +4,7 @@ use eframe::egui::{self, Ui};
 
 use super::App;
 use crate::editor::command::Command;
-use crate::editor::dialogs::{Answer, Purpose};
+use crate::editor::dialogs::{Answer, Purpose, Way};
 use crate::editor::path_field::PathField;
 use crate::editor::session::Session;
 use crate::editor::stage::Wish;
@@ -85,6 +85,9 @@ impl App {
     }
 
     pub(super) fn open_path_field(&mut self) {
+        if self.dialogs.way == Way::Silent {
+            return;
+        }
         let folder = self.session.folder();
         let folder = if folder.as_os_str().is_empty() { std::env::current_dir().unwrap_or_default() } else { folder };
         self.path_field = Some(PathField::new(Purpose::Open, &folder.join(""), false));

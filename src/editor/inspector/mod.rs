@@ -91,7 +91,8 @@ fn show_node(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
     for port in kind.inputs.iter().filter(|port| fits(port, &wanted)) {
         let top = ui.cursor().top();
         row::show(ui, subject, port, out);
-        let rect = egui::Rect::from_x_y_ranges(ui.max_rect().x_range(), top..=ui.cursor().top());
+        let rect =
+            egui::Rect::from_x_y_ranges(ui.max_rect().x_range(), top..=ui.cursor().top() - ui.spacing().item_spacing.y);
         spots::note(ui, Spot::Input(port.name.clone()), rect);
     }
     let hidden = kind.inputs.iter().filter(|port| !fits(port, &wanted)).count();

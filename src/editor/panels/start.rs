@@ -67,7 +67,12 @@ const TILES: [Tile; 3] = [
         is_first: true,
     },
     Tile { title: "New look", text: "A base and one light to begin with", action: Action::New, is_first: false },
-    Tile { title: "Open a file", text: "A look that you or others made", action: Action::Open, is_first: false },
+    Tile {
+        title: "Open a file",
+        text: "A look or a scene that you or others made",
+        action: Action::Open,
+        is_first: false,
+    },
 ];
 
 impl Start {

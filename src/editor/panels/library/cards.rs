@@ -14,7 +14,7 @@ use super::super::super::theme;
 use super::super::thumbs::{Shot, Thumbs, key_of};
 use super::super::widgets::{picture_frame, row_ground, whole};
 use super::EXAMPLES;
-use crate::document::Look;
+use crate::document::{Document, Look};
 
 /// The height of a card's name.
 const NAME: f32 = 20.0;
@@ -25,12 +25,19 @@ enum Origin {
     File(PathBuf),
 }
 
-/// A look that can be opened.
+/// What a card opens.
+enum Content {
+    Look(Arc<Look>),
+    Scene,
+    /// Opening it tells why.
+    Unreadable,
+}
+
+/// A look, or a scene, that can be opened.
 pub(in super::super) struct Card {
     origin: Origin,
     pub(in super::super) name: String,
-    /// `None` where a file cannot be read; opening it tells why.
-    look: Option<Arc<Look>>,
+    content: Content,
     key: u64,
     /// The side of its picture, in pixels: cards grow with their panel, and their pictures are not drawn anew.
     side: f32,
@@ -44,24 +51,31 @@ impl Card {
             // "figure1-layers" is shown as what the look calls itself, which people search for too.
             let figure = name.split_once('-').map_or(*name, |(figure, _)| figure).replace("figure", "Figure ");
             let name = if look.name.is_empty() { (*name).to_owned() } else { format!("{} · {figure}", look.name) };
-            Some(Self::new(Origin::Example(index), name, Some(look), side))
+            Some(Self::new(Origin::Example(index), name, Content::Look(Arc::new(look)), side))
         };
         EXAMPLES.iter().enumerate().filter_map(card).collect()
     }
 
-    /// The look of a file.
+    /// What a file holds.
     pub(in super::super) fn of_file(path: &Path, side: f32) -> Self {
-        Self::new(Origin::File(path.to_owned()), name_of(path), Look::load(path).value, side)
+        let content = match Document::load(path) {
+            Document::Look(loaded) => loaded.value.map_or(Content::Unreadable, |look| Content::Look(Arc::new(look))),
+            Document::Scene(loaded) => loaded.value.map_or(Content::Unreadable, |_| Content::Scene),
+        };
+        Self::new(Origin::File(path.to_owned()), name_of(path), content, side)
     }
 
-    fn new(origin: Origin, name: String, look: Option<Look>, side: f32) -> Self {
-        let key = look.as_ref().map_or(0, |look| key_of(look, Shot::Whole, side));
-        Self { origin, name, look: look.map(Arc::new), key, side }
+    fn new(origin: Origin, name: String, content: Content, side: f32) -> Self {
+        let key = match &content {
+            Content::Look(look) => key_of(look, Shot::Whole, side),
+            Content::Scene | Content::Unreadable => 0,
+        };
+        Self { origin, name, content, key, side }
     }
 
-    /// Whether its look could be read.
-    pub(in super::super) fn is_readable(&self) -> bool {
-        self.look.is_some()
+    /// Whether it is a look that could be read.
+    pub(in super::super) fn is_look(&self) -> bool {
+        matches!(self.content, Content::Look(_))
     }
 
     /// Shows it, with a picture of this side in points.
@@ -74,21 +88,26 @@ impl Card {
         out: &mut Vec<Command>,
     ) -> Response {
         let (rect, response) = ui.allocate_exact_size(vec2(side, side + NAME), Sense::click());
-        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Open the look {}", self.name)));
+        let what = if matches!(self.content, Content::Scene) { "scene" } else { "look" };
+        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Open the {what} {}", self.name)));
         if !ui.is_rect_visible(rect) {
             return response;
         }
         row_ground(ui, rect.expand(2.0), &response, false);
         let picture = picture_of(rect, side);
         ui.painter().rect_filled(picture, 3.0, theme::of(ui).canvas);
-        match (&self.look, thumbs.known(self.key)) {
-            (Some(_), Some(texture)) => {
+        match (&self.content, thumbs.known(self.key)) {
+            (Content::Look(_), Some(texture)) => {
                 ui.painter().image(texture, picture.shrink(1.0), whole(), Color32::WHITE);
             }
-            (None, _) => say(ui, picture, "cannot be read"),
-            (Some(_), None) if thumbs.is_done(self.key) || !thumbs.can_draw() => say(ui, picture, "no picture"),
-            (Some(look), None) => {
+            (Content::Scene, _) => say(ui, picture, "a scene"),
+            (Content::Unreadable, _) => say(ui, picture, "cannot be read"),
+            (Content::Look(_), None) if thumbs.is_done(self.key) || !thumbs.can_draw() => {
+                say(ui, picture, "no picture")
+            }
+            (Content::Look(look), None) => {
                 thumbs.look_again(ui);
+                say(ui, picture, "drawing…");
                 let folder = match &self.origin {
                     Origin::File(path) => path.parent().map(Path::to_path_buf).unwrap_or_default(),
                     Origin::Example(_) => PathBuf::new(),
