@@ -243,8 +243,8 @@ fn rows_set_keyed_values_at_their_key() {
     hand.settle();
     let opacity = at_key(&hand, 0, "diffuse.opacity");
     assert!(opacity > 0.9, "{opacity}");
-    tab(&mut hand, "Lights");
-    let drag = rect(&hand, "Intensity of key").center();
+    hand.tab("Lights");
+    let drag = hand.place("Intensity of key").center();
     hand.drag(drag, drag + vec2(30.0, 0.0));
     hand.settle();
     let intensity = at_key(&hand, 0, "lights.key.intensity");
