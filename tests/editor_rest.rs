@@ -41,6 +41,13 @@ fn panels(hand: &mut Hand) -> Vec<String> {
 fn assert_at_rest(hand: &mut Hand, what: &str) {
     hand.harness.remove_cursor();
     hand.settle();
+    // A thread may call once more after its answer was taken.
+    for _ in 0..50 {
+        if hand.repaint_delay() == Duration::MAX {
+            break;
+        }
+        hand.settle();
+    }
     let pictures = (hand.app().pictures(), hand.app().small_pictures());
     for _ in 0..20 {
         hand.harness.step();
