@@ -1,7 +1,7 @@
 //! What the window costs a hand: frames of the canvas, opening, the way from an edit to its picture, startup, memory.
 //!
-//! `cargo bench --bench editor` prints tables; docs/performance.md holds the figures. With arguments after `--` only the
-//! parts so named run: `canvas`, `latency`, `startup`, `memory`.
+//! `cargo bench --profile dev --bench editor` prints tables; docs/performance.md holds the figures. With arguments after
+//! `--` only the parts so named run: `canvas`, `latency`, `startup`, `memory`; with numbers, looks of so many nodes.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
 #![allow(missing_docs, reason = "a program")]
 #![allow(clippy::disallowed_methods, reason = "it starts programs and reads what they say")]
@@ -46,8 +46,10 @@ fn main() {
     }
     let parts: [(&str, fn()); 4] =
         [("canvas", canvas::run), ("latency", latency::run), ("startup", startup::run), ("memory", memory::run)];
+    let is_asked = |name: &str| asked.iter().any(|part| part == name);
+    let wants_all = !parts.iter().any(|(name, _)| is_asked(name));
     for (name, run) in parts {
-        if asked.is_empty() || asked.iter().any(|part| part == name) {
+        if wants_all || is_asked(name) {
             run();
         }
     }

@@ -7,9 +7,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro::compile::{Live, Options, compile};
 use chiaro::document::{Edit, Scene};
-use chiaro::editor::{App, Places, Stage};
-use chiaro::frame::{Assets, Picture, PlanOptions, Planner, open};
+use chiaro::editor::{App, Places};
+use chiaro::frame::{Assets, Cull, Draw, Picture, PlanOptions, Planner, Setup, Stage, open};
 use chiaro::library::Library;
 use chiaro::render::{Gpu, Renderer, block_on};
 use editor_support::Hand;
@@ -74,7 +75,7 @@ const TWO: &str = r#"{
 }
 "#;
 
-fn stage(hand: &Hand) -> &Stage {
+fn stage(hand: &Hand) -> &chiaro::editor::Stage {
     hand.app().session().stage().expect("a scene is open")
 }
 
@@ -155,7 +156,7 @@ fn rendered(path: &Path, size: [u32; 2]) -> Picture {
     let mut planner = Planner::new(Assets::default());
     let (setup, _) = open(path, None, &mut planner.assets).unwrap();
     let options = PlanOptions { size, samples: 4, time: 0.0 };
-    let plan = planner.plan(&setup, Library::built_in(), &chiaro::compile::Live::Keyed, &options).unwrap();
+    let plan = planner.plan(&setup, Library::built_in(), &Live::Keyed, &options).unwrap();
     let mut renderer = Renderer::new(block_on(Gpu::headless()).expect("an adapter; software Vulkan does"));
     block_on(renderer.picture(&plan)).unwrap()
 }
@@ -587,4 +588,90 @@ fn objects_are_renamed_duplicated_and_removed() {
     hand.app_mut().open(&home.scene());
     hand.settle();
     assert_eq!(ids(&hand), ["big_ring", "ball", "ball_2"], "with the work that was put aside");
+}
+
+#[test]
+fn where_nothing_is_kept_one_is_asked_before_a_look_is_left() {
+    let home = Home::new();
+    let mut hand = Hand::new();
+    hand.app_mut().open(&home.scene());
+    hand.settle();
+    // Of the scene nothing would be lost by going to another of its looks.
+    press(&mut hand, "Object ring is seen");
+    press(&mut hand, "Object ball");
+    assert_eq!(open_look(&hand), "figure6-minimal.json");
+    set_name(&mut hand, "mine");
+    press(&mut hand, "Object ring");
+    assert!(sees(&hand, "figure6-minimal.json has changes"));
+    press(&mut hand, "Cancel");
+    assert_eq!((open_look(&hand).as_str(), hand.look().name.as_str()), ("figure6-minimal.json", "mine"));
+    press(&mut hand, "Object ring");
+    press(&mut hand, "Do not save");
+    assert_eq!(open_look(&hand), "figure4-color.json");
+    assert!(stage(&hand).is_dirty(), "the scene's changes are still there");
+    choose(&mut hand, "More of the scene", "Close the scene");
+    assert!(sees(&hand, "two.json has changes"));
+    press(&mut hand, "Do not save");
+    assert!(hand.app().session().stage().is_none());
+}
+
+#[test]
+fn materials_of_one_mesh_wear_different_looks() {
+    let home = Home::new();
+    let halves = "v -1 -1 0\nv 0 -1 0\nv 0 1 0\nv -1 1 0\nv 1 -1 0\nv 1 1 0\n\
+                  usemtl left\nf 1 2 3 4\nusemtl right\nf 2 5 6 3\n";
+    fs::write(home.file("halves.obj"), halves).unwrap();
+    fs::write(home.scene(), TWO.replace("shape:torus", "halves.obj")).unwrap();
+    let mut hand = home.window(Some(&home.scene()));
+    press(&mut hand, "Object ring");
+    let combo = hand.harness.get_by_role_and_label(Role::ComboBox, "right").rect().center();
+    hand.click(combo);
+    hand.settle();
+    press_button(&mut hand, "figure6-minimal.json");
+    let looks = &scene(&hand).objects["ring"].looks;
+    assert_eq!(
+        (looks["right"].as_str(), looks["*"].as_str()),
+        ("looks/figure6-minimal.json", "looks/figure4-color.json")
+    );
+    // A click on a part opens the look of that part.
+    let middle = on_screen(&hand, "ring");
+    hand.click(middle + eframe::egui::vec2(20.0, 0.0));
+    hand.settle();
+    assert_eq!(open_look(&hand), "figure6-minimal.json");
+    hand.click(middle - eframe::egui::vec2(20.0, 0.0));
+    hand.settle();
+    assert_eq!(open_look(&hand), "figure4-color.json");
+    hand.undo();
+    assert!(!scene(&hand).objects["ring"].looks.contains_key("right"));
+}
+
+#[test]
+fn while_one_look_is_edited_the_others_are_compiled_once() {
+    let home = Home::new();
+    let mut planner = Planner::new(Assets::default()).culling(Cull::Objects);
+    let (mut setup, _) = open(&home.scene(), None, &mut planner.assets).unwrap();
+    setup.edited = Some(0);
+    let plan = PlanOptions { size: [64, 32], samples: 1, time: 0.0 };
+    let mut picture = |setup: &Setup, is_new: bool| {
+        if is_new {
+            let options = Options { live: Live::All, display: true, ..Options::default() };
+            let shader = compile(&setup.looks[0].look, Library::built_in(), &options).unwrap();
+            planner.provide(&setup.looks[0].look, &Live::All, Arc::new(shader));
+        }
+        let plan = planner.plan(setup, Library::built_in(), &Live::All, &plan).unwrap();
+        ["ring", "ball"].map(|id| plan.draws.iter().find(|draw| draw.object.as_str() == id).unwrap().clone())
+    };
+    let [ring, ball] = picture(&setup, true);
+    assert_eq!((&ring.look.live, &ball.look.live), (&Live::All, &Live::Keyed));
+    // A light of the edited look is another at once, by its uniforms; the other look has its own of the same name.
+    assert!(setup.looks[1].look.lights.contains_key(setup.looks[0].look.lights.keys().next().unwrap()));
+    setup.looks[0].look.lights.values_mut().for_each(|light| light.direction = [0.0, -1.0, 0.0]);
+    let [turned, same] = picture(&setup, false);
+    assert!(Arc::ptr_eq(&ring.look, &turned.look) && Arc::ptr_eq(&ball.look, &same.look));
+    let bytes = |draw: &Draw| draw.look_uniforms[&Stage::Draw].bytes.clone();
+    assert!(bytes(&ring) != bytes(&turned) && bytes(&ball) == bytes(&same));
+    // Another structure is another module, of that look alone.
+    setup.looks[0].look.tier = chiaro::document::Tier::Fast;
+    let [other, same] = picture(&setup, true);
+    assert!(!Arc::ptr_eq(&ring.look, &other.look) && Arc::ptr_eq(&ball.look, &same.look));
 }

@@ -422,6 +422,14 @@ fn scene_shots() {
     let tab = hand.harness.get_by_role_and_label(Role::Tab, "Objects").rect().center();
     hand.click(tab);
     save(&mut hand, "objects-of-a-look");
+    // Meshes of the folder that `CHIARO_MODELS` names, dropped one after the other.
+    let Some(folder) = std::env::var_os("CHIARO_MODELS").map(PathBuf::from) else { return };
+    hand.app_mut().open(Path::new("examples/looks/figure1-layers.json"));
+    for mesh in ["spot.obj", "stanford-bunny.obj"] {
+        hand.app_mut().add_mesh(&folder.join(mesh).to_string_lossy());
+        hand.settle();
+    }
+    save(&mut hand, "objects-dropped");
 }
 
 /// Nodes found by name, a group that can be shared, a search that hides values, and what is told over the picture.

@@ -7,7 +7,7 @@ use chiaro::editor::{Canvas, Session};
 use chiaro::library::Library;
 use eframe::egui::{CentralPanel, Event, Pos2, pos2, vec2};
 
-use crate::looks::{SIZES, saved};
+use crate::looks::{saved, sizes};
 use crate::times::{timed, told};
 use crate::window::{Frames, SIZE, Window, button, moved};
 
@@ -97,7 +97,7 @@ fn structural_edits(window: &mut Window) -> [Vec<f64>; 3] {
     let mut times = [const { Vec::new() }; 3];
     let wires = &window.app.session().look().graph.wires;
     let wire = wires[wires.len() / 2].clone();
-    for _ in 0..20 {
+    for _ in 0..10 {
         let graph = || GraphId::Look;
         let remove = Edit::RemoveWire { graph: graph(), wire: wire.clone() };
         let add = Edit::AddWire { graph: graph(), wire: wire.clone(), index: None };
@@ -121,7 +121,7 @@ pub(crate) fn run() {
     println!("\n| nodes | {motions} | whole window, pan |");
     println!("| ---: |{}", " ---: |".repeat(Motion::ALL.len() + 1));
     let mut opened = Vec::new();
-    for count in SIZES {
+    for count in sizes() {
         let (_folder, path) = saved(count);
         let cells = Motion::ALL.map(|(motion, _)| told(canvas_frames(&path, motion))).join(" | ");
         let mut window = Window::new();

@@ -13,8 +13,11 @@ const FRAMES: u16 = 80;
 /// Frames without anything to be made before a drag begins.
 const QUIET: u16 = 30;
 
+/// Where the window has something to be dragged.
+type Find = fn(&App) -> Option<Pos2>;
+
 /// What is dragged, one after the other.
-const DRAGS: [(&str, fn(&App) -> Option<Pos2>); 3] = [
+const DRAGS: [(&str, Find); 3] = [
     ("a line on the object", |app| app.viewport().curve("cutoff").first().copied()),
     ("a light", |app| app.viewport().middle()),
     ("the camera", |app| app.viewport().rect().map(|rect| rect.min + vec2(60.0, 60.0))),

@@ -47,7 +47,7 @@ pub(crate) fn run() {
         "\n| what is dragged | in the very next frame | from the pointer to the drawn frame | of that the UI thread |"
     );
     println!("| --- | ---: | ---: | ---: |");
-    for (look, layer) in [("figure1-layers", "diffuse"), ("figure4-both", "LAYER")] {
+    for look in ["figure1-layers", "figure4-both"] {
         hand.app_mut().open(&example(look));
         hand.settle();
         hand.app_mut().session_mut().select(vec!["diffuse".into()]);

@@ -5,8 +5,11 @@ use std::path::PathBuf;
 use chiaro::document::{Endpoint, Look, Node, Wire};
 use chiaro::library::Library;
 
-/// The sizes that are measured, in nodes.
-pub(crate) const SIZES: [usize; 4] = [200, 1_000, 5_000, 20_000];
+/// The sizes that are measured, in nodes: those that are asked for, else all.
+pub(crate) fn sizes() -> Vec<usize> {
+    let asked: Vec<usize> = std::env::args().filter_map(|argument| argument.parse().ok()).collect();
+    if asked.is_empty() { vec![200, 1_000, 5_000, 20_000] } else { asked }
+}
 
 /// What most nodes are.
 const KIND: &str = "map_range";

@@ -4,7 +4,7 @@ use std::process::Command;
 
 use chiaro::document::{Edit, GraphId, Value};
 
-use crate::looks::saved;
+use crate::looks::{saved, sizes};
 use crate::window::Window;
 
 /// The argument that makes this program measure one look and print it.
@@ -54,7 +54,7 @@ pub(crate) fn run() {
     );
     println!("\n| nodes | new look | opened | after {EDITS} edits | {} | {} |", 2 * EDITS, 3 * EDITS);
     println!("| ---: | ---: | ---: | ---: | ---: | ---: |");
-    for nodes in [200, 5_000, 20_000] {
+    for nodes in sizes() {
         let program = std::env::current_exe().expect("this program");
         let output = Command::new(program).args([CHILD, &nodes.to_string()]).output().expect("it starts");
         print!("{}", String::from_utf8_lossy(&output.stdout));

@@ -13,27 +13,33 @@ pub(crate) const SIZE: egui::Vec2 = vec2(1500.0, 900.0);
 /// A context that is given frames one by one.
 pub(crate) struct Frames {
     ctx: egui::Context,
-    count: u32,
+    /// In seconds.
+    time: f64,
 }
 
 impl Frames {
     pub(crate) fn new() -> Self {
-        Self { ctx: egui::Context::default(), count: 0 }
+        Self { ctx: egui::Context::default(), time: 0.0 }
     }
 
     pub(crate) fn ctx(&self) -> &egui::Context {
         &self.ctx
     }
 
+    /// Lets time go by.
+    pub(crate) fn rest(&mut self, seconds: f64) {
+        self.time += seconds;
+    }
+
     /// Seconds that a frame takes, all of it on this thread.
     pub(crate) fn frame(&mut self, events: Vec<Event>, mut show: impl FnMut(&mut egui::Ui)) -> f64 {
         let input = RawInput {
             screen_rect: Some(Rect::from_min_size(pos2(0.0, 0.0), SIZE)),
-            time: Some(f64::from(self.count) / 60.0),
+            time: Some(self.time),
             events,
             ..RawInput::default()
         };
-        self.count += 1;
+        self.time += 1.0 / 60.0;
         let (seconds, ()) = timed(|| {
             let mut output = self.ctx.run_ui(input, &mut show);
             // Nothing is drawn, so the fonts' image goes nowhere.
@@ -77,7 +83,8 @@ impl Window {
     pub(crate) fn settle(&mut self) {
         for _ in 0..20 {
             // A second of the window's clock goes by, after which a look is at rest.
-            for _ in 0..60 {
+            for _ in 0..4 {
+                self.frames.rest(0.25);
                 self.frame(Vec::new());
             }
             if !self.app.is_busy() {

@@ -61,10 +61,10 @@ Exit codes: 0 done; 1 something in a document, an asset or the GPU is at fault (
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Open a look in the editor (also what `chiaro` and `chiaro LOOK` do)
+    /// Open a look or a scene in the editor (also what `chiaro` and `chiaro FILE` do)
     #[command(after_help = EDIT_EXAMPLES)]
     Edit {
-        /// A look
+        /// A look or a scene
         files: Vec<PathBuf>,
         /// The mesh to see it on: a file (OBJ, PLY, STL, glTF, GLB) or an own shape (shape:knot)
         #[arg(short, long)]

@@ -203,7 +203,12 @@ impl App {
         }
         // A scene that nobody has saved yet is only asked about where it is what is to be saved.
         let has_file = self.session.stage().is_some_and(|stage| stage.path().is_some());
-        if is_scene_dirty && (has_file || !saves_look || self.pending.is_some()) {
+        let is_wanted = match self.pending {
+            None => !saves_look,
+            Some(Pending::Switch(_)) => false,
+            Some(_) => true,
+        };
+        if is_scene_dirty && (has_file || is_wanted) {
             return self.save_scene();
         }
         self.go_on_if_safe();

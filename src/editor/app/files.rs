@@ -9,7 +9,7 @@ use crate::diag::Severity;
 use crate::editor::command::Command;
 use crate::editor::dock::Panel;
 use crate::editor::panels::{library, problems};
-use crate::editor::stage::Wanted;
+use crate::editor::stage::{Stage, Wanted};
 
 /// What would lose unsaved changes.
 #[derive(Clone, Debug, PartialEq)]
@@ -92,12 +92,19 @@ impl App {
         }
     }
 
-    /// Whether what is to be done would lose changes, if nothing keeps them.
+    /// Of which documents what is to be done would lose changes, if nothing keeps them: the look's, and the scene's.
+    fn at_risk(&self) -> (bool, bool) {
+        let (look, scene) = match self.pending {
+            Some(Pending::Switch(_)) => (true, false),
+            Some(Pending::LeaveScene) => (false, true),
+            _ => (true, true),
+        };
+        let is_scene_dirty = self.session.stage().is_some_and(Stage::is_dirty);
+        (look && self.session.is_look_dirty(), scene && is_scene_dirty)
+    }
+
     fn is_at_risk(&self) -> bool {
-        match self.pending {
-            Some(Pending::Switch(_)) => self.session.is_look_dirty(),
-            _ => self.session.is_dirty(),
-        }
+        self.at_risk() != (false, false)
     }
 
     /// After a save: does what waited for it, if nothing else is to be saved.
@@ -137,7 +144,7 @@ impl App {
         let modal = egui::Modal::new(egui::Id::unique("unsaved")).show(ui.ctx(), |ui| {
             ui.set_width(320.0);
             let name = match self.session.stage() {
-                Some(stage) if !self.session.is_look_dirty() => stage.name(),
+                Some(stage) if !self.at_risk().0 => stage.name(),
                 _ => self.document_name(),
             };
             ui.label(RichText::new(format!("{name} has changes")).heading());
@@ -148,8 +155,8 @@ impl App {
                     commands.push(Command::Save);
                 }
                 if ui.button("Do not save").clicked() {
-                    let is_all = !matches!(self.pending, Some(Pending::Switch(_)));
-                    self.session.give_up_changes(is_all);
+                    let (look, scene) = self.at_risk();
+                    self.session.give_up_changes(look, scene);
                     self.go_on();
                 }
                 if ui.button("Cancel").clicked() {

@@ -54,11 +54,7 @@ impl App {
     fn chosen(&mut self, purpose: Purpose, path: &Path) {
         let asked = self.session.stage_mut().and_then(|stage| stage.asked.take());
         match (purpose, asked) {
-            (Purpose::SaveScene, _) => {
-                if self.save_scene_as(path) {
-                    self.go_on_if_safe();
-                }
-            }
+            (Purpose::SaveScene, _) => self.save_scene_and_go_on(path),
             (Purpose::AddMesh, _) => self.add_object(&path.to_string_lossy()),
             (Purpose::ObjectMesh, Some((id, _))) => self.change_object(&id, |stage, object| {
                 object.mesh = stage.name_of(path);
@@ -150,13 +146,15 @@ impl App {
     /// Saves the scene, or asks where to.
     pub(super) fn save_scene(&mut self) {
         match self.session.stage().map(|stage| stage.path().map(Path::to_path_buf)) {
-            Some(Some(path)) => {
-                if self.save_scene_as(&path) {
-                    self.go_on_if_safe();
-                }
-            }
+            Some(Some(path)) => self.save_scene_and_go_on(&path),
             Some(None) => self.dialogs.ask(Purpose::SaveScene, self.near_stage().as_deref()),
             None => {}
+        }
+    }
+
+    fn save_scene_and_go_on(&mut self, path: &Path) {
+        if self.save_scene_as(path) {
+            self.go_on_if_safe();
         }
     }
 

@@ -308,10 +308,12 @@ impl Session {
         self.selection = ids.into_iter().filter(|id| self.is_here(id)).collect();
     }
 
-    /// Lets unsaved changes of the look go, or of all that is open: they are no longer asked about.
-    pub(crate) fn give_up_changes(&mut self, is_all: bool) {
-        self.history.mark_saved();
-        if let Some(stage) = self.stage.as_mut().filter(|_| is_all) {
+    /// Lets unsaved changes of the look or of the scene go: they are no longer asked about.
+    pub(crate) fn give_up_changes(&mut self, of_look: bool, of_scene: bool) {
+        if of_look {
+            self.history.mark_saved();
+        }
+        if let Some(stage) = self.stage.as_mut().filter(|_| of_scene) {
             stage.give_up_changes();
         }
     }

@@ -1,6 +1,6 @@
 //! The looks that are not open, from their files: read again when those change, and as they were while they are broken.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::SystemTime;
@@ -14,7 +14,7 @@ use crate::library::Library;
 /// Looks by their files.
 #[derive(Default)]
 pub(super) struct Looks {
-    known: HashMap<PathBuf, Known>,
+    known: BTreeMap<PathBuf, Known>,
 }
 
 struct Known {

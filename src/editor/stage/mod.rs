@@ -8,7 +8,7 @@ mod objects;
 mod still;
 mod wish;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -194,6 +194,8 @@ impl Stage {
         self.open_file = open.map(Path::to_path_buf);
         let open = open.map(real);
         let names = scene.objects.values().flat_map(|object| object.looks.values()).map(String::as_str);
+        // A crowd may wear a handful of looks.
+        let names: HashSet<&str> = names.collect();
         let (mut of_open, mut others) = (Vec::new(), HashMap::new());
         for name in names {
             let path = self.path_of(name);

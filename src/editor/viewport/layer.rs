@@ -174,15 +174,8 @@ impl<'a> Place<'a> {
     }
 
     fn color(&self, port: &str) -> Option<Setting<[f64; 4]>> {
-        self.setting(port, |value| {
-            let mut numbers = values::vector(value, 4);
-            if let Some(Value::Vector(own)) = value
-                && own.len() == 3
-            {
-                numbers[3] = 1.0;
-            }
-            [numbers[0], numbers[1], numbers[2], numbers[3]]
-        })
+        let space = self.session.look().color_space;
+        self.setting(port, |value| value.and_then(|value| value.color_in(space)).unwrap_or([0.0, 0.0, 0.0, 1.0]))
     }
 
     fn word(&self, port: &str) -> Option<&str> {

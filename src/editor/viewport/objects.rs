@@ -62,7 +62,6 @@ pub(super) fn pick(session: &Session, surface: Option<&Surface>, seen: Option<&S
 /// Marks the object that is selected by corners around it, and names the one under the pointer.
 pub(super) fn paint(ui: &Ui, rect: Rect, session: &Session, surface: Option<&Surface>, seen: Option<&Seen>) {
     let (Some(stage), Some(surface)) = (session.stage(), surface) else { return };
-    let colors = theme::of(ui);
     let around = |id: &ObjectId| {
         let corners = surface.box_of(id)?;
         let on_screen = |[x, y]: [f32; 2]| pos2(rect.left() + x * rect.width(), rect.top() + y * rect.height());
@@ -70,7 +69,7 @@ pub(super) fn paint(ui: &Ui, rect: Rect, session: &Session, surface: Option<&Sur
     };
     let painter = ui.painter_at(rect);
     if let Some(at) = stage.selected().and_then(|(id, _)| around(id)) {
-        for (width, color) in [(3.0, theme::HALO), (1.5, colors.accent)] {
+        for (width, color) in [(3.5, theme::HALO), (1.5, egui::Color32::WHITE)] {
             let stroke = Stroke::new(width, color);
             for (corner, x, y) in [
                 (at.left_top(), 1.0, 1.0),
