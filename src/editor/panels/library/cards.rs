@@ -103,7 +103,7 @@ impl Card {
             (Content::Scene, _) => say(ui, picture, "a scene"),
             (Content::Unreadable, _) => say(ui, picture, "cannot be read"),
             (Content::Look(_), None) if thumbs.is_done(self.key) || !thumbs.can_draw() => {
-                say(ui, picture, "no picture")
+                say(ui, picture, "no picture");
             }
             (Content::Look(look), None) => {
                 thumbs.look_again(ui);
