@@ -479,7 +479,7 @@ fn theme_scale_and_panels_are_remembered() {
     hand.press("View");
     hand.press("Light");
     hand.press("View");
-    hand.press("125%");
+    hand.press("Scale 125%");
     assert_eq!((hand.app().settings().theme, hand.app().settings().scale), (Theme::Light, 1.25));
     drop(hand);
     let mut hand = home.window(None);

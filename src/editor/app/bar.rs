@@ -1,6 +1,6 @@
 //! The bar above and the line of status below.
 
-use eframe::egui::{self, RichText, Ui, ViewportCommand};
+use eframe::egui::{self, RichText, Role, Ui, ViewportCommand, WidgetInfo};
 
 use super::App;
 use crate::editor::command::Command;
@@ -79,7 +79,10 @@ impl App {
             for percent in [100, 125, 150, 200] {
                 let factor = percent as f32 / 100.0;
                 let is_it = (zoom - factor).abs() < 0.01;
-                if ui.selectable_label(is_it, format!("{percent}%")).on_hover_text("Scale of the window").clicked() {
+                let response = ui.selectable_label(is_it, format!("{percent}%")).on_hover_text("Scale of the window");
+                let name = || WidgetInfo::selected(Role::Button, true, is_it, format!("Scale {percent}%"));
+                response.widget_info(name);
+                if response.clicked() {
                     ui.ctx().set_zoom_factor(factor);
                 }
             }

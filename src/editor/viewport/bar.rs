@@ -182,7 +182,10 @@ impl Viewport {
                 ui.close();
             }
             for side in [256, 512, 1024, 2048] {
-                ui.selectable_value(&mut self.bake_side, side, side.to_string()).on_hover_text("Pixels along a side");
+                let response = ui.selectable_value(&mut self.bake_side, side, side.to_string());
+                let is_it = self.bake_side == side;
+                let name = || WidgetInfo::selected(Role::Button, true, is_it, format!("{side} pixels along a side"));
+                response.on_hover_text("Pixels along a side").widget_info(name);
             }
         });
     }
