@@ -51,6 +51,26 @@ impl Home {
         other
     }
 
+    /// Waits until no journal has grown for half a second: what goes on may be written a tenth of a second later, or more on
+    /// a busy machine.
+    pub(crate) fn wait_until_written(&self) {
+        let size = || -> u64 {
+            let entries = fs::read_dir(self.places().journals()).into_iter().flatten().flatten();
+            entries.filter_map(|entry| Some(entry.metadata().ok()?.len())).sum()
+        };
+        let (mut last, mut quiet) = (size(), 0);
+        for _ in 0..100 {
+            std::thread::sleep(std::time::Duration::from_millis(100));
+            let now = size();
+            quiet = if now == last { quiet + 1 } else { 0 };
+            last = now;
+            if quiet == 5 {
+                return;
+            }
+        }
+        panic!("the journal never rests");
+    }
+
     pub(crate) fn journals(&self) -> usize {
         let entries = fs::read_dir(self.places().journals()).into_iter().flatten().flatten();
         entries.filter(|entry| entry.path().extension().is_some_and(|ending| ending == "journal")).count()

@@ -48,6 +48,7 @@ fn work_is_complete_to_the_last_gesture() {
     // Moves are written together for a tenth of a second at most; then the program dies, the hand still down.
     artist.harness.run_steps(2);
     artist.app().session().wait_for_journal();
+    home.wait_until_written();
     let (last, steps) = (artist.look().clone(), artist.steps());
     let offset = &last.graph.nodes["diffuse"].values["offset"];
     assert!(matches!(offset, Value::Number(x) if *x > 0.2), "the drag set it: {offset:?}");
