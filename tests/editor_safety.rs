@@ -49,7 +49,7 @@ fn work_is_taken_back_after_a_crash_with_its_past() {
     let mut hand = later.window(None);
     assert_eq!(hand.look().graph.nodes.len(), 3, "a crash may come from the work itself: it is only offered");
     assert!(hand.says("rim.json, 2 changes, just now"));
-    hand.press("Take it back");
+    hand.press("Restore it");
     assert_eq!(*hand.look(), before);
     assert_eq!(hand.app().session().path(), Some(path.as_path()));
     assert!(hand.app().session().is_dirty() && !hand.says(OFFER));
@@ -66,7 +66,7 @@ fn work_is_taken_back_after_a_crash_with_its_past() {
     set_offset(&mut hand, 0.25);
     let again = later.after_a_crash();
     let mut hand = again.window(None);
-    hand.press("Take it back");
+    hand.press("Restore it");
     assert_eq!(offset(&hand), Some(0.25));
 }
 
@@ -82,7 +82,7 @@ fn a_drag_that_a_crash_ends_is_there() {
     let value = offset(&hand).expect("the drag set it");
     let later = home.after_a_crash();
     let mut hand = later.window(None);
-    hand.press("Take it back");
+    hand.press("Restore it");
     assert_eq!(offset(&hand), Some(value));
     hand.undo();
     assert_eq!(offset(&hand), None, "one step, as before");
@@ -134,14 +134,14 @@ fn a_damaged_journal_gives_what_it_can_and_says_so() {
     fs::write(&path, text.replacen("0.222", "9.222", 1)).unwrap();
     let mut hand = later.window(None);
     assert!(hand.says("a part of it was damaged and is lost"));
-    hand.press("Take it back");
+    hand.press("Restore it");
     assert_eq!(offset(&hand), Some(0.111));
 
     let later = home.after_a_crash();
     fs::write(journal_of(&later), "nothing good").unwrap();
     let hand = later.window(None);
     assert!(hand.says("nothing in it can be read"));
-    assert!(hand.harness.query_by_label("Take it back").is_none());
+    assert!(hand.harness.query_by_label("Restore it").is_none());
     drop(hand);
     assert_eq!(later.journals(), 1, "what nobody threw away stays");
 }
@@ -196,7 +196,7 @@ fn a_named_file_that_has_changed_since_is_opened_as_it_is() {
     assert_eq!((hand.look().name.as_str(), offset(&hand)), ("Theirs", None));
     assert!(hand.says(OFFER));
     // Taken back, both versions are there to choose from.
-    hand.press("Take it back");
+    hand.press("Restore it");
     assert_eq!(offset(&hand), Some(0.5));
     assert!(hand.says("was changed by another program, and by you"));
 }
@@ -211,7 +211,7 @@ fn another_look_puts_this_one_aside() {
     assert!(hand.harness.query_by_label("Do not save").is_none(), "nothing is asked");
     assert_eq!(offset(&hand), None);
     assert!(hand.says("New look, 1 change, just now"));
-    hand.press("Take it back");
+    hand.press("Restore it");
     assert_eq!(offset(&hand), Some(0.5));
     assert!(!hand.says(OFFER), "the new look had nothing to be kept");
 }
@@ -449,7 +449,7 @@ fn a_folder_that_cannot_be_written_is_told_once_and_editing_goes_on() {
     wait_until(&mut hand, |_| home.journals() == 1);
     let later = home.after_a_crash();
     let mut hand = later.window(None);
-    hand.press("Take it back");
+    hand.press("Restore it");
     assert_eq!(offset(&hand), Some(0.75));
 }
 

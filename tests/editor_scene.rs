@@ -438,7 +438,7 @@ fn a_scene_is_offered_after_a_crash() {
     let mut hand = later.window(None);
     assert!(hand.app().session().stage().is_none(), "a crash may come from the work itself: it is only offered");
     assert!(sees(&hand, "two.json, 1 change, just now"));
-    press(&mut hand, "Take it back");
+    press(&mut hand, "Restore it");
     assert_eq!(ids(&hand), ["ring"]);
     assert_eq!(open_look(&hand), "figure4-color.json", "what was open then is worn by nothing now");
     hand.undo();

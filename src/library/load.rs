@@ -93,6 +93,8 @@ impl Library {
         for file in files {
             let name = file.to_string_lossy().into_owned();
             match std::fs::read_to_string(&file) {
+                // A checkout of Chiaro, or copies to learn from: nothing is said that is not known.
+                Ok(text) if is_shipped(&file, &text) => {}
                 Ok(text) if name.ends_with(".json") => library.add_groups(&name, &text),
                 Ok(text) => library.add_file(&name, &text),
                 Err(error) => library.problems.push(
@@ -123,6 +125,11 @@ impl Library {
     }
 }
 
+/// Whether a file is one of those that Chiaro ships, as it ships it.
+fn is_shipped(file: &Path, text: &str) -> bool {
+    NODES.iter().any(|(path, shipped)| Path::new(path).file_name() == file.file_name() && *shipped == text)
+}
+
 fn kind_taken(kind: &str, file: &str) -> Diagnostic {
     Diagnostic::error("kind-taken", format!("there is a node of kind `{kind}` already"))
         .in_file(file)
@@ -139,5 +146,22 @@ fn collect_files(folder: &Path, depth: usize, files: &mut Vec<std::path::PathBuf
         } else if path.extension().is_some_and(|extension| extension == "wgsl" || extension == "json") {
             files.push(path);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn copies_of_shipped_nodes_say_nothing_and_changed_ones_do() {
+        let folder = tempfile::tempdir().unwrap();
+        let (path, text) = NODES.iter().find(|(path, _)| path.ends_with("/profile.wgsl")).unwrap();
+        let file = folder.path().join(Path::new(path).file_name().unwrap());
+        std::fs::write(&file, text).unwrap();
+        assert!(Library::built_in().with_project(folder.path()).problems.is_empty());
+        std::fs::write(&file, format!("{text}\n")).unwrap();
+        let problems = Library::built_in().with_project(folder.path()).problems;
+        assert_eq!(problems.iter().map(|problem| problem.code).collect::<Vec<_>>(), ["kind-taken"]);
     }
 }

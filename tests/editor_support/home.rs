@@ -53,6 +53,7 @@ impl Home {
 
     /// Waits until no journal has grown for half a second: what goes on may be written a tenth of a second later, or more on
     /// a busy machine.
+    #[expect(clippy::disallowed_methods, reason = "a file that another thread grows tells nobody when it is done")]
     pub(crate) fn wait_until_written(&self) {
         let size = || -> u64 {
             let entries = fs::read_dir(self.places().journals()).into_iter().flatten().flatten();

@@ -58,7 +58,7 @@ fn work_is_complete_to_the_last_gesture() {
     let mut artist = window(&later);
     assert_eq!(*artist.look(), first, "it is only offered: the work may be what broke the window");
     assert!(artist.says("Work that was not saved"));
-    artist.press("Take it back");
+    artist.press("Restore it");
     assert_eq!(*artist.look(), last, "nothing is lost");
     assert_eq!(artist.steps(), steps);
     assert!(artist.app().session().is_dirty() && !artist.says("Work that was not saved"));

@@ -107,7 +107,8 @@ impl App {
     pub(super) fn document_name(&self) -> String {
         match self.session.path().and_then(|path| path.file_name()) {
             Some(name) => name.to_string_lossy().into_owned(),
-            None => "New look".to_owned(),
+            None if self.session.look().name.is_empty() => "New look".to_owned(),
+            None => self.session.look().name.clone(),
         }
     }
 

@@ -2,9 +2,10 @@
 
 use eframe::egui;
 use eframe::egui::ecolor::{gamma_from_linear, linear_from_gamma};
+use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::{Id, Rgba, TextEdit, Ui, color_picker};
 
-use super::super::values;
+use super::super::{theme, values};
 use crate::document::{ColorSpace, parse_hex, srgb_to_linear};
 
 /// Edits a straight RGBA colour of a look's colour space. Who changed it, and to what.
@@ -76,6 +77,11 @@ fn swatch_of(
     Some((response.id, color))
 }
 
+/// A colour as people type it: with its mark, without, or with one too many.
+fn parse_typed(text: &str) -> Option<[f64; 4]> {
+    parse_hex(&format!("#{}", text.trim().trim_start_matches('#')))
+}
+
 fn hex(ui: &mut Ui, label: Id, color: [f64; 4], space: ColorSpace) -> Option<(Id, [f64; 4])> {
     let id = ui.scope_id().with("hex");
     let shown = values::hex(match space {
@@ -87,15 +93,25 @@ fn hex(ui: &mut Ui, label: Id, color: [f64; 4], space: ColorSpace) -> Option<(Id
     });
     // While it is being typed it is no colour yet, so the text is kept aside.
     let mut text = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| shown.clone());
+    let is_bad = parse_typed(&text).is_none();
     let edit =
         TextEdit::singleline(&mut text).id(id).desired_width(80.0).font(egui::TextStyle::Monospace).char_limit(9);
-    let response = ui.add(edit).labelled_by(label);
+    let edit = if is_bad { edit.text_color(theme::of(ui).error) } else { edit };
+    let mut output = edit.show(ui);
+    let response = output.response.response.labelled_by(label);
+    if response.gained_focus() {
+        // Whoever comes here types a colour anew.
+        let all = CCursorRange::two(CCursor::new(0), CCursor::new(text.chars().count()));
+        output.state.cursor.set_char_range(Some(all));
+        output.state.store(ui.ctx(), id);
+    }
     if response.has_focus() {
         ui.data_mut(|data| data.insert_temp(id, text.clone()));
     } else {
         ui.data_mut(|data| data.remove::<String>(id));
     }
-    let parsed = parse_hex(text.trim()).filter(|_| response.changed() && text.trim() != shown)?;
+    let response = if is_bad { response.on_hover_text("No color: type six digits, as in #d08040") } else { response };
+    let parsed = parse_typed(&text).filter(|_| response.changed() && text.trim() != shown)?;
     let [r, g, b, a] = parsed;
     Some((
         response.id,
@@ -104,4 +120,19 @@ fn hex(ui: &mut Ui, label: Id, color: [f64; 4], space: ColorSpace) -> Option<(Id
             ColorSpace::Linear => [srgb_to_linear(r), srgb_to_linear(g), srgb_to_linear(b), a],
         },
     ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::parse_typed;
+
+    #[test]
+    fn colors_are_typed_with_or_without_their_mark() {
+        let color = parse_typed("#15131c");
+        assert!(color.is_some());
+        for text in ["15131c", "##15131c", " #15131c "] {
+            assert_eq!(parse_typed(text), color, "{text}");
+        }
+        assert_eq!(parse_typed("#15131"), None);
+    }
 }

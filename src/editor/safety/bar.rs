@@ -150,7 +150,7 @@ fn offered(ui: &mut Ui, number: usize, offer: &Offer, wishes: &mut Vec<Wish>) {
             let path =
                 offer.path.as_ref().map_or_else(|| "It has no file yet".to_owned(), |path| path.display().to_string());
             let help = format!("{path}\nOpens it as it was, with everything that can be undone");
-            ask(ui, "Take it back", &help, Wish::TakeBack(number), wishes);
+            ask(ui, "Restore it", &help, Wish::TakeBack(number), wishes);
         }
     });
 }

@@ -138,6 +138,7 @@ impl Session {
     /// Begins a new look: a base, one light layer and an output, wired. A scene that is open is put aside.
     pub fn start_new(&mut self) {
         self.leave_journal(false);
+        self.leave_project();
         self.leave_stage(false);
         self.replace_with_new();
     }
@@ -153,6 +154,7 @@ impl Session {
     /// Begins a new look with what a text says, as one that no file holds.
     pub(crate) fn start_from(&mut self, text: &str, name: &str) {
         self.leave_journal(false);
+        self.leave_project();
         self.leave_stage(false);
         let loaded = Look::read(text, name);
         self.replace(loaded.value.unwrap_or_default(), loaded.source, None);
@@ -220,6 +222,13 @@ impl Session {
     fn text(&self) -> String {
         let text = self.look().to_text_like(&self.source);
         if text == **self.source.text() { text } else { self.look().to_text_like(&self.opened) }
+    }
+
+    /// What is in no folder has no nodes but those that Chiaro ships.
+    fn leave_project(&mut self) {
+        if self.path.is_some() || self.stage.is_some() {
+            self.use_library(Library::built_in().clone());
+        }
     }
 
     fn use_project(&mut self, path: &Path) {

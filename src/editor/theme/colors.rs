@@ -132,7 +132,7 @@ pub(crate) const PLATE: Color32 = Color32::from_black_alpha(165);
 /// The middle of what a light lights, on a picture.
 pub(crate) const SUN: Color32 = rgb(0xfff3c4);
 /// Offset, fall-off and cut-off on a picture.
-const CURVES: [Color32; 3] = [rgb(0xffd166), rgb(0x4fd1ff), rgb(0xff7eb6)];
+const CURVES: [Color32; 3] = [rgb(0xffb347), rgb(0x6f9bff), rgb(0x6ee08a)];
 
 /// The colour of a layer's offset, fall-off or cut-off (0, 1, 2) on a picture.
 pub(crate) fn curve(index: usize) -> Color32 {

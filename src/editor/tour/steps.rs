@@ -76,9 +76,9 @@ pub(super) static STEPS: [Step; 7] = [
     },
     Step {
         title: "Turn the light",
-        task: "Drag on the object.",
-        reason: "The light turns with your hand, and so do all lights of the look: they hang in one frame. A drag beside \
-                 the object turns the camera.",
+        task: "Drag on the object, beside its colored lines.",
+        reason: "The light turns with your hand, and so do all lights of the look: they hang in one frame. A drag on \
+                 a line shapes the layer, and a drag beside the object turns the camera.",
         panels: &[Panel::Picture],
         spots: |_| vec![Spot::Picture],
         is_done: is_light_turned,

@@ -95,7 +95,7 @@ fn surface(ui: &mut Ui, session: &Session, layer: &Layer, out: &mut Vec<Command>
     }
     if let Some(setting) = &layer.slope {
         let mut slope = setting.at_key;
-        let widget = DragValue::new(&mut slope).speed(0.005).max_decimals(3).prefix("Slope ");
+        let widget = DragValue::new(&mut slope).speed(0.005).max_decimals(3).prefix("Shape slope ");
         let help = "How sharply concave turns into convex; 0 is flat everywhere";
         let response = number(ui, widget, setting, "Shape slope on the object", help);
         if response.changed() {
@@ -105,7 +105,7 @@ fn surface(ui: &mut Ui, session: &Session, layer: &Layer, out: &mut Vec<Command>
     if let Some(setting) = &layer.amount {
         let mut degrees = setting.at_key.to_degrees();
         let widget = DragValue::new(&mut degrees).speed(0.5).range(-180.0..=180.0).max_decimals(1);
-        let widget = widget.prefix("Warp ").suffix("°");
+        let widget = widget.prefix("Shape offset ").suffix("°");
         let help = "How far convex parts are lit beyond, and concave parts short of, what the profile says";
         let response = number(ui, widget, setting, "Shape offset on the object", help);
         if response.changed() {
