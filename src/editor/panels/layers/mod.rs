@@ -21,7 +21,7 @@ use super::stack::{BELOW, Stack};
 use super::thumbs::{Shot, Thumbs, key_of};
 use super::widgets::{Renaming, leave_with_pointer, undo_keys};
 use crate::document::{Edit, Endpoint, GraphId, Node, Wire};
-use crate::ids::{NodeId, make_slug};
+use crate::ids::{NodeId, NodePath, make_slug};
 use presets::{LayerPreset, PRESETS};
 use row::{ROW, Row};
 
@@ -372,7 +372,7 @@ fn add(stack: &Stack, session: &Session, preset: &LayerPreset, out: &mut Vec<Com
         edits.extend(add_ground(session, Endpoint::new(id.clone(), BELOW)));
     }
     out.push(Command::Edit(Edit::Group { edits }));
-    select(session, vec![id], out);
+    out.push(Command::Show(NodePath::root(id)));
 }
 
 /// A Base for an input that has nothing.

@@ -188,7 +188,8 @@ impl Row<'_> {
 
     /// The layer alone; until that is drawn, its colours.
     fn picture(&self, ui: &mut Ui, texture: Option<TextureId>, is_faint: bool) {
-        let (rect, _) = ui.allocate_exact_size(vec2(PICTURE, PICTURE), Sense::hover());
+        let (rect, response) = ui.allocate_exact_size(vec2(PICTURE, PICTURE), Sense::hover());
+        response.on_hover_text("What it paints alone. What only adds a little is shown brighter than it is.");
         let tint = if is_faint { Color32::WHITE.gamma_multiply(0.35) } else { Color32::WHITE };
         ui.painter().rect_filled(rect, 3.0, theme::of(ui).canvas);
         match texture {
