@@ -254,6 +254,7 @@ fn escape_gives_a_drag_up() {
     hand.move_to(corner + vec2(90.0, 20.0));
     hand.release(corner + vec2(90.0, 20.0));
     assert_eq!(*hand.app().session().orbit(), before, "the hand holds nothing any more");
+    hand.settle();
     // What a line has set goes too, and nothing is left to be taken back.
     let from = grip(&hand, "cutoff");
     let to = screen_at(&hand, normal_at(&hand, from).unwrap().lerp(light(&hand), 0.3).normalize());
