@@ -4,7 +4,7 @@
 mod editor_support;
 
 use editor_support::Hand;
-use eframe::egui::Role;
+use eframe::egui::{Role, vec2};
 use egui_kittest::kittest::Queryable as _;
 
 fn has_tab(hand: &Hand, label: &str) -> bool {
@@ -87,5 +87,20 @@ fn the_arrangement_is_remembered_and_a_damaged_one_changes_nothing() {
         other.app_mut().arrange(&broken);
         other.settle();
         assert!(!has_tab(&other, "Effects") && has_tab(&other, "Probe") && has_tab(&other, "Graph"));
+    }
+}
+
+#[test]
+fn panels_do_not_mind_how_little_room_they_have() {
+    let mut hand = Hand::new();
+    hand.app_mut().session_mut().select(vec!["diffuse".into()]);
+    for panel in ["Layers", "Lights", "Objects", "Library", "History"] {
+        hand.harness.set_size(vec2(1500.0, 900.0));
+        hand.settle();
+        hand.press_a(Role::Tab, panel);
+        for size in [vec2(120.0, 400.0), vec2(60.0, 60.0), vec2(400.0, 90.0)] {
+            hand.harness.set_size(size);
+            hand.harness.run_steps(3);
+        }
     }
 }

@@ -274,10 +274,18 @@ fn let_loose_in(mut monkey: Monkey, file: Option<&str>, gestures: usize) {
     // The library of the window opens examples, too, and Help has the tour.
     let examples = std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks")).unwrap();
     let examples = examples.map(|entry| Look::load(&entry.unwrap().path()).value.unwrap().to_text());
-    let beginnings: Vec<String> = examples.chain([fresh, opened, on_tour().look().to_text()]).collect();
+    let mut beginnings: Vec<String> =
+        examples.chain([fresh, opened, Hand::new().look().to_text(), on_tour().look().to_text()]).collect();
+    let mut saved = std::fs::read_to_string(&path).unwrap_or_default();
     while monkey.done < gestures {
         for _ in 0..ROUND {
             monkey.gesture();
+            // What the monkey saves it may open again, from among the recent files: that look begins there.
+            let now = std::fs::read_to_string(&path).unwrap_or_default();
+            if now != saved {
+                beginnings.push(Look::read(&now, "monkey").value.expect("what was saved is read").to_text());
+                saved = now;
+            }
         }
         monkey.check();
         if monkey.done.is_multiple_of(10 * ROUND) {

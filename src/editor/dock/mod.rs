@@ -4,13 +4,18 @@
 pub(crate) mod effects;
 
 use eframe::egui;
-use eframe::egui::{Color32, Response, Sense, Stroke, TextStyle, Ui, Visuals, WidgetInfo, WidgetText, vec2};
+use eframe::egui::{
+    Color32, Rect, Response, Sense, Stroke, TextStyle, Ui, UiBuilder, Vec2, Visuals, WidgetInfo, WidgetText, vec2,
+};
 use egui_tiles::{
     Behavior, Container, Linear, LinearDir, SimplificationOptions, TabState, Tile, TileId, Tiles, Tree, UiResponse,
 };
 use serde::{Deserialize, Serialize};
 
 use super::theme;
+
+/// Panels are laid out in as much room at least, in points.
+const LEAST: Vec2 = Vec2::splat(48.0);
 
 /// A part of the window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -265,7 +270,13 @@ impl Behavior<Panel> for Shown<'_> {
         };
         frame.show(ui, |ui| {
             ui.set_min_size(ui.available_size());
-            (self.content)(ui, *panel);
+            // In less room than a few letters panels need not know what to do: the rest of them is cut off.
+            let room = ui.available_rect_before_wrap();
+            let whole = Rect::from_min_size(room.min, room.size().max(LEAST));
+            ui.scope_builder(UiBuilder::new().max_rect(whole), |ui| {
+                ui.set_clip_rect(ui.clip_rect().intersect(room.expand(1.0)));
+                (self.content)(ui, *panel);
+            });
         });
         UiResponse::None
     }
