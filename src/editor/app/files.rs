@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use eframe::egui::{self, RichText, Ui, ViewportCommand};
 
 use super::App;
-use crate::diag::Severity;
+use crate::diag::{Diagnostic, Severity};
 use crate::editor::command::Command;
 use crate::editor::dock::Panel;
 use crate::editor::panels::{library, problems};
@@ -68,7 +68,13 @@ impl App {
 
     /// Saves to a file and tells where that fails.
     pub fn save_as(&mut self, path: &Path) -> bool {
-        match self.session.save_as(path) {
+        let saved = self.session.save_as(path);
+        self.tell_saved(path, saved)
+    }
+
+    /// Tells what became of saving a document to a file. Returns whether it is there.
+    pub(super) fn tell_saved(&mut self, path: &Path, saved: Result<(), Box<Diagnostic>>) -> bool {
+        match saved {
             Ok(()) => {
                 self.message = Some(format!("Saved {}", path.display()));
                 self.safety.opened(path);

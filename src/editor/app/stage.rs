@@ -9,7 +9,6 @@ use super::files::Pending;
 use crate::document::SceneEdit;
 use crate::editor::dialogs::Purpose;
 use crate::editor::dock::Panel;
-use crate::editor::panels::problems;
 use crate::editor::stage::{OPEN_LOOK, Stage, Wish};
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX, look_of};
 use crate::ids::ObjectId;
@@ -160,20 +159,8 @@ impl App {
 
     /// Saves the scene to a file and tells where that fails.
     pub fn save_scene_as(&mut self, path: &Path) -> bool {
-        match self.session.save_scene_as(path) {
-            Ok(()) => {
-                self.message = Some(format!("Saved {}", path.display()));
-                self.safety.opened(path);
-                true
-            }
-            Err(problem) => {
-                self.message = Some(problems::sentence(&problem).replace('\n', ": "));
-                if problem.code == "changed-on-disk" {
-                    self.safety.look_at_files(&mut self.session);
-                }
-                false
-            }
-        }
+        let saved = self.session.save_scene_as(path);
+        self.tell_saved(path, saved)
     }
 
     /// Adds an object on a mesh (a path, or `shape:` and the name of an own shape), as a mesh that is dropped with Shift
