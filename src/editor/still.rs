@@ -110,7 +110,7 @@ impl Session {
             library: self.library.clone(),
             orbit: self.view.clone(),
             time: self.time,
-            stage: self.stage().map(|stage| stage.staged().clone()),
+            stage: self.stage().map(|stage| self.solo().lit_stage(stage.staged())),
         }
     }
 

@@ -16,13 +16,14 @@ use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
 use super::catalog::Kind;
 use super::command::Command;
 use super::dock::Panel;
+use super::lighting::Owner;
 use super::panels::lights;
 use super::session::Session;
 use super::spots::{self, Spot};
 use super::wire::{ShownWire, Style};
 use super::{theme, values};
 use crate::document::{ColorSpace, Edit, Node, Target, Tier, Value};
-use crate::ids::NodeId;
+use crate::ids::{LightId, NodeId};
 use crate::library::Type;
 
 /// What every part of the inspector works with.
@@ -244,13 +245,15 @@ fn shown_row(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: 
 
 /// The lights that a node names.
 fn lights_of(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
-    let look = subject.session.look();
     for port in subject.kind.inputs.iter().filter(|port| port.ty == Type::LightName) {
         let Some(Value::Text(id)) = values::current(port, subject.node.values.get(&port.name)) else { continue };
-        if let Some((id, light)) = look.lights.get_key_value(id.as_str()) {
+        let id = LightId::from(id.as_str());
+        let lamp = subject.session.lamp(&id).filter(|_| subject.session.look().lights.contains_key(&id));
+        if let Some(lamp) = lamp {
             ui.separator();
-            ui.label(RichText::new(format!("The light \"{}\"", lights::name(id, light))).strong());
-            lights::edit(ui, subject.session, id, light, out);
+            let whose = if lamp.owner == Owner::Scene { " of the scene" } else { "" };
+            ui.label(RichText::new(format!("The light \"{}\"{whose}", lamp.name())).strong());
+            lights::edit(ui, subject.session, &lamp, out);
         }
     }
 }

@@ -8,16 +8,16 @@ mod edits;
 use std::collections::HashMap;
 
 use glam::{DMat3, DVec3};
+use indexmap::IndexMap;
 
 use super::catalog::Port;
 use super::orbit::Orbit;
 use super::session::Session;
 use super::still::Stamp;
-use super::values;
 use crate::document::{DirectionKeys, KeyDirection, Light, LightKind, Node, Target, Value, Values};
-use crate::frame::{KeyedValues, Moment, Rig, light_field};
+use crate::frame::{KeyedValues, Moment, Rig};
 use crate::ids::{LightId, NodeId, NodePath, PortName};
-use crate::library::{Fallback, Type};
+use crate::library::Type;
 
 /// What keys come to, kept until anything changes.
 #[derive(Default)]
@@ -53,6 +53,7 @@ impl Session {
         let base = |node: &NodePath, port: &PortName| {
             self.own_value(&Target::Input { node: node.clone(), port: port.clone() })
         };
+        let none = IndexMap::new();
         let moment = Moment {
             time: self.time,
             illumination: self.view.illumination,
@@ -60,7 +61,7 @@ impl Session {
             view: from_center_to_eye(&self.view),
             center: DVec3::ZERO,
             exposed: &Values::new(),
-            lights: &look.lights,
+            lights: self.stage().map_or(&none, |stage| &stage.scene().lights),
         };
         let now = rig.keyed_values(&base, &moment);
         self.keyed = Keyed { stamp: Some(stamp), rig: Some(rig), now };
@@ -86,67 +87,27 @@ impl Session {
 
     /// The node at a path, through the groups of the look and of the library.
     pub(crate) fn node_at(&self, path: &NodePath) -> Option<&Node> {
-        let (last, groups) = path.ids().split_last()?;
-        let mut graph = &self.look().graph;
-        for group in groups {
-            graph = &self.definition_of(&graph.nodes.get(group)?.kind)?.graph;
-        }
-        graph.nodes.get(last)
+        self.reading().node_at(path)
     }
 
     /// What is known of a target: its label, type, unit, range.
     pub(crate) fn port_at(&self, target: &Target) -> Option<Port> {
-        match target {
-            Target::Input { node, port } => {
-                let kind = self.catalog.of(self.node_at(node)?)?;
-                kind.inputs.get(kind.input(port.as_str())?).cloned()
-            }
-            Target::Light { field, .. } => Some(field_port(field)),
-        }
+        self.reading().port_at(target)
     }
 
     /// What a target is called: what it belongs to, and what of it.
     pub(crate) fn names_of(&self, target: &Target) -> [String; 2] {
-        let port = self.port_at(target);
-        match target {
-            Target::Input { node, port: name } => {
-                let owner = self.node_at(node).map(|found| {
-                    let kind = self.catalog.of(found).map(|kind| kind.label.to_string());
-                    if found.name.is_empty() { kind.unwrap_or_default() } else { found.name.clone() }
-                });
-                let name = port.map_or_else(|| name.to_string(), |port| port.label.to_string());
-                [owner.unwrap_or_else(|| node.to_string()), name]
-            }
-            Target::Light { light, field } => {
-                [self.light_name(light), port.map_or_else(|| field.clone(), |port| port.label.to_string())]
-            }
-        }
+        self.reading().names_of(target)
     }
 
     /// What a light is called.
     pub(crate) fn light_name(&self, id: &LightId) -> String {
-        let named = self.look().lights.get(id).filter(|light| !light.name.is_empty());
-        named.map_or_else(|| id.to_string(), |light| light.name.clone())
+        self.reading().light_name(id)
     }
 
     /// What a target has without keys.
     pub(crate) fn own_value(&self, target: &Target) -> Option<Value> {
-        match target {
-            Target::Input { node, port: name } => {
-                let node = self.node_at(node)?;
-                if let Some(value) = node.values.get(name) {
-                    return Some(value.clone());
-                }
-                let kind = self.catalog.of(node)?;
-                let port = &kind.inputs[kind.input(name.as_str())?];
-                let same = match &port.fallback {
-                    Fallback::Same(other) => &kind.inputs[kind.input(other.as_str())?],
-                    _ => port,
-                };
-                values::current(same, node.values.get(&same.name)).cloned()
-            }
-            Target::Light { light, field } => light_field(self.look().lights.get(light)?, field),
-        }
+        self.reading().own_value(target)
     }
 
     /// What a target has now.

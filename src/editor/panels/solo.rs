@@ -11,9 +11,10 @@ use indexmap::IndexSet;
 use super::super::catalog::Catalog;
 use super::super::command::Command;
 use super::super::session::Session;
+use super::super::stage::Staged;
 use super::super::theme;
 use super::stack::Stack;
-use crate::document::{Look, Target};
+use crate::document::{Look, Scene, Target};
 use crate::ids::{LightId, NodeId};
 
 /// What everybody should know who uses it.
@@ -99,11 +100,40 @@ impl Solo {
         self.layers != other.layers || timed.chain(keyed).any(|target| matches!(target, Target::Light { .. }))
     }
 
-    /// Forgets what is no longer there.
-    pub(crate) fn keep(&mut self, look: &Look) {
+    /// The scene around the look, without the lights of its own that are dark. Where one of them is shown alone, the
+    /// lights that its other looks have for themselves are out too, but for what their keys light again.
+    pub(crate) fn lit_stage(&self, staged: &Arc<Staged>) -> Arc<Staged> {
+        let of_scene = &staged.scene.lights;
+        let is_any_alone = self.lights.iter().any(|id| of_scene.contains_key(id));
+        if !is_any_alone && !of_scene.keys().any(|id| self.is_dark(id)) {
+            return staged.clone();
+        }
+        let mut lit = Staged::clone(staged);
+        if is_any_alone {
+            for (id, light) in staged.other_looks().flat_map(|look| &look.look.lights) {
+                if self.is_dark(id) {
+                    lit.scene.lights.entry(id.clone()).or_insert_with(|| light.clone());
+                }
+            }
+        }
+        let dark = lit.scene.lights.iter_mut().filter(|(id, _)| self.is_dark(id));
+        dark.for_each(|(_, light)| light.intensity = 0.0);
+        Arc::new(lit)
+    }
+
+    /// Forgets what is no longer there, in the look or in the scene around it.
+    pub(crate) fn keep(&mut self, look: &Look, scene: Option<&Scene>) {
+        let is_light =
+            |id: &LightId| look.lights.contains_key(id) || scene.is_some_and(|scene| scene.lights.contains_key(id));
         self.layers.retain(|id| look.graph.nodes.contains_key(id));
-        self.lights.retain(|id| look.lights.contains_key(id));
-        self.muted.retain(|id| look.lights.contains_key(id));
+        self.lights.retain(is_light);
+        self.muted.retain(is_light);
+    }
+
+    /// What of it goes on with another look in the same scene: the scene's lights.
+    pub(crate) fn keep_for_scene(&mut self, scene: Option<&Scene>) {
+        self.layers.clear();
+        self.keep(&Look::default(), scene);
     }
 
     /// The same with a layer shown alone, or no longer; with `adds`, beside those that are.
@@ -158,14 +188,12 @@ pub(crate) fn bar(ui: &mut Ui, session: &Session) -> Option<Command> {
 
 /// What is shown alone and what is left out, in words.
 fn sentence(session: &Session) -> Option<String> {
-    let (solo, look) = (session.solo(), session.look());
+    let solo = session.solo();
     if solo.is_empty() {
         return None;
     }
     let layer = |id: &NodeId| session.title(id);
-    let light = |id: &LightId| {
-        look.lights.get(id).map_or_else(|| id.to_string(), |light| super::lights::name(id, light).to_owned())
-    };
+    let light = |id: &LightId| session.lamp(id).map_or(id.as_str(), |lamp| lamp.name()).to_owned();
     let list = |names: Vec<String>| names.join(", ");
     let mut parts = Vec::new();
     if !solo.layers.is_empty() {

@@ -3,13 +3,11 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::super::catalog::Catalog;
 use super::super::safety::keeper::{Keeper, Standing};
 use super::Session;
 use crate::diag::Diagnostic;
 use crate::document::journal::{About, Journaled, Op, Recovered, Slot};
 use crate::document::{Edit, Look, read_text};
-use crate::ids::NodePath;
 use crate::library::Library;
 
 /// A document's journal, and what is not sent to it yet.
@@ -291,39 +289,6 @@ impl Session {
         self.keeping.override_with(theirs);
     }
 
-    /// Reads the project's own nodes again. Where a file is broken now, the look goes on with the node as it was.
-    pub(crate) fn reload_library(&mut self) {
-        let Some(path) = self.path.clone() else { return };
-        let before = self.library.clone();
-        self.use_project(&path);
-        let broken = self.library.problems.iter().filter_map(kind_of).map(str::to_owned);
-        let lost: Vec<String> = broken.filter(|kind| !self.library.nodes.contains_key(kind)).collect();
-        for kind in lost {
-            if let Some(node) = before.nodes.get(&kind) {
-                Arc::make_mut(&mut self.library).nodes.insert(kind, node.clone());
-            }
-        }
-        self.catalog = Catalog::new(&self.library);
-        self.catalog.sync(self.history.document(), &self.library);
-        self.place_library_problems();
-        self.shaders.structure_changed();
-        self.forget_stage_looks();
-        // What was probed or compared was so with the nodes of before.
-        self.files_changed();
-    }
-
-    /// Tells what is wrong with node files at a node of theirs, where the look has one.
-    pub(super) fn place_library_problems(&mut self) {
-        let nodes = &self.history.document().graph.nodes;
-        let placed = self.library.problems.iter().cloned().map(|mut problem| {
-            let used = kind_of(&problem).and_then(|kind| nodes.iter().find(|(_, node)| node.kind == kind));
-            problem.place.node = used.map(|(id, _)| NodePath::root(id.clone()));
-            problem
-        });
-        self.library_problems = placed.collect();
-        self.problems_number += 1;
-    }
-
     /// Draws again with files that changed: meshes and images are read anew where their files are others.
     pub(crate) fn files_changed(&mut self) {
         self.files += 1;
@@ -334,11 +299,6 @@ impl Session {
     pub(crate) fn files(&self) -> u64 {
         self.files
     }
-
-    pub(super) fn use_library(&mut self, library: Library) {
-        self.library = Arc::new(library);
-        self.catalog = Catalog::new(&self.library);
-    }
 }
 
 impl Drop for Session {
@@ -346,9 +306,4 @@ impl Drop for Session {
         // A window that panics is not closed in peace: what it was at may be what broke it.
         self.close_journal(!std::thread::panicking());
     }
-}
-
-/// The kind of node that a problem's file is about.
-fn kind_of(problem: &Diagnostic) -> Option<&str> {
-    Path::new(problem.place.file.as_deref()?).file_stem()?.to_str()
 }

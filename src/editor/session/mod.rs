@@ -2,6 +2,7 @@
 
 pub(super) mod keeping;
 mod place;
+mod project;
 mod shading;
 mod sharing;
 mod stage;
@@ -23,8 +24,7 @@ use super::wire::ShownWire;
 use crate::diag::Diagnostic;
 use crate::document::journal::Op;
 use crate::document::{
-    DirectionKeys, Document, Edit, GraphId, History, Light, Look, SourceMap, Target, Value, remove_abandoned,
-    write_atomic,
+    DirectionKeys, Document, Edit, GraphId, History, Light, Look, SourceMap, Target, Value, write_atomic,
 };
 use crate::ids::{LightId, NodeId};
 use crate::library::{Fallback, Library};
@@ -224,28 +224,6 @@ impl Session {
         if text == **self.source.text() { text } else { self.look().to_text_like(&self.opened) }
     }
 
-    /// What is in no folder has no nodes but those that Chiaro ships.
-    fn leave_project(&mut self) {
-        if self.path.is_some() || self.stage.is_some() {
-            self.use_library(Library::built_in().clone());
-        }
-    }
-
-    fn use_project(&mut self, path: &Path) {
-        let folder = path.parent().unwrap_or(Path::new(""));
-        remove_abandoned(folder);
-        let mut library = Library::built_in().clone();
-        // Nodes beside the look stand before those beside the scene that it is in.
-        let of_scene = self.stage.as_ref().and_then(|stage| stage.path()?.parent()).map(|scene| scene.join("nodes"));
-        let own = folder.join("nodes");
-        for nodes in of_scene.into_iter().filter(|nodes| *nodes != own).chain([own.clone()]) {
-            if nodes.is_dir() {
-                library = library.with_project(&nodes);
-            }
-        }
-        self.use_library(library);
-    }
-
     fn replace(&mut self, look: Look, source: SourceMap, path: Option<PathBuf>) {
         self.document_number += 1;
         self.remember_times();
@@ -264,7 +242,7 @@ impl Session {
         self.problems_number += 1;
         self.shaders = Shown::default();
         self.wire = None;
-        self.solo = Solo::default();
+        self.solo.keep_for_scene(self.stage.as_ref().map(Stage::scene));
         self.picture += 1;
         self.catalog.sync(self.history.document(), &self.library);
         self.place_library_problems();
@@ -460,8 +438,8 @@ impl Session {
         let mut selection = std::mem::take(&mut self.selection);
         selection.retain(|id| self.is_here(id));
         self.selection = selection;
+        self.keep_solo();
         let nodes = &self.history.document().graph.nodes;
-        self.solo.keep(self.history.document());
         self.wire = self.wire.take().filter(|wire| wire.node.outermost().is_some_and(|id| nodes.contains_key(id)));
         self.picture += 1;
     }

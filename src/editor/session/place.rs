@@ -36,8 +36,7 @@ impl Session {
 
     /// The group of a kind, the look's own before the library's.
     pub(crate) fn definition_of(&self, kind: &str) -> Option<&Definition> {
-        let own = self.look().definitions.get(kind);
-        own.or_else(|| self.library.groups.get(kind).map(|group| &group.definition))
+        self.reading().definition_of(kind)
     }
 
     /// Whether the graph that is open is of the library, and so cannot be changed.

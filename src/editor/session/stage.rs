@@ -26,10 +26,11 @@ impl Session {
         self.stage.as_mut()
     }
 
-    /// The light of an id as the picture has it: a scene's stands in place of the look's, and keys change the look's.
+    /// The light of an id as the picture of the look has it: a scene's stands in place of the look's, and the look's keys
+    /// move either.
     pub(crate) fn light(&self, id: &LightId) -> Option<&Light> {
         let own = self.look().lights.get(id)?;
-        Some(self.light_of_scene(id).or_else(|| self.keyed_now().lights.get(id)).unwrap_or(own))
+        Some(self.keyed_now().lights.get(id).or_else(|| self.light_of_scene(id)).unwrap_or(own))
     }
 
     /// The scene's light that stands in place of the look's.
@@ -114,6 +115,7 @@ impl Session {
     pub(crate) fn leave_stage(&mut self, in_peace: bool) {
         if let Some(mut stage) = self.stage.take() {
             stage.leave_journal(in_peace);
+            self.keep_solo();
             self.picture += 1;
             self.problems_number += 1;
         }
@@ -140,13 +142,12 @@ impl Session {
             stage.sync(self.path.as_deref(), &self.library, self.picture);
             self.problems_number += 1;
         }
+        self.keep_solo();
     }
 
-    pub(super) fn forget_stage_looks(&mut self) {
-        if let Some(stage) = &mut self.stage {
-            stage.forget_looks();
-        }
-        self.stage_changed();
+    /// Forgets solos of what is no longer there.
+    pub(super) fn keep_solo(&mut self) {
+        self.solo.keep(self.history.document(), self.stage.as_ref().map(Stage::scene));
     }
 
     /// Applies an edit of the scene. With a `hand`, consecutive edits by it are one step.
@@ -170,9 +171,15 @@ impl Session {
     /// # Errors
     /// A diagnostic that says why not; the old file is then as it was.
     pub fn save_scene_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
+        let nodes = self.node_folders();
         if let Some(stage) = &mut self.stage {
             stage.save_as(path)?;
-            self.stage_changed();
+            if self.node_folders() == nodes {
+                self.stage_changed();
+            } else {
+                // Another folder is another project.
+                self.reload_library();
+            }
         }
         Ok(())
     }

@@ -7,8 +7,10 @@ use super::super::session::keeping::OnDisk;
 use super::Stage;
 use super::names::folder_of;
 use crate::diag::Diagnostic;
-use crate::document::{History, Loaded, Scene, SceneEdit, write_atomic};
+use crate::document::{History, Loaded, Scene, SceneEdit, Value, write_atomic};
 use crate::frame::SHAPE_PREFIX;
+use crate::ids::PortName;
+use crate::library::Type;
 
 impl Stage {
     /// The scene that was read from a file, with what was wrong in it; the problems where it could not be read at all.
@@ -93,11 +95,29 @@ impl Stage {
         self.keeping.override_with(theirs);
     }
 
-    /// The files that the scene lives on, but for its own: looks that are not open, and meshes.
+    /// The files that the scene lives on, but for its own: meshes, looks that are not open, and the images of those.
     pub(crate) fn files(&self) -> Vec<PathBuf> {
         let scene = self.scene();
         let meshes = scene.objects.values().map(|object| object.mesh.as_str());
         let meshes = meshes.filter(|mesh| !mesh.starts_with(SHAPE_PREFIX)).map(|mesh| self.base.join(mesh));
-        meshes.chain(self.staged.others.keys().map(|name| self.path_of(name))).collect()
+        let looks = self.closed.keys().map(|name| self.path_of(name));
+        meshes.chain(looks).chain(self.images()).collect()
+    }
+
+    /// The images of looks that are not open: those that the looks name, and those that objects set in their place.
+    fn images(&self) -> impl Iterator<Item = PathBuf> {
+        let closed = self.closed.iter().filter_map(|(name, look)| Some((name, look.as_ref()?)));
+        closed.flat_map(|(name, look)| {
+            let wear =
+                self.scene().objects.values().filter(move |object| object.looks.values().any(|worn| worn == name));
+            let images = look.parameters.iter().filter(|parameter| parameter.port.ty == Type::Image);
+            let names: Vec<&PortName> = images.map(|parameter| &parameter.name).collect();
+            let set = wear.flat_map(move |object| names.clone().into_iter().filter_map(|name| object.values.get(name)));
+            let set = set.filter_map(|value| match value {
+                Value::Text(path) if !path.is_empty() => Some(look.look.folder.join(path)),
+                _ => None,
+            });
+            look.images.iter().cloned().chain(set)
+        })
     }
 }

@@ -14,6 +14,7 @@ use std::sync::Arc;
 
 use serde_json::json;
 
+use super::reading::Parameter;
 use super::safety::keeper::Standing;
 use super::session::keeping::Keeping;
 use super::session::times::{Gestures, Times};
@@ -22,7 +23,7 @@ use crate::document::journal::{About, Op, Recovered, Slot};
 use crate::document::{History, Object, Scene, SceneEdit, SourceMap};
 use crate::ids::ObjectId;
 use crate::library::Library;
-use looks::Looks;
+use looks::{Closed, Looks};
 pub(crate) use names::real;
 pub(crate) use objects::{Placed, file_label, from_degrees, mesh_label, scene_of, stood_up, to_degrees};
 pub(crate) use still::Staged;
@@ -48,6 +49,8 @@ pub struct Stage {
     /// What reading the file told.
     pub(crate) load_problems: Vec<Diagnostic>,
     looks: Looks,
+    /// The looks that are not open, by their names; `None` where a file is broken.
+    closed: HashMap<String, Option<Arc<Closed>>>,
     staged: Arc<Staged>,
     selected: Option<ObjectId>,
     /// Where objects are, as of the last picture.
@@ -85,6 +88,7 @@ impl Stage {
             is_partial: false,
             load_problems: Vec::new(),
             looks: Looks::default(),
+            closed: HashMap::new(),
             staged: Arc::default(),
             selected: None,
             placed: Vec::new(),
@@ -188,7 +192,7 @@ impl Stage {
     }
 
     /// Finds out anew what the objects wear; `open` is the file of the open look. `version` grows.
-    pub(crate) fn sync(&mut self, open: Option<&Path>, library: &Library, version: u64) {
+    pub(crate) fn sync(&mut self, open: Option<&Path>, library: &Arc<Library>, version: u64) {
         let scene = self.history.document();
         self.selected = self.selected.take().filter(|id| scene.objects.contains_key(id));
         self.open_file = open.map(Path::to_path_buf);
@@ -207,30 +211,37 @@ impl Stage {
         }
         self.looks.refresh(others.values(), library);
         let find = |(name, path): (String, PathBuf)| Some((name, self.looks.get(&path)?));
+        self.closed = others.into_iter().filter_map(find).collect();
+        let setup = |look: &Option<Arc<Closed>>| look.as_ref().map(|closed| closed.look.clone());
         // Of an edited scene nobody knows where what is wrong lies in the file.
         let source = match self.history.revision() {
             0 => self.source.clone(),
             _ => Arc::new(Scene::read("{}", self.source.file()).source),
         };
-        self.staged = Arc::new(Staged {
+        let mut staged = Staged {
             version,
+            shape: version,
             scene: scene.clone(),
             base: self.base.clone(),
             source,
             open: of_open.into_iter().collect(),
-            others: others.into_iter().filter_map(find).collect(),
+            others: self.closed.iter().map(|(name, look)| (name.clone(), setup(look))).collect(),
             is_alone: false,
-        });
-    }
-
-    /// Reads looks again even where their files are as they were: the nodes that they are made of are others.
-    pub(crate) fn forget_looks(&mut self) {
-        self.looks = Looks::default();
+        };
+        if staged.has_shape_of(&self.staged) {
+            staged.shape = self.staged.shape;
+        }
+        self.staged = Arc::new(staged);
     }
 
     /// What the picture shows, as something that a thread can take with it.
     pub(crate) fn staged(&self) -> &Arc<Staged> {
         &self.staged
+    }
+
+    /// What objects that wear a look which is not open may set.
+    pub(crate) fn parameters(&self, name: &str) -> &[Parameter] {
+        self.closed.get(name).and_then(Option::as_ref).map_or(&[], |closed| &closed.parameters)
     }
 
     /// Whether a name means the open look.

@@ -1,18 +1,21 @@
 //! What the viewport shows of a stage, with everything that a thread needs to draw it.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::diag::Diagnostic;
-use crate::document::{Scene, SourceMap};
+use crate::document::{Object, Scene, SourceMap};
 use crate::frame::{Assets, Setup, SetupLook, Wardrobe, place_objects};
+use crate::ids::ObjectId;
 
 /// A scene with the looks that are not open.
 #[derive(Clone)]
 pub(crate) struct Staged {
     /// Another number is another picture.
     pub(super) version: u64,
+    /// Another number is another shape: objects are elsewhere, on other meshes, or wear other looks.
+    pub(super) shape: u64,
     pub(crate) scene: Scene,
     /// What meshes are relative to.
     pub(super) base: PathBuf,
@@ -29,6 +32,7 @@ impl Default for Staged {
     fn default() -> Self {
         Self {
             version: 0,
+            shape: 0,
             scene: Scene::default(),
             base: PathBuf::new(),
             source: Arc::new(Scene::read("{}", "").source),
@@ -43,6 +47,37 @@ impl Staged {
     /// Tells one picture of a stage from another.
     pub(crate) fn version(&self) -> u64 {
         self.version
+    }
+
+    /// The looks that are not open, as far as they can be read, each once, in the order of their names.
+    pub(crate) fn other_looks(&self) -> impl Iterator<Item = &Arc<SetupLook>> {
+        let mut named: Vec<_> = self.others.iter().filter_map(|(name, look)| Some((name, look.as_ref()?))).collect();
+        named.sort_unstable_by_key(|(name, _)| *name);
+        let mut seen = HashSet::new();
+        named.into_iter().map(|(_, look)| look).filter(move |look| seen.insert(Arc::as_ptr(look)))
+    }
+
+    /// Tells one shape of it from another; lights and values are none of it.
+    pub(crate) fn shape(&self) -> u64 {
+        self.shape
+    }
+
+    /// Whether every object is where it is in another, on the same mesh, and wears the same as far as it can be worn.
+    pub(super) fn has_shape_of(&self, other: &Self) -> bool {
+        let is_like = |a: &Object, b: &Object| {
+            (&a.mesh, a.transform, &a.looks, a.visible) == (&b.mesh, b.transform, &b.looks, b.visible)
+        };
+        let (own, others) = (&self.scene.objects, &other.scene.objects);
+        let is_same = |((id, object), (other_id, other)): ((&ObjectId, &Object), (&ObjectId, &Object))| {
+            id == other_id && is_like(object, other)
+        };
+        let can_be_worn = |staged: &'_ Self| -> BTreeMap<String, bool> {
+            staged.others.iter().map(|(name, look)| (name.clone(), look.is_some())).collect()
+        };
+        own.len() == others.len()
+            && own.iter().zip(others).all(is_same)
+            && (&self.base, &self.open) == (&other.base, &other.open)
+            && can_be_worn(self) == can_be_worn(other)
     }
 
     /// Without what does not wear the open look.

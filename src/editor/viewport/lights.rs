@@ -17,7 +17,7 @@ use super::layer::ShadingType;
 use super::project;
 use super::surface::Surface;
 use crate::compile::LightValues;
-use crate::document::{Light, LightKind, Projection, Target, Value};
+use crate::document::{Light, LightKind, Projection, Value};
 use crate::ids::LightId;
 
 /// Where needles begin and end, in radii of the object.
@@ -54,9 +54,7 @@ impl Held {
 
     /// What a drag does.
     pub(super) fn hint(&self, session: &Session) -> String {
-        let lights = &session.look().lights;
-        let name = lights.get(&self.light).map(|light| light.name.as_str()).filter(|name| !name.is_empty());
-        let name = name.unwrap_or(self.light.as_str());
+        let name = session.lamp(&self.light).map_or_else(|| self.light.to_string(), |lamp| lamp.full_name());
         match &self.grip {
             Grip::Middle(shading) => {
                 format!(
@@ -122,9 +120,8 @@ pub(super) fn drag(
             ("position", light.position, short(values.own_from_world * (place + toward * distance)))
         }
     };
-    let target = Target::Light { light: held.light.clone(), field: field.to_owned() };
-    let set = || session.set_at(&target, Value::Vector(new.to_vec()));
-    (new != old).then(|| Command::EditHeld(Id::unique("light on the object"), set()))
+    let set = || session.set_light_at(&held.light, field, Value::Vector(new.to_vec()));
+    (new != old).then(|| set().held(Id::unique("light on the object")))
 }
 
 /// Toward a light whose middle is at a point of the screen, and the place on the surface there.

@@ -30,7 +30,7 @@ use super::spots::{self, Spot};
 use super::theme;
 use super::wipe::Wipe;
 use crate::document::Projection;
-use crate::ids::{LightId, ObjectId};
+use crate::ids::ObjectId;
 use crate::render::Gpu;
 pub(crate) use export::Export;
 use export::{Destination, Done, Exports};
@@ -209,15 +209,13 @@ impl Viewport {
         let modifiers = ui.input(|input| input.modifiers);
         let of_layer = handles.layer.as_ref().map(|layer| (layer.light.clone(), layer.shading));
         let chosen = of_layer.or_else(|| Some((layer::selected_light(session)?, layer::ShadingType::Diffuse)));
-        // A scene's own lights are not the look's to turn.
-        let is_own = |light: &LightId| session.light_of_scene(light).is_none();
-        if let Some((light, shading)) = chosen.filter(|(light, _)| is_own(light)) {
+        if let Some((light, shading)) = chosen {
             let is_there = handles.surface.as_ref().is_some_and(|surface| surface.is_at(place_in(rect, at)));
             if modifiers.shift && is_there || lights::is_at_middle(self.isocurves.middle(rect), at) {
                 return Some(Drag::Light(lights::Held::by_middle(light, shading)));
             }
         }
-        if let Some(held) = lights::hit(session, rect, at).filter(|held| is_own(&held.light)) {
+        if let Some(held) = lights::hit(session, rect, at) {
             return Some(Drag::Light(held));
         }
         self.isocurves.hit(rect, at, modifiers.command).map(Drag::Curve)

@@ -34,6 +34,8 @@ pub(super) struct Key {
     mesh: String,
     z_is_up: bool,
     stage: Option<u64>,
+    /// How often files have changed, meshes among them.
+    files: u64,
     camera: Camera,
     size: [u32; 2],
 }
@@ -41,10 +43,12 @@ pub(super) struct Key {
 impl Key {
     /// Of a picture of so many points.
     pub(super) fn new(session: &Session, points: eframe::egui::Vec2) -> Self {
-        let (orbit, stage) = (&session.view, session.stage_version());
+        let (orbit, files) = (&session.view, session.files());
+        // Neither lights nor values change where anything is.
+        let stage = session.stage().map(|stage| stage.staged().shape());
         let scale = (MOST / (points.x * points.y).max(1.0)).sqrt().min(1.0);
         let size = [points.x, points.y].map(|side| (side * scale).round().clamp(2.0, 4096.0) as u32);
-        Self { mesh: orbit.mesh.clone(), z_is_up: orbit.z_is_up, stage, camera: orbit.camera(), size }
+        Self { mesh: orbit.mesh.clone(), z_is_up: orbit.z_is_up, stage, files, camera: orbit.camera(), size }
     }
 }
 

@@ -7,30 +7,31 @@ use super::super::super::command::Command;
 use super::super::super::inspector::color;
 use super::super::super::inspector::marks::Marked;
 use super::super::super::inspector::row::{self, labelled};
-use super::super::super::keying::{KeyedBy, field_port};
+use super::super::super::keying::field_port;
+use super::super::super::lighting::{Lamp, Owner};
 use super::super::super::session::Session;
 use super::super::super::theme;
-use crate::document::{Edit, Light, LightKind, LightSpace, Target};
-use crate::frame::{light_field, set_light_field};
-use crate::ids::LightId;
+use crate::document::{Light, LightKind, LightSpace};
 
 const BALL: f32 = 84.0;
 
 /// Everything of a light that can be set but its name.
-pub(crate) fn edit(ui: &mut Ui, session: &Session, id: &LightId, light: &Light, out: &mut Vec<Command>) {
-    ui.push_id(id, |ui| {
+pub(crate) fn edit(ui: &mut Ui, session: &Session, lamp: &Lamp<'_>, out: &mut Vec<Command>) {
+    ui.push_id((lamp.owner, lamp.id), |ui| {
         // Keyed fields are shown, and set, where they are looked at.
-        let light = &as_set(session, id, light);
+        let light = &lamp.as_set(session);
         let mut new = light.clone();
         let mut hand = None;
         let mut asked = Vec::new();
         let mut field = |ui: &mut Ui, label: &str, help: &str, name: &str, add: &mut dyn FnMut(&mut Ui, Id)| {
             let port = field_port(name);
-            let target = Target::Light { light: id.clone(), field: name.to_owned() };
-            let marked = Marked { session, target, ty: &port.ty, label, reset: None };
+            // Keys and parameters are the look's, and so are the marks of them.
+            let is_own = lamp.owner == Owner::Look;
+            let marked = Marked { session, target: lamp.target(name), ty: &port.ty, label, reset: None };
+            let marked = Some(marked).filter(|_| is_own);
             let text = eframe::egui::RichText::new(label).color(theme::of(ui).text);
-            let help = format!("{help}\n{}", marked.help());
-            row::marked(ui, text, help.trim_end(), Some(&marked), &mut asked, |ui, label, _| add(ui, label));
+            let help = format!("{help}\n{}", marked.as_ref().map(Marked::help).unwrap_or_default());
+            row::marked(ui, text, help.trim_end(), marked.as_ref(), &mut asked, |ui, label, _| add(ui, label));
         };
         labelled(ui, "Type", "Directional lights are as far away as the sun", |ui, label| {
             hand = hand.or(kind(ui, label, &mut new));
@@ -84,36 +85,9 @@ pub(crate) fn edit(ui: &mut Ui, session: &Session, id: &LightId, light: &Light, 
         });
         out.append(&mut asked);
         if let Some(hand) = hand.filter(|_| new != *light) {
-            out.push(Command::EditHeld(hand, changed(session, id, light, &new)));
+            out.push(lamp.changed(session, light, &new).held(hand));
         }
     });
-}
-
-/// A light with its keyed fields as they are where they are set.
-pub(super) fn as_set(session: &Session, id: &LightId, light: &Light) -> Light {
-    let mut shown = light.clone();
-    for field in Target::LIGHT_FIELDS {
-        let target = Target::Light { light: id.clone(), field: field.to_owned() };
-        if session.keyed_by(&target) != KeyedBy::Nothing
-            && let Some(value) = session.value_at(&target)
-        {
-            set_light_field(&mut shown, field, &value);
-        }
-    }
-    shown
-}
-
-/// The edit from one state of a light to another: what is keyed is set at its key, all else in the light.
-pub(super) fn changed(session: &Session, id: &LightId, old: &Light, new: &Light) -> Edit {
-    let target = |field: &str| Target::Light { light: id.clone(), field: field.to_owned() };
-    let differs = |field: &&str| light_field(old, field) != light_field(new, field);
-    let fields: Vec<&str> = Target::LIGHT_FIELDS.into_iter().filter(differs).collect();
-    if (new.kind, new.space) == (old.kind, old.space) && !fields.is_empty() {
-        let values = fields.iter().filter_map(|field| Some((target(field), light_field(new, field)?)));
-        return session.set_all_at(values);
-    }
-    let own = session.look().lights.get(id).cloned().unwrap_or_default();
-    Edit::SetLight { id: id.clone(), light: Light { kind: new.kind, space: new.space, ..own } }
 }
 
 fn kind(ui: &mut Ui, label: Id, light: &mut Light) -> Option<Id> {

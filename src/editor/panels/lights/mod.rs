@@ -1,5 +1,6 @@
-//! The lights of the look: which shine, alone or together with others, and what each is.
+//! The lights of the look, and those of the scene around it: which shine, alone or together with others, and what each is.
 
+mod add;
 mod edit;
 
 use std::collections::HashMap;
@@ -9,30 +10,29 @@ use eframe::egui::collapsing_header::CollapsingState;
 use eframe::egui::{
     Button, Color32, DragValue, Id, Label, Popup, RichText, Role, ScrollArea, Sense, Ui, WidgetInfo, vec2,
 };
+use indexmap::IndexMap;
 
 use super::super::command::Command;
 use super::super::dock::hint;
+use super::super::lighting::{Lamp, Owner, Shared};
 use super::super::session::Session;
 use super::super::{theme, values};
 use super::solo;
 use super::widgets::{ICON, Icon, Renaming, icon, picture_frame};
-use crate::document::{ColorSpace, Edit, Light, LightKind, Value};
-use crate::ids::{LightId, make_slug};
+use crate::document::{ColorSpace, Light, Value};
+use crate::ids::LightId;
 use crate::library::Type;
 pub(crate) use edit::edit;
 
 /// The panel, and what it remembers.
 #[derive(Default)]
 pub(crate) struct Lights {
-    renaming: Option<Renaming<LightId>>,
-    /// How many nodes name each light.
+    renaming: Option<Renaming<(Owner, LightId)>>,
+    /// How many nodes of the look name each light.
     users: HashMap<LightId, usize>,
-    of: Option<(u64, u64)>,
-}
-
-/// What a light is called.
-pub(crate) fn name<'a>(id: &'a LightId, light: &'a Light) -> &'a str {
-    if light.name.is_empty() { id.as_str() } else { &light.name }
+    /// What a scene's lights can stand in for; nothing without a scene.
+    shared: IndexMap<LightId, Shared>,
+    of: Option<(u64, u64, Option<u64>)>,
 }
 
 impl Lights {
@@ -40,34 +40,47 @@ impl Lights {
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         self.sync(session);
         let mut out = Vec::new();
-        bar(ui, session, &mut out);
+        add::bar(ui, session, &self.shared, &mut out);
         if !session.solo().lights.is_empty() || !session.solo().muted.is_empty() {
             out.extend(solo::bar(ui, session));
         }
-        let lights = &session.look().lights;
-        if lights.is_empty() {
-            hint(ui, "The look has no lights. Layers need one each.");
-        }
+        let of_scene = session.lights_of(Owner::Scene).filter(|lights| !lights.is_empty());
         ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
             // Room for the scroll bar.
             ui.set_max_width(ui.available_width() - 8.0);
-            let is_short = lights.len() == 1;
-            for (id, light) in lights {
-                let state = Id::unique("light").with(id.as_str());
-                let state = CollapsingState::load_with_default_open(ui.ctx(), state, is_short);
-                let header = state.show_header(ui, |ui| self.head(ui, session, id, light, &mut out));
-                header.body_unindented(|ui| {
-                    ui.add_space(2.0);
-                    edit(ui, session, id, light, &mut out);
-                    ui.add_space(6.0);
-                });
+            if of_scene.is_some() {
+                let help = "Each stands in place of the light of its id in every look of the scene";
+                section(ui, "Of the scene", help);
+                self.list(ui, session, Owner::Scene, &mut out);
+                ui.add_space(6.0);
+                section(ui, "Of the look", "What it has for itself, wherever it is worn");
             }
+            if session.look().lights.is_empty() {
+                hint(ui, "The look has no lights. Layers need one each.");
+            }
+            self.list(ui, session, Owner::Look, &mut out);
         });
         out
     }
 
+    fn list(&mut self, ui: &mut Ui, session: &Session, owner: Owner, out: &mut Vec<Command>) {
+        let lights = session.lights_of(owner);
+        let is_short = lights.is_some_and(|lights| lights.len() == 1) && session.lights_of(Owner::Scene).is_none();
+        for (id, light) in lights.into_iter().flatten() {
+            let lamp = Lamp { owner, id, light };
+            let state = Id::unique("light").with((owner, id.as_str()));
+            let state = CollapsingState::load_with_default_open(ui.ctx(), state, is_short);
+            let header = state.show_header(ui, |ui| self.head(ui, session, &lamp, out));
+            header.body_unindented(|ui| {
+                ui.add_space(2.0);
+                edit(ui, session, &lamp, out);
+                ui.add_space(6.0);
+            });
+        }
+    }
+
     fn sync(&mut self, session: &Session) {
-        let of = (session.document_number(), session.revision());
+        let of = (session.document_number(), session.revision(), session.stage_version());
         if self.of == Some(of) {
             return;
         }
@@ -75,6 +88,7 @@ impl Lights {
             self.renaming = None;
         }
         self.of = Some(of);
+        self.shared = if session.stage().is_some() { session.lights_of_looks() } else { IndexMap::new() };
         self.users.clear();
         let look = session.look();
         let groups = look.definitions.values().map(|definition| &definition.graph);
@@ -92,137 +106,133 @@ impl Lights {
         }
     }
 
-    fn head(&mut self, ui: &mut Ui, session: &Session, id: &LightId, light: &Light, out: &mut Vec<Command>) {
-        let title = name(id, light);
+    fn head(&mut self, ui: &mut Ui, session: &Session, lamp: &Lamp<'_>, out: &mut Vec<Command>) {
+        let title = lamp.full_name();
         let solo = session.solo();
         ui.spacing_mut().item_spacing.x = 4.0;
-        let is_muted = solo.muted.contains(id);
+        let is_muted = solo.muted.contains(lamp.id);
         let help = "Puts the light out, or lights it again.\nOnly in this window: nothing of it is saved.";
         if icon(ui, Icon::Bulb, !is_muted, &format!("Light {title} shines"), help).clicked() {
-            out.push(Command::Solo(solo.toggle_mute(id)));
+            out.push(Command::Solo(solo.toggle_mute(lamp.id)));
         }
         let (rect, _) = ui.allocate_exact_size(vec2(16.0, 16.0), Sense::hover());
-        ui.painter().rect_filled(rect, 3.0, swatch(light, session.look().color_space));
+        ui.painter().rect_filled(rect, 3.0, swatch(lamp.light, session.look().color_space));
         picture_frame(ui, rect);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let more = icon(ui, Icon::More, true, &format!("More of {title}"), "Rename, duplicate, remove");
-            Popup::menu(&more).show(|ui| self.menu(ui, session, id, light, out));
-            let is_alone = solo.lights.contains(id);
+            Popup::menu(&more).show(|ui| self.menu(ui, session, lamp, out));
+            let is_alone = solo.lights.contains(lamp.id);
             let help =
                 "Lets this light shine alone; Ctrl-click adds to others.\nOnly in this window: nothing of it is saved.";
             if icon(ui, Icon::Solo, is_alone, &format!("Solo {title}"), help).clicked() {
                 let adds = ui.input(|input| input.modifiers.command || input.modifiers.shift);
-                out.push(Command::Solo(solo.toggle_light(id, adds)));
+                out.push(Command::Solo(solo.toggle_light(lamp.id, adds)));
             }
-            self.users(ui, id);
-            intensity(ui, session, id, light, out);
+            let is_replaced = lamp.owner == Owner::Look && session.light_of_scene(lamp.id).is_some();
+            self.users(ui, lamp, is_replaced);
+            intensity(ui, session, lamp, out);
             ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
                 ui.set_min_height(ICON);
-                self.title(ui, id, light, solo.is_dark(id), out);
+                self.title(ui, lamp, solo.is_dark(lamp.id), is_replaced, out);
             });
         });
     }
 
-    fn users(&self, ui: &mut Ui, id: &LightId) {
+    /// Who has it: nodes a look's light, looks a scene's.
+    fn users(&self, ui: &mut Ui, lamp: &Lamp<'_>, is_replaced: bool) {
         let colors = theme::of(ui);
-        let (text, color, help) = match self.users.get(id).copied().unwrap_or(0) {
-            0 => ("unused".to_owned(), colors.warning, "No node names this light, so it lights nothing"),
-            1 => ("1 node".to_owned(), colors.dim, "So many nodes name it"),
-            count => (format!("{count} nodes"), colors.dim, "So many nodes name it"),
+        let (count, what, none, help) = match lamp.owner {
+            Owner::Look => {
+                let count = self.users.get(lamp.id).copied().unwrap_or(0);
+                (count, "node", "No node names this light, so it lights nothing", "So many nodes name it")
+            }
+            Owner::Scene => {
+                let count = self.shared.get(lamp.id).map_or(0, |shared| shared.looks);
+                let none = "No look of the scene has a light of this id, so it lights nothing: let it stand in for one";
+                (count, "look", none, "So many looks have a light of this id, in whose place it stands")
+            }
+        };
+        let (text, color, help) = match count {
+            _ if is_replaced => {
+                ("scene's".to_owned(), colors.dim, "In this scene the scene's light of this id stands in its place")
+            }
+            0 => ("unused".to_owned(), colors.warning, none),
+            1 => (format!("1 {what}"), colors.dim, help),
+            count => (format!("{count} {what}s"), colors.dim, help),
         };
         ui.label(RichText::new(text).small().color(color)).on_hover_text(help);
     }
 
-    fn title(&mut self, ui: &mut Ui, id: &LightId, light: &Light, is_dark: bool, out: &mut Vec<Command>) {
-        let title = name(id, light);
-        if let Some(field) = self.renaming.as_mut().filter(|field| field.id == *id) {
-            if let Some(new) = field.show(ui, id.as_str(), &format!("New name of {title}")) {
+    fn title(&mut self, ui: &mut Ui, lamp: &Lamp<'_>, is_dark: bool, is_replaced: bool, out: &mut Vec<Command>) {
+        if let Some(field) = self.renaming.as_mut().filter(|field| (field.id.0, &field.id.1) == (lamp.owner, lamp.id)) {
+            if let Some(new) = field.show(ui, lamp.id.as_str(), &format!("New name of {}", lamp.full_name())) {
                 self.renaming = None;
-                if let Some(name) = new.filter(|name| *name != light.name) {
-                    let light = Light { name, ..light.clone() };
-                    out.push(Command::Edit(Edit::SetLight { id: id.clone(), light }));
+                if let Some(name) = new.filter(|name| *name != lamp.light.name) {
+                    out.push(lamp.set(Light { name, ..lamp.light.clone() }).once());
                 }
             }
             return;
         }
-        let color = if is_dark { theme::of(ui).dim } else { theme::of(ui).text };
-        let text = RichText::new(title).strong().color(color);
+        let color = if is_dark || is_replaced { theme::of(ui).dim } else { theme::of(ui).text };
+        let text = RichText::new(lamp.name()).strong().color(color);
         let text = if is_dark { text.strikethrough() } else { text };
         let response = ui.add(Label::new(text).truncate().selectable(false).sense(Sense::click()));
         if response.double_clicked() {
-            self.renaming = Some(Renaming::new(id.clone(), &light.name));
+            self.rename(lamp);
         }
         response.on_hover_text("Double click to rename");
     }
 
-    fn menu(&mut self, ui: &mut Ui, session: &Session, id: &LightId, light: &Light, out: &mut Vec<Command>) {
+    fn rename(&mut self, lamp: &Lamp<'_>) {
+        self.renaming = Some(Renaming::new((lamp.owner, lamp.id.clone()), &lamp.light.name));
+    }
+
+    fn menu(&mut self, ui: &mut Ui, session: &Session, lamp: &Lamp<'_>, out: &mut Vec<Command>) {
         if ui.button("Rename light").on_hover_text("Or double click on the name").clicked() {
-            self.renaming = Some(Renaming::new(id.clone(), &light.name));
+            self.rename(lamp);
         }
-        if ui.button("Duplicate light").on_hover_text("Adds a copy, which no node names yet").clicked() {
-            let index = session.look().lights.get_index_of(id).map(|index| index + 1);
-            let mut light = light.clone();
-            if !light.name.is_empty() {
-                light.name += " copy";
+        let users = self.users.get(lamp.id).copied().unwrap_or(0);
+        let (copy, removal) = match (lamp.owner, users) {
+            (Owner::Scene, _) => {
+                ("Adds a copy, which stands in for nothing yet", "Each look has its own light again".to_owned())
             }
-            let base = id.as_str().trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('_');
-            let base = if base.is_empty() { id.as_str() } else { base };
-            out.push(Command::Edit(Edit::AddLight { id: free_id(session, base), light, index }));
-        }
-        ui.separator();
-        let users = self.users.get(id).copied().unwrap_or(0);
-        let help = match users {
-            0 => "No node names it".to_owned(),
-            users => format!("{users} of the look's nodes name it, and will have to name another one"),
+            (Owner::Look, 0) => ("Adds a copy, which no node names yet", "No node names it".to_owned()),
+            (Owner::Look, users) => (
+                "Adds a copy, which no node names yet",
+                format!("{users} of the look's nodes name it, and will have to name another one"),
+            ),
         };
-        if ui.add(Button::new("Remove light")).on_hover_text(help).clicked() {
-            out.push(Command::Edit(Edit::RemoveLight { id: id.clone() }));
+        if ui.button("Duplicate light").on_hover_text(copy).clicked() {
+            out.push(lamp.duplicate(session).once());
+        }
+        add::scene_menu(ui, session, lamp, &self.shared, out);
+        ui.separator();
+        if ui.add(Button::new("Remove light")).on_hover_text(removal).clicked() {
+            out.push(lamp.remove().once());
         }
     }
 }
 
+fn section(ui: &mut Ui, title: &str, help: &str) {
+    ui.label(RichText::new(title).small().color(theme::of(ui).dim)).on_hover_text(help);
+}
+
 /// How bright it is, at hand also while the rest is folded away.
-fn intensity(ui: &mut Ui, session: &Session, id: &LightId, light: &Light, out: &mut Vec<Command>) {
-    let light = &edit::as_set(session, id, light);
+fn intensity(ui: &mut Ui, session: &Session, lamp: &Lamp<'_>, out: &mut Vec<Command>) {
+    let light = &lamp.as_set(session);
     let mut value = light.intensity;
     let drag = DragValue::new(&mut value).prefix("×").speed(0.01).range(0.0..=f64::MAX).clamp_existing_to_range(false);
     let response =
         ui.add(drag.max_decimals(2)).on_hover_text("Intensity: a factor on the color. Drag, or click to type.");
     response.widget_info(|| {
-        let mut info = WidgetInfo::labeled(Role::SpinButton, true, format!("Intensity of {}", name(id, light)));
+        let mut info = WidgetInfo::labeled(Role::SpinButton, true, format!("Intensity of {}", lamp.full_name()));
         info.value = Some(value);
         info
     });
     if response.changed() && value.is_finite() {
         let new = Light { intensity: value, ..light.clone() };
-        out.push(Command::EditHeld(response.id, edit::changed(session, id, light, &new)));
+        out.push(lamp.changed(session, light, &new).held(response.id));
     }
-}
-
-fn bar(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
-    ui.horizontal(|ui| {
-        let menu = ui.menu_button("Add light", |ui| {
-            let kinds = [
-                (LightKind::Directional, "Directional", "As far away as the sun: the same direction everywhere"),
-                (LightKind::Point, "Point", "At a place, shining everywhere"),
-                (LightKind::Spot, "Spot", "At a place, shining into a cone"),
-            ];
-            for (kind, label, help) in kinds {
-                if ui.button(label).on_hover_text(help).clicked() {
-                    let near = Light { position: [1.5, 1.5, 2.0], aim: [-0.5, -0.5, -0.7], ..Light::default() };
-                    let light = Light { kind, direction: [0.5, 0.5, 0.7], ..near };
-                    out.push(Command::Edit(Edit::AddLight { id: free_id(session, "light"), light, index: None }));
-                    ui.close();
-                }
-            }
-        });
-        menu.response.on_hover_text("Adds a light that layers can name");
-    });
-    ui.add_space(2.0);
-}
-
-fn free_id(session: &Session, base: &str) -> LightId {
-    LightId::new(make_slug(base, |slug| session.look().lights.contains_key(slug)))
 }
 
 /// The colour of a light as it is shown.

@@ -1,0 +1,98 @@
+//! What adds lights: to the look, and to the scene around it, in place of those that its looks have.
+
+use eframe::egui::Ui;
+use indexmap::IndexMap;
+
+use super::super::super::command::Command;
+use super::super::super::dock::hint;
+use super::super::super::lighting::{Change, Lamp, Owner, Shared};
+use super::super::super::reading::light_name;
+use super::super::super::session::Session;
+use crate::document::{Light, LightKind};
+use crate::ids::LightId;
+
+/// The menus above the list.
+pub(super) fn bar(ui: &mut Ui, session: &Session, shared: &IndexMap<LightId, Shared>, out: &mut Vec<Command>) {
+    ui.horizontal(|ui| {
+        let menu = ui.menu_button("Add light", |ui| {
+            let kinds = [
+                (LightKind::Directional, "Directional", "As far away as the sun: the same direction everywhere"),
+                (LightKind::Point, "Point", "At a place, shining everywhere"),
+                (LightKind::Spot, "Spot", "At a place, shining into a cone"),
+            ];
+            for (kind, label, help) in kinds {
+                if ui.button(label).on_hover_text(help).clicked() {
+                    let near = Light { position: [1.5, 1.5, 2.0], aim: [-0.5, -0.5, -0.7], ..Light::default() };
+                    let light = Light { kind, direction: [0.5, 0.5, 0.7], ..near };
+                    let id = session.free_light(Owner::Look, "light");
+                    out.push(Owner::Look.add(id, light, None).once());
+                    ui.close();
+                }
+            }
+        });
+        menu.response.on_hover_text("Adds a light that layers can name");
+        if session.stage().is_none() {
+            return;
+        }
+        let menu = ui.menu_button("Add scene light", |ui| {
+            let mut has_any = false;
+            for (id, shared) in free(session, shared) {
+                has_any = true;
+                let name = light_name(id, &shared.light);
+                let button = ui.button(format!("In place of {name}")).on_hover_text(help_for(id, shared));
+                if button.clicked() {
+                    out.push(Owner::Scene.add(id.clone(), shared.light.clone(), None).once());
+                    ui.close();
+                }
+            }
+            if !has_any {
+                hint(ui, "Every light of the scene's looks has one in its place already.");
+            }
+        });
+        menu.response.on_hover_text("Adds a light of the scene, which stands in place of one that looks have");
+    });
+    ui.add_space(2.0);
+}
+
+/// What can be done with a light because there is a scene.
+pub(super) fn scene_menu(
+    ui: &mut Ui,
+    session: &Session,
+    lamp: &Lamp<'_>,
+    shared: &IndexMap<LightId, Shared>,
+    out: &mut Vec<Command>,
+) {
+    if session.stage().is_none() {
+        return;
+    }
+    if lamp.owner == Owner::Look {
+        let help = "Adds the same to the scene, where it stands in place of every look's light of this id";
+        if session.light_of_scene(lamp.id).is_none()
+            && ui.button("Light the scene with it").on_hover_text(help).clicked()
+        {
+            out.push(Owner::Scene.add(lamp.id.clone(), lamp.as_set(session), None).once());
+        }
+        return;
+    }
+    for (id, shared) in free(session, shared) {
+        let text = format!("Stand in for {}", light_name(id, &shared.light));
+        if ui.button(text).on_hover_text(help_for(id, shared)).clicked() {
+            out.extend(lamp.stand_in_for(session, id).map(Change::once));
+        }
+    }
+}
+
+/// The lights of looks that no light of the scene stands in for.
+fn free<'s>(
+    session: &'s Session,
+    shared: &'s IndexMap<LightId, Shared>,
+) -> impl Iterator<Item = (&'s LightId, &'s Shared)> {
+    shared.iter().filter(|(id, _)| session.light_of_scene(id).is_none())
+}
+
+fn help_for(id: &LightId, shared: &Shared) -> String {
+    match shared.looks {
+        1 => format!("One look has the light {id}"),
+        looks => format!("{looks} looks have the light {id}: all are lit by this one then"),
+    }
+}
