@@ -47,10 +47,15 @@ impl Marked<'_> {
     }
 }
 
+/// The room for a mark.
+pub(super) fn size(ui: &Ui) -> egui::Vec2 {
+    egui::vec2(16.0, ui.spacing().interact_size.y)
+}
+
 /// Room for a mark, or the mark, with its menu.
 pub(super) fn diamond(ui: &mut Ui, marked: Option<&Marked<'_>>, out: &mut Vec<Command>) {
     let Some(marked) = marked.filter(|marked| marked.can_be_keyed()) else {
-        ui.allocate_exact_size(egui::vec2(16.0, ui.spacing().interact_size.y), egui::Sense::hover());
+        ui.allocate_exact_size(size(ui), egui::Sense::hover());
         return;
     };
     let name = format!("Keys of {}", marked.label);

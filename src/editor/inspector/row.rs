@@ -9,7 +9,7 @@ use super::super::keying::KeyedBy;
 use super::super::{theme, values};
 use super::marks::{self, Marked};
 use super::{Subject, color, curve, ramp};
-use crate::document::{Edit, Endpoint, Node, Value, Wire};
+use crate::document::{ColorSpace, Edit, Endpoint, Node, Value, Wire};
 use crate::ids::NodeId;
 use crate::library::{Fallback, Type};
 
@@ -36,24 +36,41 @@ pub(crate) fn marked(
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 3.0;
         marks::diamond(ui, marked, out);
-        ui.spacing_mut().item_spacing.x = 6.0;
-        let size = vec2(LABEL, ui.spacing().interact_size.y);
-        let layout = egui::Layout::left_to_right(egui::Align::Center);
-        let response = ui.allocate_ui_with_layout(size, layout, |ui| {
-            ui.set_min_width(LABEL);
-            let sense = if marked.is_some() { egui::Sense::click() } else { egui::Sense::hover() };
-            ui.add(egui::Label::new(label).truncate().sense(sense))
-        });
-        let mut response = response.inner;
-        let id = response.id;
-        if !help.is_empty() {
-            response = response.on_hover_text(help);
-        }
+        let response =
+            name(ui, label, help, if marked.is_some() { egui::Sense::click() } else { egui::Sense::hover() });
         if let Some(marked) = marked {
             response.context_menu(|ui| marks::menu(ui, marked, out));
         }
-        add(ui, id, out);
+        add(ui, response.id, out);
     });
+}
+
+/// A label with help, and a widget that is named by it; where marks are, something else is put.
+pub(crate) fn with_slot(
+    ui: &mut Ui,
+    label: RichText,
+    help: &str,
+    slot: impl FnOnce(&mut Ui, egui::Vec2),
+    add: impl FnOnce(&mut Ui, Id),
+) {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 3.0;
+        slot(ui, marks::size(ui));
+        let id = name(ui, label, help, egui::Sense::hover()).id;
+        add(ui, id);
+    });
+}
+
+/// The label of a row, as wide as all are.
+fn name(ui: &mut Ui, label: RichText, help: &str, sense: egui::Sense) -> egui::Response {
+    ui.spacing_mut().item_spacing.x = 6.0;
+    let size = vec2(LABEL, ui.spacing().interact_size.y);
+    let layout = egui::Layout::left_to_right(egui::Align::Center);
+    let response = ui.allocate_ui_with_layout(size, layout, |ui| {
+        ui.set_min_width(LABEL);
+        ui.add(egui::Label::new(label).truncate().sense(sense))
+    });
+    if help.is_empty() { response.inner } else { response.inner.on_hover_text(help) }
 }
 
 /// Shows an input.
@@ -206,9 +223,21 @@ fn reset(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Vec<Command>
 /// The widget of a type; the new value where it was changed, and who changed it.
 fn widget(ui: &mut Ui, label: Id, subject: &Subject<'_>, port: &Port, own: Option<&Value>) -> Option<(Id, Value)> {
     let value = values::current(port, own);
-    if value.is_none() {
-        return unset(ui, subject, port);
+    match &port.ty {
+        _ if value.is_none() => unset(ui, subject, port),
+        Type::LightName => light_name(ui, label, subject, value),
+        _ => plain(ui, label, port, value, subject.session.look().color_space),
     }
+}
+
+/// The widget of a type that is set by itself, whatever node it is of; `space` is what the numbers of a colour mean.
+pub(crate) fn plain(
+    ui: &mut Ui,
+    label: Id,
+    port: &Port,
+    value: Option<&Value>,
+    space: ColorSpace,
+) -> Option<(Id, Value)> {
     match &port.ty {
         Type::Bool => {
             let mut on = values::number(value) > 0.5;
@@ -216,9 +245,7 @@ fn widget(ui: &mut Ui, label: Id, subject: &Subject<'_>, port: &Port, own: Optio
             response.changed().then_some((response.id, Value::Bool(on)))
         }
         Type::Choice => choice(ui, label, port, value),
-        Type::LightName => light_name(ui, label, subject, value),
         Type::Color | Type::Composite => {
-            let space = subject.session.look().color_space;
             let color = value.and_then(|value| value.color_in(space)).unwrap_or([0.0, 0.0, 0.0, 1.0]);
             let (id, color) = color::edit(ui, label, color, space, true)?;
             let is_opaque = color[3] == 1.0;

@@ -1,6 +1,7 @@
 //! The objects of the scene: a row each, and of the selected one all that can be set.
 
 mod details;
+mod parameters;
 
 use eframe::egui;
 use eframe::egui::{
@@ -59,6 +60,7 @@ impl Objects {
                 if stage.selected().is_some_and(|(selected, _)| selected == id) {
                     ui.add_space(2.0);
                     self.details.show(ui, stage, id, object, &mut out);
+                    parameters::show(ui, session, stage, id, object, &mut out);
                     ui.add_space(8.0);
                 }
             }

@@ -1,0 +1,161 @@
+//! What the looks of an object expose: the look's values, and the object's own over them.
+
+use std::borrow::Cow;
+
+use eframe::egui::{Id, RichText, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2};
+
+use super::super::super::catalog::Port;
+use super::super::super::inspector::row;
+use super::super::super::reading::Parameter;
+use super::super::super::session::Session;
+use super::super::super::stage::{Stage, Wish};
+use super::super::super::{theme, values};
+use super::details::look_label;
+use crate::document::{Object, Value};
+use crate::ids::{ObjectId, PortName};
+use crate::library::Type;
+
+/// Lists the parameters by the looks that expose them, and then what the object sets and no look of it takes.
+pub(super) fn show(ui: &mut Ui, session: &Session, stage: &Stage, id: &ObjectId, object: &Object, out: &mut Vec<Wish>) {
+    let mut known: Vec<PortName> = Vec::new();
+    let mut setter = Setter { stage, id, object, out };
+    for (name, parameters) in of_looks(session, stage, object) {
+        // A name that several looks expose is set for all of them at once.
+        let new: Vec<&Parameter> = parameters.iter().filter(|parameter| !known.contains(&parameter.name)).collect();
+        if new.is_empty() {
+            continue;
+        }
+        heading(ui, &format!("Parameters of {}", look_label(stage, name)));
+        for parameter in new {
+            known.push(parameter.name.clone());
+            ui.push_id(&parameter.name, |ui| setter.row(ui, parameter));
+        }
+    }
+    let unknown: Vec<_> = object.values.iter().filter(|(name, _)| !known.contains(name)).collect();
+    if !unknown.is_empty() {
+        heading(ui, "Set, and exposed by none of its looks");
+        for (name, value) in unknown {
+            ui.push_id(name, |ui| setter.unknown(ui, name, value));
+        }
+    }
+}
+
+/// The looks that an object wears, each once, with what they expose.
+fn of_looks<'s>(session: &Session, stage: &'s Stage, object: &'s Object) -> Vec<(&'s str, Cow<'s, [Parameter]>)> {
+    let mut found: Vec<(&str, Cow<'_, [Parameter]>)> = Vec::new();
+    for name in object.looks.values() {
+        let is_known = |(known, _): &(&str, _)| *known == name.as_str() || stage.is_open(known) && stage.is_open(name);
+        if !found.iter().any(is_known) {
+            let parameters = match stage.is_open(name) {
+                true => Cow::Owned(session.reading().parameters()),
+                false => Cow::Borrowed(stage.parameters(name)),
+            };
+            found.push((name, parameters));
+        }
+    }
+    found
+}
+
+fn heading(ui: &mut Ui, text: &str) {
+    ui.add_space(2.0);
+    ui.label(RichText::new(text).small().color(theme::of(ui).dim));
+}
+
+/// Sets values of one object.
+struct Setter<'a> {
+    stage: &'a Stage,
+    id: &'a ObjectId,
+    object: &'a Object,
+    out: &'a mut Vec<Wish>,
+}
+
+impl Setter<'_> {
+    fn row(&mut self, ui: &mut Ui, parameter: &Parameter) {
+        let Parameter { name, label, port, .. } = parameter;
+        let own = self.object.values.get(name);
+        let of_look = parameter.value.as_ref().map(|value| values::short(port, value));
+        let colors = theme::of(ui);
+        let (color, more) = match (own, of_look) {
+            (Some(_), Some(of_look)) => (colors.accent, format!("Set by this object; its look has {of_look}")),
+            (Some(_), None) => (colors.accent, "Set by this object".to_owned()),
+            (None, _) => (colors.text, "As its look has it, until it is set here".to_owned()),
+        };
+        let text = RichText::new(label).color(color);
+        let text = if own.is_some() { text.strong() } else { text };
+        let help = format!("{}\n{more}", parameter.help);
+        let mut is_taken_back = false;
+        let slot = |ui: &mut Ui, size: Vec2| match own {
+            Some(_) => {
+                let help = "Set by this object. A press takes that back, and it is as its look has it.";
+                is_taken_back = mark(ui, size, &format!("Back to the look's {label}"), help);
+            }
+            None => drop(ui.allocate_exact_size(size, Sense::hover())),
+        };
+        row::with_slot(ui, text, &help, slot, |ui, label_id| {
+            let value = own.or(parameter.value.as_ref());
+            match port.ty {
+                _ if value.is_none() => {
+                    ui.label(RichText::new("from the surface").color(theme::of(ui).dim));
+                }
+                Type::Curve | Type::Ramp | Type::Text => {
+                    let text = value.map(|value| values::short(port, value)).unwrap_or_default();
+                    ui.label(RichText::new(text).color(theme::of(ui).dim))
+                        .on_hover_text("Set in a scene's file, or in the look");
+                }
+                _ => {
+                    let changed = row::plain(ui, label_id, port, value, parameter.space);
+                    if let Some((hand, value)) = changed {
+                        self.set(hand, name, value);
+                    }
+                }
+            }
+        });
+        if is_taken_back {
+            self.clear(name);
+        }
+    }
+
+    /// What none of the looks takes: it may have been exposed once, or be mistyped.
+    fn unknown(&mut self, ui: &mut Ui, name: &PortName, value: &Value) {
+        let port = Port::named(name.as_str());
+        let text = RichText::new(name.as_str()).color(theme::of(ui).warning);
+        let help = "No look of this object exposes it under this name, so it changes nothing";
+        let slot = |ui: &mut Ui, size: Vec2| drop(ui.allocate_exact_size(size, Sense::hover()));
+        row::with_slot(ui, text, help, slot, |ui, _| {
+            ui.label(RichText::new(values::short(&port, value)).color(theme::of(ui).dim));
+            let take_out = ui.small_button("Take out");
+            take_out.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Take out {name}")));
+            if take_out.on_hover_text("Takes the value out of the scene").clicked() {
+                self.clear(name);
+            }
+        });
+    }
+
+    fn set(&mut self, hand: Id, name: &PortName, value: Value) {
+        let set = self.stage.change(self.id, |object| drop(object.values.insert(name.clone(), value)));
+        self.out.extend(set.map(|edit| Wish::EditHeld(hand, edit)));
+    }
+
+    /// Takes the object's own value away.
+    fn clear(&mut self, name: &PortName) {
+        let edit = self.stage.change(self.id, |object| drop(object.values.shift_remove(name)));
+        self.out.extend(edit.map(Wish::Edit));
+    }
+}
+
+/// A dot beside what the object sets itself; under the pointer it is an arrow back. Whether it was pressed.
+fn mark(ui: &mut Ui, size: Vec2, label: &str, help: &str) -> bool {
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, label));
+    let (colors, at) = (theme::of(ui), rect.center());
+    if response.hovered() || response.has_focus() {
+        let stroke = Stroke::new(1.5, colors.text);
+        let arc = (0..=9_u8).map(|step| at + 4.0 * Vec2::angled(-2.2 + f32::from(step) / 9.0 * 4.6));
+        ui.painter().add(Shape::line(arc.collect(), stroke));
+        let end = at + 4.0 * Vec2::angled(-2.2);
+        ui.painter().add(Shape::line(vec![end + vec2(-0.4, -4.0), end, end + vec2(4.0, 0.4)], stroke));
+    } else {
+        ui.painter().circle_filled(at, 3.0, colors.accent);
+    }
+    response.on_hover_text(help).clicked()
+}
