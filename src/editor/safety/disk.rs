@@ -1,4 +1,5 @@
-//! Files that the look lives on, changed by other programs: its own, the project's nodes, its mesh and images.
+//! Files that the look and the scene around it live on, changed by other programs: their own, the project's nodes, the
+//! scene's other looks, meshes and images.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -61,7 +62,8 @@ pub(crate) struct Disk {
     of: Use,
     is_new: bool,
     look: Option<PathBuf>,
-    nodes: Option<PathBuf>,
+    /// The folders of the project's nodes, of the look's and of the scene's.
+    nodes: Vec<PathBuf>,
     node_stamps: BTreeMap<PathBuf, Stamp>,
     assets: BTreeMap<PathBuf, Stamp>,
     /// When to look, on the window's clock.
@@ -82,7 +84,7 @@ impl Disk {
             of: Use::default(),
             is_new: true,
             look: None,
-            nodes: None,
+            nodes: Vec::new(),
             node_stamps: BTreeMap::new(),
             assets: BTreeMap::new(),
             due: None,
@@ -135,8 +137,12 @@ impl Disk {
             self.conflict = None;
             self.look = session.path().and_then(|path| std::path::absolute(path).ok());
             self.was_there = self.look.as_ref().is_some_and(|path| path.exists());
-            self.nodes = self.look.as_ref().and_then(|path| path.parent()).map(|folder| folder.join("nodes"));
-            self.node_stamps = self.nodes.as_deref().map(stamps_below).unwrap_or_default();
+        }
+        let nodes: Vec<PathBuf> =
+            session.node_folders().iter().filter_map(|folder| std::path::absolute(folder).ok()).collect();
+        if is_other || self.nodes != nodes {
+            self.nodes = nodes;
+            self.node_stamps = stamps_below(&self.nodes);
         }
         let folder = session.folder();
         let images =
@@ -151,7 +157,7 @@ impl Disk {
         let links = self.look.iter().filter_map(|path| path.canonicalize().ok());
         let scene = session.stage().and_then(|stage| std::path::absolute(stage.path()?).ok());
         let files = self.assets.keys().cloned().chain(self.look.clone()).chain(links).chain(scene).collect();
-        self.watch.set(Watched { files, folder: self.nodes.clone() });
+        self.watch.set(Watched { files, folders: self.nodes.iter().cloned().collect() });
         is_other
     }
 
@@ -166,7 +172,7 @@ impl Disk {
     /// Looks at all files. Returns what to tell.
     pub(crate) fn check(&mut self, session: &mut Session) -> Option<String> {
         let mut told = self.check_look(session).or_else(|| self.check_scene(session));
-        let nodes = self.nodes.as_deref().map(stamps_below).unwrap_or_default();
+        let nodes = stamps_below(&self.nodes);
         if nodes != self.node_stamps {
             // The folder may be new, and is watched from now on.
             self.is_new |= self.node_stamps.is_empty() || nodes.is_empty();
@@ -243,10 +249,10 @@ fn stamp(path: &Path) -> Stamp {
 }
 
 /// The files of a project's nodes.
-fn stamps_below(folder: &Path) -> BTreeMap<PathBuf, Stamp> {
+fn stamps_below(folders: &[PathBuf]) -> BTreeMap<PathBuf, Stamp> {
     const MAX_DEPTH: usize = 8;
     let mut found = BTreeMap::new();
-    let mut folders = vec![(folder.to_owned(), 0)];
+    let mut folders: Vec<_> = folders.iter().map(|folder| (folder.clone(), 0)).collect();
     while let Some((folder, depth)) = folders.pop() {
         let Ok(entries) = std::fs::read_dir(&folder) else { continue };
         for path in entries.flatten().map(|entry| entry.path()) {

@@ -13,25 +13,24 @@ use notify::{EventKind, RecommendedWatcher, RecursiveMode, Watcher as _};
 pub(super) struct Watched {
     /// Files, which need not be there yet.
     pub(super) files: BTreeSet<PathBuf>,
-    /// A folder with all in it.
-    pub(super) folder: Option<PathBuf>,
+    /// Folders with all in them.
+    pub(super) folders: BTreeSet<PathBuf>,
 }
 
 impl Watched {
     fn holds(&self, path: &Path) -> bool {
-        self.files.contains(path) || self.folder.as_ref().is_some_and(|folder| path.starts_with(folder))
+        self.files.contains(path) || self.folders.iter().any(|folder| path.starts_with(folder))
     }
 
     /// The folders to ask the system for. A file is watched by its folder, since a save puts another in its place.
-    fn folders(&self) -> BTreeMap<PathBuf, RecursiveMode> {
-        let parents = self.files.iter().chain(&self.folder).filter_map(|path| path.parent());
+    fn to_ask_for(&self) -> BTreeMap<PathBuf, RecursiveMode> {
+        let parents = self.files.iter().chain(&self.folders).filter_map(|path| path.parent());
         let mut folders: BTreeMap<PathBuf, RecursiveMode> = parents
             .filter(|folder| folder.is_dir())
             .map(|folder| (folder.to_owned(), RecursiveMode::NonRecursive))
             .collect();
-        if let Some(folder) = self.folder.as_ref().filter(|folder| folder.is_dir()) {
-            folders.insert(folder.clone(), RecursiveMode::Recursive);
-        }
+        let whole = self.folders.iter().filter(|folder| folder.is_dir());
+        folders.extend(whole.map(|folder| (folder.clone(), RecursiveMode::Recursive)));
         folders
     }
 }
@@ -74,7 +73,7 @@ impl Watch {
 
     /// Watches these and nothing else.
     pub(super) fn set(&mut self, watched: Watched) {
-        let folders = watched.folders();
+        let folders = watched.to_ask_for();
         *self.shared.watched.lock().unwrap_or_else(PoisonError::into_inner) = watched;
         let Some(watcher) = &mut self.watcher else { return };
         for (folder, mode) in &self.folders {
