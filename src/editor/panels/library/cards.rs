@@ -1,4 +1,4 @@
-//! Looks as pictures that open when they are pressed: those of files, and the examples.
+//! Looks and scenes as pictures that open when they are pressed: those of files, and the examples.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -11,10 +11,10 @@ use super::super::super::command::Command;
 use super::super::super::dock::cell;
 use super::super::super::session::Session;
 use super::super::super::theme;
-use super::super::thumbs::{Shot, Thumbs, key_of};
+use super::super::thumbs::{Shot, Thumbs, key_of, key_of_scene};
 use super::super::widgets::{picture_frame, row_ground, whole};
 use super::EXAMPLES;
-use crate::document::{Document, Look};
+use crate::document::{Document, Loaded, Look};
 
 /// The height of a card's name.
 const NAME: f32 = 20.0;
@@ -51,31 +51,29 @@ impl Card {
             // "figure1-layers" is shown as what the look calls itself, which people search for too.
             let figure = name.split_once('-').map_or(*name, |(figure, _)| figure).replace("figure", "Figure ");
             let name = if look.name.is_empty() { (*name).to_owned() } else { format!("{} · {figure}", look.name) };
-            Some(Self::new(Origin::Example(index), name, Content::Look(Arc::new(look)), side))
+            let key = key_of(&look, Shot::Whole, side);
+            Some(Self { origin: Origin::Example(index), name, content: Content::Look(Arc::new(look)), key, side })
         };
         EXAMPLES.iter().enumerate().filter_map(card).collect()
     }
 
     /// What a file holds.
     pub(in super::super) fn of_file(path: &Path, side: f32) -> Self {
-        let content = match Document::load(path) {
-            Document::Look(loaded) => loaded.value.map_or(Content::Unreadable, |look| Content::Look(Arc::new(look))),
-            Document::Scene(loaded) => loaded.value.map_or(Content::Unreadable, |_| Content::Scene),
+        let origin = Origin::File(path.to_owned());
+        let (content, key) = match Document::load(path) {
+            Document::Look(Loaded { value: Some(look), .. }) => {
+                let key = key_of(&look, Shot::Whole, side);
+                (Content::Look(Arc::new(look)), key)
+            }
+            Document::Scene(Loaded { value: Some(scene), .. }) => (Content::Scene, key_of_scene(path, &scene, side)),
+            _ => (Content::Unreadable, 0),
         };
-        Self::new(Origin::File(path.to_owned()), name_of(path), content, side)
+        Self { origin, name: name_of(path), content, key, side }
     }
 
-    fn new(origin: Origin, name: String, content: Content, side: f32) -> Self {
-        let key = match &content {
-            Content::Look(look) => key_of(look, Shot::Whole, side),
-            Content::Scene | Content::Unreadable => 0,
-        };
-        Self { origin, name, content, key, side }
-    }
-
-    /// Whether it is a look that could be read.
-    pub(in super::super) fn is_look(&self) -> bool {
-        matches!(self.content, Content::Look(_))
+    /// Whether it could be read.
+    pub(in super::super) fn is_readable(&self) -> bool {
+        !matches!(self.content, Content::Unreadable)
     }
 
     /// Shows it, with a picture of this side in points.
@@ -97,22 +95,18 @@ impl Card {
         let picture = picture_of(rect, side);
         ui.painter().rect_filled(picture, 3.0, theme::of(ui).canvas);
         match (&self.content, thumbs.known(self.key)) {
-            (Content::Look(_), Some(texture)) => {
+            (Content::Unreadable, _) => say(ui, picture, "cannot be read"),
+            (_, Some(texture)) => {
                 ui.painter().image(texture, picture.shrink(1.0), whole(), Color32::WHITE);
             }
-            (Content::Scene, _) => say(ui, picture, "a scene"),
-            (Content::Unreadable, _) => say(ui, picture, "cannot be read"),
-            (Content::Look(_), None) if thumbs.is_done(self.key) || !thumbs.can_draw() => {
-                say(ui, picture, "no picture");
+            (_, None) if thumbs.is_done(self.key) || !thumbs.can_draw() => {
+                let text = if matches!(self.content, Content::Scene) { "a scene" } else { "no picture" };
+                say(ui, picture, text);
             }
-            (Content::Look(look), None) => {
+            (_, None) => {
                 thumbs.look_again(ui);
                 say(ui, picture, "drawing…");
-                let folder = match &self.origin {
-                    Origin::File(path) => path.parent().map(Path::to_path_buf).unwrap_or_default(),
-                    Origin::Example(_) => PathBuf::new(),
-                };
-                thumbs.ask(self.key, look.clone(), folder, session, Shot::Whole, self.side);
+                self.ask(session, thumbs);
             }
         }
         picture_frame(ui, picture);
@@ -132,6 +126,21 @@ impl Card {
             out.push(command);
         }
         response.on_hover_text(help)
+    }
+
+    /// Asks for its picture.
+    fn ask(&self, session: &Session, thumbs: &Thumbs) {
+        match (&self.content, &self.origin) {
+            (Content::Look(look), origin) => {
+                let folder = match origin {
+                    Origin::File(path) => path.parent().map(Path::to_path_buf).unwrap_or_default(),
+                    Origin::Example(_) => PathBuf::new(),
+                };
+                thumbs.ask(self.key, look.clone(), folder, session, Shot::Whole, self.side);
+            }
+            (Content::Scene, Origin::File(path)) => thumbs.ask_for_scene(self.key, path, self.side),
+            (Content::Scene, Origin::Example(_)) | (Content::Unreadable, _) => {}
+        }
     }
 }
 

@@ -62,7 +62,7 @@ impl Library {
         let there: Vec<PathBuf> = files.filter(|(_, is_there)| *is_there).map(|(path, _)| path.clone()).collect();
         if self.recent_of != there {
             self.recent = there.iter().take(MOST_RECENT).map(|path| Card::of_file(path, SIDE)).collect();
-            self.recent.retain(Card::is_look);
+            self.recent.retain(Card::is_readable);
             self.recent_of = there;
         }
     }

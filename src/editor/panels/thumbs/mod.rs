@@ -1,9 +1,11 @@
 //! Small pictures of looks and layers, drawn on a thread of their own while the window rests: one at a time, each kept by
 //! what it shows, so that undo and the same layer elsewhere cost nothing.
 
+mod scene;
+
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use glam::DVec3;
@@ -18,6 +20,7 @@ use crate::compile::Live;
 use crate::document::Look;
 use crate::frame::{Cull, Picture, PlanOptions, Planner};
 use crate::render::{Gpu, Renderer, block_on};
+pub(crate) use scene::key_of_scene;
 
 /// Each pixel is the mean of so many by so many: highlights are finer than a small picture's pixels.
 const FINER: u32 = 2;
@@ -54,9 +57,15 @@ impl Shot {
 
 struct Job {
     key: u64,
-    still: Still,
-    shot: Shot,
+    subject: Subject,
     side: u32,
+}
+
+/// What is drawn.
+enum Subject {
+    Look(Box<Still>, Shot),
+    /// The scene in a file.
+    Scene(PathBuf),
 }
 
 struct Done {
@@ -163,12 +172,23 @@ impl Thumbs {
 
     /// Asks for a picture of a look, `side` pixels wide, if nothing else is being drawn; the thread wakes the window when it is there.
     pub(crate) fn ask(&self, key: u64, look: Arc<Look>, folder: PathBuf, session: &Session, shot: Shot, side: f32) {
+        self.request(key, side, || {
+            let (distance, height) = shot.distance_and_height();
+            let orbit = Orbit { distance, target: DVec3::new(0.0, height, 0.0), ..Orbit::default() };
+            Subject::Look(Box::new(Still { folder, orbit, stage: None, ..session.still_of(look) }), shot)
+        });
+    }
+
+    /// The same of the scene in a file, as its own camera sees it.
+    pub(crate) fn ask_for_scene(&self, key: u64, path: &Path, side: f32) {
+        self.request(key, side, || Subject::Scene(path.to_owned()));
+    }
+
+    fn request(&self, key: u64, side: f32, subject: impl FnOnce() -> Subject) {
         let Some(worker) = self.worker.as_ref().filter(|worker| self.rests && !worker.is_busy()) else { return };
-        let (distance, height) = shot.distance_and_height();
-        let orbit = Orbit { distance, target: DVec3::new(0.0, height, 0.0), ..Orbit::default() };
         let side = (side.round() as u32).clamp(8, MAX_SIDE);
-        let still = Still { folder, orbit, stage: None, ..session.still_of(look) };
-        worker.request(|_| Job { key, still, shot, side });
+        let subject = subject();
+        worker.request(|_| Job { key, subject, side });
     }
 }
 
@@ -191,14 +211,19 @@ struct Artist {
 }
 
 impl Artist {
-    fn draw(&mut self, Job { still, shot, side, .. }: &Job) -> Option<ColorImage> {
-        let planner = self.planner.of(&still.look, &still.library);
-        let (mut setup, _) = still.setup(&mut planner.assets).ok()?;
-        setup.scene.backdrop = None;
+    fn draw(&mut self, Job { subject, side, .. }: &Job) -> Option<ColorImage> {
         let options = PlanOptions { size: [side * FINER; 2], samples: 4, time: 0.0 };
-        let plan = planner.plan(&setup, &still.library, &Live::Keyed, &options).ok()?;
+        let plan = match subject {
+            Subject::Look(still, _) => {
+                let planner = self.planner.of(&still.look, &still.library);
+                let (mut setup, _) = still.setup(&mut planner.assets).ok()?;
+                setup.scene.backdrop = None;
+                planner.plan(&setup, &still.library, &Live::Keyed, &options).ok()?
+            }
+            Subject::Scene(path) => scene::plan(path, &options)?,
+        };
         let picture = block_on(self.renderer.picture(&plan)).ok()?;
-        Some(smaller(&picture, *shot == Shot::Lifted))
+        Some(smaller(&picture, matches!(subject, Subject::Look(_, Shot::Lifted))))
     }
 }
 
