@@ -462,3 +462,52 @@ fn found_and_shared_shots() {
     hand.key_with(Modifiers::SHIFT, Key::Questionmark);
     save(&mut hand, "shortcuts-light");
 }
+
+/// What a scene has beside its objects: lights of its own, values that an object sets, and a picture where it is offered.
+#[test]
+#[ignore = "writes pictures to be looked at"]
+fn shots_of_a_scenes_parts() {
+    let home = tempfile::tempdir().unwrap();
+    let example = |name: &str| std::fs::read_to_string(format!("examples/looks/{name}.json")).unwrap();
+    let exposed = r#""exposed": [{"name": "highlight_size", "target": "highlight.cutoff"},
+      {"name": "warm_side", "target": "diffuse.convex"}, {"name": "kind", "target": "diffuse.type"},
+      {"name": "glow", "target": "highlight.opacity"}], "wires": "#;
+    let look = example("figure5-directional").replacen("\"wires\":", exposed, 1);
+    std::fs::write(home.path().join("directional.json"), look).unwrap();
+    std::fs::write(home.path().join("comics.json"), example("figure6-comics")).unwrap();
+    let scene = r##"{"chiaro": "scene", "name": "Two", "objects": [
+      {"id": "knot", "mesh": "shape:knot", "transform": {"translate": [-1.1, 0, 0]}, "looks": "directional.json",
+       "values": {"glow": 0.4, "warm_side": "#5fb0e0"}},
+      {"id": "creature", "mesh": "shape:creature", "transform": {"translate": [1.1, 0, 0]}, "looks": "comics.json"}],
+      "lights": {"key": {"name": "Evening sun", "direction": [-0.8, 0.4, 0.5], "color": [1, 0.8, 0.55]}},
+      "camera": {"eye": [0, 0.6, 9]}, "backdrop": [0.09, 0.08, 0.12, 1]}"##;
+    std::fs::write(home.path().join("two.json"), scene).unwrap();
+    let folder = home.path().to_owned();
+    let mut hand = window_of(move |app| {
+        let mut app = app.without_dialogs();
+        let places = chiaro::editor::Places { state: folder.join("state"), config: folder.join("config") };
+        app.keep_in(places, &eframe::egui::Context::default());
+        app
+    });
+    hand.app_mut().open(&home.path().join("two.json"));
+    hand.settle();
+    click_label(&mut hand, "Object knot");
+    save(&mut hand, "scene-values");
+    hand.tab("Lights");
+    save(&mut hand, "scene-lights");
+    let row = hand.place("Light Evening sun of the scene shines");
+    hand.click(row.left_center() - vec2(14.0, 0.0));
+    save(&mut hand, "scene-light-open");
+    click_label(&mut hand, "Add scene light");
+    save(&mut hand, "scene-light-add");
+    hand.key(Key::Escape);
+    hand.harness.ctx.set_theme(Theme::Light);
+    hand.app_mut().open(Path::new("examples/scenes/cast.json"));
+    hand.app_mut().open(Path::new("examples/scenes/figure5-from-behind.json"));
+    hand.app_mut().show_start_page();
+    for _ in 0..60 {
+        hand.harness.run_steps(2);
+        hand.settle();
+    }
+    save(&mut hand, "scene-start");
+}
