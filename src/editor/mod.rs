@@ -16,6 +16,7 @@ mod dock;
 mod fixes;
 mod inspector;
 mod keying;
+mod look_export;
 mod orbit;
 mod panels;
 mod path_field;

@@ -35,8 +35,11 @@ impl App {
             ui.separator();
             commands.extend(recent.map(|path| Command::Open(Some(path))));
             ui.menu_button("View", |ui| self.view_menu(ui)).response.on_hover_text("Panels, theme and scale");
-            let copies = [Action::CopyPicture, Action::CopyWgsl, Action::Copy];
-            menu(ui, "Copy as", "The picture, the shader or the selected nodes, to the clipboard", &copies, commands);
+            let exports = of_kind(|action| matches!(action, Action::Export(_) | Action::ExportPicture));
+            menu(ui, "Export", "The look as shaders for other programs, or the picture, as files", &exports, commands);
+            let shaders = of_kind(|action| matches!(action, Action::CopyShader(..)));
+            let copies = [&[Action::CopyPicture, Action::Copy, Action::CopyWgsl], shaders.as_slice()].concat();
+            menu(ui, "Copy as", "The picture, the selected nodes or the shader, to the clipboard", &copies, commands);
             let helps = [Action::Start, Action::Tour, Action::Commands, Action::Shortcuts];
             menu(ui, "Help", "The start page, the tour, all commands and keys", &helps, commands);
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -95,7 +98,9 @@ impl App {
         ui.horizontal(|ui| {
             let command = problems::status(ui, &self.session);
             if let Some(message) = &self.message {
-                ui.label(RichText::new(message).color(theme::of(ui).accent));
+                // A long one is cut off, and whole under the pointer: it never pushes the window about.
+                let text = RichText::new(message).color(theme::of(ui).accent);
+                ui.add(egui::Label::new(text).truncate()).on_hover_text(message);
                 ui.separator();
             }
             ui.add(egui::Label::new(RichText::new(hint).color(theme::of(ui).dim)).truncate());
@@ -129,6 +134,11 @@ impl App {
             ctx.data_mut(|data| data.insert_temp(id, title));
         }
     }
+}
+
+/// All actions of a kind, as the table of shortcuts orders them.
+fn of_kind(is_it: impl Fn(Action) -> bool) -> Vec<Action> {
+    shortcuts::ALL.iter().map(|row| row.action).filter(|action| is_it(*action)).collect()
 }
 
 /// A menu of what the table of shortcuts has, with its keys.

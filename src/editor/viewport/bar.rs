@@ -8,7 +8,7 @@ use std::path::Path;
 use super::super::command::Command;
 use super::super::dock::Panel;
 use super::super::panels::solo;
-use super::super::probe::{Probe, picture_size, wire_name};
+use super::super::probe::{Probe, wire_name};
 use super::super::session::Session;
 use super::super::theme;
 use super::super::wipe::Wipe;
@@ -161,7 +161,7 @@ impl Viewport {
             ui.close();
         }
         ui.horizontal(|ui| {
-            let own = self.rect.map_or([800, 800], |rect| picture_size(rect, ui.pixels_per_point()));
+            let own = self.size_in_pixels(ui.pixels_per_point());
             ui.label("Save picture");
             for (label, factor) in [("1×", 1), ("2×", 2), ("4×", 4)] {
                 let size = own.map(|side| (side * factor).clamp(1, MOST_SIDE));
