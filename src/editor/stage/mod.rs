@@ -14,6 +14,7 @@ use std::sync::Arc;
 
 use serde_json::json;
 
+use super::orbit::Orbit;
 use super::safety::keeper::Standing;
 use super::session::keeping::Keeping;
 use super::session::times::{Gestures, Times};
@@ -286,6 +287,11 @@ impl Stage {
 
     pub(crate) fn keeping(&self) -> &Keeping<Scene> {
         &self.keeping
+    }
+
+    /// Tells the journal where the window looks from.
+    pub(crate) fn note_view(&mut self, view: &Orbit) {
+        self.keeping.note_view(view);
     }
 
     /// Hands what was done to the journal.
