@@ -42,7 +42,7 @@ fn figure_1_is_built_layer_by_layer() {
     // What lies lowest: a tint that is everywhere.
     artist.press("Base Base");
     artist.press("Add layer");
-    artist.press("Ambient fill");
+    artist.press("Add Fill");
     artist.set_color("Convex color", "#16131f");
     artist.set_color("Concave color", "#08060d");
 
@@ -61,7 +61,7 @@ fn figure_1_is_built_layer_by_layer() {
     // The back-light from the list of layers, over the selected one, with the light that it needs.
     artist.press("Layer Specular");
     artist.press("Add layer");
-    artist.press("Rim, back-light");
+    artist.press("Add Back-light");
     assert_eq!(artist.look().lights.len(), 2, "a light behind was added");
     let wires = &artist.look().graph;
     assert_eq!(wires.wire_into(&"back_light".into(), &"below".into()).unwrap().from.node.as_str(), specular);
