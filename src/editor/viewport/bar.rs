@@ -7,6 +7,7 @@ use std::path::Path;
 
 use super::super::command::Command;
 use super::super::dock::Panel;
+use super::super::inspector::color;
 use super::super::panels::solo;
 use super::super::probe::{Probe, wire_name};
 use super::super::session::Session;
@@ -16,7 +17,7 @@ use super::super::wire::node_at;
 use super::Viewport;
 use super::export::Export;
 use super::show::{self, Place};
-use crate::document::{Projection, Scene};
+use crate::document::{ColorSpace, Projection, Scene};
 use crate::frame::SHAPE_PREFIX;
 use crate::geometry::SHAPES;
 
@@ -110,9 +111,7 @@ impl Viewport {
                 session.view.backdrop = is_own.then_some(backdrop);
             }
             if let Some(color) = &mut session.view.backdrop {
-                let mut rgb = [0, 1, 2].map(|channel| (color[channel].clamp(0.0, 1.0) * 255.0).round() as u8);
-                if ui.color_edit_button_srgb(&mut rgb).labelled_by(label.id).changed() {
-                    let [r, g, b] = rgb.map(|channel| f64::from(channel) / 255.0);
+                if let Some((_, [r, g, b, _])) = color::swatch(ui, label.id, *color, ColorSpace::Display, false) {
                     *color = [r, g, b, 1.0];
                 }
             }
