@@ -9,6 +9,9 @@ use crate::editor::shortcuts::{self, Action};
 use crate::editor::spots::{self, Spot};
 use crate::editor::{dock, theme};
 
+/// Below this width, in points, the name of what is open is not told in the bar: the window's title has it too.
+const LEAST_NAME: f32 = 60.0;
+
 impl App {
     pub(super) fn bar(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
         ui.horizontal(|ui| {
@@ -44,13 +47,16 @@ impl App {
             menu(ui, "Help", "The start page, the tour, all commands and keys", &helps, commands);
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let name = self.documents();
-                if self.session.is_dirty() {
+                if self.session.is_dirty() && ui.available_width() > LEAST_NAME {
                     ui.label(RichText::new("changed").color(theme::of(ui).accent)).on_hover_text("Not saved yet");
                 }
                 let path = self.session.path().map(|path| path.display().to_string());
-                let label = ui.label(RichText::new(name).strong());
-                if let Some(path) = path {
-                    label.on_hover_text(path);
+                // A narrow window has room for the buttons alone.
+                if ui.available_width() > LEAST_NAME {
+                    let label = ui.add(egui::Label::new(RichText::new(name).strong()).truncate());
+                    if let Some(path) = path {
+                        label.on_hover_text(path);
+                    }
                 }
             });
         });

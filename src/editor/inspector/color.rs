@@ -34,6 +34,13 @@ pub(in super::super) fn swatch(
     swatch_of(ui, color, space, with_alpha, |response| response.labelled_by(label))
 }
 
+/// What a swatch opens, here and now: for an opaque colour, as it is shown.
+pub(in super::super) fn pick(ui: &mut Ui, color: [f64; 4]) -> Option<[f64; 4]> {
+    let id = ui.scope_id().with("color");
+    let picked = picker::pick(ui, id, color.map(|x| x as f32), false)?;
+    Some(picked.map(|x| (f64::from(x) * 1e4).round() / 1e4))
+}
+
 /// The swatch alone; `name` is what screen readers call it.
 pub(super) fn named_swatch(
     ui: &mut Ui,
@@ -99,7 +106,7 @@ fn hex(ui: &mut Ui, label: Id, color: [f64; 4], space: ColorSpace) -> Option<(Id
     let mut text = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| shown.clone());
     let is_bad = parse_typed(&text).is_none();
     let edit =
-        TextEdit::singleline(&mut text).id(id).desired_width(80.0).font(egui::TextStyle::Monospace).char_limit(9);
+        TextEdit::singleline(&mut text).id(id).align(egui::Align2::LEFT_CENTER).desired_width(80.0).font(egui::TextStyle::Monospace).char_limit(9);
     let edit = if is_bad { edit.text_color(theme::of(ui).error) } else { edit };
     let mut output = edit.show(ui);
     let response = output.response.response.labelled_by(label);

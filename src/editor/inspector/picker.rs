@@ -3,6 +3,7 @@
 //! and names none of its parts for screen readers.
 
 use eframe::egui;
+use eframe::egui::style::StyleModifier;
 use eframe::egui::{
     Color32, CornerRadius, DragValue, EventFilter, Id, Key, Mesh, Modifiers, Popup, PopupCloseBehavior, Rect, Response,
     Role, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, color_picker, pos2, vec2,
@@ -85,7 +86,9 @@ pub(super) fn swatch(
     let popup = response.id.with("picker");
     let is_open = Popup::is_id_open(ui.ctx(), popup);
     paint_swatch(ui, rect, &response, is_open, Color32::from_rgba_unmultiplied(r, g, b, a));
-    let menu = Popup::menu(&response).id(popup).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+    // Its fields look as fields do elsewhere, not as the entries of a menu.
+    let menu = Popup::menu(&response).id(popup).style(StyleModifier::default());
+    let menu = menu.close_behavior(PopupCloseBehavior::CloseOnClickOutside);
     let shown = menu.show(|ui| {
         ui.set_width(SQUARE.x);
         ui.spacing_mut().item_spacing.y = 6.0;
@@ -108,8 +111,8 @@ fn paint_swatch(ui: &Ui, rect: Rect, response: &Response, is_open: bool, color: 
     ui.painter().rect_stroke(rect, visuals.corner_radius, Stroke::new(1.0, edge), StrokeKind::Inside);
 }
 
-/// Everything in the picker but the hex code; the colour that a hand gave.
-fn pick(ui: &mut Ui, id: Id, color: [f32; 4], with_alpha: bool) -> Option<[f32; 4]> {
+/// Everything in the picker but the hex code; the colour that a hand gave. The hue of a grey is remembered by `id`.
+pub(super) fn pick(ui: &mut Ui, id: Id, color: [f32; 4], with_alpha: bool) -> Option<[f32; 4]> {
     let [r, g, b, a] = color;
     let mut hsv = Hsv::remembered(ui, id, [r, g, b]);
     let before = hsv;

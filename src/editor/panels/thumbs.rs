@@ -53,7 +53,7 @@ impl Shot {
 }
 
 /// From the eye to the middle of a mesh that may be anything.
-const NEAR_ANY: f64 = 2.9;
+const NEAR_ANY: f64 = 3.3;
 /// Files of meshes up to so many bytes are read once more for small pictures.
 const LIGHT: u64 = 4 << 20;
 

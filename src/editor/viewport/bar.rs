@@ -17,7 +17,7 @@ use super::super::wire::node_at;
 use super::Viewport;
 use super::export::Export;
 use super::show::{self, Place};
-use crate::document::{ColorSpace, Projection, Scene};
+use crate::document::{Projection, Scene};
 use crate::frame::SHAPE_PREFIX;
 use crate::geometry::SHAPES;
 
@@ -110,12 +110,13 @@ impl Viewport {
             if label.changed() {
                 session.view.backdrop = is_own.then_some(backdrop);
             }
-            if let Some(color) = &mut session.view.backdrop {
-                if let Some((_, [r, g, b, _])) = color::swatch(ui, label.id, *color, ColorSpace::Display, false) {
-                    *color = [r, g, b, 1.0];
-                }
-            }
         });
+        // Here and not behind a swatch: a menu is closed by what opens over it.
+        if let Some(color) = &mut session.view.backdrop
+            && let Some([r, g, b, _]) = color::pick(ui, *color)
+        {
+            *color = [r, g, b, 1.0];
+        }
         ui.horizontal(|ui| {
             let label = ui.label("Exposure");
             let range = -show::MOST_STOPS..=show::MOST_STOPS;

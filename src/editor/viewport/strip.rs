@@ -69,9 +69,10 @@ fn tab(ui: &mut Ui, room: Rect, id: Id, layer: &Layer) -> Response {
         egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Values of {} over the picture", layer.name))
     });
     let painter = ui.painter().with_clip_rect(rect);
-    painter.rect_filled(rect, 6.0, colors.panel.gamma_multiply(0.7));
+    painter.rect_filled(rect, 6.0, colors.panel.gamma_multiply(0.8));
     for index in 0..3_u8 {
         let at = pos2(rect.left() + 8.0 + (f32::from(index) + 0.5) * DOT, rect.center().y);
+        painter.circle_filled(at, 4.0, theme::HALO);
         painter.circle_filled(at, 3.0, theme::curve(index.into()));
     }
     painter.galley(pos2(rect.left() + 8.0 + dots, rect.top() + 3.0), galley, colors.dim);
@@ -79,7 +80,7 @@ fn tab(ui: &mut Ui, room: Rect, id: Id, layer: &Layer) -> Response {
 }
 
 /// From one dot of the tab to the next, in points.
-const DOT: f32 = 9.0;
+const DOT: f32 = 10.0;
 
 /// All of the strip; `widgets` are those of it that the keyboard reaches.
 fn open(

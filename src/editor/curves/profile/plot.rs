@@ -238,7 +238,7 @@ fn labels(ui: &Ui, layer: &Layer<'_>, axes: Axes, handles: &[(Pos2, Handled); 3]
     let shape = layer.shape.sanitized();
     let values = [shape.offset, shape.falloff, shape.cutoff];
     let font = FontId::proportional(theme::SMALL_TEXT);
-    let room = axes.0.expand2(vec2(RIGHT, TOP));
+    let room = axes.0.expand2(vec2(RIGHT, TOP + 4.0));
     let mut taken: Vec<Rect> = handles.iter().map(|(at, _)| Rect::from_center_size(*at, Vec2::splat(13.0))).collect();
     // The one in hand first, as it says most and moves least.
     let mut order = [0, 2, 1];
@@ -251,6 +251,8 @@ fn labels(ui: &Ui, layer: &Layer<'_>, axes: Axes, handles: &[(Pos2, Handled); 3]
         };
         let galley = ui.painter().layout_no_wrap(text, font.clone(), color_of(ui, part));
         let rect = place(&taken, room, *at, galley.size(), part);
+        // The curve and its stems run below names, not through them.
+        ui.painter().rect_filled(rect.expand2(vec2(2.0, -1.0)), 2.0, theme::of(ui).canvas.gamma_multiply(0.8));
         ui.painter().galley(rect.min, galley, color_of(ui, part));
         taken.push(rect);
     }
@@ -262,7 +264,7 @@ fn is_hot(handled: &Handled) -> bool {
 
 /// Where a handle's name stands: of the places around it the first that covers least and is within the room.
 fn place(taken: &[Rect], room: Rect, at: Pos2, size: Vec2, part: usize) -> Rect {
-    let above = (Align2::CENTER_BOTTOM, vec2(0.0, -9.0));
+    let above = (Align2::CENTER_BOTTOM, vec2(0.0, -7.0));
     let sides = [(Align2::LEFT_CENTER, 11.0), (Align2::RIGHT_CENTER, -11.0)];
     let beside = [0.0, -14.0, 14.0, -28.0, 28.0].into_iter().flat_map(|y| sides.map(|(align, x)| (align, vec2(x, y))));
     let first = (part != 1).then_some(above);

@@ -18,7 +18,7 @@ enum From {
 }
 
 /// To a light behind the object, in the camera's axes: right, up and to the eye.
-const BACK: DVec3 = DVec3::new(0.85, 0.35, -0.75);
+const BACK: DVec3 = DVec3::new(0.85, 0.4, -0.5);
 /// The cosine of the angle from the eye to a light that gives a rim: from one in front there is none, and what one
 /// straight behind lights is not seen.
 const RIM: std::ops::Range<f64> = -0.8..0.0;
@@ -89,11 +89,11 @@ pub(super) static PRESETS: [LayerPreset; 6] = [
         help: "A rim: a cool edge by a light behind the object as it is seen now, which is added where there is none",
         profile: None,
         values: &[
-            ("offset", Number(0.5)),
-            ("falloff", Number(0.95)),
-            ("cutoff", Number(1.25)),
-            ("convex", Word("#4f86b8")),
-            ("concave", Word("#21456e")),
+            ("offset", Number(0.6)),
+            ("falloff", Number(1.0)),
+            ("cutoff", Number(1.3)),
+            ("convex", Word("#6fa8dc")),
+            ("concave", Word("#2f5f92")),
             ("slope", Number(0.2)),
             ("amount", Number(0.15)),
         ],
