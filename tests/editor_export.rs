@@ -85,7 +85,11 @@ fn the_menu_exports_what_the_program_does() {
         let field = hand.text_field("Path");
         hand.type_over(field, folder.to_str().unwrap());
         assert!(!hand.says("Export the look into a folder"), "{language}");
-        assert!(told(&hand).starts_with("Exported ") && told(&hand).contains(folder.to_str().unwrap()), "{}", told(&hand));
+        assert!(
+            told(&hand).starts_with("Exported ") && told(&hand).contains(folder.to_str().unwrap()),
+            "{}",
+            told(&hand)
+        );
         assert_eq!(told(&hand).contains("unverified"), ["all", "hlsl", "msl"].contains(&language), "{}", told(&hand));
         is_same(&files(&folder), &exported(&look, language), language);
     }

@@ -122,7 +122,10 @@ fn a_layer_is_added_over_the_selected_one_with_the_light_it_needs() {
     for preset in ["Fill", "Diffuse", "Cartoon", "Shadow", "Highlight"] {
         hand.press("Add layer");
         hand.press(&format!("Add {preset}"));
-        assert!(rows(&hand).iter().any(|row| row.starts_with(&format!("Layer {preset}"))), "it is called as it was chosen");
+        assert!(
+            rows(&hand).iter().any(|row| row.starts_with(&format!("Layer {preset}"))),
+            "it is called as it was chosen"
+        );
     }
     assert!(hand.app().session().problems().is_empty(), "{:?}", hand.app().session().problems());
     assert_eq!(chain(hand.look()).len(), 7);

@@ -503,7 +503,8 @@ fn the_shader_is_copied_as_wgsl() {
     assert_eq!(Some(&wgsl), hand.app().session().baked().map(|shader| &shader.wgsl));
     assert!(hand.app().message().unwrap().contains("WGSL"));
     press(&mut hand, "Copy as");
-    for label in ["Copy the picture as an image", "Copy the shader as WGSL", "Copy as text", "as GLSL ES 3.00", "HLSL"] {
+    for label in ["Copy the picture as an image", "Copy the shader as WGSL", "nodes as text", "as GLSL ES 3.00", "HLSL"]
+    {
         assert!(says(&hand, label), "{label}");
     }
     hand.key(Key::Escape);

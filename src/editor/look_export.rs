@@ -148,10 +148,17 @@ fn copy(exported: &Export, ending: &str, job: &Job) -> Result<Done, Vec<Diagnost
     let file = exported.files.iter().find(|file| file.name == own);
     let text = file.and_then(|file| Some((String::from_utf8(file.bytes.clone()).ok()?, &file.name)));
     let Some((text, name)) = text else {
-        return Err(vec![Diagnostic::error("no-text", "this language is no text to copy").hint("Export writes it to a file")]);
+        return Err(vec![
+            Diagnostic::error("no-text", "this language is no text to copy").hint("Export writes it to a file"),
+        ]);
     };
-    let is_of_pass = |file: &export::File| file.name != own && file.name.ends_with(ending) && !file.name.contains(".prepare.");
-    let more = if exported.files.iter().any(is_of_pass) { ". It reads what other passes draw: Export writes those too" } else { "" };
+    let is_of_pass =
+        |file: &export::File| file.name != own && file.name.ends_with(ending) && !file.name.contains(".prepare.");
+    let more = if exported.files.iter().any(is_of_pass) {
+        ". It reads what other passes draw: Export writes those too"
+    } else {
+        ""
+    };
     Ok(Done::Copied(text, format!("{name} is in the clipboard{more}")))
 }
 

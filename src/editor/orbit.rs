@@ -120,7 +120,11 @@ impl Orbit {
     /// Takes everything but the mesh from what [`to_json`](Self::to_json) wrote; what cannot be looked from changes
     /// nothing.
     pub(crate) fn recall(&mut self, kept: &Value) {
-        let Ok(kept) = Kept::deserialize(kept) else { return };
+        // A list would do for serde, as members in their order.
+        let Some(kept) = Some(kept).filter(|kept| kept.is_object()).and_then(|kept| Kept::deserialize(kept).ok())
+        else {
+            return;
+        };
         if kept.is_sound() {
             *self = Self {
                 yaw: kept.yaw,

@@ -188,7 +188,7 @@ pub(crate) static ALL: &[Shortcut] = &[
     row(A::Dissolve, "Delete, keep the wires through", &[(SHIFT, Key::Delete), (SHIFT, Key::X)], Graph),
     row(A::Delete, "Delete", &[(NONE, Key::Delete), (NONE, Key::Backspace), (NONE, Key::X)], Graph),
     row(A::Duplicate, "Duplicate", &[(CTRL, Key::D), (SHIFT, Key::D)], Graph),
-    row(A::Copy, "Copy as text", &[(CTRL, Key::C)], Graph),
+    row(A::Copy, "Copy the selected nodes as text", &[(CTRL, Key::C)], Graph),
     row(A::Cut, "Cut", &[(CTRL, Key::X)], Graph),
     row(A::Paste, "Paste", &[(CTRL, Key::V)], Graph),
     row(A::SelectAll, "Select all", &[(CTRL, Key::A)], Graph),

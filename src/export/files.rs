@@ -55,7 +55,8 @@ mod tests {
     #[test]
     fn nobodys_document_is_written_over() {
         let folder = tempfile::tempdir().unwrap();
-        let description = r#"{"look": "Rim", "chiaro": "1", "format": 1, "passes": [], "modules": [], "languages": {}}"#;
+        let description =
+            r#"{"look": "Rim", "chiaro": "1", "format": 1, "passes": [], "modules": [], "languages": {}}"#;
         let files = [File::text("rim.wgsl".into(), "//".into()), File::text("rim.json".into(), description.into())];
         let inner = folder.path().join("made/too");
         for _ in 0..2 {

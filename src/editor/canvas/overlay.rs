@@ -308,9 +308,10 @@ fn crumb_names(session: &Session, path: &[NodeId]) -> Vec<String> {
 fn origin(session: &Session) -> (&'static str, &'static str) {
     let is_own = |id: &str| Library::built_in().groups.contains_key(id);
     match session.graph_id() {
-        GraphId::Definition(id) if !is_own(id.as_str()) => {
-            ("Shared by the project", "It lies in the nodes folder beside the look, and every look of the folder has it")
-        }
+        GraphId::Definition(id) if !is_own(id.as_str()) => (
+            "Shared by the project",
+            "It lies in the nodes folder beside the look, and every look of the folder has it",
+        ),
         _ => ("From the library", "It comes with Chiaro, and is the same in every look"),
     }
 }

@@ -105,8 +105,12 @@ fn hex(ui: &mut Ui, label: Id, color: [f64; 4], space: ColorSpace) -> Option<(Id
     // While it is being typed it is no colour yet, so the text is kept aside.
     let mut text = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| shown.clone());
     let is_bad = parse_typed(&text).is_none();
-    let edit =
-        TextEdit::singleline(&mut text).id(id).align(egui::Align2::LEFT_CENTER).desired_width(80.0).font(egui::TextStyle::Monospace).char_limit(9);
+    let edit = TextEdit::singleline(&mut text)
+        .id(id)
+        .align(egui::Align2::LEFT_CENTER)
+        .desired_width(80.0)
+        .font(egui::TextStyle::Monospace)
+        .char_limit(9);
     let edit = if is_bad { edit.text_color(theme::of(ui).error) } else { edit };
     let mut output = edit.show(ui);
     let response = output.response.response.labelled_by(label);

@@ -107,7 +107,8 @@ fn paint_swatch(ui: &Ui, rect: Rect, response: &Response, is_open: bool, color: 
     let visuals = if is_open { &ui.visuals().widgets.open } else { ui.style().interact(response) };
     let rect = rect.expand(visuals.expansion);
     color_picker::show_color_at(ui.painter(), color, rect.shrink(1.0));
-    let edge = if is_open || response.hovered() || response.has_focus() { theme::of(ui).accent } else { visuals.bg_fill };
+    let edge =
+        if is_open || response.hovered() || response.has_focus() { theme::of(ui).accent } else { visuals.bg_fill };
     ui.painter().rect_stroke(rect, visuals.corner_radius, Stroke::new(1.0, edge), StrokeKind::Inside);
 }
 
@@ -126,7 +127,8 @@ pub(super) fn pick(ui: &mut Ui, id: Id, color: [f32; 4], with_alpha: bool) -> Op
     ui.horizontal(|ui| {
         for (value, (letter, name)) in rgb.iter_mut().zip([("R", "Red"), ("G", "Green"), ("B", "Blue")]) {
             let mut byte = f64::from(value.clamp(0.0, 1.0)) * 255.0;
-            let drag = DragValue::new(&mut byte).range(0.0..=255.0).max_decimals(0).speed(0.5).prefix(format!("{letter} "));
+            let drag =
+                DragValue::new(&mut byte).range(0.0..=255.0).max_decimals(0).speed(0.5).prefix(format!("{letter} "));
             let response = ui.add(drag).on_hover_text(format!("{name}, from 0 to 255"));
             ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
             if response.changed() {
@@ -196,16 +198,23 @@ fn hues(ui: &mut Ui, hsv: &mut Hsv) {
     paint_grid(ui, rect, [36, 1], corner, |at| Hsv { h: at.x, s: 1.0, v: 1.0 }.color());
     let x = egui::lerp(rect.x_range(), hsv.h);
     let mark = Rect::from_center_size(pos2(x, rect.center().y), vec2(6.0, rect.height() + 4.0));
-    ui.painter().rect(mark, 2.0, Hsv { s: 1.0, v: 1.0, ..*hsv }.color(), Stroke::new(2.0, Color32::WHITE), StrokeKind::Middle);
+    ui.painter().rect(
+        mark,
+        2.0,
+        Hsv { s: 1.0, v: 1.0, ..*hsv }.color(),
+        Stroke::new(2.0, Color32::WHITE),
+        StrokeKind::Middle,
+    );
     edge(ui, rect, &response);
 }
 
 /// Where a hand holds it, from 0 to 1 along each side.
 fn grabbed(response: &Response, rect: Rect) -> Option<Vec2> {
-    if response.drag_started() || response.clicked() {
+    let at = response.interact_pointer_pos()?;
+    // In the very frame that changes something first: what is edited with another focus is another step.
+    if !response.has_focus() {
         response.request_focus();
     }
-    let at = response.interact_pointer_pos()?;
     Some(((at - rect.min) / rect.size()).clamp(Vec2::ZERO, Vec2::splat(1.0)))
 }
 

@@ -66,7 +66,8 @@ pub(super) fn show(ui: &Ui, session: &Session, step: &Step, progress: Progress, 
                     false => ("Skip", "On to the next step, without this one"),
                 };
                 let colors = theme::of(ui);
-                let button = if progress.is_done { Button::new(label).fill(colors.accent_dim) } else { Button::new(label) };
+                let button =
+                    if progress.is_done { Button::new(label).fill(colors.accent_dim) } else { Button::new(label) };
                 if ui.add(button).on_hover_text(help).clicked() {
                     answer = Some(Answer::Next);
                 }
@@ -140,7 +141,11 @@ fn dots(ui: &mut Ui, progress: Progress) {
 fn card(ui: &Ui, target: Option<Rect>, clear: &[Rect], content: impl FnOnce(&mut Ui)) {
     let ctx = ui.ctx();
     let id = Id::unique("tour card");
-    let screen = ctx.content_rect().shrink(EDGE);
+    let mut screen = ctx.content_rect().shrink(EDGE);
+    // The bar above has what works at any time, the step that saves among it.
+    if let Some(save) = spots::find(ctx, &Spot::Save) {
+        screen.min.y = screen.min.y.max(save.bottom() + EDGE);
+    }
     let width = WIDTH.min(screen.width());
     let height = ctx.memory(|memory| memory.area_rect(id)).map_or(HEIGHT, |rect| rect.height());
     let at = place(screen, target, clear, vec2(width, height));

@@ -36,7 +36,10 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, session: &Session, layer: &Layer, ou
     let seen: Seen = ui.data(|data| data.get_temp(state)).unwrap_or_default();
     let known: Option<Vec2> = ui.data(|data| data.get_temp(id));
     // What is open stays so while the pointer is near, a widget of it has the keyboard, or a hand is at something.
-    let strip = Rect::from_min_size(pos2(room.left(), room.bottom() - known.map_or(64.0, |size| size.y)), known.unwrap_or(room.size()));
+    let strip = Rect::from_min_size(
+        pos2(room.left(), room.bottom() - known.map_or(64.0, |size| size.y)),
+        known.unwrap_or(room.size()),
+    );
     let is_near = ui.input(|input| input.pointer.hover_pos()).is_some_and(|at| strip.expand(NEAR).contains(at));
     let has_keyboard = ui.memory(egui::Memory::focused).is_some_and(|focus| seen.widgets.contains(&focus));
     let is_held = ui.input(|input| input.pointer.any_down()) || egui::Popup::is_any_open(ui.ctx());

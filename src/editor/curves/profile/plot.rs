@@ -220,10 +220,8 @@ fn paint_handle(ui: &mut Ui, layer: &Layer<'_>, axes: Axes, part: usize, at: Pos
     let fill = if is_held { color } else { colors.canvas };
     painter.circle(at, radius, fill, Stroke::new(2.0, color));
     handle::focus_ring(ui, &handled.response, at, radius);
-    let help = format!(
-        "{}. Drag, or arrow keys (Shift: a tenth); Shift-drag moves all three.",
-        PARTS[part].explained()
-    );
+    let help =
+        format!("{}. Drag, or arrow keys (Shift: a tenth); Shift-drag moves all three.", PARTS[part].explained());
     if !is_held {
         handled.response.clone().on_hover_text(help);
     }
@@ -278,7 +276,11 @@ fn place(taken: &[Rect], room: Rect, at: Pos2, size: Vec2, part: usize) -> Rect 
             let common = rect.intersect(*other);
             if common.is_positive() { common.area() } else { 0.0 }
         };
-        let outside = if room.y_range().contains(rect.top()) && room.y_range().contains(rect.bottom()) { 0.0 } else { size.x * size.y };
+        let outside = if room.y_range().contains(rect.top()) && room.y_range().contains(rect.bottom()) {
+            0.0
+        } else {
+            size.x * size.y
+        };
         taken.iter().map(common).sum::<f32>() + outside
     };
     rects.map(within).min_by(|a, b| covers(a).total_cmp(&covers(b))).unwrap_or(Rect::from_min_size(at, size))
@@ -339,13 +341,18 @@ mod tests {
     #[test]
     fn names_of_handles_that_are_near_each_other_stand_apart() {
         let room = Rect::from_min_size(Pos2::ZERO, vec2(420.0, 160.0));
-        for (offset, falloff, cutoff) in [(100.0, 104.0, 108.0), (0.0, 0.0, 0.0), (418.0, 419.0, 420.0), (40.0, 200.0, 400.0)] {
+        for (offset, falloff, cutoff) in
+            [(100.0, 104.0, 108.0), (0.0, 0.0, 0.0), (418.0, 419.0, 420.0), (40.0, 200.0, 400.0)]
+        {
             let handles = [pos2(offset, 20.0), pos2(falloff, 80.0), pos2(cutoff, 140.0)];
             let mut taken: Vec<Rect> = handles.map(|at| Rect::from_center_size(at, Vec2::splat(13.0))).to_vec();
             for part in [0, 2, 1] {
                 let rect = place(&taken, room, handles[part], vec2(60.0, 14.0), part);
                 assert!(room.contains_rect(rect), "{rect}");
-                assert!(!taken.iter().any(|other| other.intersect(rect).is_positive()), "{part} of {handles:?}: {rect}");
+                assert!(
+                    !taken.iter().any(|other| other.intersect(rect).is_positive()),
+                    "{part} of {handles:?}: {rect}"
+                );
                 taken.push(rect);
             }
         }

@@ -87,7 +87,9 @@ impl Row<'_> {
         spots::note(ui, Spot::Layer(self.id.clone()), rect);
         card_ground(ui, rect, &whole, is_selected || is_dragged);
         self.select(ui, &whole, out);
-        let builder = UiBuilder::new().id_salt(self.id).max_rect(rect.shrink2(vec2(4.0, 3.0)));
+        // What ends a row is in the same column here as in the lists of lights and objects.
+        let inner = Rect::from_min_max(rect.min + vec2(4.0, 3.0), rect.max - vec2(0.0, 3.0));
+        let builder = UiBuilder::new().id_salt(self.id).max_rect(inner);
         let mut child = ui.new_child(builder.layout(Layout::left_to_right(Align::Center)));
         let ui = &mut child;
         ui.spacing_mut().item_spacing.x = 4.0;
