@@ -48,7 +48,7 @@ pub(crate) struct LookExports {
 impl LookExports {
     /// `wake` is called from another thread when something is done.
     pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
-        let work = |jobs: Vec<Job>| jobs.into_iter().map(run).collect();
+        let work = |jobs: Vec<Job>| jobs.iter().map(run).collect();
         Self { worker: Worker::new("export look", wake, work), folder: None }
     }
 
@@ -115,16 +115,16 @@ fn job(session: &Session, language: &'static str, to: Destination) -> Job {
     }
 }
 
-fn run(job: Job) -> Done {
+fn run(job: &Job) -> Done {
     let exported = export::languages([job.language])
         .and_then(|languages| Ok((export::export(&job.look, &job.library, &job.stem, &languages)?, languages)));
     let done = exported.and_then(|(exported, languages)| match &job.to {
         Destination::Folder(folder) => {
-            let told = write(&exported, folder, &job)?;
+            let told = write(&exported, folder, job)?;
             let unverified = export::unverified(&languages).map(|told| format!(" · {told}")).unwrap_or_default();
             Ok(Done::Told(told + &unverified))
         }
-        Destination::Clipboard(ending) => copy(&exported, ending, &job),
+        Destination::Clipboard(ending) => copy(&exported, ending, job),
     });
     done.unwrap_or_else(|problems| Done::Told(told(&problems)))
 }
