@@ -75,7 +75,7 @@ fn everything_that_can_be_operated_has_a_name() {
     opened(&mut hand, "examples/looks/figure5-directional.json");
     let panels = panels(&mut hand);
     assert!(panels.len() > 10, "{panels:?}");
-    for menu in ["View", "Recent", "Options", "Copy as", "Help"] {
+    for menu in ["View", "Recent", "Options", "Export", "Copy as", "Help"] {
         hand.press(menu);
         nameless(&hand, &format!("the menu {menu}"), &mut found);
         hand.key(Key::Escape);

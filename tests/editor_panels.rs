@@ -372,3 +372,108 @@ fn color_at(hand: &mut Hand, at: eframe::egui::Pos2) -> [u8; 4] {
     hand.settle();
     hand.harness.render().unwrap().get_pixel(at.x as u32, at.y as u32).0
 }
+
+/// The picker of a colour in the inspector, opened.
+fn open_picker(hand: &mut Hand) {
+    let swatch = hand.swatch("Convex color").center();
+    hand.click(swatch);
+    hand.settle();
+    assert!(is_picking(hand));
+}
+
+fn is_picking(hand: &Hand) -> bool {
+    hand.says("Saturation and brightness")
+}
+
+#[test]
+fn the_picker_is_closed_by_escape_whatever_was_done_in_it_and_speaks_plainly() {
+    let mut hand = Hand::new();
+    hand.press("Layer Diffuse");
+    let color = |hand: &Hand| hand.look().graph.nodes["diffuse"].values.get("convex").cloned();
+    let first = color(&hand);
+    let steps = hand.steps();
+    open_picker(&mut hand);
+    for jargon in ["U8", "F", "📋", "HSVA"] {
+        assert!(!hand.has(jargon), "{jargon}");
+    }
+    for part in ["Red", "Green", "Blue", "Opacity", "Hex code"] {
+        assert!(hand.has(part), "{part}");
+    }
+    hand.key(Key::Escape);
+    hand.settle();
+    assert!(!is_picking(&hand) && color(&hand) == first && hand.steps() == steps, "it was only looked at");
+
+    // A hand in the square, on the strip of hues, and at a number: each is one step, and Esc leaves what was picked.
+    open_picker(&mut hand);
+    let square = hand.place_like("Saturation and brightness");
+    hand.drag(square.center(), square.right_top() + vec2(-20.0, 20.0));
+    let hues = hand.place_like("Hue");
+    hand.drag(hues.left_center() + vec2(4.0, 0.0), hues.center());
+    let red = hand.place("Red").center();
+    hand.drag(red, red + vec2(40.0, 0.0));
+    assert_eq!(hand.steps(), steps + 3);
+    let picked = color(&hand);
+    assert_ne!(picked, first);
+    hand.key(Key::Escape);
+    hand.settle();
+    assert!(!is_picking(&hand) && color(&hand) == picked);
+
+    // While a number or a hex code is typed, and while the probe, which Esc leaves too, is on.
+    open_picker(&mut hand);
+    let green = hand.place("Green").center();
+    hand.click(green);
+    hand.type_text("9");
+    hand.key(Key::Escape);
+    hand.settle();
+    assert!(!is_picking(&hand), "a number is being typed");
+    let middle = picture(&hand).center();
+    hand.hover(middle);
+    hand.key(Key::I);
+    hand.settle();
+    assert!(hand.app().probe().is_on());
+    open_picker(&mut hand);
+    hand.key(Key::Escape);
+    hand.settle();
+    assert!(!is_picking(&hand) && hand.app().probe().is_on(), "one key, one thing");
+}
+
+#[test]
+fn the_backdrop_is_picked_within_its_menu() {
+    let mut hand = Hand::new();
+    hand.press("Options");
+    hand.press("Backdrop");
+    let own = hand.app().session().orbit().backdrop;
+    assert!(own.is_some());
+    let square = hand.place_like("Saturation and brightness");
+    hand.click(square.right_top() + vec2(-10.0, 10.0));
+    hand.settle();
+    assert_ne!(hand.app().session().orbit().backdrop, own);
+    assert!(is_picking(&hand), "it stays, for the next try");
+    hand.key(Key::Escape);
+    hand.settle();
+    assert!(!is_picking(&hand));
+}
+
+#[test]
+fn values_over_the_picture_come_with_the_pointer_and_go_with_it() {
+    let mut hand = Hand::new();
+    hand.press("Layer Diffuse");
+    let picture = picture(&hand);
+    hand.hover(picture.center());
+    hand.settle();
+    let tab = hand.place("Values of Diffuse over the picture");
+    assert!(tab.width() < 0.4 * picture.width() && tab.height() < 30.0 && !hand.has("Offset on the object"));
+    // Where the feet are there is nothing in the way of a hand.
+    hand.hover(picture.center_bottom() - vec2(0.0, 20.0));
+    hand.settle();
+    assert!(!hand.has("Offset on the object"));
+    hand.hover(tab.center());
+    hand.settle();
+    let field = hand.place("Cut-off on the object");
+    hand.type_over(field, "120");
+    let cutoff = hand.look().graph.nodes["diffuse"].values.get("cutoff").cloned();
+    assert_eq!(cutoff, Some(chiaro::document::Value::Number(2.0944)));
+    hand.hover(picture.center());
+    hand.settle();
+    assert!(!hand.has("Cut-off on the object") && hand.has("Values of Diffuse over the picture"));
+}

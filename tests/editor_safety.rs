@@ -11,7 +11,7 @@ use chiaro::document::{Edit, GraphId, Value};
 use chiaro::editor::settings::Theme;
 use editor_support::home::Home;
 use editor_support::{Hand, node_center};
-use eframe::egui::{Event, Key, Modifiers, ViewportEvent, ViewportId};
+use eframe::egui::{Event, Key, Modifiers, ViewportEvent, ViewportId, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 const OFFER: &str = "Work that was not saved";
@@ -86,6 +86,36 @@ fn a_drag_that_a_crash_ends_is_there() {
     assert_eq!(offset(&hand), Some(value));
     hand.undo();
     assert_eq!(offset(&hand), None, "one step, as before");
+}
+
+#[test]
+fn the_camera_is_where_it_was_after_a_crash_and_is_no_step() {
+    let home = Home::new();
+    let mut hand = home.window(None);
+    set_offset(&mut hand, 0.3);
+    let steps = hand.steps();
+    let before = hand.app().session().orbit().clone();
+    // Beside the object a drag walks around it, on it a drag turns the lights; the wheel comes nearer.
+    let picture = hand.app().viewport().rect().unwrap();
+    hand.drag(picture.left_top() + vec2(6.0, 60.0), picture.left_top() + vec2(60.0, 90.0));
+    hand.drag(picture.center() + vec2(0.0, 30.0), picture.center() + vec2(50.0, 60.0));
+    hand.wheel(picture.center(), 120.0);
+    hand.settle();
+    let orbit = hand.app().session().orbit().clone();
+    assert!(orbit.yaw != before.yaw && orbit.distance < before.distance);
+    assert!(orbit.illumination.angle_between(before.illumination) > 0.05);
+    assert_eq!(hand.steps(), steps, "looking around is no step");
+    hand.app().session().wait_for_journal();
+    home.wait_until_written();
+
+    let later = home.after_a_crash();
+    let mut hand = later.window(None);
+    assert_eq!(hand.app().session().orbit().yaw, before.yaw, "nothing is taken back unasked");
+    hand.press("Restore it");
+    let taken = hand.app().session().orbit();
+    assert!(taken.illumination.angle_between(orbit.illumination) < 1e-9);
+    assert_eq!((taken.yaw, taken.pitch, taken.distance), (orbit.yaw, orbit.pitch, orbit.distance));
+    assert_eq!((hand.steps(), offset(&hand)), (steps, Some(0.3)));
 }
 
 #[test]

@@ -375,7 +375,17 @@ fn start_shots() {
     click_label(&mut hand, "Take the tour");
     for number in 1..=6 {
         save(&mut hand, &format!("tour-{number}"));
+        if number == 2 || number == 5 {
+            click_label(&mut hand, "Add layer");
+            save(&mut hand, &format!("tour-{number}-menu"));
+            hand.key(Key::Escape);
+            hand.settle();
+        }
         click_label(&mut hand, "Show me");
+        if number == 5 {
+            save(&mut hand, "tour-5-done");
+        }
+        click_label(&mut hand, "Next");
     }
     save(&mut hand, "tour-7");
     click_label(&mut hand, "Skip");
@@ -400,6 +410,53 @@ fn path_shots() {
     click_label(&mut hand, "Cancel");
     click_label(&mut hand, "Copy as");
     save(&mut hand, "copy-menu");
+    hand.key(Key::Escape);
+    hand.settle();
+    click_label(&mut hand, "Export");
+    save(&mut hand, "export-menu");
+    click_label(&mut hand, "Export to GLSL ES 3.00, for WebGL 2...");
+    save(&mut hand, "export-path");
+}
+
+/// What a newcomer stumbles over: the picker, the tab of a layer's values over the picture and the values themselves, a
+/// cartoon's profile, and a narrow window's bar.
+#[test]
+#[ignore = "writes pictures to be looked at"]
+fn stumble_shots() {
+    let mut hand = window();
+    hand.app_mut().open(Path::new("examples/looks/figure1-layers.json"));
+    hand.settle();
+    click_label(&mut hand, "Layer Diffuse");
+    save(&mut hand, "values-tab");
+    let tab = hand.place_like("Values of Diffuse").center();
+    hand.hover(tab);
+    save(&mut hand, "values-open");
+    let swatch = hand.swatch("Convex color").center();
+    hand.click(swatch);
+    save(&mut hand, "picker");
+    hand.key(Key::Escape);
+    hand.settle();
+    click_label(&mut hand, "Options");
+    click_label(&mut hand, "Backdrop");
+    save(&mut hand, "options");
+    hand.key(Key::Escape);
+    hand.settle();
+    click_label(&mut hand, "Profile");
+    click_label(&mut hand, "Profile preset Cartoon");
+    save(&mut hand, "profile-cartoon");
+    for tab in ["Lights", "Objects"] {
+        let at = hand.harness.get_by_role_and_label(Role::Tab, tab).rect().center();
+        hand.click(at);
+        save(&mut hand, &tab.to_lowercase());
+    }
+    hand.app_mut().show_on("shape:torus");
+    hand.harness.ctx.set_theme(Theme::Light);
+    let at = hand.harness.get_by_role_and_label(Role::Tab, "Layers").rect().center();
+    hand.click(at);
+    hand.harness.run_steps(20);
+    save(&mut hand, "thumbs-torus");
+    hand.harness.set_size(vec2(760.0, 480.0));
+    save(&mut hand, "narrow");
 }
 
 /// A scene with its objects listed, one of them selected.

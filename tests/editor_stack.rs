@@ -108,7 +108,7 @@ fn a_layer_is_added_over_the_selected_one_with_the_light_it_needs() {
     let before = hand.look().clone();
     hand.press("Layer Diffuse");
     hand.press("Add layer");
-    hand.press("Rim, back-light");
+    hand.press("Add Back-light");
     assert_eq!(chain(hand.look()), ["back-light", "diffuse", "base"].map(|id| id.replace('-', "_")));
     assert_eq!(hand.selected(), ["back_light"]);
     let look = hand.look();
@@ -119,9 +119,13 @@ fn a_layer_is_added_over_the_selected_one_with_the_light_it_needs() {
     hand.settle();
     assert_eq!(*hand.look(), before, "one step");
     // Every preset compiles as it is.
-    for preset in ["Ambient fill", "Lambert diffuse", "Cartoon", "Shadow, multiplied", "Phong highlight"] {
+    for preset in ["Fill", "Diffuse", "Cartoon", "Shadow", "Highlight"] {
         hand.press("Add layer");
-        hand.press(preset);
+        hand.press(&format!("Add {preset}"));
+        assert!(
+            rows(&hand).iter().any(|row| row.starts_with(&format!("Layer {preset}"))),
+            "it is called as it was chosen"
+        );
     }
     assert!(hand.app().session().problems().is_empty(), "{:?}", hand.app().session().problems());
     assert_eq!(chain(hand.look()).len(), 7);

@@ -67,7 +67,7 @@ fn shots() {
     save(&mut hand, "layers-solo");
     press(&mut hand, "Add layer");
     save(&mut hand, "layers-menu");
-    press(&mut hand, "Shadow, multiplied");
+    press(&mut hand, "Add Shadow");
     let at = hand.harness.get_all_by_label("Show all").next().unwrap().rect().center();
     hand.click(at);
     save(&mut hand, "layers-added");

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use chiaro::document::{Look, Value};
 use chiaro::editor::{App, Places};
 use editor_support::Hand;
-use eframe::egui::{Event, Key, Modifiers, OutputCommand, Role, Theme, vec2};
+use eframe::egui::{Event, Key, Modifiers, OutputCommand, Rect, Role, Theme, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 /// A user's folders, and files beside them.
@@ -231,6 +231,23 @@ fn is_at(hand: &Hand, title: &str) {
     assert!(step(hand).starts_with(title), "at {:?}, not at {title}", step(hand));
 }
 
+/// A step that is done says so and stays, for who would rather play on, until the artist goes on.
+#[track_caller]
+fn goes_on(hand: &mut Hand, title: &str) {
+    is_at(hand, title);
+    hand.harness.run_steps(40);
+    hand.settle();
+    is_at(hand, title);
+    assert!(!has(hand, "Skip"), "{title} is done");
+    press(hand, "Next");
+}
+
+/// Where the tour's card is.
+fn card(hand: &Hand) -> Rect {
+    let parts = ["End tour", "Back", "Show me"].map(|label| hand.harness.get_by_label(label).rect());
+    parts.into_iter().reduce(Rect::union).unwrap()
+}
+
 fn on_tour(home: &Home) -> Hand {
     let mut hand = home.window(None);
     press(&mut hand, "Take the tour");
@@ -257,17 +274,20 @@ fn the_tour_goes_on_by_what_an_artist_does() {
     hand.settle();
     assert_ne!(hand.look().graph.nodes["base"].values["color"], nothing.graph.nodes["base"].values["color"]);
 
+    goes_on(&mut hand, "The base");
     is_at(&hand, "A first layer of light");
     press(&mut hand, "Add layer");
     is_at(&hand, "A first layer of light");
-    press(&mut hand, "Lambert diffuse");
+    press(&mut hand, "Add Diffuse");
     assert_eq!(layers(hand.look()), 1);
 
+    goes_on(&mut hand, "A first layer of light");
     is_at(&hand, "Its profile");
     let cutoff = hand.harness.get_by_label("Cut-off of the profile").rect().center();
     hand.drag(cutoff, cutoff + vec2(30.0, 0.0));
     hand.settle();
 
+    goes_on(&mut hand, "Its profile");
     is_at(&hand, "Turn the light");
     let before = hand.app().session().orbit().illumination;
     let picture = hand.app().viewport().rect().unwrap();
@@ -279,16 +299,19 @@ fn the_tour_goes_on_by_what_an_artist_does() {
     hand.settle();
     assert!(hand.app().session().orbit().illumination.angle_between(before) > 0.05);
 
+    goes_on(&mut hand, "Turn the light");
     is_at(&hand, "A rim from behind");
     press(&mut hand, "Add layer");
-    press(&mut hand, "Rim, back-light");
+    press(&mut hand, "Add Back-light");
     assert_eq!((layers(hand.look()), hand.look().lights.len()), (2, 2));
 
+    goes_on(&mut hand, "A rim from behind");
     is_at(&hand, "How layers meet");
     let opacity = hand.harness.get_by_role_and_label(Role::SpinButton, "Opacity of Back-light").rect().center();
     hand.drag(opacity, opacity - vec2(40.0, 0.0));
     hand.settle();
 
+    goes_on(&mut hand, "How layers meet");
     is_at(&hand, "Keep it");
     let path = home.file("first.json");
     hand.key_with(Modifiers::COMMAND, Key::S);
@@ -296,6 +319,7 @@ fn the_tour_goes_on_by_what_an_artist_does() {
     type_path(&mut hand, &path);
     assert_eq!(hand.app().session().path(), Some(path.as_path()));
 
+    goes_on(&mut hand, "Keep it");
     assert!(has(&hand, "This is your look") && compiles(&hand));
     let saved = Look::load(&path);
     assert!(!saved.has_errors() && saved.value.as_ref() == Some(hand.look()) && *hand.look() != nothing);
@@ -324,6 +348,7 @@ fn the_tour_shows_every_step_and_ends_in_a_look() {
     {
         is_at(&hand, title);
         press(&mut hand, "Show me");
+        goes_on(&mut hand, title);
     }
     is_at(&hand, "Keep it");
     assert_eq!(layers(hand.look()), 2);
@@ -331,6 +356,7 @@ fn the_tour_shows_every_step_and_ends_in_a_look() {
     press(&mut hand, "Show me");
     type_path(&mut hand, &home.file("shown"));
     assert!(home.file("shown.json").is_file(), "an ending is added");
+    goes_on(&mut hand, "Keep it");
     assert!(has(&hand, "This is your look"));
     let shown = hand.look().clone();
     press(&mut hand, "End tour");
@@ -346,10 +372,66 @@ fn the_tour_shows_every_step_and_ends_in_a_look() {
 }
 
 #[test]
+fn the_card_covers_nothing_that_a_step_speaks_of() {
+    for size in [vec2(1500.0, 900.0), vec2(1920.0, 1080.0)] {
+        let home = Home::new();
+        let mut hand = on_tour(&home);
+        hand.harness.set_size(size);
+        hand.settle();
+        for title in ["The base", "A first layer of light", "Its profile", "Turn the light", "A rim from behind"] {
+            is_at(&hand, title);
+            let card = card(&hand);
+            let picture = hand.app().viewport().rect().unwrap();
+            assert!(!card.intersects(picture), "{title}: {card} over the picture at {picture}");
+            let button = hand.harness.get_by_label("Add layer").rect();
+            let row = hand.harness.get_by_label("Base Base").rect();
+            assert!(!card.intersects(button) && !card.intersects(row), "{title}: {card} over the layers");
+            if title.starts_with("A ") {
+                press(&mut hand, "Add layer");
+                for choice in ["Add Fill", "Add Diffuse", "Add Back-light"] {
+                    let choice = hand.harness.get_by_label(choice).rect();
+                    assert!(!card.intersects(choice), "{title}: {card} over the menu at {choice}");
+                }
+                hand.key(Key::Escape);
+                hand.settle();
+            }
+            press(&mut hand, "Show me");
+            press(&mut hand, "Next");
+        }
+    }
+}
+
+#[test]
+fn the_rim_of_the_tour_is_seen_however_the_lights_were_turned() {
+    let home = Home::new();
+    let mut hand = on_tour(&home);
+    for _ in 0..2 {
+        press(&mut hand, "Show me");
+        press(&mut hand, "Next");
+    }
+    press(&mut hand, "Skip");
+    is_at(&hand, "Turn the light");
+    // Half around: what was behind the object is before it now.
+    let picture = hand.app().viewport().rect().unwrap();
+    for _ in 0..3 {
+        hand.drag(picture.center() + vec2(-60.0, 20.0), picture.center() + vec2(60.0, 20.0));
+    }
+    hand.settle();
+    let turned = hand.app().session().orbit().illumination;
+    assert!(turned.angle_between(glam::DQuat::IDENTITY) > 1.0);
+    goes_on(&mut hand, "Turn the light");
+    press(&mut hand, "Show me");
+    let light = glam::DVec3::from(hand.look().lights["back"].direction).normalize();
+    let to_eye = (turned * light).dot(hand.app().session().orbit().direction());
+    assert!((-0.8..0.0).contains(&to_eye), "behind what is seen, and not so far that its rim is not: {to_eye}");
+}
+
+#[test]
 fn the_tour_can_be_left_gone_back_in_and_undone() {
     let home = Home::new();
     let mut hand = on_tour(&home);
     press(&mut hand, "Show me");
+    goes_on(&mut hand, "The base");
     is_at(&hand, "A first layer of light");
     press(&mut hand, "Back");
     is_at(&hand, "The base");
@@ -421,7 +503,8 @@ fn the_shader_is_copied_as_wgsl() {
     assert_eq!(Some(&wgsl), hand.app().session().baked().map(|shader| &shader.wgsl));
     assert!(hand.app().message().unwrap().contains("WGSL"));
     press(&mut hand, "Copy as");
-    for label in ["Copy the picture as an image", "Copy the shader as WGSL", "Copy as text"] {
+    for label in ["Copy the picture as an image", "Copy the shader as WGSL", "nodes as text", "as GLSL ES 3.00", "HLSL"]
+    {
         assert!(says(&hand, label), "{label}");
     }
     hand.key(Key::Escape);

@@ -3,7 +3,7 @@ import chiaro::convert;
 
 /// Base
 ///
-/// The colour under the first layer: C0 of the BADF paper. It may be transparent.
+/// The colour under the first layer, which may be transparent. (The BADF paper calls it C0.)
 ///
 /// @param color "Color" default=0.1,0.1,0.12,1 : What is seen where no layer paints.
 /// @return below "Stack" : The start of a stack of layers.

@@ -1,14 +1,13 @@
 //! `chiaro export`: a look as shaders for other programs, with a description of all that they need.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use serde_json::json;
 
 use super::open::{check_nodes_folder, library_for, open_look};
 use super::output::Output;
 use crate::diag::Diagnostic;
-use crate::document::write_atomic;
-use crate::export::{self, LANGUAGES, Language};
+use crate::export;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -42,7 +41,7 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
-    let languages = languages(&arguments.to)?;
+    let languages = export::languages(arguments.to.iter().map(String::as_str))?;
     if arguments.output.is_none() && languages.iter().any(|language| language.slug != "wgsl") {
         let problem = Diagnostic::error("bad-argument", "only WGSL is printed; other languages are files");
         return Err(vec![problem.hint("name a folder for them: -o shaders/")]);
@@ -69,61 +68,18 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         }
         return Ok(());
     };
-    let files = write(&exported.files, folder, &arguments.look)?;
-    let unverified = languages.iter().filter(|language| language.verified_by.is_none());
-    let unverified: Vec<&str> = unverified.map(|language| language.label).collect();
+    let files = export::write(&exported.files, folder, Some(&arguments.look))?;
+    let files: Vec<String> = files.iter().map(|path| path.display().to_string()).collect();
     if arguments.json {
+        let unverified = languages.iter().filter(|language| language.verified_by.is_none());
+        let unverified: Vec<&str> = unverified.map(|language| language.label).collect();
         let slugs: Vec<_> = languages.iter().map(|language| language.slug).collect();
         output.json(&json!({"files": files, "languages": slugs, "unverified": unverified}));
     } else {
         files.iter().for_each(|file| output.result(file));
     }
-    if !unverified.is_empty() {
-        let plural = if unverified.len() == 1 { "is" } else { "are" };
-        output
-            .message(&format!("{} {plural} unverified: no compiler here has seen the files", unverified.join(" and ")));
+    if let Some(told) = export::unverified(&languages) {
+        output.message(&told);
     }
     Ok(())
-}
-
-fn languages(slugs: &[String]) -> Result<Vec<&'static Language>, Vec<Diagnostic>> {
-    let known = LANGUAGES.map(|language| language.slug);
-    let mut found: Vec<&'static Language> = Vec::new();
-    let mut problems = Vec::new();
-    for slug in slugs {
-        match (slug.trim(), export::language(slug.trim())) {
-            ("all", _) => found.extend(LANGUAGES),
-            (_, Some(language)) => found.push(language),
-            (slug, None) => {
-                let problem = Diagnostic::error("unknown-language", format!("--to cannot be `{slug}`"));
-                let hint = format!("the languages are {}, or all", known.join(", "));
-                problems.push(problem.suggest(slug, known).hint(hint));
-            }
-        }
-    }
-    let mut seen: Vec<&str> = Vec::new();
-    found.retain(|language| {
-        let is_new = !seen.contains(&language.slug);
-        seen.push(language.slug);
-        is_new
-    });
-    if problems.is_empty() { Ok(found) } else { Err(problems) }
-}
-
-/// Writes every file, or none where one of them would take the look's own place.
-fn write(files: &[export::File], folder: &Path, look: &Path) -> Result<Vec<String>, Vec<Diagnostic>> {
-    if let Err(error) = std::fs::create_dir_all(folder) {
-        let problem = Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
-        return Err(vec![problem.in_file(folder.display().to_string()).hint("choose another with -o")]);
-    }
-    let own = std::fs::canonicalize(look).ok();
-    let paths: Vec<PathBuf> = files.iter().map(|file| folder.join(&file.name)).collect();
-    if let Some(path) = paths.iter().find(|path| own.is_some() && std::fs::canonicalize(path).ok() == own) {
-        let problem = Diagnostic::error("would-overwrite", "the export's description would replace the look itself");
-        return Err(vec![problem.in_file(path.display().to_string()).hint("choose another folder with -o")]);
-    }
-    for (file, path) in files.iter().zip(&paths) {
-        write_atomic(path, &file.bytes).map_err(|problem| vec![*problem])?;
-    }
-    Ok(paths.iter().map(|path| path.display().to_string()).collect())
 }

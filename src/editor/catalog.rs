@@ -172,12 +172,14 @@ impl Catalog {
     pub(crate) fn new(library: &Library) -> Self {
         let mut catalog = Self::default();
         for def in library.nodes.values() {
-            catalog.add(Kind::of_node(def));
+            let mut kind = Kind::of_node(def);
+            kind.category = category(&def.category);
+            catalog.add(kind);
         }
         for group in library.groups.values() {
             let find = |kind: &str| library.groups.get(kind).map(|group| &group.definition);
             let mut kind = group_kind(&group.id, &group.definition, library, &find, 0);
-            kind.category.clone_from(&group.category);
+            kind.category = category(&group.category);
             catalog.add(kind);
         }
         let mut custom = custom_kind(CUSTOM_CODE);
@@ -296,6 +298,12 @@ fn custom_kind(code: &str) -> Kind {
     let code = Port { label: "Code".into(), ty: Type::Text, fallback: text, ..Port::named(CODE) };
     kind.inputs.push(code);
     kind
+}
+
+/// A category as people read it. What lies in a project's `nodes` folder itself has that folder's name, which says
+/// nothing beside other nodes: it is the project's.
+fn category(folder: &str) -> String {
+    if folder == "nodes" { "project".to_owned() } else { folder.to_owned() }
 }
 
 fn group_kind<'a>(

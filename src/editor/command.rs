@@ -61,6 +61,8 @@ pub(crate) enum Command {
     Act(Action),
     /// Writes a picture to a file; asks for one where there is none.
     Export(Export, Option<PathBuf>),
+    /// Writes the look as shaders of a language, or of all, into a folder; asks for one where there is none.
+    ExportLook(&'static str, Option<PathBuf>),
     /// Copies the picture to the clipboard.
     CopyPicture,
     /// Copies the shader to the clipboard.

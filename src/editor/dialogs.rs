@@ -23,6 +23,8 @@ pub(crate) enum Purpose {
     /// A look for the object that is asked for.
     ObjectLook,
     SaveScene,
+    /// Shaders of a language, or of all, are written into a folder.
+    Shaders(&'static str),
     /// A picture is written.
     Export(Export),
     /// An image is shown.
@@ -47,6 +49,7 @@ impl Purpose {
             Self::Save | Self::ObjectLook => ("Chiaro look", &["json"]),
             Self::SaveScene => ("Chiaro scene", &["json"]),
             Self::Mesh | Self::AddMesh | Self::ObjectMesh => ("Mesh", &MESHES),
+            Self::Shaders(_) => ("Folder", &[]),
             Self::Export(_) => ("PNG", &["png"]),
             Self::Reference => ("Image", &IMAGES),
         }
@@ -55,6 +58,11 @@ impl Purpose {
     /// Whether the file is written.
     pub(crate) fn writes(self) -> bool {
         matches!(self, Self::Save | Self::SaveScene | Self::Export(_))
+    }
+
+    /// Whether a folder is asked for, which is made where there is none.
+    pub(crate) fn is_folder(self) -> bool {
+        matches!(self, Self::Shaders(_))
     }
 
     /// The path with an ending, where one is to be written and has none.
@@ -117,8 +125,12 @@ impl Dialogs {
     fn ask_system(&self, purpose: Purpose, near: Option<&Path>) {
         let suggested = suggested(purpose, near);
         let (kind, endings) = purpose.files();
-        let mut dialog = rfd::AsyncFileDialog::new().add_filter(kind, endings);
-        if let Some(folder) = suggested.parent().filter(|folder| folder.is_dir()) {
+        let mut dialog = rfd::AsyncFileDialog::new();
+        if !purpose.is_folder() {
+            dialog = dialog.add_filter(kind, endings);
+        }
+        // A folder that is only suggested is not there yet: its own folder is.
+        if let Some(folder) = suggested.ancestors().skip(usize::from(!purpose.is_folder())).find(|path| path.is_dir()) {
             dialog = dialog.set_directory(folder);
         }
         let name = suggested.file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -126,6 +138,7 @@ impl Dialogs {
         let _ = start("dialog", move || {
             let clock = Clock::start();
             let file = match purpose.writes() {
+                _ if purpose.is_folder() => block_on(dialog.pick_folder()),
                 false => block_on(dialog.pick_file()),
                 true => block_on(dialog.set_file_name(name).save_file()),
             };
@@ -154,8 +167,11 @@ impl Dialogs {
     }
 }
 
-/// Where a dialog begins: beside `near`, under its name where a file is written.
+/// Where a dialog begins: beside `near`, under its name where a file is written; at `near` where a folder is asked for.
 fn suggested(purpose: Purpose, near: Option<&Path>) -> PathBuf {
+    if purpose.is_folder() {
+        return near.and_then(|near| std::path::absolute(near).ok()).unwrap_or_default();
+    }
     let folder = near.and_then(Path::parent).filter(|folder| folder.is_dir()).map(Path::to_path_buf);
     let folder = folder.or_else(|| std::env::current_dir().ok()).unwrap_or_default();
     if !purpose.writes() {

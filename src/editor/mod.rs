@@ -17,6 +17,7 @@ mod fixes;
 mod inspector;
 mod keying;
 mod lighting;
+mod look_export;
 mod orbit;
 mod panels;
 mod path_field;

@@ -3,6 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::{DQuat, DVec3};
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 use crate::document::{Camera, Projection};
 use crate::frame::{DEFAULT_MESH, View};
@@ -39,6 +41,57 @@ pub struct Orbit {
     pub z_is_up: bool,
 }
 
+/// An [`Orbit`] as it is remembered, without the mesh, which is remembered for itself.
+#[derive(Serialize, Deserialize)]
+#[serde(default)]
+struct Kept {
+    yaw: f64,
+    pitch: f64,
+    upright: [f64; 4],
+    distance: f64,
+    target: [f64; 3],
+    fov: f64,
+    projection: Projection,
+    backdrop: Option<[f64; 4]>,
+    illumination: [f64; 4],
+    z_is_up: bool,
+}
+
+impl Default for Kept {
+    fn default() -> Self {
+        Self::of(&Orbit::default())
+    }
+}
+
+impl Kept {
+    fn of(orbit: &Orbit) -> Self {
+        Self {
+            yaw: orbit.yaw,
+            pitch: orbit.pitch,
+            upright: orbit.upright.to_array(),
+            distance: orbit.distance,
+            target: orbit.target.to_array(),
+            fov: orbit.fov,
+            projection: orbit.projection,
+            backdrop: orbit.backdrop,
+            illumination: orbit.illumination.to_array(),
+            z_is_up: orbit.z_is_up,
+        }
+    }
+
+    /// Whether it can be looked from: a file may say anything.
+    fn is_sound(&self) -> bool {
+        let turns = [self.upright, self.illumination].map(|turn| DQuat::from_array(turn).length());
+        let numbers = [self.yaw, self.pitch, self.distance, self.fov];
+        let all = numbers.into_iter().chain(self.target).chain(self.backdrop.into_iter().flatten());
+        all.chain(turns).all(f64::is_finite)
+            && turns.iter().all(|length| *length > 1e-6)
+            && self.distance > 0.0
+            && (0.0..PI).contains(&self.fov)
+            && self.fov > 0.0
+    }
+}
+
 impl Default for Orbit {
     fn default() -> Self {
         let camera = Camera::default();
@@ -59,6 +112,36 @@ impl Default for Orbit {
 }
 
 impl Orbit {
+    /// Everything but the mesh, to be remembered.
+    pub(crate) fn to_json(&self) -> Value {
+        serde_json::to_value(Kept::of(self)).unwrap_or_default()
+    }
+
+    /// Takes everything but the mesh from what [`to_json`](Self::to_json) wrote; what cannot be looked from changes
+    /// nothing.
+    pub(crate) fn recall(&mut self, kept: &Value) {
+        // A list would do for serde, as members in their order.
+        let Some(kept) = Some(kept).filter(|kept| kept.is_object()).and_then(|kept| Kept::deserialize(kept).ok())
+        else {
+            return;
+        };
+        if kept.is_sound() {
+            *self = Self {
+                yaw: kept.yaw,
+                pitch: kept.pitch,
+                upright: DQuat::from_array(kept.upright).normalize(),
+                distance: kept.distance,
+                target: kept.target.into(),
+                fov: kept.fov,
+                projection: kept.projection,
+                backdrop: kept.backdrop,
+                illumination: DQuat::from_array(kept.illumination).normalize(),
+                mesh: std::mem::take(&mut self.mesh),
+                z_is_up: kept.z_is_up,
+            };
+        }
+    }
+
     /// From target to eye, of length 1.
     pub fn direction(&self) -> DVec3 {
         let (sin_yaw, cos_yaw) = self.yaw.sin_cos();
@@ -200,6 +283,32 @@ mod tests {
         orbit.turn_lights(0.0, 0.5);
         let light = orbit.illumination * DVec3::Z;
         assert!((light + DVec3::Y).length() < 1e-12, "dragging down brings it below: {light}");
+    }
+
+    #[test]
+    fn a_view_is_remembered_and_nonsense_is_not() {
+        let mut orbit = Orbit { z_is_up: true, backdrop: Some([0.1, 0.2, 0.3, 1.0]), ..Orbit::default() };
+        orbit.orbit(0.3, 0.1);
+        orbit.turn_lights(0.2, 0.4);
+        orbit.dolly(0.5);
+        let mut other = Orbit { mesh: "own.obj".to_owned(), ..Orbit::default() };
+        other.recall(&orbit.to_json());
+        assert!(other.illumination.angle_between(orbit.illumination) < 1e-9);
+        let kept = Orbit { mesh: "own.obj".to_owned(), illumination: other.illumination, ..orbit };
+        assert_eq!(other, kept);
+        for text in [
+            "null",
+            "[]",
+            r#"{"yaw": "left"}"#,
+            r#"{"distance": 0}"#,
+            r#"{"fov": 7}"#,
+            r#"{"upright": [0, 0, 0, 0]}"#,
+            r#"{"target": [1e308, 1e999, 0]}"#,
+        ] {
+            let Ok(value) = serde_json::from_str(text) else { continue };
+            other.recall(&value);
+            assert_eq!(other, kept, "{text}");
+        }
     }
 
     #[test]

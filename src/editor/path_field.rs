@@ -71,12 +71,14 @@ impl PathField {
             let verdict = verdict(self.purpose, &path);
             let reason = match verdict {
                 Verdict::Bad(reason) => reason,
+                _ if self.purpose.is_folder() && !path.exists() => "This folder is made",
                 Verdict::Replaces => "There is such a file; it would be replaced",
                 Verdict::Good | Verdict::Folder => "",
             };
             ui.label(RichText::new(reason).color(theme::of(ui).warning));
             ui.horizontal(|ui| {
                 let label = match (&verdict, self.purpose.writes()) {
+                    _ if self.purpose.is_folder() => "Export here",
                     (Verdict::Replaces, _) => "Replace the file",
                     (_, true) => "Save here",
                     (_, false) => "Open this",
@@ -166,6 +168,7 @@ fn title(purpose: Purpose) -> &'static str {
         Purpose::AddMesh => "Add an object of a mesh",
         Purpose::ObjectMesh => "Give the object another mesh",
         Purpose::ObjectLook => "Give the object another look",
+        Purpose::Shaders(_) => "Export the look into a folder",
         Purpose::Export(_) => "Save the picture",
         Purpose::Reference => "Show an image with the picture",
     }
@@ -183,6 +186,9 @@ fn verdict(purpose: Purpose, path: &Path) -> Verdict {
     let has_folder = path.parent().is_some_and(|folder| folder.as_os_str().is_empty() || folder.is_dir());
     match purpose.writes() {
         _ if path.as_os_str().is_empty() => Verdict::Bad("Type a path"),
+        _ if purpose.is_folder() && path.is_file() => Verdict::Bad("This is a file, and no folder"),
+        _ if purpose.is_folder() && !has_folder => Verdict::Bad("There is no folder to make this one in"),
+        _ if purpose.is_folder() => Verdict::Good,
         _ if path.is_dir() => Verdict::Folder,
         false if path.is_file() => Verdict::Good,
         false => Verdict::Bad("There is no such file"),
@@ -241,6 +247,11 @@ mod tests {
             (Purpose::Save, "a.json", Verdict::Replaces),
             (Purpose::Save, "b.json", Verdict::Good),
             (Purpose::Save, "no/b.json", Verdict::Bad("There is no such folder")),
+            (Purpose::Shaders("all"), "inner", Verdict::Good),
+            (Purpose::Shaders("all"), "inner/", Verdict::Good),
+            (Purpose::Shaders("all"), "new", Verdict::Good),
+            (Purpose::Shaders("all"), "no/new", Verdict::Bad("There is no folder to make this one in")),
+            (Purpose::Shaders("all"), "a.json", Verdict::Bad("This is a file, and no folder")),
         ] {
             assert_eq!(verdict(purpose, &path(name)), expected, "{name}");
         }

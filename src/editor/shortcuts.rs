@@ -4,6 +4,8 @@
 use eframe::egui;
 use eframe::egui::{Key, Modifiers};
 
+use crate::export;
+
 /// Where a key works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Place {
@@ -42,6 +44,11 @@ pub(crate) enum Action {
     Tour,
     CopyPicture,
     CopyWgsl,
+    /// In a language, of its files the one with this ending.
+    CopyShader(&'static str, &'static str),
+    /// To a language, or to all of them.
+    Export(&'static str),
+    ExportPicture,
     ResetView,
     FrameObject,
     FrameAll,
@@ -150,6 +157,23 @@ pub(crate) static ALL: &[Shortcut] = &[
     row(A::Tour, "Take the tour", &[], Window),
     row(A::CopyPicture, "Copy the picture as an image", &[(CTRL_SHIFT, Key::I)], Window),
     row(A::CopyWgsl, "Copy the shader as WGSL", &[(CTRL_SHIFT, Key::W)], Window),
+    row(A::CopyShader("glsl-es300", ".es300.frag"), "Copy the fragment shader as GLSL ES 3.00", &[], Window),
+    row(A::CopyShader("glsl-es300", ".es300.vert"), "Copy the vertex shader as GLSL ES 3.00", &[], Window),
+    row(A::CopyShader("glsl-330", ".330.frag"), "Copy the fragment shader as GLSL 3.30", &[], Window),
+    row(A::CopyShader("glsl-330", ".330.vert"), "Copy the vertex shader as GLSL 3.30", &[], Window),
+    row(A::CopyShader("glsl-450", ".450.frag"), "Copy the fragment shader as GLSL 4.50", &[], Window),
+    row(A::CopyShader("glsl-450", ".450.vert"), "Copy the vertex shader as GLSL 4.50", &[], Window),
+    row(A::CopyShader("hlsl", ".hlsl"), "Copy the shader as HLSL", &[], Window),
+    row(A::CopyShader("msl", ".metal"), "Copy the shader as Metal Shading Language", &[], Window),
+    row(A::Export(export::ALL), "Export to all languages...", &[(CTRL_SHIFT, Key::E)], Window),
+    row(A::Export("wgsl"), "Export to WGSL, for WebGPU...", &[], Window),
+    row(A::Export("glsl-es300"), "Export to GLSL ES 3.00, for WebGL 2...", &[], Window),
+    row(A::Export("glsl-330"), "Export to GLSL 3.30, for OpenGL...", &[], Window),
+    row(A::Export("glsl-450"), "Export to GLSL 4.50, for Vulkan...", &[], Window),
+    row(A::Export("hlsl"), "Export to HLSL, for Direct3D 12...", &[], Window),
+    row(A::Export("msl"), "Export to Metal Shading Language...", &[], Window),
+    row(A::Export("spirv"), "Export to SPIR-V, for Vulkan...", &[], Window),
+    row(A::ExportPicture, "Export the picture as PNG...", &[], Window),
     row(A::Commands, "Find a command or a node", &[(CTRL, Key::P), (CTRL, Key::F)], Window),
     row(A::Shortcuts, "Show all shortcuts", &[(NONE, Key::Questionmark), (SHIFT, Key::Questionmark), (NONE, Key::F1)], Window),
     row(A::Probe, "Probe a pixel", &[(NONE, Key::I)], Place::Picture),
@@ -164,7 +188,7 @@ pub(crate) static ALL: &[Shortcut] = &[
     row(A::Dissolve, "Delete, keep the wires through", &[(SHIFT, Key::Delete), (SHIFT, Key::X)], Graph),
     row(A::Delete, "Delete", &[(NONE, Key::Delete), (NONE, Key::Backspace), (NONE, Key::X)], Graph),
     row(A::Duplicate, "Duplicate", &[(CTRL, Key::D), (SHIFT, Key::D)], Graph),
-    row(A::Copy, "Copy as text", &[(CTRL, Key::C)], Graph),
+    row(A::Copy, "Copy the selected nodes as text", &[(CTRL, Key::C)], Graph),
     row(A::Cut, "Cut", &[(CTRL, Key::X)], Graph),
     row(A::Paste, "Paste", &[(CTRL, Key::V)], Graph),
     row(A::SelectAll, "Select all", &[(CTRL, Key::A)], Graph),
@@ -309,6 +333,18 @@ mod tests {
                 assert!(!(meet && same), "{:?} and {:?}", row.action, other.action);
                 assert_ne!(row.action, other.action);
             }
+        }
+    }
+
+    #[test]
+    fn every_language_can_be_exported_and_all_but_binary_ones_copied() {
+        for language in export::LANGUAGES {
+            let row = of(A::Export(language.slug)).unwrap_or_else(|| panic!("{}", language.slug));
+            let name = language.label.trim_end_matches(|c: char| c.is_ascii_digit() || ".- ".contains(c));
+            assert!(row.label.contains(name.split(',').next().unwrap()), "{} for {}", row.label, language.label);
+            let copies = |row: &Shortcut| matches!(row.action, A::CopyShader(slug, _) if slug == language.slug);
+            let is_copied = language.slug == "wgsl" || ALL.iter().any(copies);
+            assert_eq!(is_copied, language.slug != "spirv", "{}", language.slug);
         }
     }
 

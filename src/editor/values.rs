@@ -1,7 +1,7 @@
 //! Values as people read them: degrees in place of radians, labels in place of words.
 
 use crate::document::Value;
-use crate::library::{Fallback, Type};
+use crate::library::{Context, Fallback, Type};
 
 use super::catalog::Port;
 
@@ -38,6 +38,15 @@ pub(crate) fn number_text(number: f64, decimals: usize) -> String {
 /// A name of code as words.
 pub(crate) fn words(name: &str) -> String {
     name.replace(['_', '.'], " ")
+}
+
+/// What the surface gives to an input, as people say it: the papers' kappa is a curvature.
+pub(crate) fn context_words(context: Context) -> String {
+    match context {
+        Context::KappaDetail | Context::KappaDetailSparse => "detail curvature".to_owned(),
+        context if context.is_curvature() => "curvature".to_owned(),
+        context => words(context.word()),
+    }
 }
 
 /// What an unwired input has: its own value, or its kind's.

@@ -10,6 +10,7 @@
 
 pub mod description;
 mod exposed;
+mod files;
 mod glsl;
 mod glsl_330;
 mod glsl_450;
@@ -30,6 +31,7 @@ use crate::diag::Diagnostic;
 use crate::document::Look;
 use crate::library::Library;
 
+pub use files::{in_the_way, write};
 pub use language::Language;
 pub use spirv::spirv_words;
 
@@ -44,9 +46,49 @@ pub const LANGUAGES: [&Language; 7] = [
     &spirv::LANGUAGE,
 ];
 
+/// What stands for every language.
+pub const ALL: &str = "all";
+
 /// The language that `chiaro export --to` names.
 pub fn language(slug: &str) -> Option<&'static Language> {
     LANGUAGES.into_iter().find(|language| language.slug == slug)
+}
+
+/// The languages that these slugs name, each once, in their order; `all` names every one.
+///
+/// # Errors
+/// A problem for each slug that names none.
+pub fn languages<'a>(slugs: impl IntoIterator<Item = &'a str>) -> Result<Vec<&'static Language>, Vec<Diagnostic>> {
+    let known = LANGUAGES.map(|language| language.slug);
+    let mut found: Vec<&'static Language> = Vec::new();
+    let mut problems = Vec::new();
+    for slug in slugs {
+        match (slug.trim(), language(slug.trim())) {
+            (ALL, _) => found.extend(LANGUAGES),
+            (_, Some(language)) => found.push(language),
+            (slug, None) => {
+                let problem = Diagnostic::error("unknown-language", format!("there is no language `{slug}`"));
+                let hint = format!("the languages are {}, or {ALL}", known.join(", "));
+                problems.push(problem.suggest(slug, known).hint(hint));
+            }
+        }
+    }
+    let mut seen: Vec<&str> = Vec::new();
+    found.retain(|language| {
+        let is_new = !seen.contains(&language.slug);
+        seen.push(language.slug);
+        is_new
+    });
+    if problems.is_empty() { Ok(found) } else { Err(problems) }
+}
+
+/// What is told of languages whose files no compiler here has seen; `None` where there are none.
+pub fn unverified(languages: &[&'static Language]) -> Option<String> {
+    let labels: Vec<&str> =
+        languages.iter().filter(|language| language.verified_by.is_none()).map(|language| language.label).collect();
+    let plural = if labels.len() == 1 { "is" } else { "are" };
+    let told = || format!("{} {plural} unverified: no compiler here has seen the files", labels.join(" and "));
+    (!labels.is_empty()).then(told)
 }
 
 /// A file to be written.

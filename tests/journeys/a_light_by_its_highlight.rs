@@ -51,7 +51,7 @@ fn a_look_is_made_with_the_hand_on_the_object() {
     let fresh = artist.picture();
     artist.press("Layer Diffuse");
     artist.press("Add layer");
-    artist.press("Phong highlight");
+    artist.press("Add Highlight");
 
     // The highlight goes where the pointer takes it, and its light with it.
     let direction = artist.look().lights["key"].direction;

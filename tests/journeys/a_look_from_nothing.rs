@@ -20,14 +20,19 @@ fn shape(artist: &mut Artist, angles: [&str; 3], colors: [&str; 2], slope: &str,
     artist.set("Shape offset", warp);
 }
 
-/// Types where a light comes from.
+/// Types where a light comes from: the only one, in the list of lights.
 fn direct(artist: &mut Artist, direction: [&str; 3]) {
     artist.tab("Lights");
+    direct_shown(artist, direction);
+    artist.tab("Layers");
+}
+
+/// Types where the light comes from that is shown: in the inspector the one of the selected layer.
+fn direct_shown(artist: &mut Artist, direction: [&str; 3]) {
     for (axis, text) in direction.into_iter().enumerate() {
         let fields = artist.fields_called("Direction");
         artist.type_over(fields[axis], text);
     }
-    artist.tab("Layers");
 }
 
 #[test]
@@ -42,7 +47,7 @@ fn figure_1_is_built_layer_by_layer() {
     // What lies lowest: a tint that is everywhere.
     artist.press("Base Base");
     artist.press("Add layer");
-    artist.press("Ambient fill");
+    artist.press("Add Fill");
     artist.set_color("Convex color", "#16131f");
     artist.set_color("Concave color", "#08060d");
 
@@ -61,7 +66,10 @@ fn figure_1_is_built_layer_by_layer() {
     // The back-light from the list of layers, over the selected one, with the light that it needs.
     artist.press("Layer Specular");
     artist.press("Add layer");
-    artist.press("Rim, back-light");
+    artist.press("Add Back-light");
+    shape(&mut artist, ["28.6", "54.4", "71.6"], ["#4f86b8", "#21456e"], "0.2", "8.6");
+    direct_shown(&mut artist, ["0.85", "0.35", "-0.75"]);
+    assert_eq!(artist.look().lights["back"].direction, [0.85, 0.35, -0.75]);
     assert_eq!(artist.look().lights.len(), 2, "a light behind was added");
     let wires = &artist.look().graph;
     assert_eq!(wires.wire_into(&"back_light".into(), &"below".into()).unwrap().from.node.as_str(), specular);

@@ -30,7 +30,7 @@ fn a_group_is_made_named_shared_and_changed_for_all() {
     let mut artist = studio.window();
     artist.press("Layer Diffuse");
     artist.press("Add layer");
-    artist.press("Phong highlight");
+    artist.press("Add Highlight");
     artist.save_under(&studio.path("one.json"));
     let before = artist.picture();
 

@@ -30,7 +30,7 @@ fn a_look_is_made_half_as_dear_within_1_of_255() {
     // A look of soft layers, warmed a little where the surface is convex: two passes stand behind that tint.
     artist.press("Layer Diffuse");
     artist.press("Add layer");
-    artist.press("Phong highlight");
+    artist.press("Add Highlight");
     artist.press("Layer Diffuse");
     artist.set_color("Convex color", "#b58a6a");
     artist.set_color("Concave color", "#b4886a");

@@ -48,7 +48,7 @@ fn a_back_light_changes_with_the_view() {
     let mut artist = studio.window();
     artist.press("Layer Diffuse");
     artist.press("Add layer");
-    artist.press("Rim, back-light");
+    artist.press("Add Back-light");
     artist.tab("Keys");
     artist.press("Add direction keys");
     artist.press("By the view");

@@ -27,7 +27,7 @@ fn work_is_complete_to_the_last_gesture() {
     let first = artist.look().clone();
     artist.press("Layer Diffuse");
     artist.press("Add layer");
-    artist.press("Rim, back-light");
+    artist.press("Add Back-light");
     artist.set_color("Convex color", "#40c0ff");
     artist.show_all();
     let at = artist.on_canvas(0.2, 0.9);

@@ -93,6 +93,15 @@ impl Journal {
         self.push(&Record::Ops(Cow::Borrowed(ops)))
     }
 
+    /// Notes what the window wants back now, such as where it looks from: each member takes the place of the one that
+    /// [`About::window`] has.
+    ///
+    /// # Errors
+    /// As [`append`](Self::append).
+    pub fn note_window(&mut self, members: &serde_json::Map<String, serde_json::Value>) -> io::Result<()> {
+        self.push::<()>(&Record::Window(Cow::Borrowed(members)))
+    }
+
     /// Notes that the window was closed as windows are.
     ///
     /// # Errors

@@ -58,13 +58,13 @@ pub fn recover<D: Journaled>(path: &Path) -> Result<Recovered<D>, Box<Diagnostic
     let file = File::open(path).map_err(fail)?;
     let mut reader = Reader { lines: Lines::new(BufReader::new(file)), damage: Vec::new() };
     let begun = reader.beginning::<D>().map_err(fail)?;
-    let Some(Beginning { numbers, about, source, document, done, undone }) = begun else {
+    let Some(Beginning { numbers, mut about, source, document, done, undone }) = begun else {
         let message = "the journal of unsaved work is damaged where it begins, and nothing can be brought back from it";
         let problem = Diagnostic::error("damaged-journal", message).in_file(path.display().to_string());
         return Err(Box::new(problem.hint("it is kept until you throw it away")));
     };
     let mut history = History::restored(document, done, undone, numbers);
-    let is_closed = reader.ops(&mut history).map_err(fail)?;
+    let is_closed = reader.ops(&mut history, &mut about.window).map_err(fail)?;
     history.end_gesture();
     let dropped = history.drop_impossible_steps();
     if dropped > 0 {
@@ -123,8 +123,8 @@ impl Reader {
     }
 
     /// Does again what was done. What follows something that cannot be done is left out: it was made for another
-    /// document. Returns whether the window was closed.
-    fn ops<D: Journaled>(&mut self, history: &mut History<D>) -> io::Result<bool> {
+    /// document. Notes what the window wanted back last. Returns whether the window was closed.
+    fn ops<D: Journaled>(&mut self, history: &mut History<D>, window: &mut serde_json::Value) -> io::Result<bool> {
         let mut is_closed = false;
         loop {
             let json = match self.lines.next()? {
@@ -140,6 +140,14 @@ impl Reader {
             is_closed = false;
             let is_done = match serde_json::from_str::<Record<'static, D::Edit>>(&json) {
                 Ok(Record::Ops(ops)) => ops.into_owned().into_iter().all(|op| apply(history, op)),
+                Ok(Record::Window(members)) => {
+                    let members = members.into_owned();
+                    match window.as_object_mut() {
+                        Some(known) => known.extend(members),
+                        None => *window = members.into(),
+                    }
+                    true
+                }
                 Ok(Record::Closed) => {
                     is_closed = true;
                     true

@@ -11,7 +11,8 @@ use crate::document::{Edit, Look, Scene, SceneEdit};
 /// The version of the journal that this Chiaro writes, and the only one that it reads.
 pub(super) const VERSION: u32 = 1;
 
-/// One line. A journal is `begin`, what stood there then, `ready`, and from then on `ops`.
+/// One line. A journal is `begin`, what stood there then, `ready`, and from then on `ops` and
+/// `window`.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", bound(deserialize = "E: Clone + Deserialize<'de>"))]
 pub(super) enum Record<'a, E: Clone> {
@@ -29,6 +30,8 @@ pub(super) enum Record<'a, E: Clone> {
     Ready,
     /// What was done, at once.
     Ops(Cow<'a, [Op<E>]>),
+    /// What the window wants back now, member by member in place of what [`About::window`] says.
+    Window(Cow<'a, serde_json::Map<String, serde_json::Value>>),
     /// The window was closed as windows are.
     Closed,
 }

@@ -1,7 +1,7 @@
 //! The one place that does what panels, keys and menus ask for.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use eframe::egui::{self, Ui};
 
@@ -13,9 +13,11 @@ use crate::editor::canvas::edits;
 use crate::editor::command::Command;
 use crate::editor::dialogs::Purpose;
 use crate::editor::dock;
+use crate::editor::look_export::stem_of;
 use crate::editor::session::Session;
 use crate::editor::shortcuts::{self, Action};
 use crate::editor::stage::Stage;
+use crate::editor::viewport::Export;
 
 impl App {
     pub(super) fn apply(&mut self, ui: &Ui, command: Command) {
@@ -73,6 +75,11 @@ impl App {
             Command::ShowWire(wire) => self.session.show_wire(wire),
             Command::Export(export, Some(path)) => self.viewport.export(&self.session, export, path),
             Command::Export(export, None) => self.dialogs.ask(Purpose::Export(export), self.session.path()),
+            Command::ExportLook(language, Some(folder)) => self.look_exports.write(&self.session, language, folder),
+            Command::ExportLook(language, None) => {
+                let near = self.look_exports.suggested(&self.session);
+                self.dialogs.ask(Purpose::Shaders(language), Some(&near));
+            }
             Command::CopyPicture => {
                 // The panel of the picture takes what was drawn to the clipboard.
                 self.start = None;
@@ -129,6 +136,12 @@ impl App {
             Action::Tour => Command::StartTour,
             Action::CopyPicture => Command::CopyPicture,
             Action::CopyWgsl => Command::CopyWgsl,
+            Action::CopyShader(language, ending) => return self.look_exports.copy(&self.session, language, ending),
+            Action::Export(language) => Command::ExportLook(language, None),
+            Action::ExportPicture => {
+                let size = self.viewport.size_in_pixels(ui.pixels_per_point());
+                Command::Export(Export::Picture(size), None)
+            }
             Action::Commands | Action::Shortcuts => return self.sheet.open(action),
             Action::ResetView
             | Action::FrameObject
@@ -155,7 +168,7 @@ impl App {
     }
 
     fn ask_where_to_save(&mut self) {
-        let by_name = || Path::new(&file_name(&self.session.look().name)).to_owned();
+        let by_name = || PathBuf::from(format!("{}.json", stem_of(&self.session.look().name)));
         let near = self.session.path().map_or_else(by_name, Path::to_path_buf);
         self.dialogs.ask(Purpose::Save, Some(&near));
     }
@@ -212,24 +225,5 @@ impl App {
             return self.save_scene();
         }
         self.go_on_if_safe();
-    }
-}
-
-/// A file's name for a look's: `Rim light` is kept in `rim-light.json`.
-fn file_name(look: &str) -> String {
-    let words = look.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
-    let stem = words.take(8).collect::<Vec<_>>().join("-").to_lowercase();
-    format!("{}.json", if stem.is_empty() { "look" } else { &stem })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::file_name;
-
-    #[test]
-    fn looks_are_kept_under_their_names() {
-        assert_eq!(file_name("Rim light, No. 2"), "rim-light-no-2.json");
-        assert_eq!(file_name("../.."), "look.json");
-        assert_eq!(file_name("Größe 光"), "größe-光.json");
     }
 }

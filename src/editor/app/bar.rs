@@ -9,6 +9,9 @@ use crate::editor::shortcuts::{self, Action};
 use crate::editor::spots::{self, Spot};
 use crate::editor::{dock, theme};
 
+/// Below this width, in points, the name of what is open is not told in the bar: the window's title has it too.
+const LEAST_NAME: f32 = 60.0;
+
 impl App {
     pub(super) fn bar(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
         ui.horizontal(|ui| {
@@ -35,19 +38,25 @@ impl App {
             ui.separator();
             commands.extend(recent.map(|path| Command::Open(Some(path))));
             ui.menu_button("View", |ui| self.view_menu(ui)).response.on_hover_text("Panels, theme and scale");
-            let copies = [Action::CopyPicture, Action::CopyWgsl, Action::Copy];
-            menu(ui, "Copy as", "The picture, the shader or the selected nodes, to the clipboard", &copies, commands);
+            let exports = of_kind(|action| matches!(action, Action::Export(_) | Action::ExportPicture));
+            menu(ui, "Export", "The look as shaders for other programs, or the picture, as files", &exports, commands);
+            let shaders = of_kind(|action| matches!(action, Action::CopyShader(..)));
+            let copies = [&[Action::CopyPicture, Action::Copy, Action::CopyWgsl], shaders.as_slice()].concat();
+            menu(ui, "Copy as", "The picture, the selected nodes or the shader, to the clipboard", &copies, commands);
             let helps = [Action::Start, Action::Tour, Action::Commands, Action::Shortcuts];
             menu(ui, "Help", "The start page, the tour, all commands and keys", &helps, commands);
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let name = self.documents();
-                if self.session.is_dirty() {
+                if self.session.is_dirty() && ui.available_width() > LEAST_NAME {
                     ui.label(RichText::new("changed").color(theme::of(ui).accent)).on_hover_text("Not saved yet");
                 }
                 let path = self.session.path().map(|path| path.display().to_string());
-                let label = ui.label(RichText::new(name).strong());
-                if let Some(path) = path {
-                    label.on_hover_text(path);
+                // A narrow window has room for the buttons alone.
+                if ui.available_width() > LEAST_NAME {
+                    let label = ui.add(egui::Label::new(RichText::new(name).strong()).truncate());
+                    if let Some(path) = path {
+                        label.on_hover_text(path);
+                    }
                 }
             });
         });
@@ -95,7 +104,9 @@ impl App {
         ui.horizontal(|ui| {
             let command = problems::status(ui, &self.session);
             if let Some(message) = &self.message {
-                ui.label(RichText::new(message).color(theme::of(ui).accent));
+                // A long one is cut off, and whole under the pointer: it never pushes the window about.
+                let text = RichText::new(message).color(theme::of(ui).accent);
+                ui.add(egui::Label::new(text).truncate()).on_hover_text(message);
                 ui.separator();
             }
             ui.add(egui::Label::new(RichText::new(hint).color(theme::of(ui).dim)).truncate());
@@ -129,6 +140,11 @@ impl App {
             ctx.data_mut(|data| data.insert_temp(id, title));
         }
     }
+}
+
+/// All actions of a kind, as the table of shortcuts orders them.
+fn of_kind(is_it: impl Fn(Action) -> bool) -> Vec<Action> {
+    shortcuts::ALL.iter().map(|row| row.action).filter(|action| is_it(*action)).collect()
 }
 
 /// A menu of what the table of shortcuts has, with its keys.

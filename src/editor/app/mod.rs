@@ -22,6 +22,7 @@ use super::curves::timeline::Timeline;
 use super::dialogs::{Dialogs, IMAGES, MESHES, Purpose, Way};
 use super::dock::Dock;
 use super::dock::effects::Effects;
+use super::look_export::{self, LookExports};
 use super::panels::{Panels, library, solo};
 use super::path_field::PathField;
 use super::picture::Picture;
@@ -63,6 +64,7 @@ pub struct App {
     keys: Keys,
     timeline: Timeline,
     panels: Panels,
+    look_exports: LookExports,
     safety: Safety,
     sheet: Sheet,
     start: Option<StartPage>,
@@ -112,6 +114,7 @@ impl App {
             keys: Keys::default(),
             timeline: Timeline::default(),
             panels,
+            look_exports: LookExports::new(waker()),
             safety: Safety::new(waker()),
             sheet: Sheet::default(),
             start: None,
@@ -276,6 +279,7 @@ impl App {
             || self.wipe.is_busy()
             || self.cost.is_busy()
             || self.panels.is_busy()
+            || self.look_exports.is_busy()
     }
 
     /// Waits for them; for tests.
@@ -287,6 +291,7 @@ impl App {
         self.wipe.wait();
         self.cost.wait();
         self.panels.wait();
+        self.look_exports.wait();
         if let Some(picture) = &self.picture {
             picture.wait();
         }
@@ -325,6 +330,7 @@ impl App {
             self.canvas.claim_tab(ui);
         }
         self.shortcuts(ui, &mut commands);
+        self.take_look_exports(ui);
         let dropped = ui.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_path_buf()));
         let adds = self.adds_what_is_dropped(ui);
         commands.extend(dropped.map(|path| {
@@ -454,6 +460,18 @@ impl App {
         self.picture.as_ref().is_some_and(Picture::is_there)
     }
 
+    /// Takes what left the window as a shader.
+    fn take_look_exports(&mut self, ui: &Ui) {
+        for done in self.look_exports.answers() {
+            let (copied, told) = match done {
+                look_export::Done::Told(told) => (None, told),
+                look_export::Done::Copied(text, told) => (Some(text), told),
+            };
+            copied.into_iter().for_each(|text| ui.ctx().copy_text(text));
+            self.message = Some(told);
+        }
+    }
+
     fn shortcuts(&self, ui: &Ui, commands: &mut Vec<Command>) {
         let is_typing = ui.ctx().egui_wants_keyboard_input();
         // A field that is being typed in has an undo of its own, and question marks.
@@ -473,7 +491,9 @@ impl App {
         if self.start.is_some() && is_free && shortcuts::take(ui, escape) {
             commands.push(Command::ShowStart(false));
         }
-        if self.probe.is_on() && !is_typing && shortcuts::take(ui, escape) {
+        // A picker or a menu that is open takes the key first: it would stay open else.
+        let is_open = egui::Popup::is_any_open(ui.ctx());
+        if self.probe.is_on() && !is_typing && !is_open && shortcuts::take(ui, escape) {
             commands.push(Command::LeaveProbe);
         }
     }

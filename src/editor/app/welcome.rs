@@ -115,6 +115,7 @@ impl App {
             Purpose::AddMesh | Purpose::ObjectMesh | Purpose::ObjectLook | Purpose::SaveScene => {
                 Command::Stage(Wish::Chosen(purpose, path))
             }
+            Purpose::Shaders(language) => Command::ExportLook(language, Some(path)),
             Purpose::Export(export) => Command::Export(export, Some(path)),
             Purpose::Reference => Command::ShowReference(Some(path)),
         };

@@ -25,7 +25,9 @@ impl Canvas {
         }
         let is_typing = ui.ctx().egui_wants_keyboard_input();
         if !is_typing {
-            if shortcuts::take(ui, (egui::Modifiers::NONE, egui::Key::Escape)) {
+            // What is open over the window, such as a colour's picker, is closed by this key before anything else is.
+            let is_free = !egui::Popup::is_any_open(ui.ctx());
+            if is_free && shortcuts::take(ui, (egui::Modifiers::NONE, egui::Key::Escape)) {
                 self.cancel();
             }
             actions.extend(std::mem::take(&mut self.wants_search).then_some(Action::AddNode));

@@ -14,6 +14,7 @@ use super::table::{Hit, Socket};
 use super::{Canvas, edits};
 use crate::document::GraphId;
 use crate::ids::NodeId;
+use crate::library::Library;
 
 /// The map's size, on the screen.
 const MAP: egui::Vec2 = vec2(168.0, 112.0);
@@ -64,7 +65,9 @@ impl Canvas {
                         if ui.button("Make it the look's own").on_hover_text(help).clicked() {
                             out.extend(session.own_group().map(Command::Edit));
                         }
-                        ui.label(RichText::new("From the library: look, don't touch").color(theme::of(ui).dim));
+                        let (from, help) = origin(session);
+                        let text = format!("{from}: look, don't touch");
+                        ui.label(RichText::new(text).color(theme::of(ui).dim)).on_hover_text(help);
                     } else if let GraphId::Definition(id) = session.graph_id() {
                         let help = "Puts this group into the nodes folder beside the look, where every look of the folder has it";
                         if ui.button("Share with the project").on_hover_text(help).clicked() {
@@ -210,7 +213,7 @@ impl Canvas {
     fn item_menu(&mut self, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         let Some(item) = self.item.clone() else { return };
         if session.is_read_only() {
-            ui.label("From the library");
+            ui.label(origin(session).0);
             return;
         }
         if ui.button("Edit the text").clicked() {
@@ -299,4 +302,16 @@ fn crumb_names(session: &Session, path: &[NodeId]) -> Vec<String> {
         graph = node.and_then(|node| session.definition_of(&node.kind)).map(|definition| &definition.graph);
     }
     names
+}
+
+/// Whose the open group is that is not the look's own, and what that means.
+fn origin(session: &Session) -> (&'static str, &'static str) {
+    let is_own = |id: &str| Library::built_in().groups.contains_key(id);
+    match session.graph_id() {
+        GraphId::Definition(id) if !is_own(id.as_str()) => (
+            "Shared by the project",
+            "It lies in the nodes folder beside the look, and every look of the folder has it",
+        ),
+        _ => ("From the library", "It comes with Chiaro, and is the same in every look"),
+    }
 }

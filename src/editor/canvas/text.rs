@@ -110,7 +110,7 @@ fn shown_value(port: &Port, node: &Node, look: &Look, colors: &Colors) -> Shown 
             return Shown::Text(format!("as {}", values::words(other.as_str())), colors.dim.gamma_multiply(0.7));
         }
         (None, Fallback::Context(context)) => {
-            return Shown::Text(values::words(context.word()), colors.dim.gamma_multiply(0.7));
+            return Shown::Text(values::context_words(*context), colors.dim.gamma_multiply(0.7));
         }
         (None, Fallback::Wire) => return Shown::Nothing,
     };

@@ -3,9 +3,10 @@
 use eframe::egui;
 use eframe::egui::ecolor::{gamma_from_linear, linear_from_gamma};
 use eframe::egui::text::{CCursor, CCursorRange};
-use eframe::egui::{Id, Rgba, TextEdit, Ui, color_picker};
+use eframe::egui::{Id, TextEdit, Ui};
 
 use super::super::{theme, values};
+use super::picker;
 use crate::document::{ColorSpace, parse_hex, srgb_to_linear};
 
 /// Edits a straight RGBA colour of a look's colour space. Who changed it, and to what.
@@ -33,6 +34,13 @@ pub(in super::super) fn swatch(
     swatch_of(ui, color, space, with_alpha, |response| response.labelled_by(label))
 }
 
+/// What a swatch opens, here and now: for an opaque colour, as it is shown.
+pub(in super::super) fn pick(ui: &mut Ui, color: [f64; 4]) -> Option<[f64; 4]> {
+    let id = ui.scope_id().with("color");
+    let picked = picker::pick(ui, id, color.map(|x| x as f32), false)?;
+    Some(picked.map(|x| (f64::from(x) * 1e4).round() / 1e4))
+}
+
 /// The swatch alone; `name` is what screen readers call it.
 pub(super) fn named_swatch(
     ui: &mut Ui,
@@ -54,27 +62,33 @@ fn swatch_of(
     with_alpha: bool,
     name: impl FnOnce(egui::Response) -> egui::Response,
 ) -> Option<(Id, [f64; 4])> {
-    // egui's picker thinks in linear light; a look's colours are as shown unless it says otherwise.
-    let to_linear = |x: f64| match space {
-        ColorSpace::Display => linear_from_gamma(x.clamp(0.0, 1.0) as f32),
-        ColorSpace::Linear => x.clamp(0.0, 1.0) as f32,
+    // A picker shows colours as they are seen; a look's are so too unless it says otherwise.
+    let [r, g, b, a] = encoded(color, space).map(|x| x as f32);
+    let mut typed = None;
+    let (response, picked) = picker::swatch(ui, [r, g, b, a], with_alpha, name, |ui| {
+        let label = ui.label("Hex code").id;
+        typed = hex(ui, label, color, space);
+    });
+    let decode = |x: f32| match space {
+        ColorSpace::Display => f64::from(x),
+        ColorSpace::Linear => f64::from(linear_from_gamma(x)),
     };
-    let from_linear = |x: f32| match space {
-        ColorSpace::Display => f64::from(gamma_from_linear(x.clamp(0.0, 1.0))),
-        ColorSpace::Linear => f64::from(x.clamp(0.0, 1.0)),
-    };
-    let [r, g, b, a] = color;
-    let before = Rgba::from_rgba_unmultiplied(to_linear(r), to_linear(g), to_linear(b), a.clamp(0.0, 1.0) as f32);
-    let mut after = before;
-    let alpha = if with_alpha { color_picker::Alpha::OnlyBlend } else { color_picker::Alpha::Opaque };
-    let response = name(color_picker::color_edit_button_rgba(ui, &mut after, alpha));
-    if !response.changed() || after == before {
-        return None;
+    // Four decimals are more than a picker's hand gives, and keep files readable.
+    let picked =
+        picked.map(|[r, g, b, a]| [decode(r), decode(g), decode(b), f64::from(a)].map(|x| (x * 1e4).round() / 1e4));
+    picked.map(|color| (response.id, color)).or(typed)
+}
+
+/// A colour of a look's colour space as it is shown.
+fn encoded(color: [f64; 4], space: ColorSpace) -> [f64; 4] {
+    let [r, g, b, a] = color.map(|x| x.clamp(0.0, 1.0));
+    match space {
+        ColorSpace::Display => [r, g, b, a],
+        ColorSpace::Linear => {
+            let [r, g, b] = [r, g, b].map(|x| f64::from(gamma_from_linear(x as f32)));
+            [r, g, b, a]
+        }
     }
-    let [r, g, b, a] = after.to_rgba_unmultiplied();
-    // Seven decimals are more than a picker's hand gives, and keep files readable.
-    let color = [from_linear(r), from_linear(g), from_linear(b), f64::from(a)].map(|x| (x * 1e4).round() / 1e4);
-    Some((response.id, color))
 }
 
 /// A colour as people type it: with its mark, without, or with one too many.
@@ -86,16 +100,17 @@ fn hex(ui: &mut Ui, label: Id, color: [f64; 4], space: ColorSpace) -> Option<(Id
     let id = ui.scope_id().with("hex");
     let shown = values::hex(match space {
         ColorSpace::Display => color,
-        ColorSpace::Linear => {
-            let encode = |x: f64| f64::from(gamma_from_linear(x.clamp(0.0, 1.0) as f32));
-            [encode(color[0]), encode(color[1]), encode(color[2]), color[3]]
-        }
+        ColorSpace::Linear => encoded(color, space),
     });
     // While it is being typed it is no colour yet, so the text is kept aside.
     let mut text = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| shown.clone());
     let is_bad = parse_typed(&text).is_none();
-    let edit =
-        TextEdit::singleline(&mut text).id(id).desired_width(80.0).font(egui::TextStyle::Monospace).char_limit(9);
+    let edit = TextEdit::singleline(&mut text)
+        .id(id)
+        .align(egui::Align2::LEFT_CENTER)
+        .desired_width(80.0)
+        .font(egui::TextStyle::Monospace)
+        .char_limit(9);
     let edit = if is_bad { edit.text_color(theme::of(ui).error) } else { edit };
     let mut output = edit.show(ui);
     let response = output.response.response.labelled_by(label);

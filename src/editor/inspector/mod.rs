@@ -4,6 +4,7 @@ pub(super) mod color;
 mod curve;
 mod interface;
 pub(super) mod marks;
+mod picker;
 mod ramp;
 pub(super) mod row;
 pub(crate) mod value;

@@ -272,7 +272,7 @@ fn unset(ui: &mut Ui, subject: &Subject<'_>, port: &Port) -> Option<(Id, Value)>
         None => None,
     };
     let (text, first) = match &port.fallback {
-        Fallback::Context(context) => (format!("the surface's {}", values::words(context.word())), of_all(0.0)),
+        Fallback::Context(context) => (format!("the surface's {}", values::context_words(*context)), of_all(0.0)),
         Fallback::Same(other) => {
             let kind = subject.session.catalog.of(subject.node);
             let of_other = kind.and_then(|kind| Some(&kind.inputs[kind.input(other.as_str())?]));

@@ -23,6 +23,13 @@ const REST: Duration = Duration::from_secs(1);
 /// After a failure, the next attempt is made when so many seconds have passed.
 const RETRY: f64 = 3.0;
 
+/// What a window wants back beside a document is written as often at most, in seconds: a turntable changes it in every
+/// frame.
+const WINDOW: f64 = 0.25;
+
+/// What a window wants back beside a document, by name.
+type Members = serde_json::Map<String, serde_json::Value>;
+
 /// A document as it stands, for a journal to begin with.
 pub(crate) struct Standing<D: Journaled> {
     pub(crate) about: About,
@@ -34,6 +41,8 @@ pub(crate) struct Standing<D: Journaled> {
 
 enum Message<D: Journaled> {
     Begin(Box<Standing<D>>),
+    /// What the window wants back beside the document, from now on.
+    Window(Members),
     /// What was done, and whether the gesture goes on.
     Ops(Vec<Op<D::Edit>>, bool),
     /// The journal stays where it is, for whoever wants it; whether the window is closed in peace.
@@ -78,6 +87,9 @@ where
             journal: None,
             waiting: Waiting::default(),
             is_synced: true,
+            window: Members::new(),
+            is_noted: true,
+            noted: None,
             shared: shared.clone(),
             failed: None,
             wake: Box::new(wake),
@@ -110,6 +122,12 @@ where
             self.goes_on = goes_on;
             self.send(Message::Ops(ops, goes_on));
         }
+    }
+
+    /// Notes what the window wants back beside the document, whichever that is. It alone is worth no journal, and goes
+    /// into the one that there is.
+    pub(crate) fn note_window(&mut self, members: Members) {
+        self.send(Message::Window(members));
     }
 
     /// Leaves the journal where it is.
@@ -199,6 +217,11 @@ struct Writer<D: Journaled> {
     journal: Option<Journal>,
     waiting: Waiting<D>,
     is_synced: bool,
+    window: Members,
+    /// Whether the journal has `window` as it is now.
+    is_noted: bool,
+    /// Since when it was written last.
+    noted: Option<Clock>,
     shared: Arc<Shared>,
     failed: Option<Clock>,
     wake: Box<dyn Fn() + Send>,
@@ -211,6 +234,7 @@ impl<D: Journaled> Writer<D> {
             let pause = match &since {
                 Some(since) => OFTEN.saturating_sub(Duration::from_secs_f64(since.seconds())),
                 None if self.failed.is_some() => Duration::from_secs_f64(RETRY),
+                None if self.is_to_note() => Duration::from_secs_f64(WINDOW),
                 None if !self.is_synced => REST,
                 None => Duration::MAX,
             };
@@ -220,8 +244,12 @@ impl<D: Journaled> Writer<D> {
             };
             match message {
                 Ok(message) => {
-                    let goes_on = matches!(message, Message::Ops(_, true));
+                    let goes_on = matches!(message, Message::Ops(_, true) | Message::Window(_));
                     self.handle(message);
+                    let is_due = |noted: &Clock| noted.seconds() >= WINDOW;
+                    if self.is_to_note() && self.noted.as_ref().is_none_or(is_due) {
+                        self.note_window();
+                    }
                     if !goes_on || since.as_ref().is_some_and(|since| since.seconds() >= OFTEN.as_secs_f64()) {
                         self.write();
                     }
@@ -230,9 +258,11 @@ impl<D: Journaled> Writer<D> {
                 }
                 Err(RecvTimeoutError::Timeout) if since.is_some() => self.write(),
                 Err(RecvTimeoutError::Timeout) if self.failed.is_some() => self.ask_to_begin(),
+                Err(RecvTimeoutError::Timeout) if self.is_to_note() => self.note_window(),
                 Err(RecvTimeoutError::Timeout) => self.sync(),
                 Err(RecvTimeoutError::Disconnected) => {
                     self.write();
+                    self.note_window();
                     return;
                 }
             }
@@ -249,9 +279,14 @@ impl<D: Journaled> Writer<D> {
                 self.is_synced = true;
                 self.take(begun);
             }
+            Message::Window(members) => {
+                self.window = members;
+                self.is_noted = false;
+            }
             Message::Ops(ops, _) => ops.into_iter().for_each(|op| self.waiting.join(op)),
             Message::Leave(in_peace) => {
                 self.write();
+                self.note_window();
                 let closed = match self.journal.as_mut() {
                     Some(journal) if in_peace => journal.close(),
                     _ => Ok(()),
@@ -280,6 +315,8 @@ impl<D: Journaled> Writer<D> {
         }
         if let Some(slot) = &self.slot {
             self.journal = Some(Journal::begin(slot, &about, source.as_deref(), &history)?);
+            self.is_noted = self.window.is_empty();
+            self.note_window();
         }
         Ok(())
     }
@@ -302,6 +339,24 @@ impl<D: Journaled> Writer<D> {
             self.shared.wants_to_begin.store(true, Ordering::Relaxed);
         }
         self.take(written);
+    }
+
+    /// Whether there is a journal that does not know what the window wants back.
+    fn is_to_note(&self) -> bool {
+        !self.is_noted && self.journal.is_some()
+    }
+
+    /// Writes what the window wants back, where the journal does not have it. It is nobody's work: where that fails,
+    /// nothing is told, and the next edit tells it.
+    fn note_window(&mut self) {
+        if !self.is_noted
+            && let Some(journal) = &mut self.journal
+        {
+            self.is_noted = true;
+            self.noted = Some(Clock::start());
+            self.is_synced = false;
+            let _ = journal.note_window(&self.window);
+        }
     }
 
     fn ask_to_begin(&mut self) {

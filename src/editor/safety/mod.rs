@@ -98,7 +98,9 @@ impl Safety {
         let number = self.offers.closed()?;
         // What a scene was closed with comes back by the scene.
         let number = self.offers.scene_closed_with(number).unwrap_or(number);
-        Some(self.take_back(number, session))
+        let told = self.take_back(number, session);
+        session.look_as_kept(true);
+        Some(told)
     }
 
     /// Remembers that the scene that is open, and the look in it, are about to be put aside.
@@ -119,10 +121,14 @@ impl Safety {
     pub(crate) fn reopen(&mut self, path: &Path, session: &mut Session) -> Option<String> {
         let is_aside = self.aside.contains(&real(path));
         if let Some(number) = self.offers.of_file(path, false, is_aside) {
-            return Some(self.take_back(number, session));
+            let told = self.take_back(number, session);
+            // Whoever goes from one look of a scene to another stays where they are.
+            session.look_as_kept(session.stage().is_none());
+            return Some(told);
         }
         let number = self.offers.of_file(path, true, is_aside)?;
         self.take_back(number, session);
+        session.look_as_kept(session.stage().is_none());
         Some(String::new())
     }
 
@@ -204,7 +210,11 @@ impl Safety {
     /// Does what the bar asks for. Returns what to tell.
     pub(crate) fn apply(&mut self, wish: Wish, session: &mut Session) -> Option<String> {
         match wish {
-            Wish::TakeBack(number) => return Some(self.take_back(number, session)),
+            Wish::TakeBack(number) => {
+                let told = self.take_back(number, session);
+                session.look_as_kept(true);
+                return Some(told);
+            }
             Wish::Throw(number, is_thrown) => self.offers.throw(number, is_thrown),
             Wish::Reload => {
                 if let Some(Conflict::Changed(text)) = self.disk.conflict.take() {

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::super::orbit::Orbit;
 use super::super::safety::keeper::{Keeper, Standing};
 use super::Session;
 use crate::diag::Diagnostic;
@@ -10,10 +11,15 @@ use crate::document::journal::{About, Journaled, Op, Recovered, Slot};
 use crate::document::{Edit, Look, read_text};
 use crate::library::Library;
 
+/// What a journal calls where the window looks from.
+pub(super) const VIEW: &str = "view";
+
 /// A document's journal, and what is not sent to it yet.
 pub(crate) struct Keeping<D: Journaled> {
     keeper: Option<Keeper<D>>,
     ops: Vec<Op<D::Edit>>,
+    /// The view that the journal was told last.
+    view: Option<Orbit>,
     /// What the file holds by another program's hand and may be written over.
     overridden: Option<String>,
 }
@@ -32,7 +38,7 @@ pub(crate) enum OnDisk {
 
 impl<D: Journaled> Default for Keeping<D> {
     fn default() -> Self {
-        Self { keeper: None, ops: Vec::new(), overridden: None }
+        Self { keeper: None, ops: Vec::new(), view: None, overridden: None }
     }
 }
 
@@ -69,6 +75,14 @@ where
     pub(crate) fn add(&mut self, goes_on: bool) {
         if let Some(keeper) = &mut self.keeper {
             keeper.add(std::mem::take(&mut self.ops), goes_on);
+        }
+    }
+
+    /// Tells the journal where the window looks from, if that is somewhere else now.
+    pub(crate) fn note_view(&mut self, view: &Orbit) {
+        if let Some(keeper) = self.keeper.as_mut().filter(|_| self.view.as_ref() != Some(view)) {
+            self.view = Some(view.clone());
+            keeper.note_window([(VIEW.to_owned(), view.to_json())].into_iter().collect());
         }
     }
 
@@ -162,8 +176,10 @@ impl Session {
         } else {
             self.keeping.add(goes_on);
         }
+        self.keeping.note_view(&self.view);
         if let Some(stage) = &mut self.stage {
             stage.commit(goes_on);
+            stage.note_view(&self.view);
         }
     }
 
@@ -245,6 +261,7 @@ impl Session {
             Some(path) => self.use_project(path),
             None => self.use_library(Library::built_in().clone()),
         }
+        self.kept_view = found.about.window.get(VIEW).cloned();
         if let Some(mesh) = found.about.window.get("mesh").and_then(serde_json::Value::as_str) {
             mesh.clone_into(&mut self.view.mesh);
         }
@@ -254,6 +271,13 @@ impl Session {
         self.is_partial = found.about.is_partial;
         self.load_problems = found.damage;
         self.begin_journal(Some(slot));
+    }
+
+    /// Looks from where the window did that had the work which was taken back last, if `is_wanted`; else that is forgotten.
+    pub(crate) fn look_as_kept(&mut self, is_wanted: bool) {
+        if let Some(kept) = self.kept_view.take().filter(|_| is_wanted) {
+            self.view.recall(&kept);
+        }
     }
 
     /// Compares the look's file with what it held when it was read or written last.

@@ -84,6 +84,8 @@ pub struct Session {
     /// Whether the first picture is on its way: small ones wait for it.
     pub(crate) awaits_first_picture: bool,
     keeping: Keeping<Look>,
+    /// The view of the work that was taken back last, until somebody wants it.
+    kept_view: Option<serde_json::Value>,
     /// Where journals are kept, and who is told when that fails.
     keeps: Option<(PathBuf, Arc<dyn Fn() + Send + Sync>)>,
     place: place::OpenGroups,
@@ -128,6 +130,7 @@ impl Session {
             files: 0,
             awaits_first_picture: false,
             keeping: Keeping::default(),
+            kept_view: None,
             keeps: None,
             place: Default::default(),
         };

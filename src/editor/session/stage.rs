@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::super::stage::{OPEN_LOOK, Stage, Wanted, real, scene_of};
 use super::Session;
+use super::keeping::VIEW;
 use crate::diag::Diagnostic;
 use crate::document::journal::{Recovered, Slot};
 use crate::document::{Light, Loaded, Scene, SceneEdit};
@@ -55,7 +56,9 @@ impl Session {
 
     /// Takes a scene back that a journal gave, in place of what is open. The journal goes on where it is.
     pub(crate) fn take_back_scene(&mut self, found: Recovered<Scene>, slot: Slot) {
+        let view = found.about.window.get(VIEW).cloned();
         self.set_stage(Stage::taken_back(found));
+        self.kept_view = view;
         if let Some(stage) = &mut self.stage {
             stage.begin_journal(Some(slot));
         }

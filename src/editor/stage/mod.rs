@@ -14,6 +14,7 @@ use std::sync::Arc;
 
 use serde_json::json;
 
+use super::orbit::Orbit;
 use super::reading::Parameter;
 use super::safety::keeper::Standing;
 use super::session::keeping::Keeping;
@@ -297,6 +298,11 @@ impl Stage {
 
     pub(crate) fn keeping(&self) -> &Keeping<Scene> {
         &self.keeping
+    }
+
+    /// Tells the journal where the window looks from.
+    pub(crate) fn note_view(&mut self, view: &Orbit) {
+        self.keeping.note_view(view);
     }
 
     /// Hands what was done to the journal.

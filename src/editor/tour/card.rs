@@ -7,7 +7,7 @@ use eframe::egui::{
 
 use super::super::command::Command;
 use super::super::session::Session;
-use super::super::spots;
+use super::super::spots::{self, Spot};
 use super::super::theme;
 use super::NEXT;
 use super::steps::{STEPS, Step};
@@ -44,7 +44,9 @@ pub(super) fn show(ui: &Ui, session: &Session, step: &Step, progress: Progress, 
     }
     let mut answer = None;
     let title = format!("{}  ·  {} of {}", step.title, progress.index + 1, STEPS.len());
-    card(ui, target, |ui| {
+    // What the step speaks of is in its panels: what is done, and what comes of it.
+    let clear = step.panels.iter().filter_map(|panel| spots::find(ui.ctx(), &Spot::Panel(*panel)));
+    card(ui, target, &clear.collect::<Vec<_>>(), |ui| {
         head(ui, &title, &mut answer);
         ui.label(step.task);
         ui.label(RichText::new(step.reason).color(theme::of(ui).dim));
@@ -60,14 +62,14 @@ pub(super) fn show(ui: &Ui, session: &Session, step: &Step, progress: Progress, 
             }
             ui.with_layout(Layout::right_to_left(eframe::egui::Align::Center), |ui| {
                 let (label, help) = match progress.is_done {
-                    true => ("Next", "On to the next step"),
+                    true => ("Next", "On to the next step, whenever you like"),
                     false => ("Skip", "On to the next step, without this one"),
                 };
-                if ui.button(label).on_hover_text(help).clicked() {
+                let colors = theme::of(ui);
+                let button =
+                    if progress.is_done { Button::new(label).fill(colors.accent_dim) } else { Button::new(label) };
+                if ui.add(button).on_hover_text(help).clicked() {
                     answer = Some(Answer::Next);
-                }
-                if progress.is_done {
-                    ui.label(RichText::new("Done").color(theme::of(ui).second).strong());
                 }
             });
         });
@@ -78,7 +80,7 @@ pub(super) fn show(ui: &Ui, session: &Session, step: &Step, progress: Progress, 
 /// Shows where to go after the last step; what that asks for, and whether the tour is over.
 pub(super) fn last(ui: &Ui, session: &Session) -> (Option<Command>, bool) {
     let (mut next, mut answer) = (None, None);
-    card(ui, None, |ui| {
+    card(ui, None, &[], |ui| {
         head(ui, "This is your look", &mut answer);
         let count = session.look().graph.nodes.values().filter(|node| node.kind == "light_layer").count();
         let text = format!(
@@ -128,16 +130,25 @@ fn dots(ui: &mut Ui, progress: Progress) {
             (false, false) => ui.painter().circle_stroke(at, 3.0, Stroke::new(1.0, colors.dim)),
         };
     }
+    if progress.is_done {
+        let font = eframe::egui::TextStyle::Body.resolve(ui.style());
+        let text = "Done: play on, or go on";
+        ui.painter().text(rect.right_center(), eframe::egui::Align2::RIGHT_CENTER, text, font, colors.second);
+    }
 }
 
-/// A card beside its target, or in a corner where there is none.
-fn card(ui: &Ui, target: Option<Rect>, content: impl FnOnce(&mut Ui)) {
+/// A card beside its target and off what is to be kept clear, or in a corner where there is no target.
+fn card(ui: &Ui, target: Option<Rect>, clear: &[Rect], content: impl FnOnce(&mut Ui)) {
     let ctx = ui.ctx();
     let id = Id::unique("tour card");
-    let screen = ctx.content_rect().shrink(EDGE);
+    let mut screen = ctx.content_rect().shrink(EDGE);
+    // The bar above has what works at any time, the step that saves among it.
+    if let Some(save) = spots::find(ctx, &Spot::Save) {
+        screen.min.y = screen.min.y.max(save.bottom() + EDGE);
+    }
     let width = WIDTH.min(screen.width());
     let height = ctx.memory(|memory| memory.area_rect(id)).map_or(HEIGHT, |rect| rect.height());
-    let at = place(screen, target, vec2(width, height));
+    let at = place(screen, target, clear, vec2(width, height));
     let area = Area::new(id).order(Order::Middle).fixed_pos(at).constrain(true);
     area.show(ctx, |ui| {
         let colors = theme::of(ui);
@@ -150,12 +161,14 @@ fn card(ui: &Ui, target: Option<Rect>, content: impl FnOnce(&mut Ui)) {
     });
 }
 
-/// Beside, below or above the target, wherever it lies most squarely; in the lower right corner of a window that has room
-/// nowhere.
-fn place(screen: Rect, target: Option<Rect>, size: Vec2) -> Pos2 {
+/// As near to the target as the card can be while it covers neither that nor what is to be kept clear; where there is no
+/// such place, where it covers least, the target before all else. Without a target in the lower right corner.
+fn place(screen: Rect, target: Option<Rect>, clear: &[Rect], size: Vec2) -> Pos2 {
+    /// As many places are tried along each side.
+    const TRIED: u8 = 24;
     let corner = screen.right_bottom() - size - vec2(0.0, 40.0);
     let Some(target) = target else { return corner };
-    let farthest = (screen.right_bottom() - size).max(screen.left_top());
+    let room = (screen.size() - size).max(Vec2::ZERO);
     let middle = target.center() - size / 2.0;
     let beside = [
         pos2(target.right() + GAP, middle.y),
@@ -163,13 +176,21 @@ fn place(screen: Rect, target: Option<Rect>, size: Vec2) -> Pos2 {
         pos2(middle.x, target.bottom() + GAP),
         pos2(middle.x, target.top() - GAP - size.y),
     ];
-    let within = beside.map(|at| (at.clamp(screen.left_top(), farthest), at));
-    let free = within.into_iter().filter(|(at, _)| {
-        let card = Rect::from_min_size(*at, size);
-        screen.contains_rect(card) && !card.intersects(target)
-    });
-    let best = free.min_by(|(a, ideal), (b, other)| a.distance(*ideal).total_cmp(&b.distance(*other)));
-    best.map_or(corner, |(at, _)| at)
+    let beside = beside.map(|at| at.clamp(screen.left_top(), screen.left_top() + room));
+    let grid = (0..=TRIED).flat_map(|x| (0..=TRIED).map(move |y| vec2(x.into(), y.into()) / f32::from(TRIED)));
+    let grid = grid.map(|part| screen.left_top() + room * part);
+    let cost = |at: Pos2| {
+        let card = Rect::from_min_size(at, size);
+        let covered = |rect: &Rect| {
+            let common = card.intersect(*rect);
+            if common.is_positive() { common.area() } else { 0.0 }
+        };
+        let way = target.distance_to_pos(at + size / 2.0);
+        // A point of the target weighs more than any other, and those more than any way there is.
+        64.0 * covered(&target.expand(GAP / 2.0)) + 4.0 * clear.iter().map(covered).sum::<f32>() + way
+    };
+    let best = beside.into_iter().chain(grid).min_by(|a, b| cost(*a).total_cmp(&cost(*b)));
+    best.unwrap_or(corner)
 }
 
 /// A ring around what a step speaks of.
@@ -197,10 +218,20 @@ mod tests {
                 Rect::from_min_size(pos2(width - 200.0, 100.0), vec2(190.0, 30.0)),
                 Rect::from_min_size(pos2(5.0, height - 220.0), vec2(250.0, 200.0)),
             ] {
-                let card = Rect::from_min_size(place(screen, Some(target), size), size);
+                let card = Rect::from_min_size(place(screen, Some(target), &[], size), size);
                 assert!(screen.contains_rect(card) && !card.intersects(target), "{card} beside {target} on {screen}");
             }
-            let full = Rect::from_min_size(place(screen, Some(screen), size), size);
+            // A button in a panel, beside another panel: the card goes where neither is.
+            let panels = [
+                Rect::from_min_max(screen.min, pos2(0.3 * width, height)),
+                Rect::from_min_max(pos2(0.75 * width, 0.0), screen.max),
+            ];
+            let button = Rect::from_min_size(pos2(0.75 * width + 4.0, 40.0), vec2(80.0, 20.0));
+            let card = Rect::from_min_size(place(screen, Some(button), &panels, size), size);
+            assert!(screen.contains_rect(card) && !card.intersects(button), "{card}");
+            let is_clear = panels.iter().all(|panel| !card.intersects(*panel));
+            assert!(is_clear || 0.45 * width < size.x, "{card} on {screen}");
+            let full = Rect::from_min_size(place(screen, Some(screen), &[], size), size);
             assert!(screen.contains_rect(full), "{full}");
         }
     }

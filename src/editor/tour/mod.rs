@@ -1,11 +1,12 @@
 //! A tour of two minutes that makes a first look from nothing. Each step stands beside the control that it speaks of and
-//! goes on when the artist has really done it: steps look at the document, never at clicks. It keeps nobody from anything,
-//! and whatever is done on it is the artist's own work, with undo.
+//! says so when the artist has really done it: steps look at the document, never at clicks. The artist alone goes on, by
+//! one button, so that there is all the time in the world to play with what was just found. It keeps nobody from
+//! anything, and whatever is done on it is the artist's own work, with undo.
 
 mod card;
 mod steps;
 
-use eframe::egui::{Popup, Ui};
+use eframe::egui::Ui;
 use glam::DQuat;
 
 use super::command::Command;
@@ -28,9 +29,6 @@ pub(crate) const NOTHING: &str = r##"{
   "wires": [{"from": "base", "to": "output.color"}]
 }"##;
 
-/// A step that is done is left after so many seconds, so that its effect is seen first.
-const LINGER: f64 = 0.9;
-
 /// The tour while it goes on.
 pub(crate) struct Tour {
     /// Which document it is about: with another one it ends.
@@ -39,7 +37,8 @@ pub(crate) struct Tour {
     step: usize,
     /// How things were when each step was first shown.
     seen: Vec<Before>,
-    state: State,
+    /// Whether the panels of the step are to be brought to the front.
+    is_new: bool,
 }
 
 /// What a step compares with.
@@ -48,22 +47,10 @@ struct Before {
     illumination: DQuat,
 }
 
-/// How far the step that is shown has come.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum State {
-    /// Its panels are to be brought to the front.
-    New,
-    Waiting,
-    /// It was done before it was shown: whoever came back to it goes on by hand.
-    DoneBefore,
-    /// Done since then, in seconds of the window, and at this revision.
-    Done(f64, u64),
-}
-
 impl Tour {
     /// A tour of the look that is open, which should be [`NOTHING`].
     pub(crate) fn new(session: &Session) -> Self {
-        Self { document: session.document_number(), step: 0, seen: Vec::new(), state: State::New }
+        Self { document: session.document_number(), step: 0, seen: Vec::new(), is_new: true }
     }
 
     /// Whether it is still about what is open.
@@ -83,8 +70,10 @@ impl Tour {
             let illumination = session.view.illumination;
             self.seen.push(Before { look: session.look().clone(), illumination });
         }
-        self.look_at_step(ui, session, &mut out);
-        let is_done = matches!(self.state, State::Done(..) | State::DoneBefore);
+        if std::mem::take(&mut self.is_new) {
+            out.extend(step.panels.iter().map(|panel| Command::ShowPanel(*panel)));
+        }
+        let is_done = (step.is_done)(session, &self.seen[self.step]);
         let progress = Progress { index: self.step, is_done };
         let help = (step.show)(session);
         match card::show(ui, session, step, progress, !help.is_empty()) {
@@ -97,37 +86,9 @@ impl Tour {
         (out, true)
     }
 
-    /// Finds out whether the step is done, and goes on a moment after it is.
-    fn look_at_step(&mut self, ui: &Ui, session: &Session, out: &mut Vec<Command>) {
-        let step = &STEPS[self.step];
-        let is_done = (step.is_done)(session, &self.seen[self.step]);
-        let now = ui.input(|input| input.time);
-        let is_held = ui.input(|input| input.pointer.any_down()) || Popup::is_any_open(ui.ctx());
-        self.state = match self.state {
-            State::New => {
-                out.extend(step.panels.iter().map(|panel| Command::ShowPanel(*panel)));
-                if is_done { State::DoneBefore } else { State::Waiting }
-            }
-            State::Waiting if is_done => State::Done(now, session.revision()),
-            // Whoever is still at it is not interrupted.
-            State::Done(_, at) if is_done && (is_held || at != session.revision()) => {
-                State::Done(now, session.revision())
-            }
-            State::Done(..) | State::DoneBefore if !is_done => State::Waiting,
-            same => same,
-        };
-        if let State::Done(since, _) = self.state {
-            let left = LINGER - (now - since);
-            if left <= 0.0 && !is_held {
-                self.go_to(self.step + 1);
-            }
-            ui.ctx().request_repaint_after_secs(left.max(0.02) as f32);
-        }
-    }
-
     fn go_to(&mut self, step: usize) {
         self.step = step;
-        self.state = State::New;
+        self.is_new = true;
     }
 }
 

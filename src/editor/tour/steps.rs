@@ -52,13 +52,13 @@ pub(super) static STEPS: [Step; 7] = [
     },
     Step {
         title: "A first layer of light",
-        task: "Press Add layer and choose Lambert diffuse.",
+        task: "Press Add layer and choose Diffuse.",
         reason: "A layer is a light, the way it moves over the surface, a profile and two colors. Diffuse light stays \
                  where it falls; a highlight follows the eye.",
         panels: &[Panel::Picture, Panel::Layers],
         spots: |_| vec![Spot::AddLayer, Spot::Panel(Panel::Layers)],
         is_done: has_more_layers,
-        show: |session| layers::add_preset(session, "Lambert diffuse"),
+        show: |session| layers::add_preset(session, "Diffuse"),
     },
     Step {
         title: "Its profile",
@@ -90,12 +90,13 @@ pub(super) static STEPS: [Step; 7] = [
     },
     Step {
         title: "A rim from behind",
-        task: "Press Add layer again and choose Rim, back-light.",
-        reason: "It brings a light of its own, behind the object, and parts it from what is behind.",
+        task: "Press Add layer again and choose Back-light.",
+        reason: "It brings a light of its own, behind the object as you see it now: its cool rim parts the object from \
+                 what is behind.",
         panels: &[Panel::Picture, Panel::Layers],
         spots: |_| vec![Spot::AddLayer, Spot::Panel(Panel::Layers)],
         is_done: has_more_layers,
-        show: |session| layers::add_preset(session, "Rim, back-light"),
+        show: |session| layers::add_preset(session, "Back-light"),
     },
     Step {
         title: "How layers meet",

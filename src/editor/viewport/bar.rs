@@ -7,8 +7,9 @@ use std::path::Path;
 
 use super::super::command::Command;
 use super::super::dock::Panel;
+use super::super::inspector::color;
 use super::super::panels::solo;
-use super::super::probe::{Probe, picture_size, wire_name};
+use super::super::probe::{Probe, wire_name};
 use super::super::session::Session;
 use super::super::theme;
 use super::super::wipe::Wipe;
@@ -109,14 +110,13 @@ impl Viewport {
             if label.changed() {
                 session.view.backdrop = is_own.then_some(backdrop);
             }
-            if let Some(color) = &mut session.view.backdrop {
-                let mut rgb = [0, 1, 2].map(|channel| (color[channel].clamp(0.0, 1.0) * 255.0).round() as u8);
-                if ui.color_edit_button_srgb(&mut rgb).labelled_by(label.id).changed() {
-                    let [r, g, b] = rgb.map(|channel| f64::from(channel) / 255.0);
-                    *color = [r, g, b, 1.0];
-                }
-            }
         });
+        // Here and not behind a swatch: a menu is closed by what opens over it.
+        if let Some(color) = &mut session.view.backdrop
+            && let Some([r, g, b, _]) = color::pick(ui, *color)
+        {
+            *color = [r, g, b, 1.0];
+        }
         ui.horizontal(|ui| {
             let label = ui.label("Exposure");
             let range = -show::MOST_STOPS..=show::MOST_STOPS;
@@ -161,7 +161,7 @@ impl Viewport {
             ui.close();
         }
         ui.horizontal(|ui| {
-            let own = self.rect.map_or([800, 800], |rect| picture_size(rect, ui.pixels_per_point()));
+            let own = self.size_in_pixels(ui.pixels_per_point());
             ui.label("Save picture");
             for (label, factor) in [("1×", 1), ("2×", 2), ("4×", 4)] {
                 let size = own.map(|side| (side * factor).clamp(1, MOST_SIDE));

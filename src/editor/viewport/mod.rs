@@ -423,8 +423,12 @@ impl Viewport {
 
     /// Copies the picture to the clipboard, as large as it is on the screen, or of a usual size where it never was there.
     pub(crate) fn copy(&mut self, session: &Session, scale: f32) {
-        let size = self.rect.map_or([800, 800], |rect| picture_size(rect, scale)).map(|side| side.max(1));
-        self.exports.draw(Export::Picture(size), session.still(), Destination::Clipboard);
+        self.exports.draw(Export::Picture(self.size_in_pixels(scale)), session.still(), Destination::Clipboard);
+    }
+
+    /// How large the picture is on the screen, or a usual size where it never was there.
+    pub(crate) fn size_in_pixels(&self, scale: f32) -> [u32; 2] {
+        self.rect.map_or([800, 800], |rect| picture_size(rect, scale)).map(|side| side.max(1))
     }
 
     /// Shows an image with the picture.

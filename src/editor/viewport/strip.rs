@@ -1,8 +1,9 @@
 //! The selected layer's values at hand in a corner of the picture: its angles, where no line of them is seen, its
-//! colours and its warp.
+//! colours and its warp. They would lie over the object's feet, so that of all this only a tab is seen until the pointer
+//! comes to it.
 
 use eframe::egui;
-use eframe::egui::{Align2, DragValue, Frame, Id, Margin, Rect, Response, RichText, Ui, UiBuilder, Vec2, vec2};
+use eframe::egui::{Align2, DragValue, Frame, Id, Margin, Rect, Response, RichText, Ui, UiBuilder, Vec2, pos2, vec2};
 
 use super::super::command::Command;
 use super::super::inspector::color;
@@ -14,13 +15,86 @@ use crate::document::Value;
 /// Pictures lower than this, in points, have no room for it.
 const LEAST_HEIGHT: f32 = 200.0;
 
-/// Shows the strip; says where it is.
-pub(super) fn show(ui: &mut Ui, rect: Rect, session: &Session, layer: &Layer, out: &mut Vec<Command>) -> Option<Rect> {
+/// As near as this, in points, the pointer keeps it open.
+const NEAR: f32 = 20.0;
+
+/// Whether the strip is open, and which of its widgets there are.
+#[derive(Clone, Default)]
+struct Seen {
+    is_open: bool,
+    widgets: Vec<Id>,
+}
+
+/// Shows the strip, or its tab while nobody is there.
+pub(super) fn show(ui: &mut Ui, rect: Rect, session: &Session, layer: &Layer, out: &mut Vec<Command>) {
     if rect.height() < LEAST_HEIGHT {
-        return None;
+        return;
     }
     let room = rect.shrink(8.0);
     let id = ui.scope_id().with("strip").with(&layer.node);
+    let state = ui.scope_id().with("strip is open");
+    let seen: Seen = ui.data(|data| data.get_temp(state)).unwrap_or_default();
+    let known: Option<Vec2> = ui.data(|data| data.get_temp(id));
+    // What is open stays so while the pointer is near, a widget of it has the keyboard, or a hand is at something.
+    let strip = Rect::from_min_size(
+        pos2(room.left(), room.bottom() - known.map_or(64.0, |size| size.y)),
+        known.unwrap_or(room.size()),
+    );
+    let is_near = ui.input(|input| input.pointer.hover_pos()).is_some_and(|at| strip.expand(NEAR).contains(at));
+    let has_keyboard = ui.memory(egui::Memory::focused).is_some_and(|focus| seen.widgets.contains(&focus));
+    let is_held = ui.input(|input| input.pointer.any_down()) || egui::Popup::is_any_open(ui.ctx());
+    let mut now = Seen { is_open: seen.is_open && (is_near || has_keyboard || is_held), widgets: Vec::new() };
+    if now.is_open {
+        open(ui, room, id, session, layer, &mut now.widgets, out);
+    } else {
+        let tab = tab(ui, room, id, layer);
+        now.is_open = tab.clicked() || tab.has_focus() || tab.hovered() && !is_held;
+        if now.is_open {
+            ui.ctx().request_repaint();
+        }
+        // The keyboard that came to the tab goes on to the first of the values.
+        now.widgets.push(tab.id);
+    }
+    ui.data_mut(|data| data.insert_temp(state, now));
+}
+
+/// What is seen of it from afar: whose values there are.
+fn tab(ui: &mut Ui, room: Rect, id: Id, layer: &Layer) -> Response {
+    let font = egui::TextStyle::Body.resolve(ui.style());
+    let colors = theme::of(ui);
+    let galley = ui.painter().layout_no_wrap(layer.name.clone(), font, colors.dim);
+    let dots = 3.0 * DOT + 4.0;
+    let size = galley.size() + vec2(dots + 16.0, 6.0);
+    let size = vec2(size.x.min(room.width()), size.y);
+    let rect = Align2::LEFT_BOTTOM.align_size_within_rect(size, room);
+    let response = ui.interact(rect, id.with("tab"), egui::Sense::click());
+    response.widget_info(|| {
+        egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Values of {} over the picture", layer.name))
+    });
+    let painter = ui.painter().with_clip_rect(rect);
+    painter.rect_filled(rect, 6.0, colors.panel.gamma_multiply(0.8));
+    for index in 0..3_u8 {
+        let at = pos2(rect.left() + 8.0 + (f32::from(index) + 0.5) * DOT, rect.center().y);
+        painter.circle_filled(at, 4.0, theme::HALO);
+        painter.circle_filled(at, 3.0, theme::curve(index.into()));
+    }
+    painter.galley(pos2(rect.left() + 8.0 + dots, rect.top() + 3.0), galley, colors.dim);
+    response.on_hover_text("The layer's angles, colors and shape, while the pointer is here")
+}
+
+/// From one dot of the tab to the next, in points.
+const DOT: f32 = 10.0;
+
+/// All of the strip; `widgets` are those of it that the keyboard reaches.
+fn open(
+    ui: &mut Ui,
+    room: Rect,
+    id: Id,
+    session: &Session,
+    layer: &Layer,
+    widgets: &mut Vec<Id>,
+    out: &mut Vec<Command>,
+) {
     // Its height is known from the frame before.
     let size: Vec2 = ui.data(|data| data.get_temp(id)).unwrap_or(vec2(room.width(), 64.0));
     let at = Align2::LEFT_BOTTOM.align_size_within_rect(vec2(room.width(), size.y), room);
@@ -35,9 +109,9 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, session: &Session, layer: &Layer, ou
     let shown = ui.scope_builder(builder, |ui| {
         frame.show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 3.0;
-            ui.horizontal_wrapped(|ui| angles(ui, session, layer, out));
+            ui.horizontal_wrapped(|ui| angles(ui, session, layer, widgets, out));
             if !layer.colors.is_empty() || layer.amount.is_some() {
-                ui.horizontal_wrapped(|ui| surface(ui, session, layer, out));
+                ui.horizontal_wrapped(|ui| surface(ui, session, layer, widgets, out));
             }
         })
     });
@@ -46,10 +120,9 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, session: &Session, layer: &Layer, ou
         ui.data_mut(|data| data.insert_temp(id, shown.size()));
         ui.ctx().request_discard("the strip has another height");
     }
-    Some(shown)
 }
 
-fn angles(ui: &mut Ui, session: &Session, layer: &Layer, out: &mut Vec<Command>) {
+fn angles(ui: &mut Ui, session: &Session, layer: &Layer, widgets: &mut Vec<Id>, out: &mut Vec<Command>) {
     ui.label(RichText::new(&layer.name).strong());
     for curve in Curve::ALL {
         let setting = &layer.shape[curve as usize];
@@ -70,6 +143,7 @@ fn angles(ui: &mut Ui, session: &Session, layer: &Layer, out: &mut Vec<Command>)
             Curve::Cutoff => "Where the tone ends",
         };
         let response = number(ui, widget, setting, &format!("{} on the object", curve.label()), help);
+        widgets.push(response.id);
         if response.changed() {
             let angle = (degrees.to_radians() * 1e4).round() / 1e4;
             out.push(Command::EditHeld(
@@ -80,7 +154,7 @@ fn angles(ui: &mut Ui, session: &Session, layer: &Layer, out: &mut Vec<Command>)
     }
 }
 
-fn surface(ui: &mut Ui, session: &Session, layer: &Layer, out: &mut Vec<Command>) {
+fn surface(ui: &mut Ui, session: &Session, layer: &Layer, widgets: &mut Vec<Id>, out: &mut Vec<Command>) {
     for (label, setting) in &layer.colors {
         let short = label.trim_end_matches(" color");
         let label = ui.label(RichText::new(short).color(theme::of(ui).dim));
@@ -98,6 +172,7 @@ fn surface(ui: &mut Ui, session: &Session, layer: &Layer, out: &mut Vec<Command>
         let widget = DragValue::new(&mut slope).speed(0.005).max_decimals(3).prefix("Shape slope ");
         let help = "How sharply concave turns into convex; 0 is flat everywhere";
         let response = number(ui, widget, setting, "Shape slope on the object", help);
+        widgets.push(response.id);
         if response.changed() {
             out.push(Command::EditHeld(response.id, session.set_at(&setting.target, Value::Number(slope))));
         }
@@ -108,6 +183,7 @@ fn surface(ui: &mut Ui, session: &Session, layer: &Layer, out: &mut Vec<Command>
         let widget = widget.prefix("Shape offset ").suffix("°");
         let help = "How far convex parts are lit beyond, and concave parts short of, what the profile says";
         let response = number(ui, widget, setting, "Shape offset on the object", help);
+        widgets.push(response.id);
         if response.changed() {
             out.push(Command::EditHeld(
                 response.id,

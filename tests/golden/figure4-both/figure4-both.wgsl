@@ -246,7 +246,8 @@ fn curvature_signed(kappa: f32, slope: f32) -> f32 {
 
 /// Curvature transition
 ///
-/// From concave (0) over flat (0.5) to convex (1), by a slope of your choice: lambda = 0.5 + 0.5 tanh(slope * kappa).
+/// From concave (0) over flat (0.5) to convex (1), as softly or sharply as you choose. (The BADF paper writes it
+/// lambda = 0.5 + 0.5 tanh(slope * kappa), with kappa for the curvature.)
 fn transition(kappa: f32, slope: f32) -> f32 {
     return 0.5 + 0.5 * curvature_signed(kappa, slope);
 }

@@ -33,8 +33,15 @@ const PARTS: [Part; 3] = [
 struct Part {
     port: &'static str,
     label: &'static str,
+    /// As the BADF paper writes it, for its readers.
     symbol: &'static str,
     help: &'static str,
+}
+
+impl Part {
+    fn explained(&self) -> String {
+        format!("{}: {} ({} in the BADF paper)", self.label, self.help.to_lowercase(), self.symbol)
+    }
 }
 
 /// Sampled curves are kept while they are drawn; more than these are forgotten at once.
@@ -249,7 +256,7 @@ fn numbers(ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
     ui.horizontal_wrapped(|ui| {
         for (index, (part, radians)) in PARTS.iter().zip([offset, falloff, cutoff]).enumerate() {
             let color = plot::color_of(ui, index);
-            let help = format!("{} ({}): {}", part.label, part.symbol, part.help.to_lowercase());
+            let help = part.explained();
             let label = ui.label(RichText::new(part.label).color(color)).on_hover_text(&help).id;
             if layer.wired[index] {
                 ui.label(RichText::new("by wire").color(theme::of(ui).dim));

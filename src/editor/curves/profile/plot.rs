@@ -86,6 +86,7 @@ pub(super) fn show(
         }
         paint_handle(ui, layer, axes, index, *at, handled);
     }
+    labels(ui, layer, axes, &handles);
     if let (Some(pointer), true) = (response.hover_pos(), handles.iter().all(|(_, h)| !h.response.dragged())) {
         read_off(ui, axes, &curves.own, pointer);
     }
@@ -219,33 +220,8 @@ fn paint_handle(ui: &mut Ui, layer: &Layer<'_>, axes: Axes, part: usize, at: Pos
     let fill = if is_held { color } else { colors.canvas };
     painter.circle(at, radius, fill, Stroke::new(2.0, color));
     handle::focus_ring(ui, &handled.response, at, radius);
-    let font = FontId::proportional(theme::SMALL_TEXT);
-    let shape = layer.shape.sanitized();
-    let value = [shape.offset, shape.falloff, shape.cutoff][part];
-    let text = if is_hot {
-        format!("{} {}°", PARTS[part].symbol, values::number_text(value.to_degrees(), 1))
-    } else {
-        PARTS[part].symbol.to_owned()
-    };
-    let (dy, align) = match part {
-        0 => (-9.0, Align2::CENTER_BOTTOM),
-        1 => (0.0, if at.x > axes.0.center().x { Align2::RIGHT_CENTER } else { Align2::LEFT_CENTER }),
-        _ => (-9.0, Align2::CENTER_BOTTOM),
-    };
-    let dx = if part != 1 {
-        0.0
-    } else if at.x > axes.0.center().x {
-        -11.0
-    } else {
-        11.0
-    };
-    painter.text(at + vec2(dx, dy), align, text, font, color);
-    let help = format!(
-        "{} ({}): {}. Drag, or arrow keys (Shift: a tenth); Shift-drag moves all three.",
-        PARTS[part].label,
-        PARTS[part].symbol,
-        PARTS[part].help.to_lowercase()
-    );
+    let help =
+        format!("{}. Drag, or arrow keys (Shift: a tenth); Shift-drag moves all three.", PARTS[part].explained());
     if !is_held {
         handled.response.clone().on_hover_text(help);
     }
@@ -253,6 +229,61 @@ fn paint_handle(ui: &mut Ui, layer: &Layer<'_>, axes: Axes, part: usize, at: Pos
     if handle::pressed(ui, &handled.response, Key::Escape) {
         handled.response.surrender_focus();
     }
+}
+
+/// Names the handles, each beside its own where no other's name or handle is: a cartoon's three are at one place nearly.
+fn labels(ui: &Ui, layer: &Layer<'_>, axes: Axes, handles: &[(Pos2, Handled); 3]) {
+    let shape = layer.shape.sanitized();
+    let values = [shape.offset, shape.falloff, shape.cutoff];
+    let font = FontId::proportional(theme::SMALL_TEXT);
+    let room = axes.0.expand2(vec2(RIGHT, TOP + 4.0));
+    let mut taken: Vec<Rect> = handles.iter().map(|(at, _)| Rect::from_center_size(*at, Vec2::splat(13.0))).collect();
+    // The one in hand first, as it says most and moves least.
+    let mut order = [0, 2, 1];
+    order.sort_by_key(|part| !is_hot(&handles[*part].1));
+    for part in order {
+        let (at, handled) = &handles[part];
+        let text = match is_hot(handled) {
+            true => format!("{} {}°", PARTS[part].label, values::number_text(values[part].to_degrees(), 1)),
+            false => PARTS[part].label.to_owned(),
+        };
+        let galley = ui.painter().layout_no_wrap(text, font.clone(), color_of(ui, part));
+        let rect = place(&taken, room, *at, galley.size(), part);
+        // The curve and its stems run below names, not through them.
+        ui.painter().rect_filled(rect.expand2(vec2(2.0, -1.0)), 2.0, theme::of(ui).canvas.gamma_multiply(0.8));
+        ui.painter().galley(rect.min, galley, color_of(ui, part));
+        taken.push(rect);
+    }
+}
+
+fn is_hot(handled: &Handled) -> bool {
+    handled.response.dragged() || handled.response.hovered() || handled.response.has_focus()
+}
+
+/// Where a handle's name stands: of the places around it the first that covers least and is within the room.
+fn place(taken: &[Rect], room: Rect, at: Pos2, size: Vec2, part: usize) -> Rect {
+    let above = (Align2::CENTER_BOTTOM, vec2(0.0, -7.0));
+    let sides = [(Align2::LEFT_CENTER, 11.0), (Align2::RIGHT_CENTER, -11.0)];
+    let beside = [0.0, -14.0, 14.0, -28.0, 28.0].into_iter().flat_map(|y| sides.map(|(align, x)| (align, vec2(x, y))));
+    let first = (part != 1).then_some(above);
+    let rects = first.into_iter().chain(beside).map(|(align, by)| align.anchor_size(at + by, size));
+    let within = |rect: Rect| {
+        let left = rect.left().clamp(room.left(), (room.right() - size.x).max(room.left()));
+        Rect::from_min_size(pos2(left, rect.top()), size)
+    };
+    let covers = |rect: &Rect| -> f32 {
+        let common = |other: &Rect| {
+            let common = rect.intersect(*other);
+            if common.is_positive() { common.area() } else { 0.0 }
+        };
+        let outside = if room.y_range().contains(rect.top()) && room.y_range().contains(rect.bottom()) {
+            0.0
+        } else {
+            size.x * size.y
+        };
+        taken.iter().map(common).sum::<f32>() + outside
+    };
+    rects.map(within).min_by(|a, b| covers(a).total_cmp(&covers(b))).unwrap_or(Rect::from_min_size(at, size))
 }
 
 /// While a handle is dragged: how far it may go, and what stops it.
@@ -301,4 +332,29 @@ fn read_off(ui: &Ui, axes: Axes, curve: &Curve, pointer: Pos2) {
     let font = FontId::proportional(theme::SMALL_TEXT);
     let corner = pos2(axes.0.right(), axes.0.top() - 4.0);
     ui.painter().text(corner, Align2::RIGHT_BOTTOM, text, font, colors.dim);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_handles_that_are_near_each_other_stand_apart() {
+        let room = Rect::from_min_size(Pos2::ZERO, vec2(420.0, 160.0));
+        for (offset, falloff, cutoff) in
+            [(100.0, 104.0, 108.0), (0.0, 0.0, 0.0), (418.0, 419.0, 420.0), (40.0, 200.0, 400.0)]
+        {
+            let handles = [pos2(offset, 20.0), pos2(falloff, 80.0), pos2(cutoff, 140.0)];
+            let mut taken: Vec<Rect> = handles.map(|at| Rect::from_center_size(at, Vec2::splat(13.0))).to_vec();
+            for part in [0, 2, 1] {
+                let rect = place(&taken, room, handles[part], vec2(60.0, 14.0), part);
+                assert!(room.contains_rect(rect), "{rect}");
+                assert!(
+                    !taken.iter().any(|other| other.intersect(rect).is_positive()),
+                    "{part} of {handles:?}: {rect}"
+                );
+                taken.push(rect);
+            }
+        }
+    }
 }

@@ -18,7 +18,7 @@ use super::super::spots::{self, Spot};
 use super::super::theme;
 use super::solo;
 use super::stack::{BELOW, Stack};
-use super::thumbs::{Shot, Thumbs, key_of};
+use super::thumbs::{Shot, Thumbs, key_on, stage_of};
 use super::widgets::{Renaming, leave_with_pointer, undo_keys};
 use crate::document::{Edit, Endpoint, GraphId, Node, Wire};
 use crate::ids::{NodeId, NodePath, make_slug};
@@ -41,7 +41,7 @@ pub(crate) struct Layers {
 
 /// The picture of a layer, and the state of the look that it was found to be right in.
 struct Seen {
-    of: (u64, u64),
+    of: (u64, u64, u64),
     key: u64,
     /// What is shown until there is a picture of `key`.
     shown: Option<u64>,
@@ -116,7 +116,10 @@ impl Layers {
             ui.add_enabled_ui(self.stack.has_output(), |ui| {
                 let menu = ui.menu_button("Add layer", |ui| {
                     for preset in &PRESETS {
-                        if ui.button(preset.label).on_hover_text(preset.help).clicked() {
+                        let button = ui.button(preset.name).on_hover_text(preset.help);
+                        let name = || egui::WidgetInfo::labeled(egui::Role::MenuItem, true, format!("Add {}", preset.name));
+                        button.widget_info(name);
+                        if button.clicked() {
                             add(&self.stack, session, preset, out);
                             ui.close();
                         }
@@ -316,7 +319,7 @@ impl Layers {
         id: &NodeId,
         mode: Option<&str>,
     ) -> Option<egui::TextureId> {
-        let now = (session.document_number(), session.revision());
+        let now = (session.document_number(), session.revision(), stage_of(session));
         let seen = self.pictures.get(id);
         let is_known = seen.is_some_and(|seen| seen.of == now && thumbs.is_done(seen.key));
         if !is_known {
@@ -328,7 +331,7 @@ impl Layers {
             let lifts = mode.is_some_and(|mode| mode == "add" || mode.is_empty());
             let shot = if lifts { Shot::Lifted } else { Shot::Near };
             let side = (row::PICTURE - 2.0) * ui.pixels_per_point();
-            let key = key_of(&look, shot, side);
+            let key = key_on(&look, shot, side, session);
             let shown = seen.and_then(|seen| seen.shown);
             self.pictures.insert(id.clone(), Seen { of: now, key, shown });
             if !thumbs.is_done(key) {
@@ -343,10 +346,10 @@ impl Layers {
     }
 }
 
-/// What adds a layer of the preset with this label, as the menu does.
-pub(crate) fn add_preset(session: &Session, label: &str) -> Vec<Command> {
+/// What adds a layer of the preset with this name, as the menu does.
+pub(crate) fn add_preset(session: &Session, name: &str) -> Vec<Command> {
     let mut out = Vec::new();
-    if let Some(preset) = PRESETS.iter().find(|preset| preset.label == label) {
+    if let Some(preset) = PRESETS.iter().find(|preset| preset.name == name) {
         add(&Stack::of(session.look(), &session.catalog), session, preset, &mut out);
     }
     out

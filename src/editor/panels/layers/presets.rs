@@ -1,6 +1,8 @@
 //! Layers to begin with: what painters and shaders know by name, in the values of the Profile node's own presets where it
 //! has them, and else of the BADF paper's looks.
 
+use glam::DVec3;
+
 use super::super::super::catalog::Catalog;
 use super::super::super::session::Session;
 use crate::document::{Edit, Light, Look, Node, Value};
@@ -15,6 +17,12 @@ enum From {
     Behind,
 }
 
+/// To a light behind the object, in the camera's axes: right, up and to the eye.
+const BACK: DVec3 = DVec3::new(0.85, 0.4, -0.5);
+/// The cosine of the angle from the eye to a light that gives a rim: from one in front there is none, and what one
+/// straight behind lights is not seen.
+const RIM: std::ops::Range<f64> = -0.8..0.0;
+
 enum Set {
     Number(f64),
     Word(&'static str),
@@ -22,10 +30,9 @@ enum Set {
 
 /// A layer to begin with.
 pub(super) struct LayerPreset {
-    pub(super) label: &'static str,
+    /// What it is called, and the layer too.
+    pub(super) name: &'static str,
     pub(super) help: &'static str,
-    /// What the layer is called.
-    name: &'static str,
     /// A preset of the Profile node.
     profile: Option<&'static str>,
     /// Values that it does not have, or other ones. Colours are written as shown.
@@ -38,33 +45,29 @@ use Set::{Number, Word};
 /// In the order in which a look is built up: from what lies below to what lies on top.
 pub(super) static PRESETS: [LayerPreset; 6] = [
     LayerPreset {
-        label: "Ambient fill",
-        help: "A tint everywhere, so that nothing is black",
         name: "Fill",
+        help: "Ambient light: a tint everywhere, so that nothing is black",
         profile: Some("Ambient"),
         values: &[("convex", Word("#2a2733")), ("concave", Word("#14111c")), ("slope", Number(0.25))],
         light: From::Front,
     },
     LayerPreset {
-        label: "Lambert diffuse",
-        help: "Soft light, falling with the cosine of the angle to it",
         name: "Diffuse",
+        help: "Lambert's soft light, falling with the cosine of the angle to it",
         profile: Some("Lambert"),
         values: &[("convex", Word("#b58a6a")), ("concave", Word("#7a4a3c"))],
         light: From::Front,
     },
     LayerPreset {
-        label: "Cartoon",
-        help: "One flat tone with a hard, antialiased edge",
         name: "Cartoon",
+        help: "One flat tone with a hard, antialiased edge",
         profile: Some("Cartoon"),
         values: &[("convex", Word("#c79a72")), ("concave", Word("#c79a72")), ("blend", Word("alpha"))],
         light: From::Front,
     },
     LayerPreset {
-        label: "Shadow, multiplied",
-        help: "Darkens what the light does not reach, whatever the colors below",
         name: "Shadow",
+        help: "Multiplied: darkens what the light does not reach, whatever the colors below",
         profile: Some("Half-Lambert"),
         values: &[
             ("convex", Word("#ffffff")),
@@ -75,24 +78,22 @@ pub(super) static PRESETS: [LayerPreset; 6] = [
         light: From::Front,
     },
     LayerPreset {
-        label: "Phong highlight",
-        help: "The light's mirror image, which moves with the eye",
         name: "Highlight",
+        help: "Phong's highlight: the light's mirror image, which moves with the eye",
         profile: Some("Phong specular"),
         values: &[("type", Word("specular")), ("convex", Word("#e8d9b8")), ("concave", Word("#8a5c40"))],
         light: From::Front,
     },
     LayerPreset {
-        label: "Rim, back-light",
-        help: "A cool edge by a light behind the object, which is added where there is none",
         name: "Back-light",
+        help: "A rim: a cool edge by a light behind the object as it is seen now, which is added where there is none",
         profile: None,
         values: &[
-            ("offset", Number(0.5)),
-            ("falloff", Number(0.95)),
-            ("cutoff", Number(1.25)),
-            ("convex", Word("#4f86b8")),
-            ("concave", Word("#21456e")),
+            ("offset", Number(0.6)),
+            ("falloff", Number(1.0)),
+            ("cutoff", Number(1.3)),
+            ("convex", Word("#6fa8dc")),
+            ("concave", Word("#2f5f92")),
             ("slope", Number(0.2)),
             ("amount", Number(0.15)),
         ],
@@ -107,7 +108,7 @@ impl LayerPreset {
         let mut node = Node { kind: "light_layer".to_owned(), name: free_name(look, self.name), ..Node::default() };
         let (light, edits) = match self.light {
             From::Front => front_light(look, beside),
-            From::Behind => back_light(look),
+            From::Behind => back_light(session),
         };
         node.values.insert("light".into(), Value::Text(light.to_string()));
         for (port, value) in self.profile.map(|label| profile(&session.catalog, label)).unwrap_or_default() {
@@ -153,11 +154,23 @@ fn front_light(look: &Look, beside: Option<&NodeId>) -> (LightId, Vec<Edit>) {
     }
 }
 
-fn back_light(look: &Look) -> (LightId, Vec<Edit>) {
-    match look.lights.iter().find(|(_, light)| light.direction[2] < 0.0) {
-        Some((id, _)) => (id.clone(), Vec::new()),
-        None => add_light("back", [0.85, 0.35, -0.75], look),
+/// A light that gives what is seen now a rim, wherever the camera and the illumination frame were turned.
+fn back_light(session: &Session) -> (LightId, Vec<Edit>) {
+    let (look, view) = (session.look(), &session.view);
+    let eye = view.direction();
+    let is_there = |(_, light): &(&LightId, &Light)| {
+        let world = view.illumination * DVec3::from(light.direction).normalize_or_zero();
+        // A key light that a hand has turned behind is none: what it lit would lose it when that hand turns it back.
+        light.direction[2] < 0.0 && RIM.contains(&world.dot(eye))
+    };
+    if let Some((id, _)) = look.lights.iter().find(is_there) {
+        return (id.clone(), Vec::new());
     }
+    let (right, up) = view.right_and_up();
+    let world = right * BACK.x + up * BACK.y + eye * BACK.z;
+    // Four decimals are finer than any eye, and keep files readable.
+    let direction = view.illumination.inverse() * world;
+    add_light("back", direction.to_array().map(|part| (part * 1e4).round() / 1e4), look)
 }
 
 fn add_light(name: &str, direction: [f64; 3], look: &Look) -> (LightId, Vec<Edit>) {
@@ -171,6 +184,25 @@ mod tests {
     use super::*;
     use crate::library::Library;
 
+    #[test]
+    fn a_back_light_is_behind_what_is_seen_however_lights_and_camera_were_turned() {
+        let mut session = Session::new(std::sync::Arc::new(Library::built_in().clone()), || {});
+        let (_, edits) = back_light(&session);
+        assert!(matches!(&edits[..], [Edit::AddLight { light, .. }] if light.direction == BACK.to_array()));
+        for (camera, lights) in [(0.0, 0.9), (0.7, 0.0), (-0.4, 0.5), (1.0, 1.0)] {
+            session.view.orbit(camera, 0.3 * camera);
+            session.view.turn_lights(lights, 0.5 * lights);
+            let (id, edits) = back_light(&session);
+            let [Edit::AddLight { light, .. }] = &edits[..] else { panic!("{edits:?}") };
+            let world = (session.view.illumination * DVec3::from(light.direction)).normalize();
+            assert!(RIM.contains(&world.dot(session.view.direction())), "{world}");
+            session.apply(edits[0].clone(), None).unwrap();
+            let is_behind = light.direction[2] < 0.0;
+            assert!(!is_behind || back_light(&session) == (id, Vec::new()), "one is enough");
+            session.undo();
+        }
+    }
+
     /// Every value is one that the layer has: a preset that names what is not there would silently do less.
     #[test]
     fn presets_set_what_a_layer_has() {
@@ -179,7 +211,7 @@ mod tests {
         for preset in &PRESETS {
             let (edits, id, node) = preset.make(&session, None);
             assert_eq!(edits.is_empty(), preset.light == From::Front, "{id}: a new look has no light behind");
-            assert!(preset.profile.is_none() || node.values.contains_key("cutoff"), "{}", preset.label);
+            assert!(preset.profile.is_none() || node.values.contains_key("cutoff"), "{}", preset.name);
             for (port, value) in &node.values {
                 let port = &kind.inputs[kind.input(port.as_str()).unwrap()];
                 if let (Value::Text(word), false) = (value, port.options.is_empty()) {

@@ -11,6 +11,7 @@ use super::super::super::command::Command;
 use super::super::super::session::Session;
 use super::super::super::spots::{self, Spot};
 use super::super::super::{theme, values};
+use super::super::thumbs::Stand;
 use super::super::widgets::{ICON, Icon, Renaming, card_ground, icon, picture_frame, whole};
 use super::{MODES, OPACITY};
 use crate::document::{Edit, GraphId, Node, Target, Value};
@@ -86,7 +87,9 @@ impl Row<'_> {
         spots::note(ui, Spot::Layer(self.id.clone()), rect);
         card_ground(ui, rect, &whole, is_selected || is_dragged);
         self.select(ui, &whole, out);
-        let builder = UiBuilder::new().id_salt(self.id).max_rect(rect.shrink2(vec2(4.0, 3.0)));
+        // What ends a row is in the same column here as in the lists of lights and objects.
+        let inner = Rect::from_min_max(rect.min + vec2(4.0, 3.0), rect.max - vec2(0.0, 3.0));
+        let builder = UiBuilder::new().id_salt(self.id).max_rect(inner);
         let mut child = ui.new_child(builder.layout(Layout::left_to_right(Align::Center)));
         let ui = &mut child;
         ui.spacing_mut().item_spacing.x = 4.0;
@@ -179,7 +182,7 @@ impl Row<'_> {
     fn solo(&self, ui: &mut Ui, title: &str, out: &mut Vec<Command>) {
         let solo = self.session.solo();
         let is_on = solo.layers.contains(self.id);
-        let help = "Shows this layer alone over what the stack lies on; Ctrl-click adds to others.\nOnly in this window: nothing of it is saved.";
+        let help = "Solo: shows this layer alone over what the stack lies on; Ctrl-click adds to others.\nOnly in this window: nothing of it is saved.";
         if icon(ui, Icon::Solo, is_on, &format!("Solo {title}"), help).clicked() {
             let adds = ui.input(|input| input.modifiers.command || input.modifiers.shift);
             out.push(Command::Solo(solo.toggle_layer(self.id, adds)));
@@ -189,7 +192,10 @@ impl Row<'_> {
     /// The layer alone; until that is drawn, its colours.
     fn picture(&self, ui: &mut Ui, texture: Option<TextureId>, is_faint: bool) {
         let (rect, response) = ui.allocate_exact_size(vec2(PICTURE, PICTURE), Sense::hover());
-        response.on_hover_text("What it paints alone. What only adds a little is shown brighter than it is.");
+        response.on_hover_ui(|ui| {
+            let stand = Stand::of(self.session).help();
+            ui.label(format!("What it paints alone. What only adds a little is shown brighter than it is. {stand}"));
+        });
         let tint = if is_faint { Color32::WHITE.gamma_multiply(0.35) } else { Color32::WHITE };
         ui.painter().rect_filled(rect, 3.0, theme::of(ui).canvas);
         match texture {

@@ -81,7 +81,9 @@ impl Objects {
         let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
         response.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_selected, format!("Object {id}")));
         card_ground(ui, rect, &response, is_selected);
-        let builder = UiBuilder::new().id_salt(("object", id.as_str())).max_rect(rect.shrink2(vec2(6.0, 2.0)));
+        // What ends a row is in the same column here as in the lists of layers and lights.
+        let inner = egui::Rect::from_min_max(rect.min + vec2(6.0, 2.0), rect.max - vec2(0.0, 2.0));
+        let builder = UiBuilder::new().id_salt(("object", id.as_str())).max_rect(inner);
         let mut inner = ui.new_child(builder.layout(Layout::left_to_right(egui::Align::Center)));
         self.head(&mut inner, stage, id, object, out);
         if response.clicked() {

@@ -18,7 +18,7 @@ use super::super::still::{Reused, Still};
 use super::super::worker::Worker;
 use crate::compile::Live;
 use crate::document::Look;
-use crate::frame::{Cull, Picture, PlanOptions, Planner};
+use crate::frame::{Cull, DEFAULT_MESH, Picture, PlanOptions, Planner, SHAPE_PREFIX};
 use crate::render::{Gpu, Renderer, block_on};
 pub(crate) use scene::key_of_scene;
 
@@ -51,6 +51,43 @@ impl Shot {
         match self {
             Self::Whole => (3.45, -0.04),
             Self::Near | Self::Lifted => (2.0, 0.36),
+        }
+    }
+}
+
+/// From the eye to the middle of a mesh that may be anything.
+const NEAR_ANY: f64 = 3.3;
+/// Files of meshes up to so many bytes are read once more for small pictures.
+const LIGHT: u64 = 4 << 20;
+
+/// What small pictures of layers are drawn on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Stand {
+    /// The mesh that is in the picture.
+    Mesh,
+    /// The creature, because the mesh in the picture is too heavy, or cannot be read.
+    Heavy,
+    /// The creature, because a scene may have a mesh for every object.
+    Scene,
+}
+
+impl Stand {
+    /// Of the picture that a session shows now.
+    pub(crate) fn of(session: &Session) -> Self {
+        let mesh = &session.view.mesh;
+        let is_light = || std::fs::metadata(mesh).is_ok_and(|file| file.len() <= LIGHT);
+        match session.stage() {
+            Some(_) => Self::Scene,
+            None if mesh.starts_with(SHAPE_PREFIX) || is_light() => Self::Mesh,
+            None => Self::Heavy,
+        }
+    }
+
+    pub(crate) fn help(self) -> &'static str {
+        match self {
+            Self::Mesh => "It is on the mesh in the picture.",
+            Self::Heavy => "It is on the creature: the mesh in the picture is too heavy for small pictures.",
+            Self::Scene => "It is on the creature: objects of a scene have meshes of their own.",
         }
     }
 }
@@ -174,7 +211,17 @@ impl Thumbs {
     pub(crate) fn ask(&self, key: u64, look: Arc<Look>, folder: PathBuf, session: &Session, shot: Shot, side: f32) {
         self.request(key, side, || {
             let (distance, height) = shot.distance_and_height();
-            let orbit = Orbit { distance, target: DVec3::new(0.0, height, 0.0), ..Orbit::default() };
+            let orbit = match Stand::of(session) {
+                // The creature's own face is nearer than any mesh's middle.
+                Stand::Mesh if shot != Shot::Whole && session.view.mesh != DEFAULT_MESH => Orbit {
+                    mesh: session.view.mesh.clone(),
+                    z_is_up: session.view.z_is_up,
+                    distance: NEAR_ANY,
+                    target: DVec3::ZERO,
+                    ..Orbit::default()
+                },
+                _ => Orbit { distance, target: DVec3::new(0.0, height, 0.0), ..Orbit::default() },
+            };
             Subject::Look(Box::new(Still { folder, orbit, stage: None, ..session.still_of(look) }), shot)
         });
     }
@@ -201,6 +248,23 @@ pub(crate) fn key_of(look: &Look, shot: Shot, side: f32) -> u64 {
     for (id, node) in &look.graph.nodes {
         format!("{:?}", (id, &node.kind, &node.values, node.tier, node.muted)).hash(&mut hasher);
     }
+    hasher.finish()
+}
+
+/// The same of a picture of a layer, which stands on what `session` shows.
+pub(crate) fn key_on(look: &Look, shot: Shot, side: f32, session: &Session) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    key_of(look, shot, side).hash(&mut hasher);
+    if Stand::of(session) == Stand::Mesh {
+        stage_of(session).hash(&mut hasher);
+    }
+    hasher.finish()
+}
+
+/// Tells one mesh in the picture from another.
+pub(crate) fn stage_of(session: &Session) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    (&session.view.mesh, session.view.z_is_up, session.stage().is_some(), session.files()).hash(&mut hasher);
     hasher.finish()
 }
 
