@@ -22,7 +22,8 @@ import chiaro::hcbtf;
 /// @param tangent from=tangent hidden
 /// @param bitangent from=bitangent hidden
 /// @return color "Color" : Straight RGBA.
-/// @error balanced 2e-3 : colour of opaque paint, from the GPU's eight-bit weights; edges of transparent paint may be tinted
+/// @error balanced 5e-3 : colour of opaque paint where neighbouring paintings have nothing in common, from the GPU's
+///   eight-bit weights; 1e-3 where they are alike; edges of transparent paint may be tinted
 /// @error fast 0.55 : colour where paintings of neighbouring views differ, for the nearest view alone is read; the mean over
 ///   smooth paintings is 0.017
 /// @source thesis 10.3, A.3
