@@ -62,9 +62,14 @@ impl<'a> Archive<'a> {
     pub(super) fn read(&mut self, name: &str, most: u64) -> Result<Vec<u8>, Diagnostic> {
         let bound = most.min(self.left);
         let too_large = || {
-            let total = if bound < most { format!(", and all of it more than {} MiB", MAX_UNPACKED >> 20) } else { String::new() };
+            let total = if bound < most {
+                format!(", and all of it more than {} MiB", MAX_UNPACKED >> 20)
+            } else {
+                String::new()
+            };
             let message = format!("`{name}` unpacks to more than {bound} bytes{total}");
-            Diagnostic::error("too-large", message).hint("no sample of this grid needs as much: export it again as a plain PNG")
+            Diagnostic::error("too-large", message)
+                .hint("no sample of this grid needs as much: export it again as a plain PNG")
         };
         let entry = self.zip.by_name(name).map_err(|error| unreadable(name, &error))?;
         if entry.size() > bound {
@@ -82,7 +87,8 @@ impl<'a> Archive<'a> {
 fn check_claims(bytes: &[u8]) -> Result<(), Diagnostic> {
     let too_many = |what: &str| {
         let message = format!("the zip file has more {what}");
-        Err(Diagnostic::error("too-many", message).hint("this was not written by Chiaro: pack the files anew, as a plain zip"))
+        Err(Diagnostic::error("too-many", message)
+            .hint("this was not written by Chiaro: pack the files anew, as a plain zip"))
     };
     let number = |at: usize| bytes.get(at..)?.first_chunk::<8>().map(|bytes| u64::from_le_bytes(*bytes));
     let mut ends = 0;

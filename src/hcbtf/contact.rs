@@ -3,11 +3,11 @@
 //! Views go across and lights go down, each in the order of [`Directions::distinct`](crate::document::Directions::distinct):
 //! the normal first and once, then ring by ring. Between tiles there may be a gap, which is transparent and not read.
 
+use super::MAX_PAINTED_BYTES;
 use super::fill::{Filled, Which};
 use super::picture::{Picture, decode, reduced};
 use super::report::Report;
 use super::sheet::{gathered, painted};
-use super::MAX_PAINTED_BYTES;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf};
 
@@ -80,7 +80,8 @@ pub fn read(png: &[u8], grid: Grid, gap: u32, name: &str) -> Result<(Hcbtf, Vec<
         }
         Err(why) => {
             let problem = Diagnostic::error("hcbtf-contact", format!("the contact sheet cannot be used: {why}"));
-            report.add(problem.hint("name the grid and the gap that it was made with (--grid 32x32,6x10,6x10 --gap 2)"));
+            report
+                .add(problem.hint("name the grid and the gap that it was made with (--grid 32x32,6x10,6x10 --gap 2)"));
             None
         }
     };
@@ -104,11 +105,7 @@ mod tests {
 
     #[test]
     fn samples_lie_by_view_and_light_and_come_back() {
-        let grid = Grid {
-            size: [3, 2],
-            light: Directions { theta: 2, phi: 3 },
-            view: Directions { theta: 3, phi: 2 },
-        };
+        let grid = Grid { size: [3, 2], light: Directions { theta: 2, phi: 3 }, view: Directions { theta: 3, phi: 2 } };
         let tile = |address: Address| {
             let n = grid.index(address).unwrap() as u8;
             painted(grid.size, (0..24).map(|byte| n.wrapping_mul(7).wrapping_add(byte)).collect()).unwrap()

@@ -188,10 +188,12 @@ fn idle_rules(hcbtf: &Hcbtf, report: &mut Report) {
 /// What keeps it from being read again, as a tile of another size or more than the bounds of this module.
 pub fn write(hcbtf: &Hcbtf) -> Result<Vec<u8>, Box<Diagnostic>> {
     check(hcbtf)?;
-    let cannot = |why: String| Box::new(Diagnostic::error("cannot-write", format!("the HCBTF cannot be packed: {why}")));
+    let cannot =
+        |why: String| Box::new(Diagnostic::error("cannot-write", format!("the HCBTF cannot be packed: {why}")));
     let text = manifest::text(hcbtf).map_err(|error| cannot(error.to_string()))?;
     let painted: Vec<(&Address, &Arc<Tile>)> = hcbtf.painted.iter().collect();
-    let pngs = painted.into_par_iter().map(|(address, tile)| Ok((sample_name(*address), encode(tile.size(), tile.bytes())?)));
+    let pngs =
+        painted.into_par_iter().map(|(address, tile)| Ok((sample_name(*address), encode(tile.size(), tile.bytes())?)));
     let pngs: Vec<(String, Vec<u8>)> = pngs.collect::<Result<_, String>>().map_err(cannot)?;
     let thumbnail = thumbnail(hcbtf).map(|tile| encode(tile.size(), tile.bytes())).transpose().map_err(cannot)?;
     pack(&text, thumbnail.as_deref(), &pngs).map_err(|error| cannot(error.to_string()))
@@ -213,7 +215,8 @@ fn pack(text: &str, thumbnail: Option<&[u8]>, pngs: &[(String, Vec<u8>)]) -> Res
 fn check(hcbtf: &Hcbtf) -> Result<(), Box<Diagnostic>> {
     let fail = |code, message: String| Err(Box::new(Diagnostic::error(code, message)));
     hcbtf.grid.check().or_else(|why| fail("hcbtf-grid", why))?;
-    for (name, count, most) in [("samples", hcbtf.painted.len(), MAX_PAINTED), ("rules", hcbtf.rules.len(), MAX_RULES)] {
+    for (name, count, most) in [("samples", hcbtf.painted.len(), MAX_PAINTED), ("rules", hcbtf.rules.len(), MAX_RULES)]
+    {
         if count > most {
             return fail("too-many", format!("there are {count} {name}; a file holds at most {most}"));
         }
@@ -227,7 +230,10 @@ fn check(hcbtf: &Hcbtf) -> Result<(), Box<Diagnostic>> {
         }
         if tile.size() != hcbtf.grid.size {
             let ([width, height], [w, h]) = (tile.size(), hcbtf.grid.size);
-            return fail("hcbtf-sample", format!("the sample at {address} is {width} x {height}, the grid's tiles {w} x {h}"));
+            return fail(
+                "hcbtf-sample",
+                format!("the sample at {address} is {width} x {height}, the grid's tiles {w} x {h}"),
+            );
         }
     }
     let bytes = hcbtf.painted.len() as u64 * hcbtf.grid.texels() as u64 * 4;

@@ -119,7 +119,8 @@ fn placed<'a>(names: &'a [String], grid: &Grid, report: &mut Report) -> Option<B
         let first = u64::from(!numbers.contains(&Some(0)));
         let counts = usize::try_from(grid.sample_count()).unwrap_or(usize::MAX);
         // Only as far as is asked for: a grid can have billions of samples.
-        let largest = numbers.iter().flatten().max().map_or(0, |largest| (largest.saturating_add(1) - first).min(counts as u64));
+        let largest =
+            numbers.iter().flatten().max().map_or(0, |largest| (largest.saturating_add(1) - first).min(counts as u64));
         let addresses: Vec<Address> = grid.addresses().take((largest as usize).min(MAX_PAINTED)).collect();
         let address = |number: &u64| addresses.get(usize::try_from(number - first).ok()?).copied();
         let outside = Address { light: Direction { theta: u32::MAX, phi: 0 }, ..Address::default() };

@@ -117,7 +117,8 @@ fn check_version(fields: &Map<String, Value>, report: &mut Report) -> Option<()>
     }
     match fields.get("version").map(Value::as_u64) {
         Some(Some(version)) if version > u64::from(VERSION) => {
-            let message = format!("the file is of version {version}, made by a later Chiaro; this one reads up to {VERSION}");
+            let message =
+                format!("the file is of version {version}, made by a later Chiaro; this one reads up to {VERSION}");
             report.add(Diagnostic::error("newer-version", message).hint("open it with a newer Chiaro"));
             None
         }
@@ -181,13 +182,15 @@ fn listed(value: &Value, index: usize, grid: &Grid, report: &mut Report) -> Opti
     let mut pair = |name: &str| {
         let pair = fields.get(name).and_then(|value| serde_json::from_value::<[u32; 2]>(value.clone()).ok());
         let place = format!("{path}.{name}");
-        pair.or_else(|| wrong(report, "wrong-type", &place, &format!("`{name}` is not [theta, phi], two whole numbers")))
+        pair.or_else(|| {
+            wrong(report, "wrong-type", &place, &format!("`{name}` is not [theta, phi], two whole numbers"))
+        })
     };
     let (light, view) = (pair("light")?, pair("view")?);
     // Checked as it was written: a step beyond the last is a mistake at the normal too.
-    let outside = [(light, grid.light, "light"), (view, grid.view, "view")].into_iter().find(|(pair, directions, _)| {
-        pair[0] >= directions.theta || pair[1] >= directions.phi
-    });
+    let outside = [(light, grid.light, "light"), (view, grid.view, "view")]
+        .into_iter()
+        .find(|(pair, directions, _)| pair[0] >= directions.theta || pair[1] >= directions.phi);
     if let Some((pair, directions, name)) = outside {
         let Directions { theta, phi } = directions;
         let message = format!("`{name}` is {pair:?}, outside the grid of {theta} x {phi} directions");

@@ -178,7 +178,8 @@ pub(super) fn painted(size: [u32; 2], rgba: Vec<u8>) -> Option<Arc<Tile>> {
 pub(super) fn gathered(grid: Grid, painted: Vec<(Address, Arc<Tile>)>) -> Hcbtf {
     let (addresses, tiles): (Vec<Address>, Vec<Arc<Tile>>) = painted.into_iter().unzip();
     let (tiles, places) = shared(tiles);
-    let painted = addresses.into_iter().zip(places).filter_map(|(address, at)| Some((address, tiles.get(at as usize)?.clone())));
+    let painted =
+        addresses.into_iter().zip(places).filter_map(|(address, at)| Some((address, tiles.get(at as usize)?.clone())));
     let mut hcbtf = Hcbtf::new(grid);
     hcbtf.painted = painted.collect();
     hcbtf
@@ -247,7 +248,9 @@ fn check(sheet: &Picture, grid: &Grid, report: &mut Report) {
         let row = Row::of(grid, y);
         let address = row.addresses(grid).nth(x % (grid.view.theta * grid.light.theta) as usize).unwrap_or_default();
         let message = format!("{count} {what}, the first at x {x}, y {y} (`{}`)", folder::file_name(address));
-        report.add(Diagnostic::warning("hcbtf-copies", message).hint(format!("{taken}; exporting makes all copies equal")));
+        report.add(
+            Diagnostic::warning("hcbtf-copies", message).hint(format!("{taken}; exporting makes all copies equal")),
+        );
     }
 }
 

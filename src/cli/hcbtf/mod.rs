@@ -117,7 +117,8 @@ mod tests {
     fn grids_are_read_or_told_how() {
         assert_eq!("32x32,6x10,6x10".parse(), Ok(GridText(Grid::THESIS)));
         assert_eq!(" 8x4, 2x3 ,1X1".parse::<GridText>().unwrap().0.size, [8, 4]);
-        for wrong in ["", "32x32", "32x32,6x10", "32x32,6x10,6x10,1x1", "32,6x10,6x10", "0x1,1x1,1x1", "1x1,1x1,256x1"] {
+        for wrong in ["", "32x32", "32x32,6x10", "32x32,6x10,6x10,1x1", "32,6x10,6x10", "0x1,1x1,1x1", "1x1,1x1,256x1"]
+        {
             assert!(wrong.parse::<GridText>().is_err(), "{wrong}");
         }
         assert_eq!(with_ending(Path::new("a/b.1")), Path::new("a/b.1.hcbtf"));

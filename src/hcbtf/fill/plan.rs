@@ -193,7 +193,11 @@ impl<'a> Planner<'a> {
                 (off < *width).then(|| Source::Uniform([*r, *g, *b, (f64::from(*a) * fade()).round() as u8]))
             }
             Rule::Specular { from, width } => {
-                if self.from_mirrored(address) <= width + SAME_ANGLE { painted(from) } else { None }
+                if self.from_mirrored(address) <= width + SAME_ANGLE {
+                    painted(from)
+                } else {
+                    None
+                }
             }
             Rule::Color { color } => Some(Source::Uniform(*color)),
             Rule::Lambert { .. } | Rule::Rotate { .. } | Rule::Recolor { .. } => None,

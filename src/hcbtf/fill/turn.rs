@@ -64,24 +64,27 @@ impl<F: Fn(usize, usize) -> Color> Turned<F> {
         let mut hidden = [0.0; 3];
         for (row, weight_down) in down.into_iter().enumerate() {
             for (column, weight_across) in across.into_iter().enumerate() {
-                let [r, g, b, a] = self.texel(x + column as i64 - 1, y + row as i64 - 1);
+                let texel = self.texel(x + column as i64 - 1, y + row as i64 - 1);
+                let [r, g, b, a] = texel;
+                let weight = weight_down * weight_across;
                 let premultiplied = [r * a, g * a, b * a, a];
-                (0..4).for_each(|i| sum[i] += weight_down * weight_across * premultiplied[i]);
+                (0..4).for_each(|i| sum[i] += weight * premultiplied[i]);
                 if (1..3).contains(&row) && (1..3).contains(&column) {
-                    (0..4).for_each(|i| {
-                        least[i] = least[i].min(premultiplied[i]);
-                        most[i] = most[i].max(premultiplied[i]);
-                    });
-                    let near = |f: f32, second: bool| if second { f } else { 1.0 - f };
+                    // What cannot be seen has no say in the colours, but in the alpha.
+                    for i in if a > 0.0 { 0..4 } else { 3..4 } {
+                        least[i] = least[i].min(texel[i]);
+                        most[i] = most[i].max(texel[i]);
+                    }
+                    let near = |f: f32, is_second: bool| if is_second { f } else { 1.0 - f };
                     let weight = near(fx, column == 2) * near(fy, row == 2);
                     hidden = [hidden[0] + weight * r, hidden[1] + weight * g, hidden[2] + weight * b];
                 }
             }
         }
-        let within = |i: usize| sum[i].max(least[i]).min(most[i]);
-        let alpha = within(3);
+        let alpha = sum[3].max(least[3]).min(most[3]);
         if alpha > 0.0 {
-            let straight = |i: usize| (within(i) / alpha).min(255.0);
+            // The sum of alphas can be 0 where the clamped one is not: then any colour within bounds is as good.
+            let straight = |i: usize| (sum[i] / sum[3].max(f32::MIN_POSITIVE)).max(least[i]).min(most[i]);
             [straight(0), straight(1), straight(2), alpha]
         } else {
             [hidden[0], hidden[1], hidden[2], 0.0]

@@ -3,8 +3,7 @@ use crate::document::Directions;
 use crate::hcbtf::Progress;
 use crate::hcbtf::fill::fill;
 
-const ODD: Grid =
-    Grid { size: [3, 5], light: Directions { theta: 2, phi: 3 }, view: Directions { theta: 4, phi: 1 } };
+const ODD: Grid = Grid { size: [3, 5], light: Directions { theta: 2, phi: 3 }, view: Directions { theta: 4, phi: 1 } };
 
 fn directions(theta: u32, phi: u32) -> Directions {
     Directions { theta, phi }
@@ -29,7 +28,8 @@ fn hash_sheet(grid: &Grid) -> Picture {
             // One value for all steps at the normal.
             let phi_i = if theta_i == 0 { 0 } else { phi_i };
             let phi_r = if theta_r == 0 { 0 } else { phi_r };
-            let key = [ix, iy, theta_i, phi_i, theta_r, phi_r].into_iter().fold(1, |key: u32, n| key.wrapping_mul(257) ^ n);
+            let key =
+                [ix, iy, theta_i, phi_i, theta_r, phi_r].into_iter().fold(1, |key: u32, n| key.wrapping_mul(257) ^ n);
             rgba.extend((0..4).map(|channel| byte(key.wrapping_mul(4) + channel)));
         }
     }
