@@ -65,12 +65,13 @@ pub(super) fn text(hcbtf: &Hcbtf) -> Result<String, serde_json::Error> {
             sample_name(*address)
         )
     });
-    let _ = writeln!(text, "  \"rules\": {},", list(rules));
-    let _ = writeln!(text, "  \"painted\": {}\n}}", list(painted.collect()));
+    let painted: Vec<String> = painted.collect();
+    let _ = writeln!(text, "  \"rules\": {},", list(&rules));
+    let _ = writeln!(text, "  \"painted\": {}\n}}", list(&painted));
     Ok(text)
 }
 
-fn list(items: Vec<String>) -> String {
+fn list(items: &[String]) -> String {
     if items.is_empty() { "[]".to_owned() } else { format!("[\n    {}\n  ]", items.join(",\n    ")) }
 }
 

@@ -27,7 +27,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf, Tile};
 
 /// Grids of more samples than this are not filled.
-pub const MAX_SAMPLES: u64 = 1 << 22;
+pub const MAX_SAMPLES: u64 = 1 << 20;
 /// What would take more than this is not filled, in bytes.
 pub const MAX_FILLED_BYTES: u64 = 4 << 30;
 

@@ -188,12 +188,12 @@ impl<'a> Planner<'a> {
                 Some(Source::Blend { address, sharpness })
             }
             Rule::Mirror { color: [r, g, b, a], width } => {
-                let off = self.from_mirrored(address);
+                let off = self.off_mirrored(address);
                 let fade = || 0.5 + 0.5 * (PI * off / width).cos();
                 (off < *width).then(|| Source::Uniform([*r, *g, *b, (f64::from(*a) * fade()).round() as u8]))
             }
             Rule::Specular { from, width } => {
-                if self.from_mirrored(address) <= width + SAME_ANGLE {
+                if self.off_mirrored(address) <= width + SAME_ANGLE {
                     painted(from)
                 } else {
                     None
@@ -205,7 +205,7 @@ impl<'a> Planner<'a> {
     }
 
     /// The angle between the light and the mirrored direction of the view, in radians.
-    fn from_mirrored(&self, address: Address) -> f64 {
+    fn off_mirrored(&self, address: Address) -> f64 {
         let view = self.grid.view.vector(address.view);
         angle(self.grid.light.vector(address.light), DVec3::new(-view.x, -view.y, view.z))
     }
@@ -219,12 +219,10 @@ fn change(rule: &Rule, recipe: &mut Recipe, address: Address, grid: &Grid) {
             let kept = 1.0 - finite(*amount).clamp(0.0, 1.0) * (1.0 - theta.cos().max(0.0));
             recipe.then([kept; 3], shadow.map(|channel| f64::from(channel) * (1.0 - kept)));
         }
-        Rule::Rotate { turns } => {
-            // One colour has nothing that could be turned, and at the normal there is nothing to turn by.
-            if address.view.theta > 0 && !matches!(recipe.source, Source::Uniform(_)) {
-                let share = f64::from(address.view.phi) / f64::from(grid.view.phi.max(1));
-                recipe.turn = Bits::new(snapped(recipe.turn.get() + finite(*turns) * share));
-            }
+        // One colour has nothing that could be turned, and at the normal there is nothing to turn by.
+        Rule::Rotate { turns } if address.view.theta > 0 && !matches!(recipe.source, Source::Uniform(_)) => {
+            let share = f64::from(address.view.phi) / f64::from(grid.view.phi.max(1));
+            recipe.turn = Bits::new(snapped(recipe.turn.get() + finite(*turns) * share));
         }
         Rule::Recolor { angle, from, to } => {
             let at = along(*angle, address, grid);
