@@ -381,12 +381,11 @@ fn poles_and_seams_are_whole() {
     let path = file("seams", &hcbtf);
     let uv = DVec2::new(0.99, 0.01);
     let still = |light: [f64; 2], view: [f64; 2]| {
-        let vector = |[theta, phi]: [f64; 2]| {
-            DVec3::new(theta.sin() * phi.sin(), theta.sin() * phi.cos(), theta.cos())
-        };
+        let vector = |[theta, phi]: [f64; 2]| DVec3::new(theta.sin() * phi.sin(), theta.sin() * phi.cos(), theta.cos());
         sample(DVec3::Z, DVec3::X, false, vector(light), vector(view), uv)
     };
-    let pole: Vec<EvalSample> = (0..64).map(|i| still([0.0, f64::from(i)], [1e-9 * f64::from(i % 3), 2.0 + f64::from(i)])).collect();
+    let pole: Vec<EvalSample> =
+        (0..64).map(|i| still([0.0, f64::from(i)], [1e-9 * f64::from(i % 3), 2.0 + f64::from(i)])).collect();
     let seam: Vec<EvalSample> = [-1e-7, -0.0, 0.0, 1e-7, TAU - 1e-7, TAU, TAU + 1e-7]
         .into_iter()
         .flat_map(|phi| [still([0.7, phi], [0.4, 1.0]), still([0.7, 1.0], [0.4, phi]), still([0.7, phi], [0.4, phi])])
@@ -395,7 +394,11 @@ fn poles_and_seams_are_whole() {
         for one in ["exact", "balanced", "fast"] {
             let poles = seen(&path, lookup, one, &pole);
             for value in &poles {
-                assert_eq!(value.map(|c| (c * 1000.0).round()), poles[0].map(|c| (c * 1000.0).round()), "{lookup} {one}");
+                assert_eq!(
+                    value.map(|c| (c * 1000.0).round()),
+                    poles[0].map(|c| (c * 1000.0).round()),
+                    "{lookup} {one}"
+                );
             }
             let seams = seen(&path, lookup, one, &seam);
             for (index, value) in seams.iter().enumerate() {
@@ -414,7 +417,13 @@ fn hard_places_have_a_color() {
     let path = file("hard", &hcbtf);
     let mut samples = Vec::new();
     let up = DVec3::new(0.3, 0.2, 1.0);
-    for view in [DVec3::new(1.0, 0.0, 0.0), DVec3::new(1.0, 0.0, -1e-6), DVec3::new(0.5, 0.5, -0.7), DVec3::NEG_Z, DVec3::new(1e-20, 0.0, 1e-20)] {
+    for view in [
+        DVec3::new(1.0, 0.0, 0.0),
+        DVec3::new(1.0, 0.0, -1e-6),
+        DVec3::new(0.5, 0.5, -0.7),
+        DVec3::NEG_Z,
+        DVec3::new(1e-20, 0.0, 1e-20),
+    ] {
         for uv in [-1e-9, 1000.3, 0.0, 1.0, -0.25, 1e9, 1e30] {
             samples.push(sample(DVec3::Z, DVec3::X, false, up, view, DVec2::splat(uv)));
         }

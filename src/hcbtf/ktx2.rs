@@ -11,7 +11,8 @@ const RGBA8: u32 = 37;
 /// Identifier, nine numbers, where four parts lie, and where the one level lies.
 const HEADER: usize = 12 + 9 * 4 + 4 * 4 + 2 * 8 + 3 * 8;
 /// Keys in the order that the format asks for.
-const KEYS: [(&str, &str); 2] = [("KTXorientation", "rd"), ("KTXwriter", concat!("Chiaro ", env!("CARGO_PKG_VERSION")))];
+const KEYS: [(&str, &str); 2] =
+    [("KTXorientation", "rd"), ("KTXwriter", concat!("Chiaro ", env!("CARGO_PKG_VERSION")))];
 
 /// The bytes of a file.
 pub fn write(layers: &Layers) -> Vec<u8> {
@@ -89,7 +90,8 @@ pub fn read(bytes: &[u8], name: &str) -> Result<Layers, Diagnostic> {
     if length != expected {
         return Err(wrong("its size is not that of its texels"));
     }
-    let texels = at.checked_add(length).and_then(|end| bytes.get(usize::try_from(at).ok()?..usize::try_from(end).ok()?));
+    let texels =
+        at.checked_add(length).and_then(|end| bytes.get(usize::try_from(at).ok()?..usize::try_from(end).ok()?));
     let rgba = texels.ok_or_else(cut)?.to_vec();
     Ok(Layers { size: [width, height], count, rgba })
 }
@@ -105,6 +107,25 @@ mod tests {
     #[test]
     fn what_is_written_is_read() {
         assert_eq!(read(&write(&small()), "a.ktx2").unwrap(), small());
+    }
+
+    /// What somebody else's reader of the format makes of it.
+    #[test]
+    fn a_reader_of_the_format_agrees() {
+        let bytes = write(&small());
+        let reader = ::ktx2::Reader::new(&bytes[..]).unwrap();
+        let header = reader.header();
+        assert_eq!(header.format, Some(::ktx2::Format::R8G8B8A8_UNORM));
+        assert_eq!([header.pixel_width, header.pixel_height, header.layer_count], [3, 2, 2]);
+        let levels: Vec<_> = reader.levels().collect();
+        assert_eq!(levels.len(), 1);
+        assert_eq!(levels[0].data, small().rgba);
+        let keys: Vec<_> = reader.key_value_data().map(|(key, _)| key.to_owned()).collect();
+        assert_eq!(keys, KEYS.map(|(key, _)| key));
+        assert_eq!(reader.transfer_function(), Some(::ktx2::TransferFunction::Linear));
+        assert_eq!(reader.color_model(), Some(::ktx2::ColorModel::RGBSDA));
+        assert_eq!(reader.is_alpha_premultiplied(), Some(false));
+        assert_eq!(reader.basic_dfd().map(|described| described.sample_information.len()), Some(4));
     }
 
     #[test]

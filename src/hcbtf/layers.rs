@@ -197,11 +197,7 @@ mod tests {
 
     #[test]
     fn every_light_stands_where_its_block_says() {
-        let grid = Grid {
-            size: [3, 2],
-            light: Directions { theta: 3, phi: 4 },
-            view: Directions { theta: 2, phi: 5 },
-        };
+        let grid = Grid { size: [3, 2], light: Directions { theta: 3, phi: 4 }, view: Directions { theta: 2, phi: 5 } };
         let tiles: HashMap<Address, Arc<Tile>> = grid
             .addresses()
             .map(|address| {

@@ -10,7 +10,9 @@ use super::shader::{FragmentStage, Interpolation, LANES, QuadBatch, Shaded, Shad
 use super::texels::Texels;
 use super::uniform;
 use crate::diag::Diagnostic;
-use crate::frame::{Attribute, BindingKind, CompiledShader, Draw, FramePlan, Image, ImageShape, ImageUse, PassKind, Stage};
+use crate::frame::{
+    Attribute, BindingKind, CompiledShader, Draw, FramePlan, Image, ImageShape, ImageUse, PassKind, Stage,
+};
 use crate::geometry::Mesh;
 use crate::interp::{
     self, Address, Bindings, Bound, Filter, Lanes, Level, Port, Precision, Program, ResourceKind, Sampler, Texture,
@@ -219,9 +221,7 @@ pub(super) fn texture_of(image: &Image, used: &ImageUse) -> Result<Texture, Diag
     if !is_decoded {
         return Texture::new(TextureDimension::D2, vec![Level::rgba8(size, image.rgba.clone())]);
     }
-    let color = |byte: u8| {
-        crate::document::srgb_to_linear(f64::from(byte) / 255.0)
-    };
+    let color = |byte: u8| crate::document::srgb_to_linear(f64::from(byte) / 255.0);
     let texels = image
         .rgba
         .chunks_exact(4)

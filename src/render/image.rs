@@ -69,8 +69,7 @@ impl Images {
                 return Err(RenderError::TooLarge { what, size: size.into(), limit: limit.into() });
             }
         }
-        let size =
-            wgpu::Extent3d { width: image.size[0], height: image.size[1], depth_or_array_layers: image.layers };
+        let size = wgpu::Extent3d { width: image.size[0], height: image.size[1], depth_or_array_layers: image.layers };
         let descriptor = wgpu::TextureDescriptor {
             label: Some("image"),
             size,
