@@ -1,10 +1,10 @@
 //! Fills that do not destroy: an ordered list of rules derives every sample that is not painted.
 //!
-//! It goes in three steps. The [`plan`] walks the rules for every sample and writes down a recipe: which painted sample,
+//! It goes in three steps. The `plan` walks the rules for every sample and writes down a recipe: which painted sample,
 //! blend or colour it begins with, by how much it is turned, and what becomes of its colours. All changes of colour are
 //! affine in each channel, and turning commutes with them, so a recipe has one turn and one map however many rules had a
 //! part in it, and a tile is resampled once and rounded once (thesis figure 37 shows what repeated turning loses). Equal
-//! recipes are one recipe; [`bake`] makes a tile of each, on all cores; tiles that came out equal are shared.
+//! recipes are one recipe; `bake` makes a tile of each, on all cores; tiles that came out equal are shared.
 //!
 //! Every tile depends on its recipe alone, so the result is the same on any number of threads.
 
