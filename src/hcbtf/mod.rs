@@ -1,7 +1,7 @@
 //! Hand-painted 6D textures (HCBTFs): how their files are read and written, how rules fill what is not painted,
 //! and how all of it becomes the texture that shaders look up.
 //!
-//! [`load`] and [`read`] take an `.hcbtf` file, [`write`] gives its bytes. [`fill`](fill::fill) runs the rules and gives a
+//! [`load`] and [`read`] take an `.hcbtf` file, [`write()`] gives its bytes. [`fill`](fill::fill) runs the rules and gives a
 //! [`Filled`]: a tile and its [`Provenance`] for every sample of the grid, which is what shaders look up. [`sheet`],
 //! [`folder`] and [`contact`] exchange samples with other programs: the thesis's flattened texture, a folder of images, and
 //! one picture with all samples side by side. docs/format.md documents all of them. [`layers()`] lays the filled tiles out

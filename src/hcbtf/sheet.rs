@@ -24,9 +24,13 @@ use super::{MAX_PAINTED_BYTES, folder};
 use crate::diag::Diagnostic;
 use crate::document::{Address, Direction, Grid, Hcbtf, Tile};
 
-/// Width and height of a grid's sheet, in texels.
+/// Width and height of a grid's sheet, in texels; as large as numbers go for a grid that cannot be.
 pub fn size(grid: &Grid) -> [u32; 2] {
-    [grid.size[0] * grid.view.theta * grid.light.theta, grid.size[1] * grid.view.phi * (grid.light.phi + 2)]
+    let times = |numbers: [u32; 3]| numbers.into_iter().fold(1_u32, u32::saturating_mul);
+    [
+        times([grid.size[0], grid.view.theta, grid.light.theta]),
+        times([grid.size[1], grid.view.phi, grid.light.phi.saturating_add(2)]),
+    ]
 }
 
 /// The sheet of a filled HCBTF.

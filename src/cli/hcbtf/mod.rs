@@ -18,10 +18,14 @@ const EXAMPLES: &str = "\
 Examples:
   chiaro hcbtf new grass --color '#3a5a2a'
   chiaro hcbtf info grass.hcbtf
-  chiaro hcbtf import sheet.png -o grass.hcbtf                         the thesis's flattened texture
-  chiaro hcbtf import painted/ -o grass.hcbtf --grid 64x64,6x12,6x12   l2.3_v1.4.png and so on
+  chiaro hcbtf import sheet.png -o grass.hcbtf
+  chiaro hcbtf import painted/ -o grass.hcbtf --grid 64x64,6x12,6x12
+  chiaro hcbtf import all.png --as contact --gap 2 -o grass.hcbtf
   chiaro hcbtf export grass.hcbtf -o sheet.png
-  chiaro hcbtf export grass.hcbtf --to folder -o painted/ --painted";
+  chiaro hcbtf export grass.hcbtf --to folder -o painted/ --painted
+
+A sheet is the thesis's flattened texture. A folder holds images named like l2.3_v1.4.png (light at ring 2, step 3; view at
+ring 1, step 4), or numbered. A contact sheet has views across and lights down. docs/format.md tells all about them.";
 
 const GRID_HELP: &str = "the thesis's, 32x32,6x10,6x10";
 

@@ -1,10 +1,10 @@
 //! Fills that do not destroy: an ordered list of rules derives every sample that is not painted.
 //!
-//! It goes in three steps. The [`plan`] walks the rules for every sample and writes down a recipe: which painted sample,
+//! It goes in three steps. The `plan` walks the rules for every sample and writes down a recipe: which painted sample,
 //! blend or colour it begins with, by how much it is turned, and what becomes of its colours. All changes of colour are
 //! affine in each channel, and turning commutes with them, so a recipe has one turn and one map however many rules had a
 //! part in it, and a tile is resampled once and rounded once (thesis figure 37 shows what repeated turning loses). Equal
-//! recipes are one recipe; [`bake`] makes a tile of each, on all cores; tiles that came out equal are shared.
+//! recipes are one recipe; `bake` makes a tile of each, on all cores; tiles that came out equal are shared.
 //!
 //! Every tile depends on its recipe alone, so the result is the same on any number of threads.
 
@@ -79,8 +79,14 @@ pub struct Estimate {
 }
 
 /// Why nothing was filled.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum NotFilled {
+    /// The grid is none that can be.
+    #[error("{why}")]
+    BadGrid {
+        /// What is wrong with it, by [`Grid::check`].
+        why: String,
+    },
     /// Somebody stopped it.
     #[error("it was stopped before it was done")]
     Stopped,
@@ -102,6 +108,7 @@ impl From<NotFilled> for Diagnostic {
     fn from(why: NotFilled) -> Self {
         match why {
             NotFilled::Stopped => Self::error("stopped", why.to_string()),
+            NotFilled::BadGrid { why } => Self::error("hcbtf-grid", why),
             _ => Self::error("too-large", why.to_string()).hint("take a coarser grid"),
         }
     }
@@ -175,6 +182,7 @@ pub fn estimate(hcbtf: &Hcbtf) -> Result<Estimate, NotFilled> {
 }
 
 fn laid_out<'a>(hcbtf: &'a Hcbtf, progress: &Progress) -> Result<(Plan<'a>, Estimate), NotFilled> {
+    hcbtf.grid.check().map_err(|why| NotFilled::BadGrid { why })?;
     let samples = hcbtf.grid.sample_count();
     if samples > MAX_SAMPLES {
         return Err(NotFilled::TooMany { samples });
@@ -194,7 +202,7 @@ fn laid_out<'a>(hcbtf: &'a Hcbtf, progress: &Progress) -> Result<(Plan<'a>, Esti
 /// `progress` counts rows of texels.
 ///
 /// # Errors
-/// Where it was stopped, and where the grid is too large.
+/// Where it was stopped, and where the grid is too large or none at all.
 pub fn fill(hcbtf: &Hcbtf, progress: &Progress) -> Result<Filled, NotFilled> {
     let (plan, _) = laid_out(hcbtf, progress)?;
     let rows = u64::from(hcbtf.grid.size[1]);

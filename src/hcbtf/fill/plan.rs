@@ -22,6 +22,8 @@ pub(super) struct Painted<'a> {
     pub(super) light: DVec3,
     pub(super) view: DVec3,
     pub(super) tile: &'a Arc<Tile>,
+    /// Whether nothing shines through it.
+    pub(super) is_opaque: bool,
 }
 
 /// What a tile begins as.
@@ -135,7 +137,8 @@ impl<'a> Planner<'a> {
         let fits = |(address, tile): &(&Address, &Arc<Tile>)| grid.contains(**address) && tile.size() == grid.size;
         let painted = hcbtf.painted.iter().filter(fits).map(|(address, tile)| {
             let (light, view) = (grid.light.vector(address.light), grid.view.vector(address.view));
-            Painted { address: address.canonical(), light, view, tile }
+            let is_opaque = tile.bytes().iter().skip(3).step_by(4).all(|alpha| *alpha == 255);
+            Painted { address: address.canonical(), light, view, tile, is_opaque }
         });
         let painted: Vec<Painted<'_>> = painted.collect();
         let numbers = painted.iter().enumerate().map(|(number, sample)| (sample.address, number as u32)).collect();

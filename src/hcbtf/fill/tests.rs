@@ -18,6 +18,10 @@ fn noise(size: [u32; 2], seed: u32) -> Arc<Tile> {
     Arc::new(Tile::new(size, bytes.collect()).unwrap())
 }
 
+fn make_opaque(tile: &mut Arc<Tile>) {
+    Arc::make_mut(tile).bytes_mut().iter_mut().skip(3).step_by(4).for_each(|alpha| *alpha = 255);
+}
+
 /// Painted with noise at the addresses, with these rules.
 fn painted(grid: Grid, addresses: &[Address], rules: Vec<Rule>) -> Hcbtf {
     let mut hcbtf = Hcbtf::new(grid);
@@ -190,7 +194,8 @@ fn recolor_goes_along_each_angle() {
 fn blend_is_shepards_mean_weighted_by_alpha() {
     for (sharpness, count) in [(0.0, 30), (0.5, 30), (1.0, 1), (1.0, 30), (3.0, 30), (8.0, 30), (64.0, 3)] {
         let addresses: Vec<Address> = some_addresses().into_iter().take(count).collect();
-        let hcbtf = painted(GRID, &addresses, vec![Rule::Blend { sharpness }]);
+        let mut hcbtf = painted(GRID, &addresses, vec![Rule::Blend { sharpness }]);
+        hcbtf.painted.values_mut().step_by(2).for_each(make_opaque);
         expect(&hcbtf, |at, i| {
             let logs =
                 hcbtf.painted.iter().map(|(address, tile)| (-2.0 * sharpness * distance(at, *address).ln(), tile));
@@ -466,7 +471,8 @@ fn how_long_a_blend_of_the_thesis_takes() {
         let addresses: Vec<Address> = grid.addresses().step_by(stride).take(count).collect();
         let rules = vec![Rule::Blend { sharpness: 1.0 }, Rule::Rotate { turns: 1.0 }];
         for rules in [vec![rules[0].clone()], rules] {
-            let hcbtf = painted(grid, &addresses, rules);
+            let mut hcbtf = painted(grid, &addresses, rules);
+            hcbtf.painted.values_mut().for_each(make_opaque);
             let clock = crate::clock::Clock::start();
             let filled = filled(&hcbtf);
             let (rules, seconds) = (hcbtf.rules.len(), clock.seconds());
