@@ -28,6 +28,7 @@ pub mod compile;
 pub mod directions;
 pub mod frame;
 pub mod geometry;
+pub mod hcbtf;
 
 // Floor 4: who executes plans and carries shaders away.
 pub mod export;

@@ -123,7 +123,7 @@ fn every_subcommand_has_help_with_examples_and_exit_codes_are_documented() {
     let top = shop.run(&["--help"]).ok().out;
     assert!(top.contains("Exit codes: 0 done; 1 ") && top.contains("130"), "{top}");
     let drawing: &[&str] = if cfg!(feature = "gpu") { &["render", "eval"] } else { &[] };
-    for command in [&["edit", "new", "check", "explain", "nodes", "export", "desktop"], drawing].concat() {
+    for command in [&["edit", "new", "check", "explain", "nodes", "export", "hcbtf", "desktop"], drawing].concat() {
         assert!(top.contains(&format!("  {command} ")), "{top}");
         let help = shop.run(&[command, "--help"]).ok().out;
         assert!(help.contains("Examples:") && help.contains(&format!("chiaro {command}")), "{help}");
@@ -135,6 +135,47 @@ fn every_subcommand_has_help_with_examples_and_exit_codes_are_documented() {
     if cfg!(feature = "gpu") {
         shop.run(&["render", "a.json"]).fails(2, &["--output"]);
     }
+}
+
+#[test]
+fn hcbtfs_are_made_told_of_and_exchanged() {
+    let shop = Shop::new();
+    let grid = "4x3,2x3,2x2";
+    let made = shop.run(&["hcbtf", "new", "grass", "--color", "#204080", "--grid", grid]).ok();
+    assert_eq!(made.out, "grass.hcbtf\n");
+    shop.run(&["hcbtf", "new", "grass"]).fails(1, &["file-exists", "--force"]);
+    shop.run(&["hcbtf", "new", "x", "--color", "green"]).fails(2, &["#rrggbb"]);
+    shop.run(&["hcbtf", "new", "x", "--grid", "4x3"]).fails(2, &["32x32,6x10,6x10"]);
+    let info = shop.run(&["hcbtf", "info", "grass.hcbtf"]).ok().out;
+    for told in ["4 x 3 texels", "12 samples", "painted  1", "copy fills 11", "lambert changes 9", "empty    0"] {
+        assert!(info.contains(told), "no `{told}` in {info}");
+    }
+    let info = shop.run(&["hcbtf", "info", "grass.hcbtf", "--json"]).ok().json();
+    assert_eq!((&info["tiles"], &info["sheet"]), (&json!(2), &json!([16, 30])));
+    assert_eq!(info["samples"].as_array().map(Vec::len), Some(12));
+    assert_eq!(info["samples"][1]["changed_by"], json!([1]));
+
+    // Out and in by each form: the same sheet comes of it.
+    shop.run(&["hcbtf", "export", "grass.hcbtf", "-o", "sheet.png"]).ok();
+    assert_eq!(png_size(&shop.path("sheet.png")), [16, 30]);
+    shop.run(&["hcbtf", "export", "grass.hcbtf", "--to", "folder", "-o", "all"]).ok();
+    shop.run(&["hcbtf", "export", "grass.hcbtf", "--to", "contact", "--gap", "2", "-o", "contact.png"]).ok();
+    assert_eq!(png_size(&shop.path("contact.png")), [3 * 4 + 2 * 2, 4 * 3 + 3 * 2]);
+    for (from, more) in [("sheet.png", &[][..]), ("all", &[]), ("contact.png", &["--as", "contact", "--gap", "2"])] {
+        let import = ["hcbtf", "import", from, "-o", "back.hcbtf", "--grid", grid, "--force"];
+        let told = shop.run(&[&import[..], more].concat()).ok().err;
+        assert!(told.contains("12 of 12 samples are painted"), "{told}");
+        shop.run(&["hcbtf", "export", "back.hcbtf", "-o", "again.png"]).ok();
+        assert_eq!(fs::read(shop.path("again.png")).unwrap(), fs::read(shop.path("sheet.png")).unwrap(), "{from}");
+    }
+    let told = shop.run(&["hcbtf", "export", "grass.hcbtf", "--to", "folder", "--painted", "-o", "one"]).ok();
+    assert!(told.err.contains("1 images"), "{}", told.err);
+
+    shop.run(&["hcbtf", "import", "sheet.png", "-o", "x"]).fails(1, &["sheet.png: error[hcbtf-sheet]", "1152 x 3840"]);
+    shop.run(&["hcbtf", "info", "none.hcbtf"]).fails(1, &["none.hcbtf", "cannot-read"]);
+    shop.run(&["hcbtf", "info", "sheet.png"]).fails(1, &["hcbtf-archive"]);
+    shop.run(&["hcbtf", "export", "grass.hcbtf", "--painted", "-o", "x.png"]).fails(2, &["--to folder"]);
+    assert!(!shop.path("x.hcbtf").exists());
 }
 
 #[test]

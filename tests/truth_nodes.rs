@@ -1067,6 +1067,11 @@ fn every_kind_is_held() {
         "profile",
         "transition",
         "warp",
+        // hcbtf_lookup.rs
+        "dominant_light",
+        "hcbtf_directions",
+        "hcbtf_lookup",
+        "light_by_tone",
         // Above, in tests of their own.
         "bands",
         "bump_map",

@@ -8,6 +8,8 @@ use crate::times::told;
 use crate::{driven, example, has_display};
 
 const FRAMES: u8 = 80;
+/// Half of a drag's width where there is room, in points.
+const REACH: f32 = 40.0;
 
 /// The pixels of the picture in the window as it is drawn now, which waits for the GPU.
 fn pixels(hand: &mut Hand) -> Vec<u8> {
@@ -17,27 +19,30 @@ fn pixels(hand: &mut Hand) -> Vec<u8> {
     image::imageops::crop_imm(&image, x, y, width, height).to_image().into_raw()
 }
 
-/// Drags along a small loop, and tells how many pictures were in the very frame of their edit, and how long it took
-/// from the pointer's move until that frame was drawn.
-fn drag(hand: &mut Hand, from: Pos2, what: &str) {
+/// Drags along a small loop as wide as twice `reach` in points, and tells how many pictures were in the very frame of
+/// their edit, of all whose edit changed anything, and how long it took from the pointer's move until that frame was
+/// drawn.
+fn drag(hand: &mut Hand, from: Pos2, reach: f32, what: &str) {
     hand.hold(from);
-    let (mut in_time, mut times, mut own) = (0, Vec::new(), Vec::new());
+    let (mut in_time, mut changed, mut times, mut own) = (0, 0, Vec::new(), Vec::new());
     let mut last = pixels(hand);
     for step in 1..=FRAMES {
         let clock = Clock::start();
         let turn = f32::from(step) * 0.31;
-        hand.move_to(from + 40.0 * vec2(turn.cos() - 1.0, 0.5 * turn.sin()));
+        hand.move_to(from + reach * vec2(turn.cos() - 1.0, 0.5 * turn.sin()));
         own.push(clock.seconds());
         let shown = pixels(hand);
         times.push(clock.seconds());
         hand.app().wait();
         let right = pixels(hand);
+        // A value that is at its end already draws the same again, which tells nothing.
+        changed += u32::from(right != last);
         in_time += u32::from(shown == right && right != last);
         last = right;
     }
     hand.release(from);
     hand.settle();
-    println!("| {what} | {in_time} of {FRAMES} | {} | {} |", told(times), told(own));
+    println!("| {what} | {in_time} of {changed} | {} | {} |", told(times), told(own));
 }
 
 pub(crate) fn run() {
@@ -57,15 +62,15 @@ pub(crate) fn run() {
         let at = slider.left_center() + vec2(slider.width() * 0.5, 0.0);
         hand.drag(at, at + vec2(5.0, 0.0));
         hand.settle();
-        drag(&mut hand, at, &format!("{look}: a value"));
+        drag(&mut hand, at, slider.width() * 0.2, &format!("{look}: a value"));
         if let Some(line) = hand.app().viewport().curve("cutoff").first().copied() {
-            drag(&mut hand, line, &format!("{look}: a line on the object"));
+            drag(&mut hand, line, REACH, &format!("{look}: a line on the object"));
         }
         if let Some(middle) = hand.app().viewport().middle() {
-            drag(&mut hand, middle, &format!("{look}: a light"));
+            drag(&mut hand, middle, REACH, &format!("{look}: a light"));
         }
         let corner = hand.app().viewport().rect().expect("the picture is shown").min + vec2(60.0, 60.0);
-        drag(&mut hand, corner, &format!("{look}: the camera"));
+        drag(&mut hand, corner, REACH, &format!("{look}: the camera"));
     }
     if has_display() {
         driven::run(&example("figure1-layers"));

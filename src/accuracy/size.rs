@@ -48,7 +48,7 @@ impl Sizes {
             }
             for image in &draw.images {
                 if images.insert(image.hash) {
-                    let bytes = 4 * u64::from(image.size[0]) * u64::from(image.size[1]);
+                    let bytes = image.rgba.len() as u64;
                     sizes.memory += bytes;
                     sizes.traffic += bytes;
                 }

@@ -12,6 +12,7 @@ use crate::compile::{Live, Options, TypedSource, check as check_look, compile_ty
 use crate::diag::{Diagnostic, Severity, has_errors};
 use crate::document::{Document, Loaded, Look, Scene, Value};
 use crate::frame::{Assets, Rig, scene_setup};
+use crate::hcbtf::LayerOptions;
 use crate::library::{Library, Type};
 
 const EXAMPLES: &str = "\
@@ -214,14 +215,20 @@ fn missing_images(typed: &crate::compile::TypedGraph, folder: &Path, assets: &mu
             let Some(TypedSource::Param(_, Value::Text(name))) = input.as_ref().map(|input| &input.source) else {
                 continue;
             };
-            if port.ty != Type::Image || name.is_empty() {
+            if !port.ty.is_texture() || name.is_empty() {
                 continue;
             }
-            if let Err(problem) = assets.image(folder, name) {
+            let problems = match port.ty {
+                Type::Hcbtf => assets
+                    .hcbtf(folder, name, LayerOptions::default())
+                    .map_or_else(|problems| problems, |(_, notes)| notes),
+                _ => assets.image(folder, name).err().into_iter().collect(),
+            };
+            found.extend(problems.into_iter().map(|problem| {
                 let mut problem = problem.node(node.path.clone()).port(port.name.clone());
                 problem.place.file = None;
-                found.push(problem);
-            }
+                problem
+            }));
         }
     }
 }

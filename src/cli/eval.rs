@@ -23,6 +23,7 @@ const HELP: &str = r#"Examples:
 
 SAMPLES.json is a list of objects; every field may be left out:
   normal, tangent, view (surface to eye), position    world space, 3 numbers, unit or not
+  mirrored      true where texture coordinates are mirrored
   camera        three rows: right, up, toward the viewer
   uv, time, color (vertex colour)
   kappa         a number; also "inf", "-inf", "nan"

@@ -13,6 +13,7 @@ mod desktop;
 mod eval;
 mod explain;
 mod export;
+mod hcbtf;
 mod interrupt;
 mod new;
 mod nodes;
@@ -96,6 +97,8 @@ enum Command {
     Accuracy(accuracy::Arguments),
     /// Write a look as shaders for other programs
     Export(export::Arguments),
+    /// Tell what a hand-painted 6D texture (.hcbtf) holds, make one, exchange its samples with other programs
+    Hcbtf(hcbtf::Arguments),
     /// Put Chiaro and its file types into the desktop's menu, or take them out
     Desktop(desktop::Arguments),
 }
@@ -154,6 +157,7 @@ pub fn run() -> Outcome {
         #[cfg(feature = "gpu")]
         Command::Accuracy(arguments) => accuracy::run(arguments, &output),
         Command::Export(arguments) => export::run(arguments, &output),
+        Command::Hcbtf(arguments) => hcbtf::run(arguments, &output),
         Command::Desktop(arguments) => desktop::run(arguments, &output),
     };
     Outcome::Done(match result {

@@ -15,8 +15,10 @@ use crate::ids::PortName;
 /// As many problems as are told; a script that writes one mistake ten thousand times is told it often enough.
 const MAX_PROBLEMS: usize = 50;
 
-const FIELDS: [&str; 12] =
-    ["normal", "tangent", "view", "position", "camera", "uv", "kappa", "color", "time", "frame", "lights", "values"];
+const FIELDS: [&str; 13] = [
+    "normal", "tangent", "mirrored", "view", "position", "camera", "uv", "kappa", "color", "time", "frame", "lights",
+    "values",
+];
 const LIGHT_FIELDS: [&str; 4] = ["direction", "position", "color", "intensity"];
 
 /// Reads a file of samples; `-` is standard input.
@@ -112,6 +114,12 @@ impl Reader<'_> {
             }
         }
         sample.tangent = at("tangent").and_then(|(json, path)| self.vector(json, &path));
+        if let Some((json, path)) = at("mirrored") {
+            match json.as_bool() {
+                Some(is_mirrored) => sample.is_mirrored = is_mirrored,
+                None => self.expected(&path, "true or false", json, "true"),
+            }
+        }
         if let Some(rows) = at("camera").and_then(|(json, path)| self.matrix(json, &path)) {
             sample.camera = rows;
         }
@@ -301,7 +309,7 @@ mod tests {
     #[test]
     fn every_field_is_read() {
         let text = r##"[{
-            "normal": [1, 2, 3], "tangent": [1, 0, 0], "view": [0, 1, 0], "position": [4, 5, 6],
+            "normal": [1, 2, 3], "tangent": [1, 0, 0], "mirrored": true, "view": [0, 1, 0], "position": [4, 5, 6],
             "camera": [[0, 0, -1], [0, 1, 0], [1, 0, 0]], "uv": [0.25, 0.75], "kappa": "-inf", "color": [1, 0, 0],
             "time": 2.5, "frame": [[0, 0, 1], [0, 1, 0], [-1, 0, 0]],
             "lights": {"key": {"direction": [0, 2, 0], "color": [1, 1, 0], "intensity": 0.5}, "b": {"position": [1, 1, 1]}},
@@ -310,6 +318,7 @@ mod tests {
         let samples = parse(text, "s.json").unwrap();
         let sample = &samples[0];
         assert_eq!((sample.normal, sample.tangent), (DVec3::new(1.0, 2.0, 3.0), Some(DVec3::X)));
+        assert!(sample.is_mirrored && !samples[1].is_mirrored);
         assert_eq!((sample.view, sample.position), (DVec3::Y, DVec3::new(4.0, 5.0, 6.0)));
         // The first row is what is right in the picture.
         assert_eq!(sample.camera * DVec3::NEG_Z, DVec3::X);

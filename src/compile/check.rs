@@ -7,7 +7,7 @@ use indexmap::IndexMap;
 use petgraph::graph::{DiGraph, NodeIndex};
 
 use super::flatten::{FlatGraph, FlatInput, FlatNode, Param, ParamId, flatten};
-use super::value::{describe, typed_value};
+use super::value::{describe, expected, typed_value};
 use crate::diag::{Diagnostic, Severity, has_errors};
 use crate::document::{ColorSpace, Exposed, Light, Look, Target, Tier, Value};
 use crate::ids::{LightId, NodePath, PortName};
@@ -661,11 +661,11 @@ impl<'a> Typer<'a> {
                 return None;
             }
         };
-        if *ty == Type::Image {
+        if ty.is_texture() {
             return match value {
-                Value::Text(_) => Some((TypedSource::Param(param, value), Type::Image)),
+                Value::Text(_) => Some((TypedSource::Param(param, value), ty.clone())),
                 other => {
-                    let message = format!("expected the path of an image, found {}", describe(&other));
+                    let message = format!("expected {}, found {}", expected(ty), describe(&other));
                     self.problem(flat, Some(input), Diagnostic::error("wrong-type", message));
                     None
                 }

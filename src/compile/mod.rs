@@ -32,7 +32,7 @@ pub use host::{HostInputs, HostProgram, LightValues, MAX_INTENSITY, Uniform, Uni
 pub use host_source::{HostSource, HostStep};
 pub use layout::{Layout, StructLayout};
 pub use removal::{Proof, Removal};
-pub use specialize::{ImageUse, Needs};
+pub use specialize::{ImageShape, ImageUse, Needs};
 pub use value::{document_value, typed_value};
 
 /// The largest `Look` uniform while every value is live; a longer look keeps fewer values live.

@@ -67,11 +67,36 @@ pub(super) struct Computed {
     pub(super) ranges: Option<Ranges>,
 }
 
+/// What kind of texture a file becomes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum ImageShape {
+    /// A picture: `texture_2d<f32>`.
+    #[default]
+    Flat,
+    /// A hand-painted 6D texture: `texture_2d_array<f32>`.
+    Hcbtf {
+        /// Whether smaller levels of its tile are read.
+        has_levels: bool,
+    },
+}
+
+impl ImageShape {
+    /// Its type in WGSL.
+    pub fn wgsl(self) -> &'static str {
+        match self {
+            Self::Flat => "texture_2d<f32>",
+            Self::Hcbtf { .. } => "texture_2d_array<f32>",
+        }
+    }
+}
+
 /// An image that a node reads, with how it is sampled.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct ImageUse {
     /// The path, as in the document.
     pub path: String,
+    /// What kind of texture it becomes.
+    pub shape: ImageShape,
     /// The choices of the node that begin with `wrap`, `filter` and `encoding`.
     pub wrap: String,
     /// `linear` or `nearest`.
@@ -225,7 +250,7 @@ impl<'a> Builder<'a> {
                 let light = matches!(context, Context::Light(_)).then(|| node.light.clone()).flatten();
                 self.context(index, *context, light)
             }
-            TypedSource::Param(_, _) if input.ty == Type::Image => return None,
+            TypedSource::Param(_, _) if input.ty.is_texture() => return None,
             TypedSource::Param(id, value) => self.param(index, *id, value, &input.ty),
         };
         Some(match input.conversion {
@@ -400,8 +425,10 @@ impl<'a> Builder<'a> {
         let mut prepared = None;
         for parameter in parameters {
             let argument = match parameter {
-                Parameter::Input(input, Type::Image) => Some(Argument::Image(self.image(node, *input))),
-                Parameter::Sampler(input) => Some(Argument::Sampler(self.image(node, *input))),
+                Parameter::Input(input, ty) if ty.is_texture() => Some(Argument::Image(self.image(node, *input, ty))),
+                Parameter::Sampler(input) => {
+                    Some(Argument::Sampler(self.image(node, *input, &node.def.inputs[*input].ty)))
+                }
                 Parameter::Input(input, _) => inputs[*input].map(Argument::Value),
                 Parameter::Prepared => {
                     prepared = prepared.or_else(|| self.prepared(index, node, inputs));
@@ -500,7 +527,7 @@ impl<'a> Builder<'a> {
         Ok(Some(value).filter(is_finite))
     }
 
-    fn image(&mut self, node: &TypedNode, input: usize) -> usize {
+    fn image(&mut self, node: &TypedNode, input: usize, ty: &Type) -> usize {
         let path = match node.inputs[input].as_ref().map(|input| &input.source) {
             Some(TypedSource::Param(_, Value::Text(path))) => path.clone(),
             _ => String::new(),
@@ -511,6 +538,10 @@ impl<'a> Builder<'a> {
         };
         let image = ImageUse {
             path,
+            shape: match ty {
+                Type::Hcbtf => ImageShape::Hcbtf { has_levels: setting("lookup", "") == "smooth" },
+                _ => ImageShape::Flat,
+            },
             wrap: setting("wrap", "clamp"),
             filter: setting("filter", "linear"),
             is_decoded: self.graph.color_space == ColorSpace::Linear && setting("encoding", "color") == "color",
@@ -518,8 +549,8 @@ impl<'a> Builder<'a> {
             node: node.path.clone(),
         };
         let same = |other: &ImageUse| {
-            (&other.path, &other.wrap, &other.filter, &other.encoding)
-                == (&image.path, &image.wrap, &image.filter, &image.encoding)
+            (&other.path, &other.shape, &other.wrap, &other.filter, &other.encoding)
+                == (&image.path, &image.shape, &image.wrap, &image.filter, &image.encoding)
         };
         self.images.iter().position(same).unwrap_or_else(|| {
             self.images.push(image);

@@ -50,7 +50,7 @@ fn finite(x: f64) -> Result<f64, String> {
     if x.is_finite() { Ok(x) } else { Err("expected a finite number, found NaN or infinity".to_owned()) }
 }
 
-fn expected(ty: &Type) -> String {
+pub(super) fn expected(ty: &Type) -> String {
     match ty {
         Type::Bool => "true or false".to_owned(),
         Type::Float => "a number".to_owned(),
@@ -63,6 +63,7 @@ fn expected(ty: &Type) -> String {
         Type::Choice => "one of the choice's words".to_owned(),
         Type::LightName => "the id of a light".to_owned(),
         Type::Image => "the path of an image".to_owned(),
+        Type::Hcbtf => "the path of an .hcbtf file".to_owned(),
         Type::Text => "a text".to_owned(),
         Type::Angle | Type::Light | Type::Prepared(_) => "a wire".to_owned(),
     }

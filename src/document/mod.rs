@@ -9,6 +9,7 @@ mod check;
 mod color;
 mod edit;
 pub mod grouping;
+mod hcbtf;
 mod image;
 pub mod journal;
 mod json;
@@ -27,6 +28,9 @@ mod write;
 
 pub use color::{parse_hex, srgb_to_linear};
 pub use edit::{Applied, Edit, Editable, History, SceneEdit};
+pub use hcbtf::{
+    Address, Angle as HcbtfAngle, Direction, Directions, Grid, Hcbtf, MAX_ANGLE_STEPS, MAX_TILE_SIDE, Rule, Tile,
+};
 pub use look::*;
 pub use read::Document;
 pub use scene::*;

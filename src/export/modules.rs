@@ -224,7 +224,7 @@ fn feed(shader: &CompiledShader, bound: &Bound, images: &mut Vec<Image>) -> Feed
         Some(BindingKind::View) => Feed::View,
         Some(BindingKind::Object) => Feed::Object,
         Some(BindingKind::Look) => Feed::Look,
-        Some(BindingKind::Image(index)) => Feed::Image { image: image(*index) },
+        Some(BindingKind::Image(index) | BindingKind::Hcbtf(index)) => Feed::Image { image: image(*index) },
         Some(BindingKind::Sampler(index)) => Feed::Sampler { image: image(*index) },
         Some(BindingKind::Curvature) => Feed::Pass { pass: "curvature", output: "curvature" },
         Some(BindingKind::CurvatureSparse) => Feed::Pass { pass: "curvature_sparse", output: "curvature" },

@@ -231,6 +231,7 @@ fn type_name(module: &Module, ty: naga::Handle<naga::Type>) -> String {
             _ => format!("array<{}>", type_name(module, *base)),
         },
         TypeInner::Image { class: ImageClass::Depth { .. }, .. } => "texture_depth_2d".to_owned(),
+        TypeInner::Image { arrayed: true, .. } => "texture_2d_array<f32>".to_owned(),
         TypeInner::Image { .. } => "texture_2d<f32>".to_owned(),
         TypeInner::Sampler { .. } => "sampler".to_owned(),
         _ => named.name.clone().unwrap_or_default(),

@@ -7,7 +7,9 @@ use std::sync::Arc;
 use std::time::SystemTime;
 
 use crate::diag::Diagnostic;
+use crate::document::{Directions, Grid, Hcbtf, Tile};
 use crate::geometry::{self, Mesh};
+use crate::hcbtf::{self, LayerOptions};
 
 /// What an object's mesh begins with where it is an own shape.
 pub const SHAPE_PREFIX: &str = "shape:";
@@ -15,12 +17,16 @@ pub const SHAPE_PREFIX: &str = "shape:";
 pub const MAX_IMAGE_SIDE: u32 = 16_384;
 /// The most memory that decoding one image may take, in bytes.
 const MAX_IMAGE_BYTES: u64 = 1 << 30;
+/// The most memory that the texture of an HCBTF may take, in bytes.
+pub const MAX_HCBTF_BYTES: u64 = 2 << 30;
 
-/// A decoded image: straight RGBA, 8 bits a channel, rows from the top.
+/// A decoded image: straight RGBA, 8 bits a channel, rows from the top, layer after layer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Image {
     /// Pixels.
     pub size: [u32; 2],
+    /// 1 for a flat image.
+    pub layers: u32,
     /// Four bytes a pixel.
     pub rgba: Vec<u8>,
     /// Of the content, for caches.
@@ -30,13 +36,13 @@ pub struct Image {
 impl Image {
     /// One pixel, standing in for an image that could not be read.
     pub fn single(rgba: [u8; 4]) -> Self {
-        Self::new([1, 1], rgba.to_vec())
+        Self::new([1, 1], 1, rgba.to_vec())
     }
 
-    fn new(size: [u32; 2], rgba: Vec<u8>) -> Self {
+    fn new(size: [u32; 2], layers: u32, rgba: Vec<u8>) -> Self {
         let mut hasher = DefaultHasher::new();
-        (size, &rgba).hash(&mut hasher);
-        Self { size, rgba, hash: hasher.finish() }
+        (size, layers, &rgba).hash(&mut hasher);
+        Self { size, layers, rgba, hash: hasher.finish() }
     }
 }
 
@@ -52,6 +58,7 @@ struct Kept<T> {
 pub struct Assets {
     meshes: HashMap<String, Kept<Mesh>>,
     images: HashMap<PathBuf, Kept<Image>>,
+    hcbtfs: HashMap<(PathBuf, LayerOptions), Kept<Image>>,
 }
 
 impl Assets {
@@ -105,6 +112,52 @@ impl Assets {
         self.images.insert(path, Kept { stamp, value: value.clone(), notes: Vec::new() });
         Ok(value)
     }
+
+    /// The texture of the HCBTF at `path`, relative to `folder`, filled by its rules, with what was odd in the file.
+    ///
+    /// # Errors
+    /// Why it cannot be used; the caller adds who names it.
+    pub fn hcbtf(
+        &mut self,
+        folder: &Path,
+        path: &str,
+        options: LayerOptions,
+    ) -> Result<(Arc<Image>, Vec<Diagnostic>), Vec<Diagnostic>> {
+        let path = folder.join(path);
+        let stamp = stamp(&path);
+        let key = (path, options);
+        if let Some(kept) = self.hcbtfs.get(&key).filter(|kept| kept.stamp == stamp) {
+            return Ok((kept.value.clone(), kept.notes.clone()));
+        }
+        let (hcbtf, notes) = hcbtf::load(&key.0)?;
+        let value = bake(&hcbtf, options).map_err(|problem| vec![problem.in_file(key.0.display().to_string())])?;
+        let value = Arc::new(value);
+        self.hcbtfs.insert(key, Kept { stamp, value: value.clone(), notes: notes.clone() });
+        Ok((value, notes))
+    }
+}
+
+/// Stands in for an HCBTF that is not chosen, or could not be read.
+pub(super) fn plain_hcbtf(color: [u8; 4]) -> Image {
+    let one = Directions { theta: 1, phi: 1 };
+    let grid = Grid { size: [1, 1], light: one, view: one };
+    let tile = Arc::new(Tile::filled(grid.size, color));
+    of_layers(hcbtf::layers(&grid, |_| Some(&tile), LayerOptions::default()))
+}
+
+/// The texture of an HCBTF, if it is not larger than one may be.
+fn bake(hcbtf: &Hcbtf, options: LayerOptions) -> Result<Image, Diagnostic> {
+    let bytes = hcbtf::layers_bytes(&hcbtf.grid, options.has_levels);
+    if bytes > MAX_HCBTF_BYTES {
+        let message = format!("its texture would take {} MiB; it may take {}", bytes >> 20, MAX_HCBTF_BYTES >> 20);
+        return Err(Diagnostic::error("too-large", message).hint("divide it into fewer texels, lights or views"));
+    }
+    let filled = hcbtf::fill::fill(hcbtf, &hcbtf::Progress::new())?;
+    Ok(of_layers(hcbtf::layers(&hcbtf.grid, |address| filled.tile(address), options)))
+}
+
+fn of_layers(layers: hcbtf::Layers) -> Image {
+    Image::new(layers.size, layers.count, layers.rgba)
 }
 
 fn stamp(path: &Path) -> Option<(SystemTime, u64)> {
@@ -128,5 +181,5 @@ fn read_image(path: &Path) -> Result<Image, Diagnostic> {
     reader.limits(limits);
     let decoded = reader.decode().map_err(|error| problem(format!("the image `{name}` cannot be decoded: {error}")))?;
     let rgba = decoded.into_rgba8();
-    Ok(Image::new([rgba.width(), rgba.height()], rgba.into_raw()))
+    Ok(Image::new([rgba.width(), rgba.height()], 1, rgba.into_raw()))
 }

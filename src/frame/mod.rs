@@ -17,8 +17,10 @@ mod values;
 mod visibility;
 
 /// What a plan holds that the compiler made; who executes plans needs no more of the compiler than this.
-pub use crate::compile::{Attribute, BindingKind, CompiledShader, ImageUse, SAMPLES_PER_ROW, Stage, Uniform};
-pub use assets::{Assets, Image, MAX_IMAGE_SIDE, SHAPE_PREFIX};
+pub use crate::compile::{
+    Attribute, BindingKind, CompiledShader, ImageShape, ImageUse, SAMPLES_PER_ROW, Stage, Uniform,
+};
+pub use assets::{Assets, Image, MAX_HCBTF_BYTES, MAX_IMAGE_SIDE, SHAPE_PREFIX};
 pub use camera::View;
 pub use cost::{EffectCost, attribute_bytes};
 pub use effects::{Effect, EffectKind, EffectState, effects};

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use glam::{DQuat, DVec3};
 use indexmap::IndexMap;
 
-use super::assets::{Assets, Image};
+use super::assets::{Assets, Image, plain_hcbtf};
 use super::camera::{View, object_uniform};
 use super::cost::{self, EffectCost};
 use super::effects::EffectKind;
@@ -17,10 +17,11 @@ use super::keys::{Moment, ParamTable, Rig, structural_look};
 use super::setup::{Setup, SetupLook, SetupObject};
 use super::values::live_for_values;
 use super::visibility::{Cull, KnownBounds, Placed, dark_lights, fields, hidden};
-use crate::compile::{CompiledShader, HostInputs, Live, Options, Param, Proof, Stage, Uniform, compile};
+use crate::compile::{CompiledShader, HostInputs, ImageShape, Live, Options, Param, Proof, Stage, Uniform, compile};
 use crate::diag::Diagnostic;
 use crate::document::{Graph, Light, Look, Value};
 use crate::geometry::Mesh;
+use crate::hcbtf::LayerOptions;
 use crate::ids::{LightId, ObjectId};
 use crate::library::{Context, Library, LightField};
 
@@ -566,13 +567,24 @@ pub(super) fn images(
         .images
         .iter()
         .map(|image| {
+            let plain = |color| match image.shape {
+                ImageShape::Flat => Arc::new(Image::single(color)),
+                ImageShape::Hcbtf { .. } => Arc::new(plain_hcbtf(color)),
+            };
             if image.path.is_empty() {
-                // No image chosen yet: white, so that what it tints stays as it is.
-                return Arc::new(Image::single([255; 4]));
+                // None chosen yet: white, so that what it tints stays as it is.
+                return plain([255; 4]);
             }
-            assets.image(&setup.folder, &image.path).unwrap_or_else(|problem| {
-                problems.push(problem.node(image.node.clone()));
-                Arc::new(Image::single([255, 0, 255, 255]))
+            let read = match image.shape {
+                ImageShape::Flat => assets.image(&setup.folder, &image.path).map_err(|problem| vec![problem]),
+                ImageShape::Hcbtf { has_levels } => {
+                    let options = LayerOptions { has_levels, is_decoded: image.is_decoded };
+                    assets.hcbtf(&setup.folder, &image.path, options).map(|(image, _)| image)
+                }
+            };
+            read.unwrap_or_else(|found| {
+                problems.extend(found.into_iter().map(|problem| problem.node(image.node.clone())));
+                plain([255, 0, 255, 255])
             })
         })
         .collect();

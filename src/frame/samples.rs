@@ -41,6 +41,8 @@ pub struct EvalSample {
     pub normal: DVec3,
     /// Along u; `None` for any direction along the surface.
     pub tangent: Option<DVec3>,
+    /// Whether texture coordinates are mirrored here: v then goes the other way around the normal.
+    pub is_mirrored: bool,
     /// From the surface to the eye.
     pub view: DVec3,
     /// World space.
@@ -68,6 +70,7 @@ impl Default for EvalSample {
         Self {
             normal: DVec3::Z,
             tangent: None,
+            is_mirrored: false,
             view: DVec3::Z,
             position: DVec3::ZERO,
             camera: DMat3::IDENTITY,
@@ -355,7 +358,10 @@ impl<'a> SurfaceValues<'a> {
             Context::Uv => interp::Value::vec(&sample.uv.to_array()),
             Context::VertexColor => interp::Value::vec(&sample.vertex_color),
             Context::Tangent => vec3(self.tangent),
-            Context::Bitangent => vec3(self.normal.cross(self.tangent)),
+            Context::Bitangent => {
+                let bitangent = self.normal.cross(self.tangent);
+                vec3(if self.sample.is_mirrored { -bitangent } else { bitangent })
+            }
             Context::Depth => interp::Value::Float(-(sample.camera * sample.position).z),
             curvature if curvature.is_curvature() => interp::Value::Float(sample.kappa),
             // Known before the fragment, and so computed by the host program.

@@ -27,6 +27,6 @@ pub fn check_exposed_value(look: &Look, typed: &TypedGraph, name: &str, value: &
     let is_it = |id: usize| typed.params[id].path == *node && typed.params[id].port == *port;
     let mut inputs = typed.nodes.iter().flat_map(|node| node.inputs.iter().flatten());
     let input = inputs.find(|input| matches!(&input.source, TypedSource::Param(id, _) if is_it(*id)))?;
-    let is_path = matches!((&input.ty, value), (Type::Image, Value::Text(_)));
+    let is_path = input.ty.is_texture() && matches!(value, Value::Text(_));
     typed_value(value, &input.ty).err().filter(|_| !is_path).map(wrong)
 }

@@ -354,7 +354,7 @@ impl Reader<'_> {
                 }
             } else if let Some(index) = node.input(&field.name) {
                 let ty = Type::from_wgsl(&field.ty);
-                if ty == Type::Image {
+                if ty.is_texture() {
                     image = Some(index);
                 }
                 parameters.push(Parameter::Input(index, ty));
@@ -516,7 +516,7 @@ fn neutral(ty: &Type) -> Option<Value> {
             ],
             interpolation: Interpolation::Linear,
         }),
-        Type::Image | Type::LightName | Type::Text => Value::Text(String::new()),
+        Type::Image | Type::Hcbtf | Type::LightName | Type::Text => Value::Text(String::new()),
         Type::Angle | Type::Light | Type::Mat3 | Type::Choice | Type::Prepared(_) => return None,
     })
 }
@@ -545,7 +545,7 @@ fn value_of(ty: &Type, text: &str) -> Option<Value> {
     Some(match ty {
         Type::Bool => Value::Bool(text.parse().ok()?),
         Type::Float | Type::Int => Value::Number(docs::number(text)?),
-        Type::Choice | Type::Text | Type::LightName | Type::Image => Value::Text(text.to_owned()),
+        Type::Choice | Type::Text | Type::LightName | Type::Image | Type::Hcbtf => Value::Text(text.to_owned()),
         _ => {
             let numbers = docs::numbers(text)?;
             (Some(numbers.len()) == ty.width()).then_some(Value::Vector(numbers))?

@@ -33,6 +33,8 @@ pub enum Type {
     Ramp,
     /// `texture_2d<f32>` with a sampler.
     Image,
+    /// `texture_2d_array<f32>` with a sampler: a hand-painted 6D texture.
+    Hcbtf,
     /// One of a few words, known when the look is compiled.
     Choice,
     /// The id of a light of the look.
@@ -61,6 +63,7 @@ impl Type {
             "Curve" => Self::Curve,
             "Ramp" => Self::Ramp,
             "texture_2d<f32>" => Self::Image,
+            "texture_2d_array<f32>" => Self::Hcbtf,
             other => Self::Prepared(other.to_owned()),
         }
     }
@@ -80,6 +83,7 @@ impl Type {
             Self::Curve => "Curve",
             Self::Ramp => "Ramp",
             Self::Image => "texture_2d<f32>",
+            Self::Hcbtf => "texture_2d_array<f32>",
             Self::Choice | Self::LightName | Self::Text => "",
             Self::Prepared(name) => name,
         }
@@ -98,7 +102,12 @@ impl Type {
 
     /// Whether it can only be a value known when the look is compiled, and never a wire.
     pub fn is_setting(&self) -> bool {
-        matches!(self, Self::Choice | Self::LightName | Self::Text | Self::Image)
+        matches!(self, Self::Choice | Self::LightName | Self::Text) || self.is_texture()
+    }
+
+    /// Whether it is a file that is bound as a texture.
+    pub fn is_texture(&self) -> bool {
+        matches!(self, Self::Image | Self::Hcbtf)
     }
 
     /// How a value of this type becomes one of type `to`; `None` where it cannot.
@@ -173,6 +182,7 @@ impl fmt::Display for Type {
             Self::Curve => "curve",
             Self::Ramp => "ramp",
             Self::Image => "image",
+            Self::Hcbtf => "HCBTF",
             Self::Choice => "choice",
             Self::LightName => "light's id",
             Self::Text => "text",

@@ -71,9 +71,9 @@ fn bindings(batch: &EvalBatch, program: &Program, count: usize) -> Result<Bindin
                     bindings.buffer(0, at, Value::Array(samples.collect()));
                 }
             }
-            BindingKind::Image(index) => {
+            BindingKind::Image(index) | BindingKind::Hcbtf(index) => {
                 if let Some((image, used)) = batch.images.get(*index).zip(batch.shader.needs.images.get(*index)) {
-                    bindings.texture(0, at, super::modules::texture_of(image, used.is_decoded)?);
+                    bindings.texture(0, at, super::modules::texture_of(image, used)?);
                 }
             }
             BindingKind::Sampler(index) => {

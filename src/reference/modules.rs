@@ -10,7 +10,9 @@ use super::shader::{FragmentStage, Interpolation, LANES, QuadBatch, Shaded, Shad
 use super::texels::Texels;
 use super::uniform;
 use crate::diag::Diagnostic;
-use crate::frame::{Attribute, BindingKind, CompiledShader, Draw, FramePlan, Image, ImageUse, PassKind, Stage};
+use crate::frame::{
+    Attribute, BindingKind, CompiledShader, Draw, FramePlan, Image, ImageShape, ImageUse, PassKind, Stage,
+};
 use crate::geometry::Mesh;
 use crate::interp::{
     self, Address, Bindings, Bound, Filter, Lanes, Level, Port, Precision, Program, ResourceKind, Sampler, Texture,
@@ -71,7 +73,7 @@ impl Modules {
                 modules.add(shader)?;
                 for (image, used) in draw.images_of(shader.stage).iter().zip(&shader.needs.images) {
                     if let Entry::Vacant(place) = modules.images.entry((image.hash, used.is_decoded)) {
-                        place.insert(texture_of(image, used.is_decoded)?);
+                        place.insert(texture_of(image, used)?);
                     }
                 }
             }
@@ -142,7 +144,7 @@ impl Shaders for Modules {
                     let numbers = draw.look_uniforms.get(&stage).map(|uniform| uniform.numbers.as_slice());
                     buffer(&mut bindings, stages, at, numbers.unwrap_or_default());
                 }
-                BindingKind::Image(index) => {
+                BindingKind::Image(index) | BindingKind::Hcbtf(index) => {
                     let key = draw.images_of(stage).get(*index).zip(shader.needs.images.get(*index));
                     let texture = key.and_then(|(image, used)| self.images.get(&(image.hash, used.is_decoded)));
                     bindings.texture(0, at, texture.ok_or_else(|| missing("an image"))?.clone());
@@ -213,16 +215,18 @@ fn texture(texels: &Texels) -> Result<Texture, Diagnostic> {
 }
 
 /// An image as the GPU samples it: colours decoded before they are filtered, where the look asks for that.
-pub(super) fn texture_of(image: &Image, is_decoded: bool) -> Result<Texture, Diagnostic> {
-    let color = |byte: u8| {
-        let encoded = f64::from(byte) / 255.0;
-        if is_decoded { crate::document::srgb_to_linear(encoded) } else { encoded }
-    };
+pub(super) fn texture_of(image: &Image, used: &ImageUse) -> Result<Texture, Diagnostic> {
+    let size = [image.size[0], image.size[1], image.layers];
+    let is_decoded = used.is_decoded && used.shape == ImageShape::Flat;
+    if !is_decoded {
+        return Texture::new(TextureDimension::D2, vec![Level::rgba8(size, image.rgba.clone())]);
+    }
+    let color = |byte: u8| crate::document::srgb_to_linear(f64::from(byte) / 255.0);
     let texels = image
         .rgba
         .chunks_exact(4)
         .map(|texel| [color(texel[0]), color(texel[1]), color(texel[2]), f64::from(texel[3]) / 255.0]);
-    Texture::new(TextureDimension::D2, vec![Level::f64([image.size[0], image.size[1], 1], texels.collect())])
+    Texture::new(TextureDimension::D2, vec![Level::f64(size, texels.collect())])
 }
 
 pub(super) fn sampler_of(used: &ImageUse) -> Sampler {

@@ -80,7 +80,9 @@ impl Renderer {
         for binding in &batch.shader.bindings {
             let resource = match &binding.kind {
                 BindingKind::Samples => Some(samples.as_entire_binding()),
-                BindingKind::Image(index) => images.get(*index).map(|image| image.texture()),
+                BindingKind::Image(index) | BindingKind::Hcbtf(index) => {
+                    images.get(*index).map(|image| image.texture())
+                }
                 BindingKind::Sampler(index) => images.get(*index).map(|image| image.sampler()),
                 _ => None,
             };

@@ -7,7 +7,7 @@ use wgpu::util::DeviceExt as _;
 
 use super::error::RenderError;
 use super::gpu::Gpu;
-use crate::compile::ImageUse;
+use crate::compile::{ImageShape, ImageUse};
 use crate::frame::Image;
 
 #[derive(Debug)]
@@ -59,20 +59,24 @@ impl Images {
         if let Some(known) = self.textures.get(&key) {
             return Ok(known.view.clone());
         }
-        let limit = gpu.device.limits().max_texture_dimension_2d;
-        let side = image.size[0].max(image.size[1]);
-        if side > limit {
-            let what = "a side of an image in pixels".to_owned();
-            return Err(RenderError::TooLarge { what, size: side.into(), limit: limit.into() });
+        let limits = gpu.device.limits();
+        for (what, size, limit) in [
+            ("a side of an image in pixels", image.size[0].max(image.size[1]), limits.max_texture_dimension_2d),
+            ("the layers of an HCBTF, one a view", image.layers, limits.max_texture_array_layers),
+        ] {
+            if size > limit {
+                let what = what.to_owned();
+                return Err(RenderError::TooLarge { what, size: size.into(), limit: limit.into() });
+            }
         }
-        let size = wgpu::Extent3d { width: image.size[0], height: image.size[1], depth_or_array_layers: 1 };
+        let size = wgpu::Extent3d { width: image.size[0], height: image.size[1], depth_or_array_layers: image.layers };
         let descriptor = wgpu::TextureDescriptor {
             label: Some("image"),
             size,
             mip_level_count: 1,
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
-            format: if wanted.is_decoded {
+            format: if wanted.is_decoded && wanted.shape == ImageShape::Flat {
                 wgpu::TextureFormat::Rgba8UnormSrgb
             } else {
                 wgpu::TextureFormat::Rgba8Unorm
@@ -82,7 +86,15 @@ impl Images {
         };
         let order = wgpu::util::TextureDataOrder::LayerMajor;
         let texture = gpu.device.create_texture_with_data(&gpu.queue, &descriptor, order, &image.rgba);
-        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+        // One of a single layer would be taken for a flat one.
+        let dimension = match wanted.shape {
+            ImageShape::Flat => wgpu::TextureViewDimension::D2,
+            ImageShape::Hcbtf { .. } => wgpu::TextureViewDimension::D2Array,
+        };
+        let view = texture.create_view(&wgpu::TextureViewDescriptor {
+            dimension: Some(dimension),
+            ..wgpu::TextureViewDescriptor::default()
+        });
         self.textures.insert(key, Uploaded { image: Arc::downgrade(image), view: view.clone() });
         Ok(view)
     }

@@ -170,15 +170,17 @@ fn bind_group_layout(device: &wgpu::Device, shader: &CompiledShader) -> wgpu::Bi
 
 fn binding_type(kind: &BindingKind) -> wgpu::BindingType {
     let buffer = |ty| wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
-    let texture = |filterable| wgpu::BindingType::Texture {
+    let texture_of = |filterable, view_dimension| wgpu::BindingType::Texture {
         sample_type: wgpu::TextureSampleType::Float { filterable },
-        view_dimension: wgpu::TextureViewDimension::D2,
+        view_dimension,
         multisampled: false,
     };
+    let texture = |filterable| texture_of(filterable, wgpu::TextureViewDimension::D2);
     match kind {
         BindingKind::View | BindingKind::Object | BindingKind::Look => buffer(wgpu::BufferBindingType::Uniform),
         BindingKind::Samples => buffer(wgpu::BufferBindingType::Storage { read_only: true }),
         BindingKind::Image(_) => texture(true),
+        BindingKind::Hcbtf(_) => texture_of(true, wgpu::TextureViewDimension::D2Array),
         BindingKind::Sampler(_) => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
         BindingKind::Curvature
         | BindingKind::CurvatureSparse

@@ -141,6 +141,11 @@ pub const EXCEPTIONS: &[Exception] = &[
     on("image", "nearest").within(30.0).together().steps("between texels rounding decides"),
     on("litsphere", "linear").together().bound(1e-2).steep(FILTER),
     on("litsphere", "nearest").together().steep("between texels rounding decides"),
+    on("hcbtf_lookup", "smooth").within(30.0).together().bound(1e-4).steep(PLACES),
+    on("hcbtf_lookup", "").within(30.0).together().bound(1e-4).steep("between texels and paintings rounding decides"),
+    on("hcbtf_directions", "").together().bound(1e-4).steep(PLACES),
+    on("dominant_light", "").steep(STEPS),
+    on("light_by_tone", "").steep("where the light stands on the normal, rounding decides to which side it tilts"),
     on("tangent_frame", "").steep(FRAME),
     on("normal_map", "").within(1e15).steep(FRAME),
     on("bump_map", "").within(1e15).because("beyond, the height leaves f32"),
@@ -159,6 +164,7 @@ const FRAME: &str = "where normal and tangent are nearly the same, rounding turn
 const PHASE: &str = "beyond 100,000 an f32 holds no phase";
 const CANCELS: &str = "large terms cancel";
 const STEPS: &str = "a step: rounding of the input decides on which side it is";
+const PLACES: &str = "near the normal rounding turns directions, at the horizon it decides whether there is light";
 const FILTER: &str = "a GPU weighs texels by 8 bits";
 const COLOR: &str = "far beyond any colour, what is left of a small difference is rounding's";
 

@@ -2,14 +2,16 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value as Json, json};
 
 use super::slot::{Kind, Place, Slot};
 use crate::diag::Diagnostic;
-use crate::document::{Look, Tier};
+use crate::document::{Directions, Grid, Hcbtf, Look, Tier, Tile};
 use crate::frame::SetupLook;
+use crate::hcbtf;
 use crate::library::{Context, Fallback, Input, Library, NodeDef, Parameter, Special, Type};
 
 /// The largest number that f32 holds.
@@ -282,8 +284,8 @@ impl Builder<'_> {
             }
             if let Some(word) = self.case.choices.get(&name) {
                 self.setting(input, word);
-            } else if ty == Type::Image {
-                self.values.insert(name, json!(PICTURE));
+            } else if ty.is_texture() {
+                self.values.insert(name, json!(if ty == Type::Hcbtf { PAINTING } else { PICTURE }));
             } else if prepared.contains(&index) {
                 self.exposed.push(json!({"name": name, "target": format!("node.{name}")}));
                 self.slots.push(value_slot(input, &ty, &name, self.most()));
@@ -464,12 +466,44 @@ fn value_slot(input: &Input, ty: &Type, name: &str, most: f64) -> Slot {
 /// The picture that image nodes are given.
 const PICTURE: &str = "sweep.png";
 
-/// Writes the picture that image nodes are given: 9 x 9 texels, each of its own colour and alpha. The middle of the
-/// picture is the middle of a texel, so that straight ahead is no edge.
+/// The painting that HCBTF nodes are given.
+const PAINTING: &str = "sweep.hcbtf";
+
+/// Writes what image and HCBTF nodes are given.
 ///
 /// # Errors
 /// What the disk refuses.
-pub(super) fn write_picture(folder: &Path) -> Result<(), Vec<Diagnostic>> {
+pub(super) fn write_textures(folder: &Path) -> Result<(), Vec<Diagnostic>> {
+    write_picture(folder)?;
+    write_painting(folder)
+}
+
+/// A painting of few directions and texels, whose colours change evenly with all six coordinates.
+fn write_painting(folder: &Path) -> Result<(), Vec<Diagnostic>> {
+    let directions = Directions { theta: 3, phi: 4 };
+    let grid = Grid { size: [5, 3], light: directions, view: directions };
+    let mut painting = Hcbtf::new(grid);
+    for address in grid.addresses() {
+        let [light, view] = [grid.light.vector(address.light), grid.view.vector(address.view)];
+        let texel = |index: u32| {
+            let [x, y] = [index % grid.size[0], index / grid.size[0]].map(f64::from);
+            let channels = [0.5 + 0.3 * light.x + 0.04 * x, 0.4 + 0.3 * view.y + 0.1 * y, 0.2 + 0.5 * light.z * view.z];
+            let [r, g, b] = channels.map(|channel| (255.0 * channel) as u8);
+            [r, g, b, 255 - 20 * (address.view.phi as u8)]
+        };
+        let texels = (0..grid.texels() as u32).flat_map(texel).collect();
+        let tile = Tile::new(grid.size, texels).unwrap_or_else(|| Tile::filled(grid.size, [0; 4]));
+        painting.painted.insert(address, Arc::new(tile));
+    }
+    let bytes = hcbtf::write(&painting).map_err(|problem| vec![*problem])?;
+    std::fs::write(folder.join(PAINTING), bytes).map_err(|error| {
+        vec![Diagnostic::error("write-failed", format!("the sweep's painting cannot be written: {error}"))]
+    })
+}
+
+/// Writes the picture that image nodes are given: 9 x 9 texels, each of its own colour and alpha. The middle of the
+/// picture is the middle of a texel, so that straight ahead is no edge.
+fn write_picture(folder: &Path) -> Result<(), Vec<Diagnostic>> {
     let texel =
         |x: u32, y: u32| image::Rgba([(28 * x) as u8, (28 * y) as u8, (14 * (x + y)) as u8, (255 - 16 * x) as u8]);
     let told = |error: image::ImageError| {

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::bounds::{Judging, bound, counts_inputs, is_stated, judging, moves_together, slack};
-use super::case::{Bench, Case, Root, feeders, write_picture};
+use super::case::{Bench, Case, Root, feeders, write_textures};
 use super::random::{Even, Random};
 use super::slot::{Kind, Numbers, Place, Slot, held, next, relate};
 use crate::accuracy::Stopped;
@@ -105,7 +105,7 @@ impl<'a> Lab<'a> {
         let told =
             |error: std::io::Error| vec![Diagnostic::error("write-failed", format!("no temporary folder: {error}"))];
         let folder = tempfile::tempdir().map_err(told)?;
-        write_picture(folder.path())?;
+        write_textures(folder.path())?;
         Ok(Self { library: feeders(library), renderer, assets: Assets::default(), folder })
     }
 

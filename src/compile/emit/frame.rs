@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::{Binding, BindingKind, Emitter};
-use crate::compile::Stage;
+use crate::compile::{ImageShape, Stage};
 use crate::document::ColorSpace;
 use crate::library::{Context, Type};
 
@@ -223,7 +223,12 @@ impl Emitter<'_> {
         for image in 0..self.needs.images.len() {
             if self.image_is_used(image) {
                 let name = self.image_name(image);
-                push(BindingKind::Image(image), &name, format!("var {name}: {texture};"));
+                let (shape, texture) = (self.needs.images[image].shape, self.needs.images[image].shape.wgsl());
+                let kind = match shape {
+                    ImageShape::Flat => BindingKind::Image(image),
+                    ImageShape::Hcbtf { .. } => BindingKind::Hcbtf(image),
+                };
+                push(kind, &name, format!("var {name}: {texture};"));
                 push(BindingKind::Sampler(image), &format!("{name}_sampler"), format!("var {name}_sampler: sampler;"));
             }
         }

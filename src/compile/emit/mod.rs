@@ -47,6 +47,8 @@ pub enum BindingKind {
     Look,
     /// An image, by index into [`Needs::images`].
     Image(ImageBinding),
+    /// A hand-painted 6D texture, by index into [`Needs::images`].
+    Hcbtf(ImageBinding),
     /// An image's sampler, by index into [`Needs::images`].
     Sampler(ImageBinding),
     /// The curvature of the surface, one texel a pixel.

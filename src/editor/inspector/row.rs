@@ -254,7 +254,7 @@ pub(crate) fn plain(
         Type::Vec2 => vector(ui, label, port, value, 2),
         Type::Vec3 => vector(ui, label, port, value, 3),
         Type::Vec4 => vector(ui, label, port, value, 4),
-        Type::Image => path(ui, label, value),
+        Type::Image | Type::Hcbtf => path(ui, label, value),
         Type::Float | Type::Int | Type::Angle => number(ui, label, port, value),
         _ => {
             ui.label(RichText::new("by wire only").color(theme::of(ui).dim));

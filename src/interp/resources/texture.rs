@@ -33,6 +33,8 @@ impl TextureDimension {
 enum Texels {
     Single(Vec<[f32; 4]>),
     Double(Vec<[f64; 4]>),
+    /// Straight RGBA as bytes from 0 to 255, for 0 to 1: a texture of many layers would be eight times as large else.
+    Bytes(Vec<u8>),
 }
 
 /// One mip level: width, height, and depth or number of layers; texels by rows from the top, layer after layer.
@@ -53,6 +55,11 @@ impl Level {
         Self { size, texels: Texels::Double(texels) }
     }
 
+    /// RGBA texels as bytes, four each, which stand for 0 to 1.
+    pub fn rgba8(size: [u32; 3], bytes: Vec<u8>) -> Self {
+        Self { size, texels: Texels::Bytes(bytes) }
+    }
+
     /// Width, height, and depth or number of layers.
     pub fn size(&self) -> [u32; 3] {
         self.size
@@ -65,6 +72,7 @@ impl Level {
         match &self.texels {
             Texels::Single(texels) => texels[index].map(f64::from),
             Texels::Double(texels) => texels[index],
+            Texels::Bytes(bytes) => std::array::from_fn(|channel| f64::from(bytes[4 * index + channel]) / 255.0),
         }
     }
 
@@ -72,6 +80,7 @@ impl Level {
         match &self.texels {
             Texels::Single(texels) => texels.len(),
             Texels::Double(texels) => texels.len(),
+            Texels::Bytes(bytes) => bytes.len() / 4,
         }
     }
 }

@@ -100,7 +100,9 @@ impl Renderer {
                 BindingKind::View => Some(view.as_entire_binding()),
                 BindingKind::Object => Some(object.as_entire_binding()),
                 BindingKind::Look => look.as_ref().map(wgpu::Buffer::as_entire_binding),
-                BindingKind::Image(index) => images.get(*index).map(|image| image.texture()),
+                BindingKind::Image(index) | BindingKind::Hcbtf(index) => {
+                    images.get(*index).map(|image| image.texture())
+                }
                 BindingKind::Sampler(index) => images.get(*index).map(|image| image.sampler()),
                 BindingKind::Curvature => curvature(PassKind::Curvature),
                 BindingKind::CurvatureSparse => curvature(PassKind::SparseCurvature),

@@ -1,0 +1,191 @@
+import chiaro::types;
+import chiaro::hcbtf;
+
+/// HCBTF
+///
+/// A hand-painted surface that changes with the light and with the eye: for each direction of both it shows what was
+/// painted for them, blended between the nearest paintings.
+///
+/// @param sheet "HCBTF" widget=path : An .hcbtf file.
+/// @param light "Light" wire : The light that the painting answers to. For several lights use a lookup for each, or let
+///   Dominant light choose one, which keeps strokes whole.
+/// @param uv "UV" from=uv : Where on the tile, which repeats; u to the right, v up.
+/// @param scale "Scale" default=1,1 : How often the tile repeats.
+/// @param below "Below the horizon" default=0,0,0,1 : The colour where the light stands below the surface.
+/// @param normal "Normal" from=normal : World space; a bumped one tilts the painting's directions with it.
+/// @choice lookup "Lookup" default=smooth smooth="Smooth" texels="Crisp texels" nearest="Nearest painting" :
+///   Smooth blends directions and texels and does not shimmer at a distance; Crisp texels blends directions alone and
+///   keeps each texel a square; Nearest painting shows one painting as it is.
+/// @choice encoding "Encoding" default=color color="Color" data="Data" :
+///   Color for what is seen; Data takes numbers as they are.
+/// @param view from=view hidden
+/// @param tangent from=tangent hidden
+/// @param bitangent from=bitangent hidden
+/// @return color "Color" : Straight RGBA.
+/// @error balanced 5e-3 : colour of opaque paint where neighbouring paintings have nothing in common, from the GPU's
+///   eight-bit weights; 1e-3 where they are alike; edges of transparent paint may be tinted
+/// @error fast 0.55 : colour where paintings of neighbouring views differ, for the nearest view alone is read; the mean over
+///   smooth paintings is 0.017
+/// @source thesis 10.3, A.3
+fn hcbtf_lookup_smooth(
+    sheet: texture_2d_array<f32>,
+    sheet_sampler: sampler,
+    light: Light,
+    uv: vec2f,
+    scale: vec2f,
+    below: Color,
+    normal: vec3f,
+    view: vec3f,
+    tangent: vec3f,
+    bitangent: vec3f,
+) -> Color {
+    let grid = hcbtf_grid(sheet);
+    let frame = world_from_tangent(tangent, bitangent, normal);
+    let place = bounded_vec2(uv * scale);
+    let level = hcbtf_level(place, grid);
+    let above = hcbtf_horizon(light.direction, frame);
+    let lights = hcbtf_around(hcbtf_place(hcbtf_local(light.direction, frame), grid.light), grid.light);
+    let views = hcbtf_views(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
+    let finer = i32(level);
+    var sum = hcbtf_sixteen_at(sheet, place, grid, finer, lights, views);
+    if level > f32(finer) {
+        sum = mix(sum, hcbtf_sixteen_at(sheet, place, grid, finer + 1, lights, views), level - f32(finer));
+    }
+    return hcbtf_finished(hcbtf_straight(sum), above, below, grid);
+}
+
+fn hcbtf_lookup_smooth_balanced(
+    sheet: texture_2d_array<f32>,
+    sheet_sampler: sampler,
+    light: Light,
+    uv: vec2f,
+    scale: vec2f,
+    below: Color,
+    normal: vec3f,
+    view: vec3f,
+    tangent: vec3f,
+    bitangent: vec3f,
+) -> Color {
+    let grid = hcbtf_grid(sheet);
+    let frame = world_from_tangent(tangent, bitangent, normal);
+    let place = bounded_vec2(uv * scale);
+    let level = hcbtf_level(place, grid);
+    let above = hcbtf_horizon(light.direction, frame);
+    let lights = hcbtf_place(hcbtf_local(light.direction, frame), grid.light);
+    let views = hcbtf_views(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
+    let finer = i32(level);
+    var color = hcbtf_taps_at(sheet, sheet_sampler, place, grid, finer, lights, views);
+    if level > f32(finer) {
+        color = mix(color, hcbtf_taps_at(sheet, sheet_sampler, place, grid, finer + 1, lights, views), level - f32(finer));
+    }
+    return hcbtf_finished(color, above, below, grid);
+}
+
+fn hcbtf_lookup_smooth_fast(
+    sheet: texture_2d_array<f32>,
+    sheet_sampler: sampler,
+    light: Light,
+    uv: vec2f,
+    scale: vec2f,
+    below: Color,
+    normal: vec3f,
+    view: vec3f,
+    tangent: vec3f,
+    bitangent: vec3f,
+) -> Color {
+    let grid = hcbtf_grid(sheet);
+    let frame = world_from_tangent(tangent, bitangent, normal);
+    let place = bounded_vec2(uv * scale);
+    let level = i32(hcbtf_level(place, grid) + 0.5);
+    let above = hcbtf_horizon(light.direction, frame);
+    let lights = hcbtf_place(hcbtf_local(light.direction, frame), grid.light);
+    let near = hcbtf_nearest(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
+    let color = hcbtf_tap_at(sheet, sheet_sampler, place, grid, level, lights, near.x * grid.view.y + near.y);
+    return hcbtf_finished(color, above, below, grid);
+}
+
+fn hcbtf_lookup_texels(
+    sheet: texture_2d_array<f32>,
+    sheet_sampler: sampler,
+    light: Light,
+    uv: vec2f,
+    scale: vec2f,
+    below: Color,
+    normal: vec3f,
+    view: vec3f,
+    tangent: vec3f,
+    bitangent: vec3f,
+) -> Color {
+    let grid = hcbtf_grid(sheet);
+    let frame = world_from_tangent(tangent, bitangent, normal);
+    let above = hcbtf_horizon(light.direction, frame);
+    let lights = hcbtf_around(hcbtf_place(hcbtf_local(light.direction, frame), grid.light), grid.light);
+    let views = hcbtf_views(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
+    let block = hcbtf_block(hcbtf_texel(uv * scale, grid.size), grid.light, vec2i(0));
+    return hcbtf_finished(hcbtf_straight(hcbtf_sixteen(sheet, block, lights, views)), above, below, grid);
+}
+
+fn hcbtf_lookup_texels_balanced(
+    sheet: texture_2d_array<f32>,
+    sheet_sampler: sampler,
+    light: Light,
+    uv: vec2f,
+    scale: vec2f,
+    below: Color,
+    normal: vec3f,
+    view: vec3f,
+    tangent: vec3f,
+    bitangent: vec3f,
+) -> Color {
+    let grid = hcbtf_grid(sheet);
+    let frame = world_from_tangent(tangent, bitangent, normal);
+    let above = hcbtf_horizon(light.direction, frame);
+    let lights = hcbtf_place(hcbtf_local(light.direction, frame), grid.light);
+    let views = hcbtf_views(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
+    let block = hcbtf_block(hcbtf_texel(uv * scale, grid.size), grid.light, vec2i(0));
+    return hcbtf_finished(hcbtf_taps(sheet, sheet_sampler, block, lights, views), above, below, grid);
+}
+
+fn hcbtf_lookup_texels_fast(
+    sheet: texture_2d_array<f32>,
+    sheet_sampler: sampler,
+    light: Light,
+    uv: vec2f,
+    scale: vec2f,
+    below: Color,
+    normal: vec3f,
+    view: vec3f,
+    tangent: vec3f,
+    bitangent: vec3f,
+) -> Color {
+    let grid = hcbtf_grid(sheet);
+    let frame = world_from_tangent(tangent, bitangent, normal);
+    let above = hcbtf_horizon(light.direction, frame);
+    let lights = hcbtf_place(hcbtf_local(light.direction, frame), grid.light);
+    let near = hcbtf_nearest(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
+    let block = hcbtf_block(hcbtf_texel(uv * scale, grid.size), grid.light, vec2i(0));
+    let color = hcbtf_tap(sheet, sheet_sampler, block, near.x * grid.view.y + near.y, lights);
+    return hcbtf_finished(color, above, below, grid);
+}
+
+fn hcbtf_lookup_nearest(
+    sheet: texture_2d_array<f32>,
+    sheet_sampler: sampler,
+    light: Light,
+    uv: vec2f,
+    scale: vec2f,
+    below: Color,
+    normal: vec3f,
+    view: vec3f,
+    tangent: vec3f,
+    bitangent: vec3f,
+) -> Color {
+    let grid = hcbtf_grid(sheet);
+    let frame = world_from_tangent(tangent, bitangent, normal);
+    let above = hcbtf_horizon(light.direction, frame);
+    let lights = hcbtf_nearest(hcbtf_place(hcbtf_local(light.direction, frame), grid.light), grid.light);
+    let near = hcbtf_nearest(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
+    let block = hcbtf_block(hcbtf_texel(uv * scale, grid.size), grid.light, vec2i(0));
+    let color = textureLoad(sheet, block + vec2i(lights.x, lights.y + 1), near.x * grid.view.y + near.y, 0);
+    return hcbtf_finished(color, above, below, grid);
+}

@@ -1,0 +1,242 @@
+// Looking up hand-painted 6D textures (thesis 10.3; layout as math.md 6, thesis A.3, one layer of the texture a view).
+//
+// A layer holds one view. Every texel of the tile is a small block of its lights, thetas along x and phis along y, with
+// the last phi again above the first and the first again below the last, so that one bilinear tap blends four lights.
+// Smaller levels of the tile, where there are any, stand to the right of it, each below the one before. The last layer's
+// first two texels tell the grid.
+import chiaro::types;
+import chiaro::numeric;
+import chiaro::total;
+import chiaro::surface;
+import chiaro::convert;
+import chiaro::antialias;
+
+/// How an HCBTF is divided, as its texture tells.
+struct HcbtfGrid {
+    /// Texels of the tile.
+    size: vec2i,
+    /// Rings and steps of the lights.
+    light: vec2i,
+    /// Rings and steps of the views.
+    view: vec2i,
+    /// Whether smaller levels are there.
+    has_levels: bool,
+    /// Whether colours are to be decoded to linear light after the blend.
+    is_decoded: bool,
+}
+
+/// A direction among those of a grid: the two rings and the two steps around it, with the weight of the second of each.
+struct HcbtfPlace {
+    theta: vec2i,
+    phi: vec2i,
+    weight: vec2f,
+}
+
+/// The four views around one, with their weights.
+struct HcbtfViews {
+    layer: vec4i,
+    weight: vec4f,
+}
+
+fn hcbtf_grid(sheet: texture_2d_array<f32>) -> HcbtfGrid {
+    let last = i32(textureNumLayers(sheet)) - 1;
+    let first = vec4i(round(255.0 * textureLoad(sheet, vec2i(0, 0), last, 0)));
+    let second = vec4i(round(255.0 * textureLoad(sheet, vec2i(1, 0), last, 0)));
+    let size = vec2i(first.x + 256 * (first.z % 16), first.y + 256 * (first.z / 16));
+    return HcbtfGrid(size, second.xy, second.zw, first.w % 2 == 1, first.w / 2 % 2 == 1);
+}
+
+/// A world-space direction beside a surface: x along u, y along v, z along the normal; unit.
+fn hcbtf_local(direction: vec3f, frame: mat3x3f) -> vec3f {
+    return normalize_or(normalize_or(direction, frame[2]) * frame, vec3f(0.0, 0.0, 1.0));
+}
+
+/// Rings and steps as numbers between them: theta in [0, rings - 1], phi in [0, steps). Below the horizon counts as on
+/// it. Straight up there is no phi, and 0 is taken; all samples of the first ring are the same.
+fn hcbtf_place(local: vec3f, directions: vec2i) -> vec2f {
+    let across = length_of(vec3f(local.xy, 0.0));
+    // The GPU's own atan2 may be off by a thousandth.
+    let theta = angle_of_point(across, max(local.z, 0.0));
+    let around = select(0.0, angle_of_point(local.x, local.y), across > 1e-12);
+    let steps = f32(directions.y);
+    let phi = around * (0.159154943091895336 * steps);
+    let turned = select(phi, phi + steps, phi < 0.0);
+    let rings = f32(directions.x - 1);
+    // Rounding may reach the last step from below; that is the first.
+    return vec2f(clamp(theta * 0.636619772367581343 * rings, 0.0, rings), select(turned, 0.0, turned >= steps));
+}
+
+/// The samples around a place and how much the second of each pair counts.
+fn hcbtf_around(place: vec2f, directions: vec2i) -> HcbtfPlace {
+    let low = vec2i(floor(place));
+    let theta = vec2i(low.x, min(low.x + 1, directions.x - 1));
+    let phi = vec2i(low.y, (low.y + 1) % directions.y);
+    return HcbtfPlace(theta, phi, place - floor(place));
+}
+
+/// The nearest sample: ring and step.
+fn hcbtf_nearest(place: vec2f, directions: vec2i) -> vec2i {
+    let near = vec2i(floor(place + 0.5));
+    return vec2i(min(near.x, directions.x - 1), near.y % directions.y);
+}
+
+fn hcbtf_views(place: vec2f, directions: vec2i) -> HcbtfViews {
+    let around = hcbtf_around(place, directions);
+    let layer = vec4i(around.theta.x, around.theta.y, around.theta.x, around.theta.y) * directions.y
+        + vec4i(around.phi.x, around.phi.x, around.phi.y, around.phi.y);
+    let w = around.weight;
+    let weight = vec4f((1.0 - w.x) * (1.0 - w.y), w.x * (1.0 - w.y), (1.0 - w.x) * w.y, w.x * w.y);
+    return HcbtfViews(layer, weight);
+}
+
+/// The texel of the tile at a texture coordinate, wherever that is; v points up, rows go down.
+fn hcbtf_texel(uv: vec2f, size: vec2i) -> vec2i {
+    let p = bounded_vec2(vec2f(uv.x, -uv.y));
+    let inside = p - floor(p);
+    return min(vec2i(inside * vec2f(size)), size - 1);
+}
+
+/// Where the block of a texel's lights begins, in texels of the layer, for a level that begins at `origin`.
+fn hcbtf_block(texel: vec2i, light: vec2i, origin: vec2i) -> vec2i {
+    return origin + texel * vec2i(light.x, light.y + 2);
+}
+
+/// Adds a straight colour with a weight, so that what is transparent does not tint.
+fn hcbtf_add(sum: vec4f, color: vec4f, weight: f32) -> vec4f {
+    return sum + vec4f(color.xyz * color.w, color.w) * weight;
+}
+
+/// A straight colour from such a sum; transparent black where nothing was painted.
+fn hcbtf_straight(sum: vec4f) -> vec4f {
+    return select(vec4f(0.0), vec4f(clamp(sum.xyz / max(sum.w, 1e-20), vec3f(0.0), vec3f(1.0)), min(sum.w, 1.0)), sum.w > 0.0);
+}
+
+/// Four lights of one view at one texel, loaded and blended; premultiplied.
+fn hcbtf_lights(sheet: texture_2d_array<f32>, block: vec2i, layer: i32, light: HcbtfPlace) -> vec4f {
+    let w = light.weight;
+    var sum = vec4f(0.0);
+    sum = hcbtf_add(sum, textureLoad(sheet, block + vec2i(light.theta.x, light.phi.x + 1), layer, 0), (1.0 - w.x) * (1.0 - w.y));
+    sum = hcbtf_add(sum, textureLoad(sheet, block + vec2i(light.theta.y, light.phi.x + 1), layer, 0), w.x * (1.0 - w.y));
+    sum = hcbtf_add(sum, textureLoad(sheet, block + vec2i(light.theta.x, light.phi.y + 1), layer, 0), (1.0 - w.x) * w.y);
+    return hcbtf_add(sum, textureLoad(sheet, block + vec2i(light.theta.y, light.phi.y + 1), layer, 0), w.x * w.y);
+}
+
+/// All sixteen samples around a light and a view at one texel; premultiplied.
+fn hcbtf_sixteen(sheet: texture_2d_array<f32>, block: vec2i, light: HcbtfPlace, views: HcbtfViews) -> vec4f {
+    return views.weight.x * hcbtf_lights(sheet, block, views.layer.x, light)
+        + views.weight.y * hcbtf_lights(sheet, block, views.layer.y, light)
+        + views.weight.z * hcbtf_lights(sheet, block, views.layer.z, light)
+        + views.weight.w * hcbtf_lights(sheet, block, views.layer.w, light);
+}
+
+/// Four lights of one view at one texel by one bilinear tap; straight.
+fn hcbtf_tap(sheet: texture_2d_array<f32>, sheet_sampler: sampler, block: vec2i, layer: i32, light: vec2f) -> vec4f {
+    let at = vec2f(block) + light + vec2f(0.5, 1.5);
+    return textureSampleLevel(sheet, sheet_sampler, at / vec2f(textureDimensions(sheet)), layer, 0.0);
+}
+
+/// The same for the four views around one.
+fn hcbtf_taps(sheet: texture_2d_array<f32>, sheet_sampler: sampler, block: vec2i, light: vec2f, views: HcbtfViews) -> vec4f {
+    return views.weight.x * hcbtf_tap(sheet, sheet_sampler, block, views.layer.x, light)
+        + views.weight.y * hcbtf_tap(sheet, sheet_sampler, block, views.layer.y, light)
+        + views.weight.z * hcbtf_tap(sheet, sheet_sampler, block, views.layer.z, light)
+        + views.weight.w * hcbtf_tap(sheet, sheet_sampler, block, views.layer.w, light);
+}
+
+/// The four texels around a place of a level, with their weights, wrapped around the tile.
+struct HcbtfTexels {
+    /// Left, top, right, bottom.
+    at: vec4i,
+    weight: vec2f,
+    /// Where the level begins, in texels of the layer.
+    origin: vec2i,
+}
+
+/// The blocks of four texels.
+struct HcbtfBlocks {
+    left_top: vec2i,
+    right_top: vec2i,
+    left_bottom: vec2i,
+    right_bottom: vec2i,
+}
+
+fn hcbtf_blocks(texels: HcbtfTexels, light: vec2i) -> HcbtfBlocks {
+    let at = texels.at;
+    return HcbtfBlocks(
+        hcbtf_block(at.xy, light, texels.origin),
+        hcbtf_block(at.zy, light, texels.origin),
+        hcbtf_block(at.xw, light, texels.origin),
+        hcbtf_block(at.zw, light, texels.origin),
+    );
+}
+
+fn hcbtf_texels(uv: vec2f, grid: HcbtfGrid, level: i32) -> HcbtfTexels {
+    var size = grid.size;
+    var origin = vec2i(0);
+    for (var i = 0; i < level; i++) {
+        // The first smaller level stands beside the tile, the next ones below each other.
+        origin = vec2i(grid.size.x * grid.light.x, select(origin.y + size.y * (grid.light.y + 2), 0, i == 0));
+        size = max(size / 2, vec2i(1));
+    }
+    let p = bounded_vec2(vec2f(uv.x, -uv.y));
+    let place = (p - floor(p)) * vec2f(size) - 0.5;
+    let low = vec2i(floor(place));
+    let first = (low + size) % size;
+    return HcbtfTexels(vec4i(first, (first + 1) % size), place - floor(place), origin);
+}
+
+/// All sixteen samples, each bilinear between the texels of one level; premultiplied.
+fn hcbtf_sixteen_at(sheet: texture_2d_array<f32>, uv: vec2f, grid: HcbtfGrid, level: i32, light: HcbtfPlace, views: HcbtfViews) -> vec4f {
+    let texels = hcbtf_texels(uv, grid, level);
+    let w = texels.weight;
+    let blocks = hcbtf_blocks(texels, grid.light);
+    return (1.0 - w.x) * (1.0 - w.y) * hcbtf_sixteen(sheet, blocks.left_top, light, views)
+        + w.x * (1.0 - w.y) * hcbtf_sixteen(sheet, blocks.right_top, light, views)
+        + (1.0 - w.x) * w.y * hcbtf_sixteen(sheet, blocks.left_bottom, light, views)
+        + w.x * w.y * hcbtf_sixteen(sheet, blocks.right_bottom, light, views);
+}
+
+/// The same by a bilinear tap for each view and texel; straight.
+fn hcbtf_taps_at(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f, grid: HcbtfGrid, level: i32, light: vec2f, views: HcbtfViews) -> vec4f {
+    let texels = hcbtf_texels(uv, grid, level);
+    let w = texels.weight;
+    let blocks = hcbtf_blocks(texels, grid.light);
+    return (1.0 - w.x) * (1.0 - w.y) * hcbtf_taps(sheet, sheet_sampler, blocks.left_top, light, views)
+        + w.x * (1.0 - w.y) * hcbtf_taps(sheet, sheet_sampler, blocks.right_top, light, views)
+        + (1.0 - w.x) * w.y * hcbtf_taps(sheet, sheet_sampler, blocks.left_bottom, light, views)
+        + w.x * w.y * hcbtf_taps(sheet, sheet_sampler, blocks.right_bottom, light, views);
+}
+
+/// The same for the nearest view alone; straight.
+fn hcbtf_tap_at(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f, grid: HcbtfGrid, level: i32, light: vec2f, layer: i32) -> vec4f {
+    let texels = hcbtf_texels(uv, grid, level);
+    let w = texels.weight;
+    let blocks = hcbtf_blocks(texels, grid.light);
+    return (1.0 - w.x) * (1.0 - w.y) * hcbtf_tap(sheet, sheet_sampler, blocks.left_top, layer, light)
+        + w.x * (1.0 - w.y) * hcbtf_tap(sheet, sheet_sampler, blocks.right_top, layer, light)
+        + (1.0 - w.x) * w.y * hcbtf_tap(sheet, sheet_sampler, blocks.left_bottom, layer, light)
+        + w.x * w.y * hcbtf_tap(sheet, sheet_sampler, blocks.right_bottom, layer, light);
+}
+
+/// How many times smaller, as a power of two, the tile is seen than it is painted. Call it in uniform control flow.
+fn hcbtf_level(uv: vec2f, grid: HcbtfGrid) -> f32 {
+    let dx = bounded_vec2(dpdx(uv) * vec2f(grid.size));
+    let dy = bounded_vec2(dpdy(uv) * vec2f(grid.size));
+    let widest = clamp(max(dot(dx, dx), dot(dy, dy)), 1.0, 1e9);
+    let side = max(grid.size.x, grid.size.y);
+    let last = floor(log2(f32(side)) + 1e-4);
+    return select(0.0, min(0.5 * log2(widest), last), grid.has_levels);
+}
+
+/// How much of a light just above the horizon arrives: all of it, and nothing below, with an edge as wide as a pixel.
+/// Call it in uniform control flow.
+fn hcbtf_horizon(light: vec3f, frame: mat3x3f) -> f32 {
+    let height = dot(normalize_or(light, frame[2]), frame[2]);
+    return step_filtered(height, 0.0, footprint_of(height));
+}
+
+/// The colour of a straight blend: below the horizon replaced, decoded where the look is in linear light.
+fn hcbtf_finished(lit: vec4f, above: f32, below: vec4f, grid: HcbtfGrid) -> vec4f {
+    let painted = select(lit, linear_from_display(lit), grid.is_decoded);
+    return mix(bounded_vec4(below), painted, above);
+}

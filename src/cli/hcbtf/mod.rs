@@ -1,0 +1,131 @@
+//! `chiaro hcbtf`: hand-painted 6D textures as files.
+
+mod exchange;
+mod info;
+mod new;
+
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+use clap::Subcommand;
+
+use super::output::Output;
+use crate::diag::Diagnostic;
+use crate::document::{Directions, Grid, Hcbtf};
+use crate::hcbtf::{Filled, Progress, fill::fill, load};
+
+const EXAMPLES: &str = "\
+Examples:
+  chiaro hcbtf new grass --color '#3a5a2a'
+  chiaro hcbtf info grass.hcbtf
+  chiaro hcbtf import sheet.png -o grass.hcbtf
+  chiaro hcbtf import painted/ -o grass.hcbtf --grid 64x64,6x12,6x12
+  chiaro hcbtf import all.png --as contact --gap 2 -o grass.hcbtf
+  chiaro hcbtf export grass.hcbtf -o sheet.png
+  chiaro hcbtf export grass.hcbtf --to folder -o painted/ --painted
+
+A sheet is the thesis's flattened texture. A folder holds images named like l2.3_v1.4.png (light at ring 2, step 3; view at
+ring 1, step 4), or numbered. A contact sheet has views across and lights down. docs/format.md tells all about them.";
+
+const GRID_HELP: &str = "the thesis's, 32x32,6x10,6x10";
+
+/// What `chiaro hcbtf` is given.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Tell what a file holds: grid, painted samples, what each rule fills, memory
+    Info(info::Arguments),
+    /// Make an .hcbtf file of a sheet, a folder of images, or a contact sheet
+    Import(exchange::ImportArguments),
+    /// Write a sheet, a folder of images, or a contact sheet
+    Export(exchange::ExportArguments),
+    /// Write an .hcbtf file to begin with
+    New(new::Arguments),
+}
+
+pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+    match &arguments.command {
+        Command::Info(arguments) => info::run(arguments, output),
+        Command::Import(arguments) => exchange::import(arguments, output),
+        Command::Export(arguments) => exchange::export(arguments, output),
+        Command::New(arguments) => new::run(arguments, output),
+    }
+}
+
+/// Reads a file and tells what is odd in it.
+fn open(path: &Path, output: &Output) -> Result<Hcbtf, Vec<Diagnostic>> {
+    let (hcbtf, notes) = load(path)?;
+    output.diagnostics(&notes);
+    Ok(hcbtf)
+}
+
+/// Runs the rules.
+fn filled(hcbtf: &Hcbtf, path: &Path) -> Result<Filled, Vec<Diagnostic>> {
+    fill(hcbtf, &Progress::new()).map_err(|why| vec![Diagnostic::from(why).in_file(path.display().to_string())])
+}
+
+/// Refuses to replace a file, but with `--force`.
+fn check_free(path: &Path, force: bool) -> Result<(), Vec<Diagnostic>> {
+    if !force && path.exists() {
+        let problem = Diagnostic::error("file-exists", "this file is there already");
+        let hint = "choose another name, or replace it with --force";
+        return Err(vec![problem.in_file(path.display().to_string()).hint(hint)]);
+    }
+    Ok(())
+}
+
+/// The grid as the command line writes it: texels, lights and views.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct GridText(Grid);
+
+impl FromStr for GridText {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let pair = |part: &str| {
+            let (first, second) = part.trim().split_once(['x', 'X'])?;
+            Some([first.trim().parse().ok()?, second.trim().parse().ok()?])
+        };
+        let pairs: Option<Vec<[u32; 2]>> = text.split(',').map(pair).collect();
+        let Some([size, light, view]) = pairs.and_then(|pairs| <[[u32; 2]; 3]>::try_from(pairs).ok()) else {
+            return Err("write texels, lights and views, each as AxB: 32x32,6x10,6x10".to_owned());
+        };
+        let directions = |[theta, phi]: [u32; 2]| Directions { theta, phi };
+        let grid = Grid { size, light: directions(light), view: directions(view) };
+        grid.check().map(|()| Self(grid))
+    }
+}
+
+/// A path with `.hcbtf` at its end.
+fn with_ending(path: &Path) -> PathBuf {
+    let has_ending = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("hcbtf"));
+    if has_ending {
+        return path.to_path_buf();
+    }
+    let mut name = path.as_os_str().to_owned();
+    name.push(".hcbtf");
+    PathBuf::from(name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn grids_are_read_or_told_how() {
+        assert_eq!("32x32,6x10,6x10".parse(), Ok(GridText(Grid::THESIS)));
+        assert_eq!(" 8x4, 2x3 ,1X1".parse::<GridText>().unwrap().0.size, [8, 4]);
+        for wrong in ["", "32x32", "32x32,6x10", "32x32,6x10,6x10,1x1", "32,6x10,6x10", "0x1,1x1,1x1", "1x1,1x1,256x1"]
+        {
+            assert!(wrong.parse::<GridText>().is_err(), "{wrong}");
+        }
+        assert_eq!(with_ending(Path::new("a/b.1")), Path::new("a/b.1.hcbtf"));
+        assert_eq!(with_ending(Path::new("a.HCBTF")), Path::new("a.HCBTF"));
+    }
+}

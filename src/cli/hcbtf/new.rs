@@ -1,0 +1,54 @@
+//! `chiaro hcbtf new`: one to begin with.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use super::{GRID_HELP, GridText, check_free, with_ending};
+use crate::cli::output::Output;
+use crate::diag::Diagnostic;
+use crate::document::{Address, Grid, Hcbtf, Rule, Tile, parse_hex, write_atomic};
+use crate::hcbtf::write;
+
+/// What `chiaro hcbtf new` is given.
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// The name of the file; `.hcbtf` is added where it is missing
+    name: PathBuf,
+    #[arg(long, help = format!("Texels, lights and views, as 32x32,6x10,6x10 [default: {GRID_HELP}]"))]
+    grid: Option<GridText>,
+    /// A colour that the sample at the normal is painted with, and that is copied everywhere and darkened as the light sinks
+    #[arg(long, value_name = "#RRGGBB")]
+    color: Option<String>,
+    /// The tile does not repeat
+    #[arg(long)]
+    no_tiling: bool,
+    /// Replace a file that is there
+    #[arg(long)]
+    force: bool,
+}
+
+pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+    let path = with_ending(&arguments.name);
+    let color = arguments.color.as_deref().map(color).transpose()?;
+    check_free(&path, arguments.force)?;
+    let mut hcbtf = Hcbtf::new(arguments.grid.map_or(Grid::THESIS, |grid| grid.0));
+    hcbtf.is_tiling = !arguments.no_tiling;
+    if let Some(color) = color {
+        let from = Address::default();
+        hcbtf.painted.insert(from, Arc::new(Tile::filled(hcbtf.grid.size, color)));
+        hcbtf.rules = vec![Rule::Copy { from }, Rule::Lambert { shadow: [0; 3], amount: 1.0 }];
+    }
+    let bytes = write(&hcbtf).map_err(|problem| vec![problem.in_file(path.display().to_string())])?;
+    write_atomic(&path, &bytes).map_err(|problem| vec![*problem])?;
+    output.result(&path.display().to_string());
+    Ok(())
+}
+
+fn color(text: &str) -> Result<[u8; 4], Vec<Diagnostic>> {
+    let wrong = || {
+        let problem = Diagnostic::error("bad-argument", format!("--color cannot be `{text}`"));
+        vec![problem.hint("write #rrggbb or #rrggbbaa, in quotes")]
+    };
+    let channels = parse_hex(text).ok_or_else(wrong)?;
+    Ok(channels.map(|channel| (255.0 * channel).round() as u8))
+}

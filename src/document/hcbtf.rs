@@ -1,0 +1,432 @@
+//! A hand-painted 6D texture: what is painted of it, and the rules that fill the rest.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+/// The most texels along a side of a tile.
+pub const MAX_TILE_SIDE: u32 = 4095;
+/// The most steps of an angle.
+pub const MAX_ANGLE_STEPS: u32 = 255;
+
+/// How many directions there are over the hemisphere: rings from the normal down to the horizon, and steps around it.
+///
+/// Ring `theta` of `n` lies `theta / (n - 1)` of a quarter turn from the normal (thesis 10.2: 6 rings, 18 degrees
+/// apart); step `phi` of `n` lies `phi / n` of a turn from v toward u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub struct Directions {
+    /// Rings: 1 is the normal alone.
+    pub theta: u32,
+    /// Steps around each ring.
+    pub phi: u32,
+}
+
+impl Directions {
+    /// How many directions, the normal once for each step around it.
+    pub fn count(self) -> usize {
+        self.theta as usize * self.phi as usize
+    }
+
+    /// All of them that differ: the normal only once.
+    pub fn distinct(self) -> impl Iterator<Item = Direction> {
+        let ring = move |theta| (0..if theta == 0 { 1 } else { self.phi }).map(move |phi| Direction { theta, phi });
+        (0..self.theta).flat_map(ring)
+    }
+
+    /// How many differ: the normal is one direction, whatever the step around it.
+    pub fn distinct_count(self) -> u64 {
+        1 + u64::from(self.theta.max(1) - 1) * u64::from(self.phi)
+    }
+
+    /// Where a direction stands in [`Self::distinct`].
+    pub fn index(self, direction: Direction) -> u64 {
+        match direction.canonical() {
+            Direction { theta: 0, .. } => 0,
+            Direction { theta, phi } => 1 + u64::from(theta - 1) * u64::from(self.phi) + u64::from(phi),
+        }
+    }
+
+    /// Whether a direction is one of these.
+    pub fn contains(self, direction: Direction) -> bool {
+        direction.theta < self.theta && direction.phi < self.phi
+    }
+
+    /// A direction's angles in radians: from the normal, and around it from v toward u.
+    pub fn angles(self, direction: Direction) -> [f64; 2] {
+        let rings = f64::from(self.theta.max(2) - 1);
+        let quarter = std::f64::consts::FRAC_PI_2;
+        [
+            quarter * f64::from(direction.theta) / rings,
+            std::f64::consts::TAU * f64::from(direction.phi) / f64::from(self.phi.max(1)),
+        ]
+    }
+
+    /// The unit vector of a direction: along u, along v, along the normal.
+    pub fn vector(self, direction: Direction) -> glam::DVec3 {
+        let [theta, phi] = self.angles(direction);
+        glam::DVec3::new(theta.sin() * phi.sin(), theta.sin() * phi.cos(), theta.cos())
+    }
+}
+
+/// How finely an HCBTF is divided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub struct Grid {
+    /// Texels of a tile: along u, and along v, downward.
+    pub size: [u32; 2],
+    /// Directions toward the light.
+    pub light: Directions,
+    /// Directions toward the eye.
+    pub view: Directions,
+}
+
+impl Grid {
+    /// The thesis's own: 32 x 32 texels, 6 x 10 lights, 6 x 10 views (thesis 10.2).
+    pub const THESIS: Self = {
+        let directions = Directions { theta: 6, phi: 10 };
+        Self { size: [32, 32], light: directions, view: directions }
+    };
+
+    /// Texels of a tile.
+    pub fn texels(&self) -> usize {
+        self.size[0] as usize * self.size[1] as usize
+    }
+
+    /// Whether the sample exists.
+    pub fn contains(&self, address: Address) -> bool {
+        self.light.contains(address.light) && self.view.contains(address.view)
+    }
+
+    /// Every sample that differs from the others by its directions, by view and then by light.
+    pub fn addresses(&self) -> impl Iterator<Item = Address> {
+        let light = self.light;
+        self.view.distinct().flat_map(move |view| light.distinct().map(move |light| Address { light, view }))
+    }
+
+    /// How many samples [`Self::addresses`] gives.
+    pub fn sample_count(&self) -> u64 {
+        self.view.distinct_count() * self.light.distinct_count()
+    }
+
+    /// Where a sample stands in [`Self::addresses`]; `None` outside the grid.
+    pub fn index(&self, address: Address) -> Option<u64> {
+        let index = || self.view.index(address.view) * self.light.distinct_count() + self.light.index(address.light);
+        self.contains(address).then(index)
+    }
+
+    /// What is wrong with its numbers, said to whoever gave them.
+    ///
+    /// # Errors
+    /// Which number, and what it may be.
+    pub fn check(&self) -> Result<(), String> {
+        let sides = [("width", self.size[0]), ("height", self.size[1])];
+        let angles = [
+            ("light's theta", self.light.theta),
+            ("light's phi", self.light.phi),
+            ("view's theta", self.view.theta),
+            ("view's phi", self.view.phi),
+        ];
+        for (most, numbers) in [(MAX_TILE_SIDE, &sides[..]), (MAX_ANGLE_STEPS, &angles[..])] {
+            if let Some((name, number)) = numbers.iter().find(|(_, number)| *number == 0 || *number > most) {
+                return Err(format!("the grid's {name} is {number}; it must be from 1 to {most}"));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// One direction of a grid.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Direction {
+    /// The ring, 0 at the normal.
+    pub theta: u32,
+    /// The step around the ring.
+    pub phi: u32,
+}
+
+impl Direction {
+    /// The same direction as everybody writes it: there is no way around the normal itself.
+    pub fn canonical(self) -> Self {
+        if self.theta == 0 { Self::default() } else { self }
+    }
+}
+
+impl fmt::Display for Direction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}.{}", self.theta, self.phi)
+    }
+}
+
+/// One sample: how the tile looks for a light and an eye.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Address {
+    /// Toward the eye.
+    pub view: Direction,
+    /// Toward the light.
+    pub light: Direction,
+}
+
+impl Address {
+    /// The sample for a light and a view, each by ring and step.
+    pub fn new(light: [u32; 2], view: [u32; 2]) -> Self {
+        let direction = |[theta, phi]: [u32; 2]| Direction { theta, phi };
+        Self { light: direction(light), view: direction(view) }.canonical()
+    }
+
+    /// The address by which the sample is kept: at the normal there is one sample, whatever the step around it.
+    pub fn canonical(self) -> Self {
+        Self { view: self.view.canonical(), light: self.light.canonical() }
+    }
+}
+
+impl fmt::Display for Address {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "light {}, view {}", self.light, self.view)
+    }
+}
+
+/// The texels of a tile: straight RGBA, 8 bits a channel, rows from the top.
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub struct Tile {
+    size: [u32; 2],
+    rgba: Vec<u8>,
+}
+
+impl fmt::Debug for Tile {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Tile({} x {})", self.size[0], self.size[1])
+    }
+}
+
+impl Tile {
+    /// A tile from its bytes; `None` where there are not four for every texel.
+    pub fn new(size: [u32; 2], rgba: Vec<u8>) -> Option<Self> {
+        let count = size[0] as usize * size[1] as usize * 4;
+        (rgba.len() == count && count > 0).then_some(Self { size, rgba })
+    }
+
+    /// A tile of one colour.
+    pub fn filled(size: [u32; 2], color: [u8; 4]) -> Self {
+        let size = size.map(|side| side.max(1));
+        Self { size, rgba: color.repeat(size[0] as usize * size[1] as usize) }
+    }
+
+    /// Width and height in texels.
+    pub fn size(&self) -> [u32; 2] {
+        self.size
+    }
+
+    /// Four bytes a texel.
+    pub fn bytes(&self) -> &[u8] {
+        &self.rgba
+    }
+
+    /// Four bytes a texel, to be painted on.
+    pub fn bytes_mut(&mut self) -> &mut [u8] {
+        &mut self.rgba
+    }
+
+    /// The texel at x and y, wrapped around the tile.
+    pub fn texel(&self, x: i64, y: i64) -> [u8; 4] {
+        let [width, height] = self.size.map(i64::from);
+        let at = 4 * (y.rem_euclid(height) * width + x.rem_euclid(width)) as usize;
+        [self.rgba[at], self.rgba[at + 1], self.rgba[at + 2], self.rgba[at + 3]]
+    }
+}
+
+/// Which of a direction's angles something is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Angle {
+    /// How far the light is from the normal.
+    LightTheta,
+    /// Where around the normal the light is.
+    LightPhi,
+    /// How far the eye is from the normal.
+    ViewTheta,
+    /// Where around the normal the eye is.
+    ViewPhi,
+}
+
+/// How samples that nobody painted come about. Rules work in order: those that fill take samples that are still empty,
+/// those that change take what was filled before them; what is painted stays as it is (thesis 10.1).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "rule", rename_all = "snake_case", deny_unknown_fields)]
+pub enum Rule {
+    /// Fills: the same tile everywhere.
+    Copy {
+        /// The painted sample to copy.
+        from: Address,
+    },
+    /// Fills: what is painted does not depend on these angles. Where several painted samples differ in them alone, the
+    /// nearest is taken; where none differs in them alone, the sample stays empty. At the normal there is no angle around
+    /// it, so any agrees.
+    Lock {
+        /// The angles that do not matter.
+        angles: Vec<Angle>,
+    },
+    /// Fills: blends what is painted by how near its light and its view are, on the product of the two spheres.
+    Blend {
+        /// How fast influence falls: 1 is soft, 8 takes nearly the nearest alone.
+        sharpness: f64,
+    },
+    /// Fills: one colour, where the light is near the mirrored direction of the view, fading outward.
+    Mirror {
+        /// Straight RGBA as bytes; the alpha is that at the mirrored direction itself.
+        color: [u8; 4],
+        /// From the mirrored direction to where it ends, in radians.
+        width: f64,
+    },
+    /// Fills: copies a painted sample to where the light is near the mirrored direction of the view, and only there
+    /// (thesis 10.1: copying restricted to the specular reflection).
+    Specular {
+        /// The painted sample to copy.
+        from: Address,
+        /// From the mirrored direction to where it ends, in radians.
+        width: f64,
+    },
+    /// Fills: one colour.
+    Color {
+        /// Straight RGBA as bytes.
+        color: [u8; 4],
+    },
+    /// Changes: darker the lower the light stands (thesis eq. 1).
+    Lambert {
+        /// What it darkens to, straight RGB as bytes.
+        shadow: [u8; 3],
+        /// 0 leaves everything as it is, 1 is Lambert's law.
+        amount: f64,
+    },
+    /// Changes: turns the tile's content with the view around the normal, so that it keeps facing the eye: what points
+    /// along v at phi 0 points toward the eye at every phi. Each turned tile is resampled from its unturned source (thesis
+    /// figure 37), also where several rules turn it. The view along the normal is not turned.
+    Rotate {
+        /// Turns of the content for each turn of the view.
+        turns: f64,
+    },
+    /// Changes: multiplies by a colour that goes from one to another along an angle. At the normal, which has no angle
+    /// around it, by the middle of the two.
+    Recolor {
+        /// Along which angle.
+        angle: Angle,
+        /// The factor at the angle's beginning, straight RGB as bytes.
+        from: [u8; 3],
+        /// The factor at its end; for angles around the normal, half a turn away.
+        to: [u8; 3],
+    },
+}
+
+impl Rule {
+    /// Every rule's word in files.
+    pub const WORDS: [&'static str; 9] =
+        ["copy", "lock", "blend", "mirror", "specular", "color", "lambert", "rotate", "recolor"];
+    /// The sharpest [`Rule::Blend`].
+    pub const MAX_SHARPNESS: f64 = 64.0;
+    /// The most turns of [`Rule::Rotate`], either way.
+    pub const MAX_TURNS: f64 = 1000.0;
+
+    /// The word by which files know it.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::Copy { .. } => "copy",
+            Self::Lock { .. } => "lock",
+            Self::Blend { .. } => "blend",
+            Self::Mirror { .. } => "mirror",
+            Self::Specular { .. } => "specular",
+            Self::Color { .. } => "color",
+            Self::Lambert { .. } => "lambert",
+            Self::Rotate { .. } => "rotate",
+            Self::Recolor { .. } => "recolor",
+        }
+    }
+
+    /// Whether it takes samples that are empty; the others change what was filled before them.
+    pub fn fills(&self) -> bool {
+        !matches!(self, Self::Lambert { .. } | Self::Rotate { .. } | Self::Recolor { .. })
+    }
+
+    /// What is wrong with its numbers, said to whoever gave them.
+    ///
+    /// # Errors
+    /// Which number, and what it may be.
+    pub fn check(&self, grid: &Grid) -> Result<(), String> {
+        let within = |name: &str, value: f64, least: f64, most: f64| {
+            let is_within = (least..=most).contains(&value);
+            let message = || format!("`{name}` is {value}; it must be from {least} to {most:.4}");
+            if is_within { Ok(()) } else { Err(message()) }
+        };
+        match self {
+            Self::Copy { from } | Self::Specular { from, .. } if !grid.contains(*from) => {
+                Err(format!("`from` names {from}, which is outside the grid"))
+            }
+            Self::Lock { angles } if angles.is_empty() => Err("`angles` names no angle".to_owned()),
+            Self::Blend { sharpness } => within("sharpness", *sharpness, 0.0, Self::MAX_SHARPNESS),
+            Self::Mirror { width, .. } | Self::Specular { width, .. } => {
+                within("width", *width, 0.0, std::f64::consts::PI)
+            }
+            Self::Lambert { amount, .. } => within("amount", *amount, 0.0, 1.0),
+            Self::Rotate { turns } => within("turns", *turns, -Self::MAX_TURNS, Self::MAX_TURNS),
+            Self::Copy { .. } | Self::Lock { .. } | Self::Color { .. } | Self::Recolor { .. } => Ok(()),
+        }
+    }
+}
+
+/// A hand-painted 6D texture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Hcbtf {
+    /// How finely it is divided.
+    pub grid: Grid,
+    /// Whether the tile repeats without a seam; painting then goes across its edges.
+    pub is_tiling: bool,
+    /// What is painted, by canonical address; every tile has the grid's size.
+    pub painted: BTreeMap<Address, Arc<Tile>>,
+    /// How the rest comes about.
+    pub rules: Vec<Rule>,
+}
+
+impl Hcbtf {
+    /// One that nothing is painted of.
+    pub fn new(grid: Grid) -> Self {
+        Self { grid, is_tiling: true, painted: BTreeMap::new(), rules: Vec::new() }
+    }
+
+    /// The painted tile of a sample.
+    pub fn painted(&self, address: Address) -> Option<&Arc<Tile>> {
+        self.painted.get(&address.canonical())
+    }
+}
+
+impl Serialize for Direction {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        [self.theta, self.phi].serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for Direction {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let [theta, phi] = <[u32; 2]>::deserialize(deserializer)?;
+        Ok(Self { theta, phi })
+    }
+}
+
+impl Serialize for Address {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        AddressText { light: self.light, view: self.view }.serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for Address {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let AddressText { light, view } = AddressText::deserialize(deserializer)?;
+        Ok(Self { light, view }.canonical())
+    }
+}
+
+/// How files write an address.
+#[derive(Serialize, Deserialize)]
+#[serde(rename = "Address", deny_unknown_fields)]
+struct AddressText {
+    light: Direction,
+    view: Direction,
+}

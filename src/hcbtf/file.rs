@@ -1,0 +1,271 @@
+//! The `.hcbtf` file: a zip with [`manifest`], a PNG for each painted sample, and a thumbnail.
+//!
+//! Only what is painted lies in it, and the rules; what the rules fill is derived again, so a file stays small and a rule
+//! can be changed years later.
+
+use std::collections::{BTreeMap, HashMap, HashSet};
+use std::fs::File;
+use std::io::Read as _;
+use std::path::Path;
+use std::sync::Arc;
+
+use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
+
+use super::archive::{Archive, Writer};
+use super::manifest::{self, Listed, MAX_MANIFEST_BYTES, Manifest, NAME, SAMPLES, THUMBNAIL, sample_name};
+use super::picture::{MAX_PNG_EXTRAS, decode, encode, reduced};
+use super::report::Report;
+use super::{MAX_FILE_BYTES, MAX_PAINTED, MAX_PAINTED_BYTES, MAX_RULES};
+use crate::diag::Diagnostic;
+use crate::document::{Address, Hcbtf, Rule, Tile};
+
+/// The longer side of a thumbnail, in texels.
+const THUMBNAIL_SIDE: u32 = 256;
+
+/// Reads the file at `path`.
+///
+/// # Errors
+/// As [`read`], and where the file cannot be read.
+pub fn load(path: &Path) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+    let bytes = read_bytes(path).map_err(|problem| vec![*problem])?;
+    read(&bytes, &path.display().to_string())
+}
+
+/// The bytes of a file of at most [`MAX_FILE_BYTES`]: an HCBTF, a sheet, or a sample.
+///
+/// # Errors
+/// Why it cannot be read, with its name.
+pub fn read_bytes(path: &Path) -> Result<Vec<u8>, Box<Diagnostic>> {
+    let fail = |code, message: String, hint: &str| {
+        Box::new(Diagnostic::error(code, message).in_file(path.display().to_string()).hint(hint))
+    };
+    let cannot = |error: std::io::Error| {
+        let hint = if path.exists() { "name a file that you may read" } else { "check the spelling and the folder" };
+        fail("cannot-read", format!("cannot read the file: {error}"), hint)
+    };
+    let mut bytes = Vec::new();
+    // One byte beyond the bound tells that there is more, whatever the file's length is said to be.
+    File::open(path).and_then(|file| file.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes)).map_err(cannot)?;
+    if bytes.len() as u64 > MAX_FILE_BYTES {
+        let message = format!("the file is larger than {} MiB", MAX_FILE_BYTES >> 20);
+        return Err(fail("too-large", message, "take a coarser grid, or fill by rules what is painted now"));
+    }
+    Ok(bytes)
+}
+
+/// Reads an `.hcbtf` file, with warnings about what is odd in it. `name` is what diagnostics call the file.
+///
+/// # Errors
+/// Everything that keeps the file from being used, up to a bound: nothing of it is taken then, since saving it would lose
+/// the rest.
+pub fn read(bytes: &[u8], name: &str) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+    let mut report = Report::new(name);
+    let hcbtf = read_into(bytes, &mut report);
+    report.finish(hcbtf)
+}
+
+fn read_into(bytes: &[u8], report: &mut Report) -> Option<Hcbtf> {
+    if bytes.len() as u64 > MAX_FILE_BYTES {
+        report.add(Diagnostic::error("too-large", format!("the file is larger than {} MiB", MAX_FILE_BYTES >> 20)));
+        return None;
+    }
+    let mut archive = told(Archive::open(bytes), report)?;
+    if !archive.has(NAME) {
+        let problem = Diagnostic::error("hcbtf-manifest", format!("the zip file holds no `{NAME}`, so it is no HCBTF"));
+        report.add(problem.hint(format!("`{NAME}` lies at the top of the zip, not in a folder of it")));
+        return None;
+    }
+    let text = told(archive.read(NAME, MAX_MANIFEST_BYTES), report)?;
+    let Manifest { grid, is_tiling, rules, painted } = manifest::parse(&text, report)?;
+    let needed = painted.len() as u64 * grid.texels() as u64 * 4;
+    if needed > MAX_PAINTED_BYTES {
+        report.add(too_much(needed));
+        return None;
+    }
+    told_of_strays(&archive, &painted, report);
+    let painted = samples(&mut archive, painted, grid.size, report);
+    let hcbtf = Hcbtf { grid, is_tiling, painted, rules };
+    if !report.has_errors() {
+        idle_rules(&hcbtf, report);
+    }
+    Some(hcbtf)
+}
+
+fn told<T>(result: Result<T, Diagnostic>, report: &mut Report) -> Option<T> {
+    result.map_err(|problem| report.add(problem)).ok()
+}
+
+fn too_much(bytes: u64) -> Diagnostic {
+    let (bytes, most) = (bytes >> 20, MAX_PAINTED_BYTES >> 20);
+    let message = format!("the painted samples take {bytes} MiB; at most {most} MiB can be");
+    Diagnostic::error("too-large", message).hint("take a coarser grid, or fill by rules what is painted now")
+}
+
+/// Tells of PNGs that the manifest does not name: somebody put them there and expects to see them.
+fn told_of_strays(archive: &Archive<'_>, painted: &[Listed], report: &mut Report) {
+    if archive.has_duplicates() {
+        let message = "the zip file has two entries of one name; the last is taken";
+        report.add(Diagnostic::warning("hcbtf-archive", message).hint("remove one of them"));
+    }
+    let named: HashSet<&str> = painted.iter().map(|listed| listed.file.as_str()).collect();
+    let is_stray = |name: &String| name.starts_with(SAMPLES) && !name.ends_with('/') && !named.contains(name.as_str());
+    for name in archive.names().filter(is_stray) {
+        let message = format!("`{name}` is not listed in `{NAME}`; it is not used, and saving loses it");
+        let hint = "add it to `painted`, or import it with `chiaro hcbtf import`";
+        report.add(Diagnostic::warning("hcbtf-stray", message).hint(hint));
+    }
+}
+
+/// Reads all painted samples, as many as can be.
+fn samples(
+    archive: &mut Archive<'_>,
+    painted: Vec<Listed>,
+    size: [u32; 2],
+    report: &mut Report,
+) -> BTreeMap<Address, Arc<Tile>> {
+    let mut tiles: HashMap<String, Option<Arc<Tile>>> = HashMap::new();
+    let mut samples: BTreeMap<Address, (Arc<Tile>, String)> = BTreeMap::new();
+    for Listed { address, file } in painted {
+        if let Some((_, other)) = samples.get(&address) {
+            let message = format!("`{other}` and `{file}` are both the sample at {address}");
+            let hint = "at the normal there is one sample, whatever the step around it: remove one from `painted`";
+            report.add(Diagnostic::error("duplicate-sample", message).hint(hint));
+            continue;
+        }
+        // A file may be named twice; it is unpacked, and told of, once.
+        let tile = tiles.entry(file.clone()).or_insert_with(|| sample(archive, &file, size, report));
+        if let Some(tile) = tile {
+            samples.insert(address, (tile.clone(), file));
+        }
+    }
+    samples.into_iter().map(|(address, (tile, _))| (address, tile)).collect()
+}
+
+fn sample(archive: &mut Archive<'_>, file: &str, size: [u32; 2], report: &mut Report) -> Option<Arc<Tile>> {
+    let most = u64::from(size[0]) * u64::from(size[1]) * 8 + MAX_PNG_EXTRAS;
+    let png = told(archive.read(file, most), report)?;
+    let tile = tile(&png, size, &format!("`{file}`"), report);
+    tile.map(Arc::new)
+}
+
+/// A sample's texels from its PNG; `what` is what the report calls it.
+pub(super) fn tile(png: &[u8], size: [u32; 2], what: &str, report: &mut Report) -> Option<Tile> {
+    let accept = |[width, height]: [u32; 2]| {
+        let message = || format!("it has {width} x {height} texels; the grid's tiles have {} x {}", size[0], size[1]);
+        if [width, height] == size { Ok(()) } else { Err(message()) }
+    };
+    match decode(png, accept) {
+        Ok(decoded) => {
+            if decoded.had_16_bits {
+                report.add(reduced(what));
+            }
+            Tile::new(decoded.picture.size, decoded.picture.rgba)
+        }
+        Err(why) => {
+            let problem = Diagnostic::error("hcbtf-sample", format!("{what} cannot be used: {why}"));
+            report.add(problem.hint("export the sample again as a PNG of the tile's size"));
+            None
+        }
+    }
+}
+
+/// Tells of rules that copy a sample that nobody painted.
+fn idle_rules(hcbtf: &Hcbtf, report: &mut Report) {
+    for (index, rule) in hcbtf.rules.iter().enumerate() {
+        if let Rule::Copy { from } | Rule::Specular { from, .. } = rule
+            && hcbtf.painted(*from).is_none()
+        {
+            let message = format!("this rule copies the sample at {from}, which is not painted, so it fills nothing");
+            let problem = Diagnostic::warning("hcbtf-idle-rule", message).json_path(format!("rules[{index}]"));
+            report.add(problem.hint("paint the sample, or let the rule copy another"));
+        }
+    }
+}
+
+/// The bytes of the file: equal for equal HCBTFs, on every machine.
+///
+/// # Errors
+/// What keeps it from being read again, as a tile of another size or more than the bounds of this module.
+pub fn write(hcbtf: &Hcbtf) -> Result<Vec<u8>, Box<Diagnostic>> {
+    check(hcbtf)?;
+    let cannot =
+        |why: String| Box::new(Diagnostic::error("cannot-write", format!("the HCBTF cannot be packed: {why}")));
+    let text = manifest::text(hcbtf).map_err(|error| cannot(error.to_string()))?;
+    let painted: Vec<(&Address, &Arc<Tile>)> = hcbtf.painted.iter().collect();
+    let pngs =
+        painted.into_par_iter().map(|(address, tile)| Ok((sample_name(*address), encode(tile.size(), tile.bytes())?)));
+    let pngs: Vec<(String, Vec<u8>)> = pngs.collect::<Result<_, String>>().map_err(cannot)?;
+    let thumbnail = thumbnail(hcbtf).map(|tile| encode(tile.size(), tile.bytes())).transpose().map_err(cannot)?;
+    pack(&text, thumbnail.as_deref(), &pngs).map_err(|error| cannot(error.to_string()))
+}
+
+fn pack(text: &str, thumbnail: Option<&[u8]>, pngs: &[(String, Vec<u8>)]) -> Result<Vec<u8>, zip::result::ZipError> {
+    let mut writer = Writer::new();
+    writer.text(NAME, text)?;
+    if let Some(png) = thumbnail {
+        writer.packed(THUMBNAIL, png)?;
+    }
+    for (name, png) in pngs {
+        writer.packed(name, png)?;
+    }
+    writer.finish()
+}
+
+/// Whether what is written could be read again.
+fn check(hcbtf: &Hcbtf) -> Result<(), Box<Diagnostic>> {
+    let fail = |code, message: String| Err(Box::new(Diagnostic::error(code, message)));
+    hcbtf.grid.check().or_else(|why| fail("hcbtf-grid", why))?;
+    for (name, count, most) in [("samples", hcbtf.painted.len(), MAX_PAINTED), ("rules", hcbtf.rules.len(), MAX_RULES)]
+    {
+        if count > most {
+            return fail("too-many", format!("there are {count} {name}; a file holds at most {most}"));
+        }
+    }
+    for (index, rule) in hcbtf.rules.iter().enumerate() {
+        rule.check(&hcbtf.grid).or_else(|why| fail("hcbtf-rule", format!("rule {index}, {}: {why}", rule.word())))?;
+    }
+    for (address, tile) in &hcbtf.painted {
+        if !hcbtf.grid.contains(*address) || address.canonical() != *address {
+            return fail("out-of-range", format!("there is no sample at {address} in the grid"));
+        }
+        if tile.size() != hcbtf.grid.size {
+            let ([width, height], [w, h]) = (tile.size(), hcbtf.grid.size);
+            return fail(
+                "hcbtf-sample",
+                format!("the sample at {address} is {width} x {height}, the grid's tiles {w} x {h}"),
+            );
+        }
+    }
+    let bytes = hcbtf.painted.len() as u64 * hcbtf.grid.texels() as u64 * 4;
+    if bytes > MAX_PAINTED_BYTES { Err(Box::new(too_much(bytes))) } else { Ok(()) }
+}
+
+/// The sample that is seen and lit most nearly along the normal, made smaller where it is large.
+fn thumbnail(hcbtf: &Hcbtf) -> Option<Tile> {
+    let nearest = |address: &Address| (address.view.theta + address.light.theta, *address);
+    let tile = hcbtf.painted.iter().min_by_key(|(address, _)| nearest(address)).map(|(_, tile)| tile)?;
+    let longer = tile.size()[0].max(tile.size()[1]);
+    let factor = longer.div_ceil(THUMBNAIL_SIDE).max(1);
+    Some(shrunk(tile, factor))
+}
+
+/// Means of `factor` x `factor` texels, weighted by alpha.
+fn shrunk(tile: &Tile, factor: u32) -> Tile {
+    let [width, height] = tile.size();
+    let size = [width.div_ceil(factor), height.div_ceil(factor)];
+    let mut rgba = Vec::with_capacity(4 * size[0] as usize * size[1] as usize);
+    for (y, x) in (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| (y, x))) {
+        let (mut sums, mut count) = ([0_u64; 4], 0);
+        for row in y * factor..((y + 1) * factor).min(height) {
+            for column in x * factor..((x + 1) * factor).min(width) {
+                let [r, g, b, a] = tile.texel(i64::from(column), i64::from(row)).map(u64::from);
+                count += 1;
+                sums = [sums[0] + r * a, sums[1] + g * a, sums[2] + b * a, sums[3] + a];
+            }
+        }
+        let [r, g, b, a] = sums;
+        let mean = |sum: u64| ((sum + a / 2) / a.max(1)) as u8;
+        rgba.extend([mean(r), mean(g), mean(b), ((a + count / 2) / count.max(1)) as u8]);
+    }
+    Tile::new(size, rgba).unwrap_or_else(|| Tile::filled(size, [0; 4]))
+}

@@ -1,0 +1,125 @@
+//! From a recipe to its tile.
+
+use std::sync::Arc;
+
+use super::plan::{Plan, Recipe, Source};
+use super::turn::{Color, Turned};
+use super::{Progress, blend};
+use crate::document::Tile;
+
+/// A recipe's tile; `None` where it is stopped.
+pub(super) fn tile(plan: &Plan<'_>, recipe: &Recipe, progress: &Progress) -> Option<Arc<Tile>> {
+    if progress.is_stopped() {
+        return None;
+    }
+    let size = plan.grid.size;
+    let rows = Rows { size, recipe, progress };
+    let at_once = |tile| {
+        progress.add(u64::from(size[1]));
+        Some(tile)
+    };
+    match recipe.source {
+        Source::Empty => at_once(Arc::new(Tile::filled(size, [0; 4]))),
+        Source::Uniform(color) => {
+            let mapped = Mapping::new(recipe).of(color.map(f32::from));
+            at_once(Arc::new(Tile::filled(size, mapped)))
+        }
+        Source::Painted(number) => {
+            let painted = plan.painted.get(number as usize)?.tile;
+            match (recipe.turn.get() == 0.0, recipe.is_recoloured()) {
+                (true, false) => at_once(painted.clone()),
+                (true, true) => rows.of_bytes(painted),
+                (false, _) => rows.turned(plan.is_tiling, |x, y| {
+                    let at = 4 * (y * size[0] as usize + x);
+                    std::array::from_fn(|channel| f32::from(painted.bytes()[at + channel]))
+                }),
+            }
+        }
+        Source::Blend { address, sharpness } => {
+            let weights = blend::weights(address, sharpness.get(), &plan.grid, &plan.painted);
+            let blend = |y: usize, row: &mut [Color]| blend::row(&weights, &plan.painted, y, row);
+            if recipe.turn.get() == 0.0 {
+                return rows.each(|y, row| blend(y, row));
+            }
+            // Turned from the blend itself, before it is rounded.
+            let width = size[0] as usize;
+            let mut blended = vec![[0.0; 4]; plan.grid.texels()];
+            for (y, row) in blended.chunks_exact_mut(width).enumerate() {
+                if progress.is_stopped() {
+                    return None;
+                }
+                blend(y, row);
+            }
+            rows.turned(plan.is_tiling, |x, y| blended[y * width + x])
+        }
+    }
+}
+
+/// What becomes of straight colours from 0 to 255.
+struct Mapping {
+    factors: Color,
+    offsets: Color,
+}
+
+impl Mapping {
+    fn new(recipe: &Recipe) -> Self {
+        let [r, g, b] = recipe.maps.map(|map| map.map(|number| number.get() as f32));
+        Self { factors: [r[0], g[0], b[0], 1.0], offsets: [r[1], g[1], b[1], 0.0] }
+    }
+
+    /// Bytes: the nearest.
+    fn of(&self, color: Color) -> [u8; 4] {
+        // A float becomes a byte without wrapping.
+        std::array::from_fn(|i| (color[i] * self.factors[i] + self.offsets[i] + 0.5) as u8)
+    }
+}
+
+/// Makes a tile row by row.
+struct Rows<'a> {
+    size: [u32; 2],
+    recipe: &'a Recipe,
+    progress: &'a Progress,
+}
+
+impl Rows<'_> {
+    /// From the colours that `row` writes.
+    fn each(&self, mut row: impl FnMut(usize, &mut [Color])) -> Option<Arc<Tile>> {
+        let [width, height] = self.size.map(|side| side as usize);
+        let mapping = Mapping::new(self.recipe);
+        let mut colors = vec![[0.0; 4]; width];
+        let mut rgba = Vec::with_capacity(4 * width * height);
+        for y in 0..height {
+            if self.progress.is_stopped() {
+                return None;
+            }
+            row(y, &mut colors);
+            rgba.extend(colors.iter().flat_map(|color| mapping.of(*color)));
+            self.progress.add(1);
+        }
+        Tile::new(self.size, rgba).map(Arc::new)
+    }
+
+    fn turned(&self, is_tiling: bool, texel: impl Fn(usize, usize) -> Color) -> Option<Arc<Tile>> {
+        let turned = Turned::new(self.size, is_tiling, self.recipe.turn.get(), texel);
+        self.each(|y, row| row.iter_mut().enumerate().for_each(|(x, color)| *color = turned.at(x, y)))
+    }
+
+    /// From a tile as it is: a table for each channel does.
+    fn of_bytes(&self, tile: &Tile) -> Option<Arc<Tile>> {
+        let tables = self.recipe.maps.map(|map| {
+            let [factor, offset] = map.map(|number| number.get());
+            std::array::from_fn::<u8, 256, _>(|byte| (byte as f64 * factor + offset + 0.5) as u8)
+        });
+        let mut rgba = tile.bytes().to_vec();
+        for row in rgba.chunks_exact_mut(4 * self.size[0] as usize) {
+            if self.progress.is_stopped() {
+                return None;
+            }
+            for texel in row.chunks_exact_mut(4) {
+                (0..3).for_each(|channel| texel[channel] = tables[channel][texel[channel] as usize]);
+            }
+            self.progress.add(1);
+        }
+        Tile::new(self.size, rgba).map(Arc::new)
+    }
+}

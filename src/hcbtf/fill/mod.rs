@@ -1,0 +1,245 @@
+//! Fills that do not destroy: an ordered list of rules derives every sample that is not painted.
+//!
+//! It goes in three steps. The `plan` walks the rules for every sample and writes down a recipe: which painted sample,
+//! blend or colour it begins with, by how much it is turned, and what becomes of its colours. All changes of colour are
+//! affine in each channel, and turning commutes with them, so a recipe has one turn and one map however many rules had a
+//! part in it, and a tile is resampled once and rounded once (thesis figure 37 shows what repeated turning loses). Equal
+//! recipes are one recipe; `bake` makes a tile of each, on all cores; tiles that came out equal are shared.
+//!
+//! Every tile depends on its recipe alone, so the result is the same on any number of threads.
+
+mod bake;
+mod blend;
+mod lock;
+mod plan;
+mod turn;
+
+use std::collections::HashMap;
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
+use std::sync::Arc;
+
+use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
+use thiserror::Error;
+
+use self::plan::Plan;
+use super::Progress;
+use crate::diag::Diagnostic;
+use crate::document::{Address, Grid, Hcbtf, Tile};
+
+/// Grids of more samples than this are not filled.
+pub const MAX_SAMPLES: u64 = 1 << 20;
+/// What would take more than this is not filled, in bytes.
+pub const MAX_FILLED_BYTES: u64 = 4 << 30;
+
+/// Where a sample comes from.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Provenance {
+    /// Somebody painted it; no rule touches it.
+    Painted,
+    /// A rule filled it.
+    Filled {
+        /// The rule, counted from 0.
+        by: usize,
+        /// The later rules that changed it, in order; those that leave this sample as it is are not among them.
+        changed_by: Vec<usize>,
+    },
+    /// No rule fills it: it is transparent black.
+    Empty,
+}
+
+/// Which samples are given to other programs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Which {
+    /// Every sample, with what the rules fill.
+    #[default]
+    All,
+    /// What was painted alone.
+    Painted,
+}
+
+impl Which {
+    /// Whether a sample of this provenance is one of them.
+    pub fn has(self, provenance: &Provenance) -> bool {
+        match self {
+            Self::All => *provenance != Provenance::Empty,
+            Self::Painted => *provenance == Provenance::Painted,
+        }
+    }
+}
+
+/// What filling would take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Estimate {
+    /// Samples of the grid.
+    pub samples: u64,
+    /// Different tiles among them, as far as is known before they are made; painted ones are counted.
+    pub tiles: u64,
+    /// Memory that the result takes, in bytes, at most.
+    pub bytes: u64,
+}
+
+/// Why nothing was filled.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum NotFilled {
+    /// The grid is none that can be.
+    #[error("{why}")]
+    BadGrid {
+        /// What is wrong with it, by [`Grid::check`].
+        why: String,
+    },
+    /// Somebody stopped it.
+    #[error("it was stopped before it was done")]
+    Stopped,
+    /// There are more than [`MAX_SAMPLES`].
+    #[error("the grid has {samples} samples; at most {MAX_SAMPLES} can be filled")]
+    TooMany {
+        /// Samples of the grid.
+        samples: u64,
+    },
+    /// It would take more than [`MAX_FILLED_BYTES`].
+    #[error("the filled samples would take {} MiB; at most {} MiB can be", bytes >> 20, MAX_FILLED_BYTES >> 20)]
+    TooLarge {
+        /// What they would take.
+        bytes: u64,
+    },
+}
+
+impl From<NotFilled> for Diagnostic {
+    fn from(why: NotFilled) -> Self {
+        match why {
+            NotFilled::Stopped => Self::error("stopped", why.to_string()),
+            NotFilled::BadGrid { why } => Self::error("hcbtf-grid", why),
+            _ => Self::error("too-large", why.to_string()).hint("take a coarser grid"),
+        }
+    }
+}
+
+/// A tile for every sample of a grid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Filled {
+    grid: Grid,
+    tiles: Vec<Arc<Tile>>,
+    provenances: Vec<Provenance>,
+    /// For each sample in the order of [`Grid::addresses`]: its tile and its provenance.
+    samples: Vec<[u32; 2]>,
+}
+
+impl Filled {
+    /// The grid that is filled.
+    pub fn grid(&self) -> Grid {
+        self.grid
+    }
+
+    /// The tile of a sample; `None` outside the grid. Samples that are equal have the same tile, by pointer.
+    pub fn tile(&self, address: Address) -> Option<&Arc<Tile>> {
+        self.tiles.get(self.tile_index(address)?)
+    }
+
+    /// Which of [`Self::tiles`] a sample has.
+    pub fn tile_index(&self, address: Address) -> Option<usize> {
+        Some(self.sample(address)?[0] as usize)
+    }
+
+    /// Where a sample comes from; `None` outside the grid.
+    pub fn provenance(&self, address: Address) -> Option<&Provenance> {
+        self.provenances.get(self.sample(address)?[1] as usize)
+    }
+
+    /// The tiles that differ.
+    pub fn tiles(&self) -> &[Arc<Tile>] {
+        &self.tiles
+    }
+
+    /// Memory that it takes, in bytes: each tile once, painted ones too, which it shares with the HCBTF.
+    pub fn bytes(&self) -> u64 {
+        bytes(self.grid, self.tiles.len() as u64)
+    }
+
+    /// Every sample with its tile and its provenance, in the order of [`Grid::addresses`].
+    pub fn iter(&self) -> impl Iterator<Item = (Address, &Arc<Tile>, &Provenance)> {
+        self.grid.addresses().zip(&self.samples).filter_map(|(address, [tile, provenance])| {
+            Some((address, self.tiles.get(*tile as usize)?, self.provenances.get(*provenance as usize)?))
+        })
+    }
+
+    fn sample(&self, address: Address) -> Option<[u32; 2]> {
+        self.samples.get(usize::try_from(self.grid.index(address)?).ok()?).copied()
+    }
+}
+
+/// Memory of a filled grid with this many different tiles.
+fn bytes(grid: Grid, tiles: u64) -> u64 {
+    let tile = 4 * grid.texels() as u64 + size_of::<Tile>() as u64 + size_of::<Arc<Tile>>() as u64;
+    tiles * tile + grid.sample_count() * size_of::<[u32; 2]>() as u64
+}
+
+/// What [`fill`] would take, without filling.
+///
+/// # Errors
+/// As [`fill`], but for its being stopped.
+pub fn estimate(hcbtf: &Hcbtf) -> Result<Estimate, NotFilled> {
+    laid_out(hcbtf, &Progress::new()).map(|(_, estimate)| estimate)
+}
+
+fn laid_out<'a>(hcbtf: &'a Hcbtf, progress: &Progress) -> Result<(Plan<'a>, Estimate), NotFilled> {
+    hcbtf.grid.check().map_err(|why| NotFilled::BadGrid { why })?;
+    let samples = hcbtf.grid.sample_count();
+    if samples > MAX_SAMPLES {
+        return Err(NotFilled::TooMany { samples });
+    }
+    let plan = Plan::new(hcbtf, progress).ok_or(NotFilled::Stopped)?;
+    let tiles = plan.recipes.len() as u64;
+    let estimate = Estimate { samples, tiles, bytes: bytes(hcbtf.grid, tiles) };
+    if estimate.bytes > MAX_FILLED_BYTES {
+        return Err(NotFilled::TooLarge { bytes: estimate.bytes });
+    }
+    Ok((plan, estimate))
+}
+
+/// Runs the rules for every sample. Painted samples always win; samples outside the grid and painted tiles of another size
+/// than the grid's are left out.
+///
+/// `progress` counts rows of texels.
+///
+/// # Errors
+/// Where it was stopped, and where the grid is too large or none at all.
+pub fn fill(hcbtf: &Hcbtf, progress: &Progress) -> Result<Filled, NotFilled> {
+    let (plan, _) = laid_out(hcbtf, progress)?;
+    let rows = u64::from(hcbtf.grid.size[1]);
+    progress.begin(plan.recipes.len() as u64 * rows);
+    let baked = plan.recipes.par_iter().map(|recipe| bake::tile(&plan, recipe, progress).ok_or(NotFilled::Stopped));
+    let baked: Vec<Arc<Tile>> = baked.collect::<Result<_, _>>()?;
+    let (tiles, place) = shared(baked);
+    let mut samples = plan.samples;
+    for [tile, _] in &mut samples {
+        *tile = place[*tile as usize];
+    }
+    Ok(Filled { grid: hcbtf.grid, tiles, provenances: plan.provenances, samples })
+}
+
+/// Tiles that are equal become one, the first; gives where each went.
+pub(super) fn shared(all: Vec<Arc<Tile>>) -> (Vec<Arc<Tile>>, Vec<u32>) {
+    let hash = |tile: &Arc<Tile>| {
+        let mut hasher = DefaultHasher::new();
+        tile.hash(&mut hasher);
+        hasher.finish()
+    };
+    let hashes: Vec<u64> = all.par_iter().map(hash).collect();
+    let mut known: HashMap<u64, Vec<u32>> = HashMap::new();
+    let mut tiles: Vec<Arc<Tile>> = Vec::new();
+    let mut place = Vec::with_capacity(all.len());
+    for (tile, hash) in all.into_iter().zip(hashes) {
+        let alike = known.entry(hash).or_default();
+        let same = alike.iter().copied().find(|at| tiles[*at as usize] == tile);
+        place.push(same.unwrap_or_else(|| {
+            let at = tiles.len() as u32;
+            alike.push(at);
+            tiles.push(tile);
+            at
+        }));
+    }
+    (tiles, place)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,264 @@
+//! From rules to recipes: what each sample begins with, and what becomes of it.
+
+use std::collections::HashMap;
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::Arc;
+
+use glam::DVec3;
+use indexmap::{IndexMap, IndexSet};
+use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
+
+use super::lock::{Lock, angle};
+use super::{Progress, Provenance};
+use crate::document::{Address, Direction, Directions, Grid, Hcbtf, HcbtfAngle as Angle, Rule, Tile};
+
+/// Directions nearer than this, in radians, are the same: angles of one grid differ by far more, and those that ought to be
+/// equal by rounding alone.
+pub(super) const SAME_ANGLE: f64 = 1e-9;
+
+/// A painted sample with what distances need.
+pub(super) struct Painted<'a> {
+    pub(super) address: Address,
+    pub(super) light: DVec3,
+    pub(super) view: DVec3,
+    pub(super) tile: &'a Arc<Tile>,
+    /// Whether nothing shines through it.
+    pub(super) is_opaque: bool,
+}
+
+/// What a tile begins as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Source {
+    /// Transparent black.
+    Empty,
+    /// A painted sample, by its number in the plan.
+    Painted(u32),
+    /// All painted samples, by how near they are to the address.
+    Blend { address: Address, sharpness: Bits },
+    /// One colour, straight RGBA.
+    Uniform([u8; 4]),
+}
+
+/// A finite number that can be hashed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Bits(u64);
+
+impl Bits {
+    fn new(value: f64) -> Self {
+        // Adding zero makes one zero of the two.
+        Self((value + 0.0).to_bits())
+    }
+
+    pub(super) fn get(self) -> f64 {
+        f64::from_bits(self.0)
+    }
+}
+
+/// What becomes of a channel, a byte as a number from 0 to 255: factor, then offset.
+pub(super) type Map = [Bits; 2];
+
+/// How a tile is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Recipe {
+    pub(super) source: Source,
+    /// Turns of the content, in [0, 1), from v toward u.
+    pub(super) turn: Bits,
+    /// For red, green and blue.
+    pub(super) maps: [Map; 3],
+}
+
+impl Recipe {
+    fn of(source: Source) -> Self {
+        Self { source, turn: Bits::new(0.0), maps: [[Bits::new(1.0), Bits::new(0.0)]; 3] }
+    }
+
+    pub(super) fn is_recoloured(&self) -> bool {
+        self.maps.iter().any(|[factor, offset]| factor.get() != 1.0 || offset.get() != 0.0)
+    }
+
+    /// Each channel times its factor plus its offset, after what was done before.
+    fn then(&mut self, factor: [f64; 3], offset: [f64; 3]) {
+        for ((map, factor), offset) in self.maps.iter_mut().zip(factor).zip(offset) {
+            let [before, added] = map.map(Bits::get);
+            *map = [Bits::new(before * factor), Bits::new(added * factor + offset)];
+        }
+    }
+}
+
+/// All recipes, and which sample has which.
+pub(super) struct Plan<'a> {
+    pub(super) grid: Grid,
+    pub(super) is_tiling: bool,
+    pub(super) painted: Vec<Painted<'a>>,
+    pub(super) recipes: Vec<Recipe>,
+    pub(super) provenances: Vec<Provenance>,
+    /// For each sample in the grid's order: its recipe and its provenance.
+    pub(super) samples: Vec<[u32; 2]>,
+}
+
+impl<'a> Plan<'a> {
+    /// Walks the rules for every sample; `None` where it is stopped.
+    pub(super) fn new(hcbtf: &'a Hcbtf, progress: &Progress) -> Option<Self> {
+        let planner = Planner::new(hcbtf);
+        let addresses: Vec<Address> = hcbtf.grid.addresses().collect();
+        let walk = |address| (!progress.is_stopped()).then(|| planner.sample(address));
+        let walked: Vec<(Recipe, Provenance)> = addresses.into_par_iter().map(walk).collect::<Option<_>>()?;
+        let mut recipes: IndexMap<Recipe, ()> = IndexMap::new();
+        let mut provenances: IndexSet<Provenance> = IndexSet::new();
+        let samples = walked.into_iter().map(|(recipe, provenance)| {
+            let recipe = recipes.insert_full(recipe, ()).0;
+            [recipe as u32, provenances.insert_full(provenance).0 as u32]
+        });
+        let samples = samples.collect();
+        Some(Self {
+            grid: hcbtf.grid,
+            is_tiling: hcbtf.is_tiling,
+            painted: planner.painted,
+            recipes: recipes.into_keys().collect(),
+            provenances: provenances.into_iter().collect(),
+            samples,
+        })
+    }
+}
+
+/// What walking the rules needs.
+struct Planner<'a> {
+    grid: Grid,
+    rules: &'a [Rule],
+    painted: Vec<Painted<'a>>,
+    numbers: HashMap<Address, u32>,
+    /// For each rule that is a [`Rule::Lock`].
+    locks: Vec<Option<Lock>>,
+}
+
+impl<'a> Planner<'a> {
+    fn new(hcbtf: &'a Hcbtf) -> Self {
+        let grid = hcbtf.grid;
+        let fits = |(address, tile): &(&Address, &Arc<Tile>)| grid.contains(**address) && tile.size() == grid.size;
+        let painted = hcbtf.painted.iter().filter(fits).map(|(address, tile)| {
+            let (light, view) = (grid.light.vector(address.light), grid.view.vector(address.view));
+            let is_opaque = tile.bytes().iter().skip(3).step_by(4).all(|alpha| *alpha == 255);
+            Painted { address: address.canonical(), light, view, tile, is_opaque }
+        });
+        let painted: Vec<Painted<'_>> = painted.collect();
+        let numbers = painted.iter().enumerate().map(|(number, sample)| (sample.address, number as u32)).collect();
+        let lock = |rule: &Rule| match rule {
+            Rule::Lock { angles } => Some(Lock::new(angles, &painted)),
+            _ => None,
+        };
+        let locks = hcbtf.rules.iter().map(lock).collect();
+        Self { grid, rules: &hcbtf.rules, painted, numbers, locks }
+    }
+
+    fn sample(&self, address: Address) -> (Recipe, Provenance) {
+        if let Some(number) = self.numbers.get(&address) {
+            return (Recipe::of(Source::Painted(*number)), Provenance::Painted);
+        }
+        let mut filled: Option<(Recipe, usize, Vec<usize>)> = None;
+        for (number, rule) in self.rules.iter().enumerate() {
+            match &mut filled {
+                None => {
+                    let source = self.source(rule, number, address);
+                    filled = source.map(|source| (Recipe::of(source), number, Vec::new()));
+                }
+                Some((recipe, _, changed_by)) => {
+                    let before = *recipe;
+                    change(rule, recipe, address, &self.grid);
+                    if *recipe != before {
+                        changed_by.push(number);
+                    }
+                }
+            }
+        }
+        match filled {
+            Some((recipe, by, changed_by)) => (recipe, Provenance::Filled { by, changed_by }),
+            None => (Recipe::of(Source::Empty), Provenance::Empty),
+        }
+    }
+
+    /// What a rule fills a sample with, if it does.
+    fn source(&self, rule: &Rule, number: usize, address: Address) -> Option<Source> {
+        let painted = |from: &Address| self.numbers.get(&from.canonical()).copied().map(Source::Painted);
+        match rule {
+            Rule::Copy { from } => painted(from),
+            Rule::Lock { .. } => {
+                let lock = self.locks.get(number)?.as_ref()?;
+                lock.nearest(address, &self.grid, &self.painted).map(Source::Painted)
+            }
+            Rule::Blend { .. } if self.painted.is_empty() => None,
+            Rule::Blend { sharpness } => {
+                let sharpness = Bits::new(finite(*sharpness).clamp(0.0, Rule::MAX_SHARPNESS));
+                Some(Source::Blend { address, sharpness })
+            }
+            Rule::Mirror { color: [r, g, b, a], width } => {
+                let off = self.off_mirrored(address);
+                let fade = || 0.5 + 0.5 * (PI * off / width).cos();
+                (off < *width).then(|| Source::Uniform([*r, *g, *b, (f64::from(*a) * fade()).round() as u8]))
+            }
+            Rule::Specular { from, width } => {
+                if self.off_mirrored(address) <= width + SAME_ANGLE {
+                    painted(from)
+                } else {
+                    None
+                }
+            }
+            Rule::Color { color } => Some(Source::Uniform(*color)),
+            Rule::Lambert { .. } | Rule::Rotate { .. } | Rule::Recolor { .. } => None,
+        }
+    }
+
+    /// The angle between the light and the mirrored direction of the view, in radians.
+    fn off_mirrored(&self, address: Address) -> f64 {
+        let view = self.grid.view.vector(address.view);
+        angle(self.grid.light.vector(address.light), DVec3::new(-view.x, -view.y, view.z))
+    }
+}
+
+/// Puts what a rule changes of a sample into its recipe.
+fn change(rule: &Rule, recipe: &mut Recipe, address: Address, grid: &Grid) {
+    match rule {
+        Rule::Lambert { shadow, amount } => {
+            let [theta, _] = grid.light.angles(address.light);
+            let kept = 1.0 - finite(*amount).clamp(0.0, 1.0) * (1.0 - theta.cos().max(0.0));
+            recipe.then([kept; 3], shadow.map(|channel| f64::from(channel) * (1.0 - kept)));
+        }
+        // One colour has nothing that could be turned, and at the normal there is nothing to turn by.
+        Rule::Rotate { turns } if address.view.theta > 0 && !matches!(recipe.source, Source::Uniform(_)) => {
+            let share = f64::from(address.view.phi) / f64::from(grid.view.phi.max(1));
+            recipe.turn = Bits::new(snapped(recipe.turn.get() + finite(*turns) * share));
+        }
+        Rule::Recolor { angle, from, to } => {
+            let at = along(*angle, address, grid);
+            let channel = |i: usize| (f64::from(from[i]) * (1.0 - at) + f64::from(to[i]) * at) / 255.0;
+            recipe.then([channel(0), channel(1), channel(2)], [0.0; 3]);
+        }
+        _ => {}
+    }
+}
+
+fn finite(value: f64) -> f64 {
+    if value.is_finite() { value } else { 0.0 }
+}
+
+/// Turns in [0, 1), with what is a quarter but for rounding made one.
+fn snapped(turns: f64) -> f64 {
+    let turns = turns.rem_euclid(1.0);
+    let quarters = (4.0 * turns).round();
+    if (4.0 * turns - quarters).abs() < SAME_ANGLE { (quarters / 4.0) % 1.0 } else { turns }
+}
+
+/// How far a sample is along an angle, from 0 to 1: from the normal to the horizon, or from phi 0 half a turn around, and
+/// back. At the normal every step around it is equally right, so it is in the middle.
+fn along(angle: Angle, address: Address, grid: &Grid) -> f64 {
+    let from_normal = |directions: Directions, direction: Direction| directions.angles(direction)[0] / FRAC_PI_2;
+    let around = |directions: Directions, direction: Direction| match direction.theta {
+        0 => 0.5,
+        _ => 1.0 - (1.0 - directions.angles(direction)[1] / PI).abs(),
+    };
+    match angle {
+        Angle::LightTheta => from_normal(grid.light, address.light),
+        Angle::LightPhi => around(grid.light, address.light),
+        Angle::ViewTheta => from_normal(grid.view, address.view),
+        Angle::ViewPhi => around(grid.view, address.view),
+    }
+}

@@ -1,0 +1,236 @@
+//! A folder of images, one a sample.
+//!
+//! A name says where the sample belongs: `l2.3_v1.4.png` is seen with the light at ring 2, step 3, and the view at ring 1,
+//! step 4. Or files are numbered (`brick-0001.png`), in the order of [`Grid::addresses`]: the views one after the other, and
+//! for each all lights. Numbers begin at 0 where one of them is 0, and at 1 otherwise.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::Arc;
+
+use super::file::{read_bytes, tile};
+use super::fill::{Filled, Which};
+use super::picture::encode;
+use super::report::Report;
+use super::sheet::gathered;
+use super::{MAX_PAINTED, MAX_PAINTED_BYTES};
+use crate::diag::Diagnostic;
+use crate::document::{Address, Direction, Grid, Hcbtf, Tile};
+
+/// The name of a sample's image.
+pub fn file_name(Address { light, view }: Address) -> String {
+    format!("l{light}_v{view}.png")
+}
+
+/// The sample that a name says, whether or not a grid has it.
+pub fn parse_name(name: &str) -> Option<Address> {
+    let (light, view) = stem(name)?.strip_prefix('l')?.split_once("_v")?;
+    let direction = |text: &str| {
+        let (theta, phi) = text.split_once('.')?;
+        let number = |text: &str| if text.starts_with('+') { None } else { text.parse::<u32>().ok() };
+        Some(Direction { theta: number(theta)?, phi: number(phi)? })
+    };
+    Some(Address { light: direction(light)?, view: direction(view)? })
+}
+
+/// A PNG's name without its ending.
+fn stem(name: &str) -> Option<&str> {
+    let (stem, ending) = name.rsplit_once('.')?;
+    ending.eq_ignore_ascii_case("png").then_some(stem)
+}
+
+/// The number at the end of a PNG's name.
+fn number(name: &str) -> Option<u64> {
+    let stem = stem(name)?;
+    let digits = stem.trim_end_matches(|c: char| c.is_ascii_digit()).len();
+    stem.get(digits..)?.parse().ok()
+}
+
+/// Reads a folder; other files than PNGs, and folders in it, are left alone.
+///
+/// # Errors
+/// As [`import`], and where the folder cannot be read.
+pub fn load(folder: &Path, grid: Grid) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+    let name = folder.display().to_string();
+    let entries = std::fs::read_dir(folder).map_err(|error| {
+        let problem = Diagnostic::error("cannot-read", format!("the folder cannot be read: {error}"));
+        vec![problem.in_file(name.as_str()).hint("check the spelling, and whether you may read it")]
+    })?;
+    let files = entries.flatten().filter(|entry| entry.path().is_file());
+    let names: Vec<String> = files.filter_map(|entry| entry.file_name().into_string().ok()).collect();
+    import(names, &|file| read_bytes(&folder.join(file)).map_err(|problem| problem.message), grid, &name)
+}
+
+/// An HCBTF from images, of which `read` gives the bytes by name; `folder` is what diagnostics call them together.
+///
+/// # Errors
+/// Everything that keeps them from being used, up to a bound.
+pub fn import(
+    names: Vec<String>,
+    read: &dyn Fn(&str) -> Result<Vec<u8>, String>,
+    grid: Grid,
+    folder: &str,
+) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+    let mut report = Report::new(folder);
+    let hcbtf = import_into(names, read, grid, &mut report);
+    report.finish(hcbtf)
+}
+
+fn import_into(
+    mut names: Vec<String>,
+    read: &dyn Fn(&str) -> Result<Vec<u8>, String>,
+    grid: Grid,
+    report: &mut Report,
+) -> Option<Hcbtf> {
+    if let Err(why) = grid.check() {
+        report.add(Diagnostic::error("hcbtf-grid", why));
+        return None;
+    }
+    names.retain(|name| stem(name).is_some());
+    names.sort();
+    let placed = placed(&names, &grid, report)?;
+    let needed = placed.len() as u64 * grid.texels() as u64 * 4;
+    if placed.len() > MAX_PAINTED || needed > MAX_PAINTED_BYTES {
+        let message = format!("{} images take {} MiB", placed.len(), needed >> 20);
+        let hint = format!("at most {MAX_PAINTED} images and {} MiB can be", MAX_PAINTED_BYTES >> 20);
+        report.add(Diagnostic::error("too-large", message).hint(hint));
+        return None;
+    }
+    let painted = placed.into_iter().filter_map(|(address, name)| {
+        let png = read(name).map_err(|why| {
+            let problem = Diagnostic::error("cannot-read", format!("`{name}` cannot be read: {why}"));
+            report.add(problem.hint("name a folder whose files you may read"));
+        });
+        let tile = tile(&png.ok()?, grid.size, &format!("`{name}`"), report)?;
+        Some((address, Arc::new(tile)))
+    });
+    let painted: Vec<(Address, Arc<Tile>)> = painted.collect();
+    Some(gathered(grid, painted))
+}
+
+/// Which file holds which sample.
+fn placed<'a>(names: &'a [String], grid: &Grid, report: &mut Report) -> Option<BTreeMap<Address, &'a str>> {
+    let hint = "name images like `l2.3_v1.4.png`, or number them";
+    let named: Vec<(&str, Option<Address>)> = names.iter().map(|name| (name.as_str(), parse_name(name))).collect();
+    let found: Vec<(&str, Option<Address>)> = if named.iter().any(|(_, address)| address.is_some()) {
+        named
+    } else {
+        let numbers: Vec<Option<u64>> = names.iter().map(|name| number(name)).collect();
+        let first = u64::from(!numbers.contains(&Some(0)));
+        let counts = usize::try_from(grid.sample_count()).unwrap_or(usize::MAX);
+        // Only as far as is asked for: a grid can have billions of samples.
+        let largest =
+            numbers.iter().flatten().max().map_or(0, |largest| (largest.saturating_add(1) - first).min(counts as u64));
+        let addresses: Vec<Address> = grid.addresses().take((largest as usize).min(MAX_PAINTED)).collect();
+        let address = |number: &u64| addresses.get(usize::try_from(number - first).ok()?).copied();
+        let outside = Address { light: Direction { theta: u32::MAX, phi: 0 }, ..Address::default() };
+        let numbered = numbers.iter().map(|number| number.as_ref().map(|number| address(number).unwrap_or(outside)));
+        names.iter().map(String::as_str).zip(numbered).collect()
+    };
+    let mut placed: BTreeMap<Address, &str> = BTreeMap::new();
+    for (name, address) in found {
+        let Some(address) = address else {
+            let message = format!("`{name}` does not say which sample it is; it is not used");
+            report.add(Diagnostic::warning("hcbtf-stray", message).hint(hint));
+            continue;
+        };
+        if !grid.contains(address) {
+            let message = format!("`{name}` is outside the grid, which has {} samples", grid.sample_count());
+            report.add(Diagnostic::error("out-of-range", message).hint("name the grid that the images were made with"));
+        } else if let Some(other) = placed.insert(address.canonical(), name) {
+            let message = format!("`{other}` and `{name}` are both the sample at {}", address.canonical());
+            let hint = "at the normal there is one sample, whatever the step around it: remove one";
+            report.add(Diagnostic::error("duplicate-sample", message).hint(hint));
+        }
+    }
+    if placed.is_empty() && !report.has_errors() {
+        report.add(Diagnostic::error("hcbtf-folder", "there is no sample in this folder").hint(hint));
+    }
+    Some(placed)
+}
+
+/// The name and the PNG of each sample, made one at a time.
+pub fn export(filled: &Filled, which: Which) -> impl Iterator<Item = Result<(String, Vec<u8>), Box<Diagnostic>>> {
+    let taken = filled.iter().filter(move |(_, _, provenance)| which.has(provenance));
+    taken.map(|(address, tile, _)| {
+        let png = encode(tile.size(), tile.bytes());
+        let cannot = |why| Box::new(Diagnostic::error("cannot-write", format!("the sample at {address}: {why}")));
+        Ok((file_name(address), png.map_err(cannot)?))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::Directions;
+    use crate::hcbtf::Progress;
+    use crate::hcbtf::fill::fill;
+
+    fn grid() -> Grid {
+        Grid { size: [2, 2], light: Directions { theta: 2, phi: 3 }, view: Directions { theta: 2, phi: 2 } }
+    }
+
+    fn png(byte: u8) -> Vec<u8> {
+        encode([2, 2], &[byte; 16]).unwrap()
+    }
+
+    fn read(names: &[&str]) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+        let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
+        import(names, &|name| Ok(png(name.len() as u8)), grid(), "folder")
+    }
+
+    #[test]
+    fn names_say_addresses() {
+        let address = Address::new([2, 3], [1, 4]);
+        assert_eq!(file_name(address), "l2.3_v1.4.png");
+        assert_eq!(parse_name("l2.3_v1.4.PNG"), Some(address));
+        for odd in ["l2.3_v1.4", "l2.3_v1.png", "l2.3.4_v1.4.png", "l-2.3_v1.4.png", "l+2.3_v1.4.png", "x.png", ""] {
+            assert_eq!(parse_name(odd), None, "{odd}");
+        }
+        assert_eq!(number("brick-0012.png"), Some(12));
+        assert_eq!(number("brick.png"), None);
+        assert_eq!(number("99999999999999999999999.png"), None);
+    }
+
+    #[test]
+    fn a_folder_comes_back_as_it_was() {
+        let names: Vec<String> = grid().addresses().map(file_name).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).step_by(2).collect();
+        let (hcbtf, notes) = read(&names).unwrap();
+        assert!(notes.is_empty() && hcbtf.painted.len() == 6, "{notes:?}");
+        let filled = fill(&hcbtf, &Progress::new()).unwrap();
+        let written: Vec<(String, Vec<u8>)> = export(&filled, Which::All).map(Result::unwrap).collect();
+        assert_eq!(written.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>(), names);
+        let images: std::collections::HashMap<String, Vec<u8>> = written.into_iter().collect();
+        let all = images.keys().cloned().collect();
+        let back = import(all, &|name| Ok(images[name].clone()), grid(), "folder").unwrap();
+        assert_eq!(back.0, hcbtf);
+    }
+
+    #[test]
+    fn numbers_follow_the_grid_from_0_or_1() {
+        let addresses: Vec<Address> = grid().addresses().collect();
+        let numbers = |names: &[&str]| read(names).unwrap().0.painted.keys().copied().collect::<Vec<_>>();
+        assert_eq!(numbers(&["b1.png", "b02.png", "b12.png"]), [addresses[0], addresses[1], addresses[11]]);
+        assert_eq!(numbers(&["0.png", "11.png"]), [addresses[0], addresses[11]]);
+        let told = |names: &[&str]| read(names).unwrap_err()[0].to_string();
+        assert!(told(&["0.png", "12.png"]).contains("out-of-range"));
+        assert!(told(&["18446744073709551615.png"]).contains("out-of-range"));
+        assert!(told(&["1.png", "01.png"]).contains("duplicate-sample"));
+        assert!(told(&["l0.1_v0.0.png", "l0.0_v0.1.png"]).contains("duplicate-sample"));
+        assert!(told(&["l9.1_v0.0.png"]).contains("out-of-range"));
+        assert!(told(&["x.jpg"]).contains("no sample"));
+        let (hcbtf, notes) = read(&["l1.1_v0.0.png", "sketch.png", "notes.txt"]).unwrap();
+        assert!(hcbtf.painted.len() == 1 && notes[0].code == "hcbtf-stray" && notes.len() == 1);
+    }
+
+    #[test]
+    fn images_of_another_size_are_told() {
+        let names = vec!["1.png".to_owned(), "2.png".to_owned()];
+        let wrong = import(names, &|_| encode([3, 2], &[0; 24]), grid(), "folder").unwrap_err();
+        assert_eq!(wrong.len(), 2);
+        assert!(wrong[1].message.contains("`2.png` cannot be used: it has 3 x 2 texels"), "{wrong:?}");
+        let unread = import(vec!["1.png".to_owned()], &|_| Err("gone".to_owned()), grid(), "folder").unwrap_err();
+        assert!(unread[0].message.contains("`1.png` cannot be read: gone"));
+    }
+}

@@ -1,0 +1,245 @@
+//! The texture that shaders look an HCBTF up in.
+//!
+//! One layer holds one view. In it every texel of the tile is a small block of its lights: thetas along x, phis along y,
+//! with a copy of the last phi above the first and of the first below the last, so that one bilinear tap blends four
+//! lights (the inner layout of thesis A.3, with a layer for each view instead of one flat texture, which no GPU could
+//! hold for larger tiles). Smaller levels of the tile stand to the right of it, each below the one before. The first two
+//! texels of one more layer tell the grid, so that a shader needs nothing beside the texture. `shaders/lib/hcbtf.wgsl`
+//! reads this.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use crate::document::{Address, Direction, Grid, Tile};
+
+/// What the texture is to hold beside the samples.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct LayerOptions {
+    /// Smaller levels of the tile, for surfaces that are far away.
+    pub has_levels: bool,
+    /// Whether shaders are to decode blended colours to linear light.
+    pub is_decoded: bool,
+}
+
+/// The texture: straight RGBA, 8 bits a channel, rows from the top, layer after layer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layers {
+    /// Texels of a layer.
+    pub size: [u32; 2],
+    /// One for each view, and one that tells the grid.
+    pub count: u32,
+    /// Four bytes a texel.
+    pub rgba: Vec<u8>,
+}
+
+/// The fewest texels along a layer: the last one tells the grid in two.
+const FEWEST: u64 = 2;
+
+/// Texels of a layer and the number of layers, before anything is made. They are as large as the grid asks, which may
+/// be more than there is memory, or than a GPU takes.
+pub fn layers_size(grid: &Grid, has_levels: bool) -> [u64; 3] {
+    let block = [u64::from(grid.light.theta), u64::from(grid.light.phi) + 2];
+    let [width, height] = grid.size.map(u64::from);
+    let mut size = [width * block[0], height * block[1]];
+    if has_levels {
+        let smaller = level_sizes(grid).skip(1);
+        let (widest, highest) =
+            smaller.fold((0, 0), |(w, h), [x, y]| (w.max(u64::from(x) * block[0]), h + u64::from(y) * block[1]));
+        size = [size[0] + widest, size[1].max(highest)];
+    }
+    [size[0].max(FEWEST), size[1], grid.view.count() as u64 + 1]
+}
+
+/// The same in bytes.
+pub fn layers_bytes(grid: &Grid, has_levels: bool) -> u64 {
+    layers_size(grid, has_levels).into_iter().fold(4, u64::saturating_mul)
+}
+
+/// The sizes of a tile's levels, the tile itself first and one texel last.
+fn level_sizes(grid: &Grid) -> impl Iterator<Item = [u32; 2]> {
+    std::iter::successors(Some(grid.size), |size| (*size != [1, 1]).then(|| size.map(|side| (side / 2).max(1))))
+}
+
+/// Makes the texture from the samples' tiles; a sample without one is transparent black. The caller has seen that there
+/// is room ([`layers_bytes`]).
+pub fn layers<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Tile>>, options: LayerOptions) -> Layers {
+    let [width, height, count] = layers_size(grid, options.has_levels).map(|n| n as usize);
+    let mut rgba = vec![0; 4 * width * height * count];
+    // Equal samples share their tile, and so its levels.
+    let mut smaller: HashMap<*const Tile, Vec<Tile>> = HashMap::new();
+    let mut layer = Layer { grid, width, texels: &mut [] };
+    for (index, texels) in rgba.chunks_exact_mut(4 * width * height).take(grid.view.count()).enumerate() {
+        layer.texels = texels;
+        let view = direction(index, grid.view.phi);
+        for light in (0..grid.light.count()).map(|index| direction(index, grid.light.phi)) {
+            let Some(tile) = tile(Address { view, light }.canonical()) else { continue };
+            layer.put(tile, light, [0, 0]);
+            if options.has_levels {
+                let levels = smaller.entry(Arc::as_ptr(tile)).or_insert_with(|| levels_of(tile));
+                let mut origin = [grid.size[0] * grid.light.theta, 0];
+                for level in levels {
+                    layer.put(level, light, origin);
+                    origin[1] += level.size()[1] * (grid.light.phi + 2);
+                }
+            }
+        }
+    }
+    let told = rgba.len() - 4 * width * height;
+    rgba[told..told + 8].copy_from_slice(&header(grid, options));
+    Layers { size: [width as u32, height as u32], count: count as u32, rgba }
+}
+
+/// The two texels that tell the grid: the tile's sides with twelve bits each and the flags; then rings and steps of
+/// lights and of views.
+fn header(grid: &Grid, options: LayerOptions) -> [u8; 8] {
+    let [width, height] = grid.size;
+    let flags = u8::from(options.has_levels) | u8::from(options.is_decoded) << 1;
+    let high = (width >> 8 & 15) | (height >> 8 & 15) << 4;
+    let angles = [grid.light.theta, grid.light.phi, grid.view.theta, grid.view.phi].map(|n| n as u8);
+    [width as u8, height as u8, high as u8, flags, angles[0], angles[1], angles[2], angles[3]]
+}
+
+fn direction(index: usize, steps: u32) -> Direction {
+    let index = index as u32;
+    Direction { theta: index / steps.max(1), phi: index % steps.max(1) }
+}
+
+struct Layer<'a> {
+    grid: &'a Grid,
+    width: usize,
+    texels: &'a mut [u8],
+}
+
+impl Layer<'_> {
+    /// Puts each texel of a tile where its block has this light, and where that is copied to.
+    fn put(&mut self, tile: &Tile, light: Direction, origin: [u32; 2]) {
+        let lights = self.grid.light;
+        let mut rows = vec![light.phi + 1];
+        if light.phi == 0 {
+            rows.push(lights.phi + 1);
+        }
+        if light.phi + 1 == lights.phi {
+            rows.push(0);
+        }
+        let [width, height] = tile.size();
+        for y in 0..height {
+            for row in &rows {
+                let row = (origin[1] + y * (lights.phi + 2) + row) as usize;
+                for x in 0..width {
+                    let column = (origin[0] + x * lights.theta + light.theta) as usize;
+                    let to = 4 * (row * self.width + column);
+                    let from = 4 * (y * width + x) as usize;
+                    self.texels[to..to + 4].copy_from_slice(&tile.bytes()[from..from + 4]);
+                }
+            }
+        }
+    }
+}
+
+/// The smaller levels of a tile, half as large each, down to one texel.
+fn levels_of(tile: &Tile) -> Vec<Tile> {
+    let halved = |tile: &Tile| (tile.size() != [1, 1]).then(|| halved(tile));
+    std::iter::successors(halved(tile), halved).collect()
+}
+
+/// A tile half as large, each texel the mean of what it covers; what is transparent does not tint.
+fn halved(tile: &Tile) -> Tile {
+    let [width, height] = tile.size();
+    let size = [width, height].map(|side| (side / 2).max(1));
+    let mut rgba = Vec::with_capacity(4 * size[0] as usize * size[1] as usize);
+    for y in 0..size[1] {
+        let rows = covered(y, height, size[1]);
+        for x in 0..size[0] {
+            let mut sum = [0.0; 4];
+            let mut whole = 0.0;
+            for &(row, tall) in &rows {
+                for (column, wide) in covered(x, width, size[0]) {
+                    let [r, g, b, a] = tile.texel(column, row).map(f64::from);
+                    let weight = wide * tall;
+                    whole += weight;
+                    sum[3] += weight * a;
+                    for (sum, channel) in sum.iter_mut().zip([r, g, b]) {
+                        *sum += weight * a * channel;
+                    }
+                }
+            }
+            let opaque = if sum[3] > 0.0 { sum[3] } else { 1.0 };
+            rgba.extend(sum[..3].iter().map(|channel| (channel / opaque).round() as u8));
+            rgba.push((sum[3] / whole).round() as u8);
+        }
+    }
+    Tile::new(size, rgba).unwrap_or_else(|| Tile::filled(size, [0; 4]))
+}
+
+/// Which texels of `many` the texel `index` of `few` covers, and how much of each.
+fn covered(index: u32, many: u32, few: u32) -> Vec<(i64, f64)> {
+    let wide = f64::from(many) / f64::from(few);
+    let (from, to) = (f64::from(index) * wide, f64::from(index + 1) * wide);
+    let texels = from.floor() as i64..to.ceil() as i64;
+    texels
+        .map(|texel| (texel, (to.min(texel as f64 + 1.0) - from.max(texel as f64)).max(0.0)))
+        .filter(|(texel, share)| *share > 0.0 && *texel < i64::from(many))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::Directions;
+
+    fn hashed(address: Address, texel: u32) -> [u8; 4] {
+        let mut h = 0x9e37_79b9_u32;
+        for n in [address.view.theta, address.view.phi, address.light.theta, address.light.phi, texel] {
+            h = (h ^ n).wrapping_mul(0x85eb_ca6b).rotate_left(13);
+        }
+        [h as u8, (h >> 8) as u8, (h >> 16) as u8, 255]
+    }
+
+    #[test]
+    fn every_light_stands_where_its_block_says() {
+        let grid = Grid { size: [3, 2], light: Directions { theta: 3, phi: 4 }, view: Directions { theta: 2, phi: 5 } };
+        let tiles: HashMap<Address, Arc<Tile>> = grid
+            .addresses()
+            .map(|address| {
+                let texels = (0..6).flat_map(|texel| hashed(address, texel)).collect();
+                (address, Arc::new(Tile::new(grid.size, texels).unwrap()))
+            })
+            .collect();
+        let made = layers(&grid, |address| tiles.get(&address), LayerOptions { has_levels: true, is_decoded: false });
+        assert_eq!([u64::from(made.size[0]), u64::from(made.size[1]), u64::from(made.count)], layers_size(&grid, true));
+        assert_eq!(made.rgba.len() as u64, layers_bytes(&grid, true));
+        let texel = |x: u32, y: u32, layer: u32| {
+            let at = 4 * ((layer * made.size[1] + y) * made.size[0] + x) as usize;
+            <[u8; 4]>::try_from(&made.rgba[at..at + 4]).unwrap()
+        };
+        for view in 0..10 {
+            for (x, y) in (0..3).flat_map(|x| (0..2).map(move |y| (x, y))) {
+                for (theta, row) in (0..3).flat_map(|theta| (0..6).map(move |row| (theta, row))) {
+                    let phi = (row + 3) % 4;
+                    let address = Address::new([theta, phi], [view / 5, view % 5]);
+                    assert_eq!(
+                        texel(x * 3 + theta, y * 6 + row, view),
+                        hashed(address, y * 3 + x),
+                        "{address} at {x}, {y}"
+                    );
+                }
+            }
+        }
+        assert_eq!([texel(0, 0, 10), texel(1, 0, 10)], [[3, 2, 0, 1], [3, 4, 2, 5]]);
+        // The whole tile in one texel stands at the top right.
+        let mean = (0..6).map(|texel| f64::from(hashed(Address::new([2, 1], [1, 3]), texel)[0])).sum::<f64>() / 6.0;
+        assert_eq!(texel(9 + 2, 2, 8)[0], mean.round() as u8);
+    }
+
+    #[test]
+    fn what_is_transparent_does_not_tint_a_smaller_level() {
+        let tile = Tile::new([2, 1], vec![200, 100, 50, 255, 0, 0, 0, 0]).unwrap();
+        assert_eq!(halved(&tile).bytes(), [200, 100, 50, 128]);
+    }
+
+    #[test]
+    fn odd_sides_lose_nothing() {
+        let tile = Tile::new([3, 1], vec![90, 0, 0, 255, 30, 0, 0, 255, 0, 0, 0, 255]).unwrap();
+        assert_eq!(halved(&tile).bytes(), [40, 0, 0, 255]);
+    }
+}

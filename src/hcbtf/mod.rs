@@ -1,0 +1,41 @@
+//! Hand-painted 6D textures (HCBTFs): how their files are read and written, how rules fill what is not painted,
+//! and how all of it becomes the texture that shaders look up.
+//!
+//! [`load`] and [`read`] take an `.hcbtf` file, [`write()`] gives its bytes. [`fill`](fill::fill) runs the rules and gives a
+//! [`Filled`]: a tile and its [`Provenance`] for every sample of the grid, which is what shaders look up. [`sheet`],
+//! [`folder`] and [`contact`] exchange samples with other programs: the thesis's flattened texture, a folder of images, and
+//! one picture with all samples side by side. docs/format.md documents all of them. [`layers()`] lays the filled tiles out
+//! as the texture of a shader, [`ktx2`] as a file for other engines.
+//!
+//! Files are not trusted: sizes are bounded before memory is taken for them ([`MAX_FILE_BYTES`],
+//! [`MAX_PAINTED_BYTES`], [`MAX_PAINTED`]), and every problem is a diagnostic that names the file.
+
+mod archive;
+pub mod contact;
+mod file;
+pub mod fill;
+pub mod folder;
+pub mod ktx2;
+mod layers;
+mod manifest;
+mod picture;
+mod progress;
+mod report;
+pub mod sheet;
+
+pub use file::{load, read, read_bytes, write};
+pub use fill::{Estimate, Filled, NotFilled, Provenance, Which, estimate};
+pub use layers::{LayerOptions, Layers, layers, layers_bytes, layers_size};
+pub use picture::Picture;
+pub use progress::Progress;
+
+/// The version of `.hcbtf` files that this Chiaro writes, and the newest that it reads.
+pub const VERSION: u32 = 1;
+/// Files longer than this are refused.
+pub const MAX_FILE_BYTES: u64 = 1 << 30;
+/// Painted samples that take more than this, four bytes a texel, are refused; so are larger sheets.
+pub const MAX_PAINTED_BYTES: u64 = 1 << 30;
+/// More painted samples than this are refused in one file: a plain zip has no more entries.
+pub const MAX_PAINTED: usize = 65_000;
+/// More rules than this are refused in one file.
+pub const MAX_RULES: usize = 1000;

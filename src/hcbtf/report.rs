@@ -1,0 +1,48 @@
+//! Collects what is to be said of one file, all of it up to a bound.
+
+use crate::diag::Diagnostic;
+
+/// How many problems of one file are told; the others are counted.
+const MAX_TOLD: usize = 20;
+
+/// The diagnostics of one file.
+pub(super) struct Report {
+    file: String,
+    told: Vec<Diagnostic>,
+    untold: usize,
+    has_errors: bool,
+}
+
+impl Report {
+    pub(super) fn new(file: &str) -> Self {
+        Self { file: file.to_owned(), told: Vec::new(), untold: 0, has_errors: false }
+    }
+
+    /// Adds a diagnostic of this file. The first error is told however much was said before it.
+    pub(super) fn add(&mut self, problem: Diagnostic) {
+        let is_first_error = problem.is_error() && !self.has_errors;
+        self.has_errors |= problem.is_error();
+        if self.told.len() < MAX_TOLD || is_first_error {
+            self.told.push(problem.in_file(self.file.as_str()));
+        } else {
+            self.untold += 1;
+        }
+    }
+
+    /// Whether the file cannot be used.
+    pub(super) fn has_errors(&self) -> bool {
+        self.has_errors
+    }
+
+    /// Everything that was said, as the error that it is where something is wrong.
+    pub(super) fn finish<T>(mut self, value: Option<T>) -> Result<(T, Vec<Diagnostic>), Vec<Diagnostic>> {
+        if self.untold > 0 {
+            let message = format!("there are {} more problems, which are not listed", self.untold);
+            self.told.push(Diagnostic::note("more-problems", message).in_file(self.file.as_str()));
+        }
+        match value {
+            Some(value) if !self.has_errors => Ok((value, self.told)),
+            _ => Err(self.told),
+        }
+    }
+}
