@@ -30,7 +30,7 @@ fn read_look(text: &str, name: &str) -> Look {
 
 /// Every file of a look in every language.
 fn export_all(look: &Look, stem: &str) -> Vec<File> {
-    let exported = export(look, Library::built_in(), stem, &LANGUAGES);
+    let exported = export(look, Library::built_in(), stem, &LANGUAGES, Path::new(""));
     let exported = exported.unwrap_or_else(|problems| {
         panic!("{stem}: {}", problems.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))
     });

@@ -55,7 +55,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         problems
     };
     let stem = arguments.look.file_stem().map_or_else(|| "look".to_owned(), |stem| stem.to_string_lossy().into_owned());
-    let exported = export::export(&setup.look, &library, &stem, &languages).map_err(located)?;
+    let exported = export::export(&setup.look, &library, &stem, &languages, &setup.folder).map_err(located)?;
     output.diagnostics(&located(exported.warnings));
     let Some(folder) = &arguments.output else {
         let own = format!("{stem}.wgsl");

@@ -24,6 +24,8 @@ struct Job {
     look: Look,
     library: Arc<Library>,
     stem: String,
+    /// Where paths of images begin.
+    folder: PathBuf,
     /// The look's own file, which nothing may write over.
     path: Option<PathBuf>,
     language: &'static str,
@@ -109,6 +111,7 @@ fn job(session: &Session, language: &'static str, to: Destination) -> Job {
         look: session.look().clone(),
         library: session.library.clone(),
         stem: stem(session),
+        folder: session.folder(),
         path: session.path().map(Path::to_path_buf),
         language,
         to,
@@ -116,8 +119,9 @@ fn job(session: &Session, language: &'static str, to: Destination) -> Job {
 }
 
 fn run(job: &Job) -> Done {
-    let exported = export::languages([job.language])
-        .and_then(|languages| Ok((export::export(&job.look, &job.library, &job.stem, &languages)?, languages)));
+    let exported = export::languages([job.language]).and_then(|languages| {
+        Ok((export::export(&job.look, &job.library, &job.stem, &languages, &job.folder)?, languages))
+    });
     let done = exported.and_then(|(exported, languages)| match &job.to {
         Destination::Folder(folder) => {
             let told = write(&exported, folder, job)?;

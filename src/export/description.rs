@@ -10,7 +10,8 @@
 //!   `clip_from_world` and by nothing else: make it for the API's own clip space, which is given as the language's
 //!   `clip_space`.
 //! - `look`: the members that the module's `host` computes.
-//! - `image`, `sampler`: one of `images`, uploaded with its first row first, sampled as it says.
+//! - `image`, `sampler`: one of `images`, uploaded with its first row first, sampled as it says. The file that it names lies
+//!   beside the description; an HCBTF is an array of textures in a KTX2 file, bound as all of its layers.
 //! - `pass`: what an earlier pass has drawn.
 //! - `inputs`: what the pass's `inputs` say, for a module that several passes run.
 //! - `curvature`: numbers of the view, each with its meaning.

@@ -24,7 +24,10 @@ mod msl;
 mod pretty;
 mod reflect;
 mod spirv;
+mod textures;
 mod wgsl;
+
+use std::path::Path;
 
 use crate::compile::check;
 use crate::diag::Diagnostic;
@@ -115,7 +118,8 @@ pub struct Export {
     pub warnings: Vec<Diagnostic>,
 }
 
-/// Exports `look` in `languages` as files whose names begin with `stem`, such as `rim` for `rim.frag`.
+/// Exports `look` in `languages` as files whose names begin with `stem`, such as `rim` for `rim.frag`. The images and
+/// HCBTFs that it reads, whose paths are relative to `folder`, are carried along; one that cannot be read is a warning.
 ///
 /// # Errors
 /// Everything that is wrong with the look, or what a language cannot express.
@@ -124,10 +128,13 @@ pub fn export(
     library: &Library,
     stem: &str,
     languages: &[&'static Language],
+    folder: &Path,
 ) -> Result<Export, Vec<Diagnostic>> {
     let (typed, mut warnings) = check(look, library, None)?;
     let mut modules = modules::compile(&typed, stem)?;
     warnings.append(&mut modules.warnings);
+    let (carried, mut missing) = textures::carried(&mut modules.images, stem, folder);
+    warnings.append(&mut missing);
     let mut files = Vec::new();
     let mut written = Vec::new();
     let mut problems = Vec::new();
@@ -148,5 +155,6 @@ pub fn export(
     let description = description::describe(look, library, &typed, &modules, &written);
     files.extend(modules.prepare_files());
     files.push(File::text(format!("{stem}.json"), description));
+    files.extend(carried);
     Ok(Export { files, warnings })
 }

@@ -5,7 +5,9 @@ use serde::Serialize;
 use super::File;
 use super::header;
 use super::reflect::{self, Bound, EntryPoint, Kind};
-use crate::compile::{BindingKind, CompiledShader, HostSource, Live, Options, Stage, TypedGraph, compile_typed};
+use crate::compile::{
+    BindingKind, CompiledShader, HostSource, ImageShape, ImageUse, Live, Options, Stage, TypedGraph, compile_typed,
+};
 use crate::diag::Diagnostic;
 use crate::library::Context;
 use crate::wgsl::{self, Valid};
@@ -124,12 +126,20 @@ const COLOR_TARGET: Target = Target { name: "color", format: "any", clear: [0.0;
 pub struct Image {
     /// The file, relative to the look's document.
     pub path: String,
+    /// The file beside this description that carries it: an image as it is, or the texture of an HCBTF as KTX2; none where
+    /// it could not be read.
+    pub file: Option<String>,
+    /// `image`: a flat texture. `hcbtf`: an array of flat textures, as they lie in the KTX2 file.
+    pub kind: &'static str,
     /// `repeat`, `clamp` or `mirror`.
     pub wrap: String,
     /// `linear` or `nearest`.
     pub filter: String,
-    /// `color`, decoded into the look's colour space, or `data`, taken as it is.
+    /// `color`, decoded into the look's colour space, or `data`, taken as it is. An HCBTF's shader decodes by itself.
     pub encoding: String,
+    /// How the look uses it.
+    #[serde(skip)]
+    pub(super) used: ImageUse,
 }
 
 /// Everything that is drawn.
@@ -210,11 +220,19 @@ fn feed(shader: &CompiledShader, bound: &Bound, images: &mut Vec<Image>) -> Feed
         let used = &shader.needs.images[index];
         let image = Image {
             path: used.path.clone(),
+            file: None,
+            kind: match used.shape {
+                ImageShape::Flat => "image",
+                ImageShape::Hcbtf { .. } => "hcbtf",
+            },
             wrap: used.wrap.clone(),
             filter: used.filter.clone(),
             encoding: used.encoding.clone(),
+            used: used.clone(),
         };
-        images.iter().position(|known| *known == image).unwrap_or_else(|| {
+        // Which node read it first does not matter.
+        let same = |known: &Image| known.used == ImageUse { node: known.used.node.clone(), ..used.clone() };
+        images.iter().position(same).unwrap_or_else(|| {
             images.push(image);
             images.len() - 1
         })

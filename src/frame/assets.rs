@@ -165,6 +165,20 @@ fn stamp(path: &Path) -> Option<(SystemTime, u64)> {
     Some((data.modified().ok()?, data.len()))
 }
 
+/// The bytes of an image file at `path`, relative to `folder`, as they are.
+///
+/// # Errors
+/// Why they cannot be read.
+pub fn image_bytes(folder: &Path, path: &str) -> Result<Vec<u8>, Diagnostic> {
+    let path = folder.join(path);
+    let problem = |message: String| Diagnostic::error("missing-asset", message);
+    let size = std::fs::metadata(&path).map(|data| data.len());
+    if size.as_ref().is_ok_and(|&size| size > MAX_IMAGE_BYTES) {
+        return Err(problem(format!("the image `{}` is larger than {} MiB", path.display(), MAX_IMAGE_BYTES >> 20)));
+    }
+    std::fs::read(&path).map_err(|error| problem(format!("the image `{}` cannot be read: {error}", path.display())))
+}
+
 fn read_image(path: &Path) -> Result<Image, Diagnostic> {
     let name = path.display();
     let problem = |message: String| {

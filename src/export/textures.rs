@@ -1,0 +1,72 @@
+//! The images and HCBTFs that an exported look reads, carried along with it.
+
+use std::collections::HashSet;
+use std::path::Path;
+
+use super::File;
+use super::modules::Image;
+use crate::compile::ImageShape;
+use crate::diag::Diagnostic;
+use crate::frame::{Assets, image_bytes};
+use crate::hcbtf::{LayerOptions, Layers, ktx2};
+
+/// Reads every image, relative to `folder`, names the file that carries it, and returns those files with what could not
+/// be read. An image goes as it is; an HCBTF goes as the texture that the shader looks up.
+pub(super) fn carried(images: &mut [Image], stem: &str, folder: &Path) -> (Vec<File>, Vec<Diagnostic>) {
+    let mut assets = Assets::default();
+    let mut files: Vec<File> = Vec::new();
+    let mut problems = Vec::new();
+    let mut taken = HashSet::new();
+    for image in images.iter_mut().filter(|image| !image.path.is_empty()) {
+        let (bytes, ending) = match image.used.shape {
+            ImageShape::Flat => {
+                let ending =
+                    Path::new(&image.path).extension().map_or("png".to_owned(), |it| it.to_string_lossy().into());
+                (image_bytes(folder, &image.path).map_err(|problem| vec![problem]), ending)
+            }
+            ImageShape::Hcbtf { has_levels } => {
+                let options = LayerOptions { has_levels, is_decoded: image.used.is_decoded };
+                let baked = assets.hcbtf(folder, &image.path, options).map(|(image, _)| {
+                    let layers = Layers { size: image.size, count: image.layers, rgba: image.rgba.clone() };
+                    ktx2::write(&layers)
+                });
+                (baked, "ktx2".to_owned())
+            }
+        };
+        match bytes {
+            // The same file, sampled in two ways, is carried once.
+            Ok(bytes) => {
+                image.file = Some(match files.iter().find(|file| file.bytes == bytes) {
+                    Some(file) => file.name.clone(),
+                    None => {
+                        let name = name(stem, &image.path, &ending, &mut taken);
+                        files.push(File { name: name.clone(), bytes });
+                        name
+                    }
+                })
+            }
+            Err(found) => problems.extend(found.into_iter().map(|problem| left_out(problem, image))),
+        }
+    }
+    (files, problems)
+}
+
+/// A name that no other file of the export has: the look's, then the image's own.
+fn name(stem: &str, path: &str, ending: &str, taken: &mut HashSet<String>) -> String {
+    let own = Path::new(path).file_stem().map_or("image".into(), |own| own.to_string_lossy());
+    // A module's file may be called `stem.word.ending` too, but never with an image's ending.
+    let named = |number: u32| match number {
+        1 => format!("{stem}.{own}.{ending}"),
+        _ => format!("{stem}.{own}-{number}.{ending}"),
+    };
+    let free = (1..).map(named).find(|name| !taken.contains(&name.to_lowercase()));
+    let name = free.unwrap_or_else(|| format!("{stem}.{ending}"));
+    taken.insert(name.to_lowercase());
+    name
+}
+
+fn left_out(problem: Diagnostic, image: &Image) -> Diagnostic {
+    let problem =
+        Diagnostic::warning("not-carried", format!("`{}` is not carried along: {}", image.path, problem.message));
+    problem.node(image.used.node.clone()).hint("the shader is whole; put the file there and export again")
+}
