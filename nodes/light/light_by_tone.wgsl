@@ -14,11 +14,9 @@ import chiaro::total;
 /// @param normal "Normal" from=normal : World space; any length but 0.
 /// @return light "Light" : With the light's colour and intensity.
 fn light_by_tone(light: Light, tone: f32, normal: vec3f) -> Light {
-    let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
-    let along = light.direction - dot(light.direction, n) * n;
-    let side = normalize_or(select(any_orthogonal(n), along, dot(along, along) > 1e-12), any_orthogonal(n));
+    let frame = world_from_tangent(light.direction, vec3f(0.0), normal);
     // Never quite on the horizon, where rounding would put some of the surface into the dark.
     let height = clamp(bounded(tone), 1e-3, 1.0);
-    let direction = normalize_or(height * n + sqrt(max(1.0 - height * height, 0.0)) * side, n);
+    let direction = normalize_or(height * frame[2] + sqrt(max(1.0 - height * height, 0.0)) * frame[0], frame[2]);
     return Light(direction, light.own_direction, light.color, light.intensity);
 }

@@ -344,11 +344,12 @@ impl Builder<'_> {
             ("color", number(Some(0.0), Some(1.0)), 3),
             ("intensity", number(Some(0.0), Some(4.0)), 1),
         ];
-        self.nodes.push(json!({"id": "feed_light", "kind": "sweep_light"}));
-        self.wires.push(json!({"from": "feed_light", "to": format!("node.{name}")}));
+        let id = format!("feed_{name}");
+        self.nodes.push(json!({"id": id, "kind": "sweep_light"}));
+        self.wires.push(json!({"from": id, "to": format!("node.{name}")}));
         for (part, kind, width) in parts {
             let exposed = format!("{name}_{part}");
-            self.exposed.push(json!({"name": exposed, "target": format!("feed_light.{part}")}));
+            self.exposed.push(json!({"name": exposed, "target": format!("{id}.{part}")}));
             self.slot(&exposed, Place::Value, kind, width, MOST_COLOR);
         }
     }
@@ -478,7 +479,8 @@ pub(super) fn write_textures(folder: &Path) -> Result<(), Vec<Diagnostic>> {
     write_painting(folder)
 }
 
-/// A painting of few directions and texels, whose colours change evenly with all six coordinates.
+/// A painting of few directions and texels, whose colours change evenly with all six coordinates. It is opaque,
+/// as what the cheaper tiers state is of opaque paint.
 fn write_painting(folder: &Path) -> Result<(), Vec<Diagnostic>> {
     let directions = Directions { theta: 3, phi: 4 };
     let grid = Grid { size: [5, 3], light: directions, view: directions };
@@ -489,7 +491,7 @@ fn write_painting(folder: &Path) -> Result<(), Vec<Diagnostic>> {
             let [x, y] = [index % grid.size[0], index / grid.size[0]].map(f64::from);
             let channels = [0.5 + 0.3 * light.x + 0.04 * x, 0.4 + 0.3 * view.y + 0.1 * y, 0.2 + 0.5 * light.z * view.z];
             let [r, g, b] = channels.map(|channel| (255.0 * channel) as u8);
-            [r, g, b, 255 - 20 * (address.view.phi as u8)]
+            [r, g, b, 255]
         };
         let texels = (0..grid.texels() as u32).flat_map(texel).collect();
         let tile = Tile::new(grid.size, texels).unwrap_or_else(|| Tile::filled(grid.size, [0; 4]));
