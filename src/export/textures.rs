@@ -36,16 +36,14 @@ pub(super) fn carried(images: &mut [Image], stem: &str, folder: &Path) -> (Vec<F
         match bytes {
             // The same file, sampled in two ways, is carried once.
             Ok(bytes) => {
-                image.file = Some(match files.iter().find(|file| file.bytes == bytes) {
-                    Some(file) => file.name.clone(),
-                    None => {
-                        let name = name(stem, &image.path, &ending, &mut taken);
-                        files.push(File { name: name.clone(), bytes });
-                        name
-                    }
-                })
+                let known = files.iter().find(|file| file.bytes == bytes).map(|file| file.name.clone());
+                image.file = known.or_else(|| {
+                    let name = name(stem, &image.path, &ending, &mut taken);
+                    files.push(File { name: name.clone(), bytes });
+                    Some(name)
+                });
             }
-            Err(found) => problems.extend(found.into_iter().map(|problem| left_out(problem, image))),
+            Err(found) => problems.extend(found.iter().map(|problem| left_out(problem, image))),
         }
     }
     (files, problems)
@@ -65,7 +63,7 @@ fn name(stem: &str, path: &str, ending: &str, taken: &mut HashSet<String>) -> St
     name
 }
 
-fn left_out(problem: Diagnostic, image: &Image) -> Diagnostic {
+fn left_out(problem: &Diagnostic, image: &Image) -> Diagnostic {
     let problem =
         Diagnostic::warning("not-carried", format!("`{}` is not carried along: {}", image.path, problem.message));
     problem.node(image.used.node.clone()).hint("the shader is whole; put the file there and export again")
