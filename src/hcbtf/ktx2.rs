@@ -63,7 +63,7 @@ fn keys() -> Vec<u8> {
     out
 }
 
-/// Reads what [`write`] writes; `name` is the file's, for messages.
+/// Reads what [`write()`] writes; `name` is the file's, for messages.
 ///
 /// # Errors
 /// `bad-ktx2`: the file is no KTX2, is cut short, or holds something else than one level of RGBA8 layers.

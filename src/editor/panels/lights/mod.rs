@@ -8,9 +8,13 @@ use std::collections::HashMap;
 use eframe::egui;
 use eframe::egui::collapsing_header::CollapsingState;
 use eframe::egui::{
-    Button, Color32, DragValue, Id, Label, Popup, RichText, Role, ScrollArea, Sense, Ui, WidgetInfo, vec2,
+    Align, Button, Color32, DragValue, Id, Label, Layout, Popup, RichText, Role, ScrollArea, Sense, Ui, WidgetInfo,
+    vec2,
 };
 use indexmap::IndexMap;
+
+/// How wide it is to say who has a light, in points.
+const USERS: f32 = 50.0;
 
 use super::super::command::Command;
 use super::super::dock::hint;
@@ -160,7 +164,12 @@ impl Lights {
             1 => (format!("1 {what}"), colors.dim, help),
             count => (format!("{count} {what}s"), colors.dim, help),
         };
-        ui.label(RichText::new(text).small().color(color)).on_hover_text(help);
+        let size = vec2(USERS, ui.available_height());
+        // As wide for one as for many, so that what stands beside it is one column.
+        ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
+            ui.set_min_width(USERS);
+            ui.label(RichText::new(text).small().color(color)).on_hover_text(help);
+        });
     }
 
     fn title(&mut self, ui: &mut Ui, lamp: &Lamp<'_>, is_dark: bool, is_replaced: bool, out: &mut Vec<Command>) {
