@@ -147,7 +147,16 @@ fn hcbtfs_are_made_told_of_and_exchanged() {
     shop.run(&["hcbtf", "new", "x", "--color", "green"]).fails(2, &["#rrggbb"]);
     shop.run(&["hcbtf", "new", "x", "--grid", "4x3"]).fails(2, &["32x32,6x10,6x10"]);
     let info = shop.run(&["hcbtf", "info", "grass.hcbtf"]).ok().out;
-    for told in ["4 x 3 texels", "12 samples", "painted  1", "copy fills 11", "lambert changes 9", "empty    0"] {
+    for told in [
+        "4 x 3 texels",
+        "12 samples",
+        "painted  1",
+        "copy fills 11",
+        "texture  8 x 15 in 5 layers",
+        "fits     every GPU",
+        "lambert changes 9",
+        "empty    0",
+    ] {
         assert!(info.contains(told), "no `{told}` in {info}");
     }
     let info = shop.run(&["hcbtf", "info", "grass.hcbtf", "--json"]).ok().json();
@@ -168,6 +177,12 @@ fn hcbtfs_are_made_told_of_and_exchanged() {
         shop.run(&["hcbtf", "export", "back.hcbtf", "-o", "again.png"]).ok();
         assert_eq!(fs::read(shop.path("again.png")).unwrap(), fs::read(shop.path("sheet.png")).unwrap(), "{from}");
     }
+    shop.run(&["hcbtf", "export", "grass.hcbtf", "--to", "ktx2", "-o", "grass.ktx2"]).ok();
+    let told = shop.run(&["hcbtf", "import", "grass.ktx2", "-o", "back.hcbtf", "--force"]).ok().err;
+    assert!(told.contains("12 of 12 samples are painted"), "{told}");
+    shop.run(&["hcbtf", "export", "back.hcbtf", "-o", "again.png"]).ok();
+    assert_eq!(fs::read(shop.path("again.png")).unwrap(), fs::read(shop.path("sheet.png")).unwrap(), "KTX2");
+    shop.run(&["hcbtf", "import", "sheet.png", "--as", "ktx2", "-o", "x"]).fails(1, &["sheet.png", "bad-ktx2"]);
     let told = shop.run(&["hcbtf", "export", "grass.hcbtf", "--to", "folder", "--painted", "-o", "one"]).ok();
     assert!(told.err.contains("1 images"), "{}", told.err);
 

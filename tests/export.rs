@@ -8,8 +8,9 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use chiaro::compile::{HostInputs, LightValues, Live, Options as CompileOptions, Stage as CompileStage, compile};
-use chiaro::document::Look;
+use chiaro::document::{Directions, Grid, Hcbtf, Look, Tile};
 use chiaro::export::{File, LANGUAGES, export};
+use chiaro::hcbtf;
 use chiaro::interp::{Derivatives, Options, Precision, Program, ScalarKind, Shape, Value};
 use chiaro::library::Library;
 use chiaro::wgsl;
@@ -152,14 +153,13 @@ fn module<'d>(description: &'d Json, name: &str) -> &'d Json {
     modules.iter().find(|module| module["name"] == name).unwrap_or_else(|| panic!("no module {name}"))
 }
 
-/// The same outside compilers that judge the golden outputs, on a look that the examples need not resemble.
-#[test]
-fn everything_a_look_can_hold_passes_the_validators() {
-    let files = export_all(&rich(), "rich");
+/// What outside compilers say against files of every language, one text for each that they refuse, and the WGSL files
+/// among them.
+fn judged(files: &[File]) -> (Vec<String>, usize) {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let mut wgsl = Vec::new();
     let mut complaints = Vec::new();
-    for file in &files {
+    for file in files {
         let extension = Path::new(&file.name).extension().expect("an extension").to_string_lossy().into_owned();
         let verdict = match extension.as_str() {
             "vert" => glslang(&text(file), Stage::Vertex, &[]),
@@ -174,8 +174,81 @@ fn everything_a_look_can_hold_passes_the_validators() {
         complaints.extend(verdict.err().map(|error| format!("{}: {error}", file.name)));
     }
     complaints.extend(tint(&wgsl).err());
+    (complaints, wgsl.len())
+}
+
+/// The same outside compilers that judge the golden outputs, on a look that the examples need not resemble.
+#[test]
+fn everything_a_look_can_hold_passes_the_validators() {
+    let (complaints, wgsl) = judged(&export_all(&rich(), "rich"));
     assert!(complaints.is_empty(), "{}", complaints.join("\n\n"));
-    assert_eq!(wgsl.len(), 7, "four modules and three files of functions: {wgsl:?}");
+    assert_eq!(wgsl, 7, "four modules and three files of functions");
+}
+
+#[test]
+fn images_and_hcbtfs_are_carried_along() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let directions = Directions { theta: 2, phi: 3 };
+    let grid = Grid { size: [3, 2], light: directions, view: directions };
+    let mut painting = Hcbtf::new(grid);
+    for (index, address) in grid.addresses().enumerate() {
+        painting.painted.insert(address, Tile::filled(grid.size, [index as u8, 200, 7, 255]).into());
+    }
+    fs::write(folder.path().join("moss.hcbtf"), hcbtf::write(&painting).expect("it fits")).expect("a temporary file");
+    fs::write(folder.path().join("moss.png"), b"not looked at").expect("a temporary file");
+    let lookup = |id: &str, lookup: &str, tier: &str| json!({"id": id, "kind": "hcbtf_lookup", "tier": tier, "values": {"sheet": "moss.hcbtf", "lookup": lookup}});
+    let look = json!({
+        "lights": {"key": {"direction": [0, 0, 1]}},
+        "nodes": [
+            {"id": "light", "kind": "light", "values": {"light": "key"}},
+            lookup("a", "smooth", "exact"), lookup("b", "smooth", "balanced"), lookup("c", "texels", "fast"),
+            {"id": "ab", "kind": "mix_colors"}, {"id": "abc", "kind": "mix_colors"}, {"id": "all", "kind": "mix_colors"},
+            {"id": "image", "kind": "image", "values": {"image": "moss.png"}},
+            {"id": "gone", "kind": "image", "values": {"image": "gone.png"}},
+            {"id": "output", "kind": "output"}
+        ],
+        "wires": [
+            {"from": "light", "to": "a.light"}, {"from": "light", "to": "b.light"}, {"from": "light", "to": "c.light"},
+            {"from": "a", "to": "ab.a"}, {"from": "b", "to": "ab.b"}, {"from": "ab", "to": "abc.a"}, {"from": "c", "to": "abc.b"},
+            {"from": "abc", "to": "all.a"}, {"from": "image.color", "to": "all.b"}, {"from": "gone.alpha", "to": "all.factor"},
+            {"from": "all", "to": "output.color"}
+        ]
+    });
+    let look = read_look(&look.to_string(), "moss.json");
+    let exported = export(&look, Library::built_in(), "moss", &LANGUAGES, folder.path());
+    let exported = exported.unwrap_or_else(|problems| panic!("{problems:?}"));
+    let (complaints, _) = judged(&exported.files);
+    assert!(complaints.is_empty(), "{}", complaints.join("\n\n"));
+    let told: Vec<_> = exported
+        .warnings
+        .iter()
+        .map(|problem| (problem.code, problem.place.node.as_ref().map(ToString::to_string)))
+        .collect();
+    assert_eq!(told, [("not-carried", Some("gone".to_owned()))]);
+    let images = description(&exported.files, "moss")["images"].as_array().expect("images").clone();
+    let named = |image: &Json| {
+        (
+            image["path"].as_str().unwrap().to_owned(),
+            image["kind"].as_str().unwrap().to_owned(),
+            image["file"].as_str().map(str::to_owned),
+        )
+    };
+    let mut named: Vec<_> = images.iter().map(named).collect();
+    named.sort();
+    let row = |path: &str, kind: &str, file: Option<&str>| (path.to_owned(), kind.to_owned(), file.map(str::to_owned));
+    // With smaller levels and without, as the lookups read it.
+    let wanted = [
+        row("gone.png", "image", None),
+        row("moss.hcbtf", "hcbtf", Some("moss.moss-2.ktx2")),
+        row("moss.hcbtf", "hcbtf", Some("moss.moss.ktx2")),
+        row("moss.png", "image", Some("moss.moss.png")),
+    ];
+    assert_eq!(named, wanted);
+    assert_eq!(file(&exported.files, "moss.moss.png").bytes, b"not looked at");
+    for name in ["moss.moss.ktx2", "moss.moss-2.ktx2"] {
+        let layers = hcbtf::ktx2::read(&file(&exported.files, name).bytes, name).expect("a texture");
+        assert_eq!(hcbtf::from_layers(&layers).expect("an HCBTF").painted, painting.painted);
+    }
 }
 
 #[test]

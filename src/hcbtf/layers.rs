@@ -10,7 +10,8 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use crate::document::{Address, Direction, Grid, Tile};
+use crate::diag::Diagnostic;
+use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Tile};
 
 /// What the texture is to hold beside the samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -87,6 +88,50 @@ pub fn layers<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Tile>>, 
     let told = rgba.len() - 4 * width * height;
     rgba[told..told + 8].copy_from_slice(&header(grid, options));
     Layers { size: [width as u32, height as u32], count: count as u32, rgba }
+}
+
+/// The HCBTF that a texture was made of: what its rules filled counts as painted, and a sample that is transparent black
+/// all over as empty.
+///
+/// # Errors
+/// `hcbtf-layers`: the texture does not tell a grid, or has not the size of the grid that it tells.
+pub fn from_layers(layers: &Layers) -> Result<Hcbtf, Diagnostic> {
+    let wrong = |message: &str| Diagnostic::error("hcbtf-layers", message).hint("export it anew from an .hcbtf file");
+    let [width, height] = layers.size.map(|side| side as usize);
+    let whole = 4 * width * height * layers.count as usize;
+    let told = whole.checked_sub(4 * width * height).and_then(|at| layers.rgba.get(at..at + 8));
+    let Some(&[low_x, low_y, high, flags, light_theta, light_phi, view_theta, view_phi]) = told else {
+        return Err(wrong("the texture tells no grid"));
+    };
+    let [low_x, low_y, high] = [low_x, low_y, high].map(u32::from);
+    let directions = |theta: u8, phi: u8| Directions { theta: theta.into(), phi: phi.into() };
+    let grid = Grid {
+        size: [low_x | (high & 15) << 8, low_y | high >> 4 << 8],
+        light: directions(light_theta, light_phi),
+        view: directions(view_theta, view_phi),
+    };
+    let size = [width, height, layers.count as usize].map(|n| n as u64);
+    if grid.check().is_err() || layers_size(&grid, flags & 1 == 1) != size || layers.rgba.len() != whole {
+        return Err(wrong("the texture has not the size of the grid that it tells"));
+    }
+    let mut hcbtf = Hcbtf::new(grid);
+    for address in grid.addresses() {
+        let layer = (address.view.theta * grid.view.phi + address.view.phi) as usize * height;
+        let texel = |index: usize| {
+            let [x, y] = [index % grid.size[0] as usize, index / grid.size[0] as usize];
+            let column = x * grid.light.theta as usize + address.light.theta as usize;
+            let row = layer + y * (grid.light.phi as usize + 2) + address.light.phi as usize + 1;
+            let at = 4 * (row * width + column);
+            &layers.rgba[at..at + 4]
+        };
+        let rgba: Vec<u8> = (0..grid.texels()).flat_map(texel).copied().collect();
+        if rgba.iter().any(|byte| *byte != 0)
+            && let Some(tile) = Tile::new(grid.size, rgba)
+        {
+            hcbtf.painted.insert(address, Arc::new(tile));
+        }
+    }
+    Ok(hcbtf)
 }
 
 /// The two texels that tell the grid: the tile's sides with twelve bits each and the flags; then rings and steps of
@@ -185,7 +230,6 @@ fn covered(index: u32, many: u32, few: u32) -> Vec<(i64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::Directions;
 
     fn hashed(address: Address, texel: u32) -> [u8; 4] {
         let mut h = 0x9e37_79b9_u32;
@@ -226,6 +270,15 @@ mod tests {
             }
         }
         assert_eq!([texel(0, 0, 10), texel(1, 0, 10)], [[3, 2, 0, 1], [3, 4, 2, 5]]);
+        let back = from_layers(&made).unwrap();
+        assert_eq!(back.grid, grid);
+        assert!(grid.addresses().all(|address| back.painted(address) == tiles.get(&address)));
+        for byte in 0..8 {
+            let mut lying = made.clone();
+            let at = made.rgba.len() - 4 * (made.size[0] * made.size[1]) as usize + byte;
+            lying.rgba[at] ^= 0x15;
+            assert!(from_layers(&lying).is_err(), "byte {byte}");
+        }
         // The whole tile in one texel stands at the top right.
         let mean = (0..6).map(|texel| f64::from(hashed(Address::new([2, 1], [1, 3]), texel)[0])).sum::<f64>() / 6.0;
         assert_eq!(texel(9 + 2, 2, 8)[0], mean.round() as u8);

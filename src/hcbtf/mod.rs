@@ -25,7 +25,7 @@ pub mod sheet;
 
 pub use file::{load, read, read_bytes, write};
 pub use fill::{Estimate, Filled, NotFilled, Provenance, Which, estimate};
-pub use layers::{LayerOptions, Layers, layers, layers_bytes, layers_size};
+pub use layers::{LayerOptions, Layers, from_layers, layers, layers_bytes, layers_size};
 pub use picture::Picture;
 pub use progress::Progress;
 

@@ -8,7 +8,10 @@ use super::{GRID_HELP, GridText, check_free, filled, open, with_ending};
 use crate::cli::output::Output;
 use crate::diag::Diagnostic;
 use crate::document::{Grid, write_atomic};
-use crate::hcbtf::{Filled, Which, contact, folder, read_bytes, sheet, write};
+use crate::frame::MAX_HCBTF_BYTES;
+use crate::hcbtf::{
+    Filled, LayerOptions, Which, contact, folder, from_layers, ktx2, layers, layers_bytes, read_bytes, sheet, write,
+};
 
 /// How samples lie in other programs' files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -19,17 +22,19 @@ enum Form {
     Folder,
     /// One picture: views across, lights down
     Contact,
+    /// The texture that shaders look up, as KTX2, filled, with smaller levels for surfaces that are far away
+    Ktx2,
 }
 
 /// What `chiaro hcbtf import` is given.
 #[derive(Debug, clap::Args)]
 pub(super) struct ImportArguments {
-    /// A PNG or a folder
+    /// A PNG, a KTX2 file or a folder
     from: PathBuf,
     /// The .hcbtf file to write
     #[arg(short, long)]
     output: PathBuf,
-    /// What it is [default: a folder is a folder, a PNG a sheet]
+    /// What it is [default: a folder is a folder, a PNG a sheet, a KTX2 file the texture of shaders]
     #[arg(long = "as", value_enum)]
     form: Option<Form>,
     #[arg(long, help = format!("Texels, lights and views, as 32x32,6x10,6x10 [default: {GRID_HELP}]"))]
@@ -52,18 +57,27 @@ pub(super) fn import(arguments: &ImportArguments, output: &Output) -> Result<(),
     let name = from.display().to_string();
     let grid = arguments.grid.map_or(Grid::THESIS, |grid| grid.0);
     let png = || read_bytes(from).map_err(|problem| vec![*problem]);
-    let guessed = if from.is_dir() { Form::Folder } else { Form::Sheet };
+    let is_ktx2 = from.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("ktx2"));
+    let guessed = match is_ktx2 {
+        _ if from.is_dir() => Form::Folder,
+        true => Form::Ktx2,
+        false => Form::Sheet,
+    };
     let (mut hcbtf, notes) = match arguments.form.unwrap_or(guessed) {
         Form::Folder => folder::load(from, grid)?,
         Form::Sheet => sheet::read(&png()?, grid, &name)?,
         Form::Contact => contact::read(&png()?, grid, arguments.gap, &name)?,
+        Form::Ktx2 => {
+            let layers = ktx2::read(&png()?, &name).map_err(|problem| vec![problem])?;
+            (from_layers(&layers).map_err(|problem| vec![problem.in_file(name)])?, Vec::new())
+        }
     };
     output.diagnostics(&notes);
     hcbtf.is_tiling = !arguments.no_tiling;
     let bytes = write(&hcbtf).map_err(|problem| vec![problem.in_file(path.display().to_string())])?;
     write_atomic(&path, &bytes).map_err(|problem| vec![*problem])?;
     output.result(&path.display().to_string());
-    output.message(&format!("{} of {} samples are painted", hcbtf.painted.len(), grid.sample_count()));
+    output.message(&format!("{} of {} samples are painted", hcbtf.painted.len(), hcbtf.grid.sample_count()));
     Ok(())
 }
 
@@ -75,7 +89,7 @@ pub(super) struct ExportArguments {
     /// What to write
     #[arg(long, value_enum, default_value_t = Form::Sheet)]
     to: Form,
-    /// The PNG, or the folder; it is made where there is none
+    /// The PNG, the KTX2 file or the folder; a folder is made where there is none
     #[arg(short, long)]
     output: PathBuf,
     /// Contact sheets: texels between tiles
@@ -88,15 +102,16 @@ pub(super) struct ExportArguments {
 
 pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let alone = |problem: Box<Diagnostic>| vec![*problem];
-    if arguments.painted && arguments.to == Form::Sheet {
+    if arguments.painted && matches!(arguments.to, Form::Sheet | Form::Ktx2) {
         let problem = Diagnostic::error("bad-argument", "--painted goes with --to folder and --to contact");
-        return Err(vec![problem.hint("a sheet holds every sample")]);
+        return Err(vec![problem.hint("a sheet and a texture hold every sample")]);
     }
     let hcbtf = open(&arguments.file, output)?;
     let filled = filled(&hcbtf, &arguments.file)?;
     let which = if arguments.painted { Which::Painted } else { Which::All };
     let path = &arguments.output;
     let picture = match arguments.to {
+        Form::Ktx2 => return export_texture(&filled, path, output),
         Form::Folder => return export_folder(&filled, which, path, output),
         Form::Sheet => sheet::export(&filled),
         Form::Contact => contact::export(&filled, arguments.gap, which),
@@ -104,6 +119,22 @@ pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(),
     let png = picture.and_then(|picture| picture.to_png()).map_err(alone)?;
     write_atomic(path, &png).map_err(alone)?;
     output.result(&path.display().to_string());
+    Ok(())
+}
+
+fn export_texture(filled: &Filled, path: &Path, output: &Output) -> Result<(), Vec<Diagnostic>> {
+    let grid = filled.grid();
+    let bytes = layers_bytes(&grid, true);
+    if bytes > MAX_HCBTF_BYTES {
+        let message = format!("its texture would take {} MiB; it may take {}", bytes >> 20, MAX_HCBTF_BYTES >> 20);
+        return Err(vec![Diagnostic::error("too-large", message).hint("take a coarser grid")]);
+    }
+    let options = LayerOptions { has_levels: true, is_decoded: false };
+    let texture = layers(&grid, |address| filled.tile(address), options);
+    write_atomic(path, &ktx2::write(&texture)).map_err(|problem| vec![*problem])?;
+    output.result(&path.display().to_string());
+    let [width, height] = texture.size;
+    output.message(&format!("{width} x {height} texels, {} layers, {} MiB", texture.count, bytes >> 20));
     Ok(())
 }
 

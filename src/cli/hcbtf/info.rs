@@ -8,7 +8,7 @@ use super::{filled, open};
 use crate::cli::output::Output;
 use crate::diag::Diagnostic;
 use crate::document::Hcbtf;
-use crate::hcbtf::{Filled, Provenance, sheet};
+use crate::hcbtf::{Filled, Provenance, layers_bytes, layers_size, sheet};
 
 /// What `chiaro hcbtf info` is given.
 #[derive(Debug, clap::Args)]
@@ -30,6 +30,10 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     }
     Ok(())
 }
+
+/// The texels along a side, and the layers, that every WebGPU device takes.
+const GUARANTEED_SIDE: u64 = 8192;
+const GUARANTEED_LAYERS: u64 = 256;
 
 /// How many samples are painted and empty, and how many each rule fills or changes.
 struct Counts {
@@ -78,10 +82,21 @@ fn as_text(hcbtf: &Hcbtf, filled: &Filled) -> String {
     let mib = |bytes: u64| bytes as f64 / f64::from(1 << 20);
     let own = mib(filled.bytes());
     let as_sheet = mib(u64::from(width) * u64::from(height) * 4);
+    let [wide, high, layers] = layers_size(&grid, false);
+    let [texture, with_levels] = [false, true].map(|has_levels| mib(layers_bytes(&grid, has_levels)));
+    let [most_wide, most_high, most_layers] = layers_size(&grid, true);
+    let fits = match most_wide.max(most_high) <= GUARANTEED_SIDE && most_layers <= GUARANTEED_LAYERS {
+        true => "every GPU that WebGPU runs on".to_owned(),
+        false => {
+            format!("GPUs that take more than WebGPU guarantees ({GUARANTEED_SIDE} texels, {GUARANTEED_LAYERS} layers)")
+        }
+    };
     text + &format!(
         "empty    {empty}\n\
          memory   {} different tiles, {own:.2} MiB\n\
-         sheet    {width} x {height}, {as_sheet:.2} MiB\n",
+         sheet    {width} x {height}, {as_sheet:.2} MiB\n\
+         texture  {wide} x {high} in {layers} layers, {texture:.2} MiB; with smaller levels {with_levels:.2} MiB\n\
+         fits     {fits}\n",
         filled.tiles().len(),
     )
 }

@@ -13,9 +13,6 @@ use eframe::egui::{
 };
 use indexmap::IndexMap;
 
-/// How wide it is to say who has a light, in points.
-const USERS: f32 = 50.0;
-
 use super::super::command::Command;
 use super::super::dock::hint;
 use super::super::lighting::{Lamp, Owner, Shared};
@@ -27,6 +24,9 @@ use crate::document::{ColorSpace, Light, Value};
 use crate::ids::LightId;
 use crate::library::Type;
 pub(crate) use edit::edit;
+
+/// How wide it is to say who has a light, in points.
+const USERS: f32 = 50.0;
 
 /// The panel, and what it remembers.
 #[derive(Default)]
