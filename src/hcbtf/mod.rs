@@ -18,6 +18,7 @@ pub mod folder;
 pub mod ktx2;
 mod layers;
 mod manifest;
+pub mod paint;
 mod picture;
 mod progress;
 mod report;
