@@ -110,10 +110,12 @@ impl Stroke {
         }
     }
 
-    /// Goes on to a place, in texels from the upper left corner, which may lie outside the tile, with a pressure from 0 to
-    /// 1. Returns what changed. Places and pressures that are no numbers, and places more than 1,048,576 texels away, are
-    /// passed over. One call lays at most 2^20 stamps of 2^30 texels together; on a longer way they lie farther apart, as
-    /// they do nowhere else whatever places the way is cut at.
+    /// Goes on to a place, in texels from the upper left corner, which may lie outside the tile, with a pressure between 0
+    /// and 1. Returns what changed. Places and pressures that are no numbers, and places more than 1,048,576 texels away,
+    /// are passed over.
+    ///
+    /// One call lays at most 2^20 stamps of 2^30 texels together; on a longer way they lie farther apart. Otherwise it does
+    /// not matter how a way is cut into calls.
     pub fn to(&mut self, at: DVec2, pressure: f64) -> Vec<Changed> {
         let Some(brush) = self.brush else { return Vec::new() };
         let most = self.most_stamps(brush.size);
