@@ -1,14 +1,17 @@
 //! The one way in which documents change: edits that know their inverses.
 //!
-//! [`Look::apply`] checks an [`Edit`], applies it and returns the edit that takes it back. [`History`] owns a document
+//! [`Look::apply`] checks an [`Edit`], applies it and returns the edit that takes it back; scenes and HCBTFs have edits of
+//! their own ([`SceneEdit`], [`HcbtfEdit`]). [`History`] owns a document
 //! and keeps those, so that everything can be undone; serialized edits are what a journal holds.
 //!
 //! An edit that takes away what other parts name (a node with its wires, a light with its keys) is first spelled out
 //! as a group of single edits, so that its inverse restores all of it in its old order.
 
 mod graph;
+mod hcbtf;
 mod history;
 mod parts;
+mod patch;
 mod scene;
 mod trial;
 
@@ -22,8 +25,10 @@ use super::{
 use crate::diag::Diagnostic;
 use crate::ids::{DefinitionId, FrameId, LightId, NodeId, NoteId, PortName};
 
+pub use hcbtf::HcbtfEdit;
 pub use history::{Editable, History};
 pub(in crate::document) use history::{Numbers, Step};
+pub use patch::Patch;
 pub use scene::SceneEdit;
 
 /// What an edit comes to: the edit that takes it back.

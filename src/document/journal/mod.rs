@@ -23,7 +23,7 @@ use super::edit::{History, Step};
 use record::{Record, VERSION};
 
 pub use read::{Found, Recovered, recover, recover_any};
-pub use record::{About, Journaled, LookOp, Op, SceneOp};
+pub use record::{About, HcbtfOp, Journaled, LookOp, Op, SceneOp};
 pub use slot::{Slot, left_behind};
 
 /// A journal may grow by so many bytes, or by as much as it began with, before it is begun anew.
@@ -32,6 +32,9 @@ const GROWTH: u64 = 8 << 20;
 const MAX_PAST: usize = 32 << 20;
 /// As many bytes of steps share a line.
 const STEPS_LINE: usize = 1 << 20;
+
+/// As many bytes of the document's image share a line.
+const IMAGE_LINE: usize = 64 << 20;
 
 /// A journal that is being written.
 #[derive(Debug)]
@@ -70,7 +73,7 @@ impl Journal {
         if let Some(text) = source {
             lines.write::<D::Edit>(&Record::Source { text: text.into() })?;
         }
-        lines.write::<D::Edit>(&Record::Document { image: history.document().to_image()?.into() })?;
+        lines.image::<D::Edit>(&history.document().to_image()?, IMAGE_LINE)?;
         lines.steps(history.done(), |steps| Record::Done(Cow::Borrowed(steps)))?;
         lines.steps(history.undone(), |steps| Record::Undone(Cow::Borrowed(steps)))?;
         lines.write::<D::Edit>(&Record::Ready)?;
@@ -85,7 +88,8 @@ impl Journal {
     /// afterwards loses none of it.
     ///
     /// # Errors
-    /// The disk is full, say. The journal is then as it was, and more may be tried.
+    /// The disk is full, say, or this is more than a line holds. The journal is then as it was, and more may be tried, or it
+    /// is begun anew.
     pub fn append<E: Clone + Serialize>(&mut self, ops: &[Op<E>]) -> io::Result<()> {
         if ops.is_empty() {
             return Ok(());
@@ -112,8 +116,21 @@ impl Journal {
     }
 
     fn push<E: Clone + Serialize>(&mut self, record: &Record<'_, E>) -> io::Result<()> {
+        self.push_within(record, line::MAX_LINE)
+    }
+
+    /// Adds a record of at most so many bytes: a longer one could not be read again.
+    fn push_within<E: Clone + Serialize>(&mut self, record: &Record<'_, E>, most: u64) -> io::Result<()> {
+        let json = serde_json::to_string(record)?;
         self.line.clear();
-        line::push(&mut self.line, self.number, &serde_json::to_string(record)?);
+        line::push(&mut self.line, self.number, &json);
+        if self.line.len() as u64 > most {
+            self.line = String::new();
+            return Err(io::Error::new(
+                io::ErrorKind::InvalidData,
+                "more was done at once than a journal's line holds",
+            ));
+        }
         if let Err(error) = self.file.write_all(self.line.as_bytes()) {
             // Half a line would hide what follows it.
             self.file.set_len(self.size)?;
@@ -161,6 +178,17 @@ impl<W: io::Write> Lines<W> {
         self.to.write_all(self.line.as_bytes())
     }
 
+    /// The document's image, in lines of about so many bytes.
+    fn image<E: Clone + Serialize>(&mut self, image: &str, most: usize) -> io::Result<()> {
+        let mut rest = image;
+        while !rest.is_empty() {
+            let (part, after) = rest.split_at(rest.ceil_char_boundary(most));
+            self.write::<E>(&Record::Document { image: part.into() })?;
+            rest = after;
+        }
+        Ok(())
+    }
+
     /// As many of the newest steps as may be kept, oldest first.
     fn steps<'s, E: Clone + Serialize>(
         &mut self,
@@ -188,5 +216,48 @@ impl<W: io::Write> Lines<W> {
             self.write(&record(&steps[pair[1]..pair[0]]))?;
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::{Address, Grid, Hcbtf, HcbtfEdit, Tile};
+
+    /// A document that is too large for one line comes back from several.
+    #[test]
+    fn an_image_in_many_lines_is_read_again() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("journal");
+        let mut history = History::new(Hcbtf::new(Grid::THESIS));
+        let (address, tile) = (Address::new([2, 3], [1, 0]), Tile::filled([32, 32], [1, 2, 3, 4]));
+        history.apply(HcbtfEdit::paint(history.document(), address, tile)).unwrap();
+        let about = About { name: "grass, größer".into(), ..About::default() };
+        let to = File::create(&path).unwrap();
+        let mut lines = Lines { to, number: 0, size: 0, line: String::new() };
+        let kind = "hcbtf".into();
+        let begin = Record::Begin { version: VERSION, kind, numbers: history.numbers(), about: Cow::Borrowed(&about) };
+        lines.write::<HcbtfEdit>(&begin).unwrap();
+        lines.image::<HcbtfEdit>(&history.document().to_image().unwrap(), 7).unwrap();
+        lines.write::<HcbtfEdit>(&Record::Ready).unwrap();
+        assert!(lines.number > 20);
+        let found = recover::<Hcbtf>(&path).unwrap();
+        assert_eq!(found.history.document(), history.document());
+    }
+
+    /// What could not be read again is not written.
+    #[test]
+    fn more_than_a_line_holds_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let slot = Slot::new(folder.path()).unwrap();
+        let mut journal =
+            Journal::begin(&slot, &About::default(), None, &History::new(Hcbtf::new(Grid::THESIS))).unwrap();
+        let size = journal.size();
+        let ops = [Op::Edit { gesture: None, edit: HcbtfEdit::SetTiling { is_tiling: false } }];
+        let record = Record::Ops(Cow::Borrowed(&ops[..]));
+        assert!(journal.push_within(&record, 60).is_err() && journal.size() == size);
+        journal.append(&ops).unwrap();
+        assert!(journal.size() > size);
+        assert!(!recover::<Hcbtf>(slot.path()).unwrap().history.document().is_tiling);
     }
 }
