@@ -7,6 +7,8 @@ use std::time::Duration;
 struct State<Q, A> {
     waiting: Option<Q>,
     is_busy: bool,
+    /// An answer is there, and whoever wants to know is being told.
+    is_waking: bool,
     answers: Vec<A>,
     is_over: bool,
 }
@@ -35,7 +37,7 @@ impl<Q: Send + 'static, A: Send + 'static> Worker<Q, A> {
         wake: impl Fn() + Send + 'static,
         mut work: impl FnMut(Q) -> A + Send + 'static,
     ) -> Self {
-        let state = State { waiting: None, is_busy: false, answers: Vec::new(), is_over: false };
+        let state = State { waiting: None, is_busy: false, is_waking: false, answers: Vec::new(), is_over: false };
         let shared = Arc::new(Shared { state: Mutex::new(state), changed: Condvar::new() });
         let thread = {
             let shared = shared.clone();
@@ -44,10 +46,13 @@ impl<Q: Send + 'static, A: Send + 'static> Worker<Q, A> {
                     let answer = work(request);
                     let mut state = shared.lock();
                     state.is_busy = false;
+                    state.is_waking = true;
                     state.answers.push(answer);
                     drop(state);
                     shared.changed.notify_all();
                     wake();
+                    shared.lock().is_waking = false;
+                    shared.changed.notify_all();
                 }
             })
         };
@@ -74,10 +79,10 @@ impl<Q: Send + 'static, A: Send + 'static> Worker<Q, A> {
         state.is_busy || state.waiting.is_some()
     }
 
-    /// Waits until there is nothing to be done.
+    /// Waits until there is nothing to be done, and nobody will be woken any more.
     pub(crate) fn wait(&self) {
         if self.thread.is_some() {
-            let is_busy = |state: &mut State<Q, A>| state.is_busy || state.waiting.is_some();
+            let is_busy = |state: &mut State<Q, A>| state.is_busy || state.is_waking || state.waiting.is_some();
             drop(self.shared.changed.wait_while(self.shared.lock(), is_busy));
         }
     }
