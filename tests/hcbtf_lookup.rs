@@ -20,7 +20,7 @@ use support::random::Random;
 use support::report::Errors;
 
 const BELOW: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
-/// The choices of how to look up.
+/// The choices of how to look up, and the node that shows the nearest painting.
 const LOOKUPS: [&str; 3] = ["smooth", "texels", "nearest"];
 
 fn grids() -> [(&'static str, Grid); 4] {
@@ -58,12 +58,16 @@ fn file(name: &str, hcbtf: &Hcbtf) -> PathBuf {
 }
 
 fn wearing(path: &Path, lookup: &str, tier: &str) -> SetupLook {
+    let mut values = json!({"sheet": path.display().to_string(), "below": BELOW});
+    let kind = if lookup == "nearest" { "hcbtf_nearest" } else { "hcbtf_lookup" };
+    if lookup != "nearest" {
+        values["lookup"] = json!(lookup);
+    }
     look(&json!({
         "lights": {"key": {"direction": [0, 0, 1]}},
         "nodes": [
             {"id": "light", "kind": "light", "values": {"light": "key"}},
-            {"id": "paint", "kind": "hcbtf_lookup", "tier": tier,
-             "values": {"sheet": path.display().to_string(), "lookup": lookup, "below": BELOW}},
+            {"id": "paint", "kind": kind, "tier": tier, "values": values},
             {"id": "output", "kind": "output"}
         ],
         "wires": [{"from": "light", "to": "paint.light"}, {"from": "paint", "to": "output.color"}]

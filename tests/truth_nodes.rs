@@ -1071,6 +1071,7 @@ fn every_kind_is_held() {
         "dominant_light",
         "hcbtf_directions",
         "hcbtf_lookup",
+        "hcbtf_nearest",
         "light_by_tone",
         // Above, in tests of their own.
         "bands",

@@ -21,14 +21,14 @@ import chiaro::color;
 fn hcbtf_directions_light(sheet: texture_2d_array<f32>, sheet_sampler: sampler, light: Light, normal: vec3f, tangent: vec3f, bitangent: vec3f) -> Color {
     let grid = hcbtf_grid(sheet);
     let frame = world_from_tangent(tangent, bitangent, normal);
-    let near = hcbtf_nearest(hcbtf_place(hcbtf_local(light.direction, frame), grid.light), grid.light);
+    let near = hcbtf_near(hcbtf_place(hcbtf_local(light.direction, frame), grid.light), grid.light);
     return hcbtf_sample_color(near, grid.light);
 }
 
 fn hcbtf_directions_view(sheet: texture_2d_array<f32>, sheet_sampler: sampler, normal: vec3f, view: vec3f, tangent: vec3f, bitangent: vec3f) -> Color {
     let grid = hcbtf_grid(sheet);
     let frame = world_from_tangent(tangent, bitangent, normal);
-    let near = hcbtf_nearest(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
+    let near = hcbtf_near(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
     return hcbtf_sample_color(near, grid.view);
 }
 

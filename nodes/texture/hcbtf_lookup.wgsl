@@ -13,9 +13,9 @@ import chiaro::hcbtf;
 /// @param scale "Scale" default=1,1 : How often the tile repeats.
 /// @param below "Below the horizon" default=0,0,0,1 : The colour where the light stands below the surface.
 /// @param normal "Normal" from=normal : World space; a bumped one tilts the painting's directions with it.
-/// @choice lookup "Lookup" default=smooth smooth="Smooth" texels="Crisp texels" nearest="Nearest painting" :
+/// @choice lookup "Lookup" default=smooth smooth="Smooth" texels="Crisp texels" :
 ///   Smooth blends directions and texels and does not shimmer at a distance; Crisp texels blends directions alone and
-///   keeps each texel a square; Nearest painting shows one painting as it is.
+///   keeps each texel a square.
 /// @choice encoding "Encoding" default=color color="Color" data="Data" :
 ///   Color for what is seen; Data takes numbers as they are.
 /// @param view from=view hidden
@@ -99,7 +99,7 @@ fn hcbtf_lookup_smooth_fast(
     let level = i32(hcbtf_level(place, grid) + 0.5);
     let above = hcbtf_horizon(light.direction, frame);
     let lights = hcbtf_place(hcbtf_local(light.direction, frame), grid.light);
-    let near = hcbtf_nearest(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
+    let near = hcbtf_near(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
     let color = hcbtf_tap_at(sheet, sheet_sampler, place, grid, level, lights, near.x * grid.view.y + near.y);
     return hcbtf_finished(color, above, below, grid);
 }
@@ -162,30 +162,8 @@ fn hcbtf_lookup_texels_fast(
     let frame = world_from_tangent(tangent, bitangent, normal);
     let above = hcbtf_horizon(light.direction, frame);
     let lights = hcbtf_place(hcbtf_local(light.direction, frame), grid.light);
-    let near = hcbtf_nearest(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
+    let near = hcbtf_near(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
     let block = hcbtf_block(hcbtf_texel(uv * scale, grid.size), grid.light, vec2i(0));
     let color = hcbtf_tap(sheet, sheet_sampler, block, near.x * grid.view.y + near.y, lights);
-    return hcbtf_finished(color, above, below, grid);
-}
-
-fn hcbtf_lookup_nearest(
-    sheet: texture_2d_array<f32>,
-    sheet_sampler: sampler,
-    light: Light,
-    uv: vec2f,
-    scale: vec2f,
-    below: Color,
-    normal: vec3f,
-    view: vec3f,
-    tangent: vec3f,
-    bitangent: vec3f,
-) -> Color {
-    let grid = hcbtf_grid(sheet);
-    let frame = world_from_tangent(tangent, bitangent, normal);
-    let above = hcbtf_horizon(light.direction, frame);
-    let lights = hcbtf_nearest(hcbtf_place(hcbtf_local(light.direction, frame), grid.light), grid.light);
-    let near = hcbtf_nearest(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
-    let block = hcbtf_block(hcbtf_texel(uv * scale, grid.size), grid.light, vec2i(0));
-    let color = textureLoad(sheet, block + vec2i(lights.x, lights.y + 1), near.x * grid.view.y + near.y, 0);
     return hcbtf_finished(color, above, below, grid);
 }

@@ -75,7 +75,7 @@ fn hcbtf_around(place: vec2f, directions: vec2i) -> HcbtfPlace {
 }
 
 /// The nearest sample: ring and step.
-fn hcbtf_nearest(place: vec2f, directions: vec2i) -> vec2i {
+fn hcbtf_near(place: vec2f, directions: vec2i) -> vec2i {
     let near = vec2i(floor(place + 0.5));
     return vec2i(min(near.x, directions.x - 1), near.y % directions.y);
 }

@@ -142,6 +142,7 @@ pub const EXCEPTIONS: &[Exception] = &[
     on("litsphere", "linear").together().bound(1e-2).steep(FILTER),
     on("litsphere", "nearest").together().steep("between texels rounding decides"),
     on("hcbtf_lookup", "smooth").within(30.0).together().bound(1e-4).steep(PLACES),
+    on("hcbtf_nearest", "").within(30.0).together().bound(1e-4).steep("between texels and paintings rounding decides"),
     on("hcbtf_lookup", "").within(30.0).together().bound(1e-4).steep("between texels and paintings rounding decides"),
     on("hcbtf_directions", "").together().bound(1e-4).steep(PLACES),
     on("dominant_light", "").steep(STEPS),

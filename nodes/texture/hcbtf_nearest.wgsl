@@ -1,0 +1,42 @@
+import chiaro::types;
+import chiaro::hcbtf;
+
+/// HCBTF, nearest
+///
+/// A hand-painted surface, of which each place shows the one painting whose light and view are nearest, as it was painted:
+/// strokes stay whole, and change at once.
+///
+/// @param sheet "HCBTF" widget=path : An .hcbtf file.
+/// @param light "Light" wire : The light that the painting answers to.
+/// @param uv "UV" from=uv : Where on the tile, which repeats; u to the right, v up.
+/// @param scale "Scale" default=1,1 : How often the tile repeats.
+/// @param below "Below the horizon" default=0,0,0,1 : The colour where the light stands below the surface.
+/// @param normal "Normal" from=normal : World space; a bumped one tilts the painting's directions with it.
+/// @choice encoding "Encoding" default=color color="Color" data="Data" :
+///   Color for what is seen; Data takes numbers as they are.
+/// @param view from=view hidden
+/// @param tangent from=tangent hidden
+/// @param bitangent from=bitangent hidden
+/// @return color "Color" : Straight RGBA.
+/// @source thesis 10.3
+fn hcbtf_nearest(
+    sheet: texture_2d_array<f32>,
+    sheet_sampler: sampler,
+    light: Light,
+    uv: vec2f,
+    scale: vec2f,
+    below: Color,
+    normal: vec3f,
+    view: vec3f,
+    tangent: vec3f,
+    bitangent: vec3f,
+) -> Color {
+    let grid = hcbtf_grid(sheet);
+    let frame = world_from_tangent(tangent, bitangent, normal);
+    let above = hcbtf_horizon(light.direction, frame);
+    let lights = hcbtf_near(hcbtf_place(hcbtf_local(light.direction, frame), grid.light), grid.light);
+    let near = hcbtf_near(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
+    let block = hcbtf_block(hcbtf_texel(uv * scale, grid.size), grid.light, vec2i(0));
+    let color = textureLoad(sheet, block + vec2i(lights.x, lights.y + 1), near.x * grid.view.y + near.y, 0);
+    return hcbtf_finished(color, above, below, grid);
+}
