@@ -259,6 +259,16 @@ impl Orbit {
     }
 }
 
+impl Orbit {
+    /// Looks down at a flat square that lies in the middle: the way in which a painted surface is judged.
+    pub(crate) fn look_at_a_sheet(&mut self) {
+        "shape:plane".clone_into(&mut self.mesh);
+        self.z_is_up = true;
+        self.yaw = 0.5;
+        self.pitch = 0.75;
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
