@@ -10,6 +10,7 @@
 #![warn(missing_docs)]
 
 // Floor 0: words that everything is said in.
+mod base64;
 pub mod clock;
 pub mod diag;
 pub mod ids;

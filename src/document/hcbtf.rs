@@ -386,6 +386,13 @@ pub struct Hcbtf {
 }
 
 impl Hcbtf {
+    /// The most bytes that painted samples may take, four a texel.
+    pub const MAX_PAINTED_BYTES: u64 = 1 << 30;
+    /// The most painted samples: a plain zip has no more entries.
+    pub const MAX_PAINTED: usize = 65_000;
+    /// The most rules.
+    pub const MAX_RULES: usize = 1000;
+
     /// One that nothing is painted of.
     pub fn new(grid: Grid) -> Self {
         Self { grid, is_tiling: true, painted: BTreeMap::new(), rules: Vec::new() }

@@ -1,12 +1,18 @@
 //! Documents as they lie in memory, for journals: also what no file says, such as the unknown fields of a part that is
 //! gone now and that undo may bring back. Files hold the canonical form instead.
 
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::sync::Arc;
+
 use indexmap::IndexMap;
+use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
+use super::packed::Packed;
 use super::{
-    Camera, ColorSpace, Definition, DirectionKeys, Exposed, Graph, Light, Look, Object, Scene, Tier, TimeKeys,
-    TimeRange, Unknown,
+    Address, Camera, ColorSpace, Definition, DirectionKeys, Exposed, Graph, Grid, Hcbtf, Light, Look, Object, Rule,
+    Scene, Tier, Tile, TimeKeys, TimeRange, Unknown,
 };
 use crate::ids::{DefinitionId, LightId, ObjectId};
 
@@ -41,6 +47,53 @@ pub(super) struct SceneImage {
     unknown: Unknown,
 }
 
+/// An HCBTF, each tile once however many samples are equal to it.
+pub(super) struct HcbtfImage;
+
+#[derive(Serialize, Deserialize)]
+#[serde(rename = "Hcbtf", bound(deserialize = ""))]
+struct HcbtfText<'h> {
+    grid: Grid,
+    is_tiling: bool,
+    tiles: Vec<Packed>,
+    /// Each sample, and which of the tiles it is.
+    painted: Vec<(Address, usize)>,
+    rules: Cow<'h, [Rule]>,
+}
+
+impl HcbtfImage {
+    pub(super) fn serialize<S: Serializer>(hcbtf: &Hcbtf, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut places: HashMap<&Tile, usize> = HashMap::new();
+        let mut tiles = Vec::new();
+        let mut painted = Vec::with_capacity(hcbtf.painted.len());
+        for (address, tile) in &hcbtf.painted {
+            let place = places.entry(&**tile).or_insert_with(|| {
+                tiles.push(Packed::new(tile));
+                tiles.len() - 1
+            });
+            painted.push((*address, *place));
+        }
+        let Hcbtf { grid, is_tiling, painted: _, rules } = hcbtf;
+        HcbtfText { grid: *grid, is_tiling: *is_tiling, tiles, painted, rules: rules.into() }.serialize(serializer)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Hcbtf, D::Error> {
+        let HcbtfText { grid, is_tiling, tiles, painted, rules } = HcbtfText::deserialize(deserializer)?;
+        // Before anything is unpacked.
+        if tiles.iter().map(Packed::texel_bytes).sum::<u64>() > Hcbtf::MAX_PAINTED_BYTES {
+            return Err(D::Error::custom("the tiles are larger than can be"));
+        }
+        let unpack = |packed: &Packed| packed.tile().map(Arc::new).ok_or_else(|| D::Error::custom("a damaged tile"));
+        let tiles: Vec<Arc<Tile>> = tiles.iter().map(unpack).collect::<Result<_, _>>()?;
+        let of = |(address, place): (Address, usize)| {
+            let tile = tiles.get(place).ok_or_else(|| D::Error::custom("a sample without a tile"))?;
+            Ok((address, tile.clone()))
+        };
+        let painted = painted.into_iter().map(of).collect::<Result<_, D::Error>>()?;
+        Ok(Hcbtf { grid, is_tiling, painted, rules: rules.into_owned() })
+    }
+}
+
 pub(super) fn serialize<S: Serializer>(look: &Look, serializer: S) -> Result<S::Ok, S::Error> {
     LookImage::serialize(look, serializer)
 }
@@ -62,5 +115,46 @@ pub(super) mod of_scene {
 
     pub(in crate::document) fn deserialize<'de, D: Deserializer<'de>>(source: D) -> Result<Box<Scene>, D::Error> {
         SceneImage::deserialize(source).map(Box::new)
+    }
+}
+
+/// The same for HCBTFs.
+pub(super) mod of_hcbtf {
+    use serde::{Deserializer, Serializer};
+
+    use super::HcbtfImage;
+    use crate::document::Hcbtf;
+
+    pub(in crate::document) fn serialize<S: Serializer>(hcbtf: &Hcbtf, serializer: S) -> Result<S::Ok, S::Error> {
+        HcbtfImage::serialize(hcbtf, serializer)
+    }
+
+    pub(in crate::document) fn deserialize<'de, D: Deserializer<'de>>(source: D) -> Result<Box<Hcbtf>, D::Error> {
+        HcbtfImage::deserialize(source).map(Box::new)
+    }
+}
+
+/// A tile that is there, or not.
+pub(super) mod of_tile {
+    use std::sync::Arc;
+
+    use serde::de::Error as _;
+    use serde::{Deserialize as _, Deserializer, Serialize as _, Serializer};
+
+    use super::Packed;
+    use crate::document::Tile;
+
+    pub(in crate::document) fn serialize<S: Serializer>(
+        tile: &Option<Arc<Tile>>,
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        tile.as_ref().map(|tile| Packed::new(tile)).serialize(serializer)
+    }
+
+    pub(in crate::document) fn deserialize<'de, D: Deserializer<'de>>(
+        source: D,
+    ) -> Result<Option<Arc<Tile>>, D::Error> {
+        let unpack = |packed: Packed| packed.tile().map(Arc::new).ok_or_else(|| D::Error::custom("a damaged tile"));
+        Option::<Packed>::deserialize(source)?.map(unpack).transpose()
     }
 }

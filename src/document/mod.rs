@@ -14,6 +14,7 @@ mod image;
 pub mod journal;
 mod json;
 mod look;
+mod packed;
 mod problems;
 mod read;
 mod rotation;
@@ -27,7 +28,7 @@ mod word;
 mod write;
 
 pub use color::{parse_hex, srgb_to_linear};
-pub use edit::{Applied, Edit, Editable, History, SceneEdit};
+pub use edit::{Applied, Edit, Editable, HcbtfEdit, History, Patch, SceneEdit};
 pub use hcbtf::{
     Address, Angle as HcbtfAngle, Direction, Directions, Grid, Hcbtf, MAX_ANGLE_STEPS, MAX_TILE_SIDE, Rule, Tile,
 };

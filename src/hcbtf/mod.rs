@@ -4,7 +4,8 @@
 //! [`load`] and [`read`] take an `.hcbtf` file, [`write()`] gives its bytes. [`fill`](fill::fill) runs the rules and gives a
 //! [`Filled`]: a tile and its [`Provenance`] for every sample of the grid, which is what shaders look up. [`sheet`],
 //! [`folder`] and [`contact`] exchange samples with other programs: the thesis's flattened texture, a folder of images, and
-//! one picture with all samples side by side. docs/format.md documents all of them. [`layers()`] lays the filled tiles out
+//! one picture with all samples side by side. docs/format.md documents all of them. [`paint`] is the brush.
+//! [`layers()`] lays the filled tiles out
 //! as the texture of a shader, [`ktx2`] as a file for other engines.
 //!
 //! Files are not trusted: sizes are bounded before memory is taken for them ([`MAX_FILE_BYTES`],
@@ -24,6 +25,8 @@ mod progress;
 mod report;
 pub mod sheet;
 
+use crate::document::Hcbtf;
+
 pub use file::{load, read, read_bytes, write};
 pub use fill::{Estimate, Filled, NotFilled, Provenance, Which, estimate};
 pub use layers::{LayerOptions, Layers, layers, layers_bytes, layers_size};
@@ -35,8 +38,8 @@ pub const VERSION: u32 = 1;
 /// Files longer than this are refused.
 pub const MAX_FILE_BYTES: u64 = 1 << 30;
 /// Painted samples that take more than this, four bytes a texel, are refused; so are larger sheets.
-pub const MAX_PAINTED_BYTES: u64 = 1 << 30;
+pub const MAX_PAINTED_BYTES: u64 = Hcbtf::MAX_PAINTED_BYTES;
 /// More painted samples than this are refused in one file: a plain zip has no more entries.
-pub const MAX_PAINTED: usize = 65_000;
+pub const MAX_PAINTED: usize = Hcbtf::MAX_PAINTED;
 /// More rules than this are refused in one file.
-pub const MAX_RULES: usize = 1000;
+pub const MAX_RULES: usize = Hcbtf::MAX_RULES;

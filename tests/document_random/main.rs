@@ -1,6 +1,7 @@
 //! Random documents are written and read without loss; random edits are undone; random texts never panic.
 
 mod edits;
+mod hcbtf;
 mod journal;
 mod random;
 mod round_trips;

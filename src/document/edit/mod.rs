@@ -7,8 +7,10 @@
 //! as a group of single edits, so that its inverse restores all of it in its old order.
 
 mod graph;
+mod hcbtf;
 mod history;
 mod parts;
+mod patch;
 mod scene;
 mod trial;
 
@@ -22,8 +24,10 @@ use super::{
 use crate::diag::Diagnostic;
 use crate::ids::{DefinitionId, FrameId, LightId, NodeId, NoteId, PortName};
 
+pub use hcbtf::HcbtfEdit;
 pub use history::{Editable, History};
 pub(in crate::document) use history::{Numbers, Step};
+pub use patch::Patch;
 pub use scene::SceneEdit;
 
 /// What an edit comes to: the edit that takes it back.

@@ -134,7 +134,7 @@ pub(super) fn remove_named<K: Hash + Eq + Display, V>(
     Ok((index, value))
 }
 
-fn insert_at<T>(list: &mut Vec<T>, item: T, index: Option<usize>) -> Result<usize, Box<Diagnostic>> {
+pub(super) fn insert_at<T>(list: &mut Vec<T>, item: T, index: Option<usize>) -> Result<usize, Box<Diagnostic>> {
     let index = index.unwrap_or(list.len());
     if index > list.len() {
         return Err(impossible(format!("there is no place {index} among {}", list.len())));
@@ -143,7 +143,7 @@ fn insert_at<T>(list: &mut Vec<T>, item: T, index: Option<usize>) -> Result<usiz
     Ok(index)
 }
 
-fn at<T>(list: &mut [T], index: usize) -> Result<&mut T, Box<Diagnostic>> {
+pub(super) fn at<T>(list: &mut [T], index: usize) -> Result<&mut T, Box<Diagnostic>> {
     let count = list.len();
     list.get_mut(index).ok_or_else(|| impossible(format!("there is no number {index} among {count}")))
 }

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use std::io::{self, BufRead, Read as _};
 
 /// The longest line that is read, in bytes: a snapshot's document at its bound, every character of it escaped.
-const MAX_LINE: u64 = 256 << 20;
+pub(super) const MAX_LINE: u64 = 256 << 20;
 
 /// CRC-32 as in Ethernet, gzip and PNG (polynomial 0x04C11DB7, reflected), by the byte.
 fn checksum(bytes: &[u8]) -> u32 {

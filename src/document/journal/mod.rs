@@ -23,7 +23,7 @@ use super::edit::{History, Step};
 use record::{Record, VERSION};
 
 pub use read::{Found, Recovered, recover, recover_any};
-pub use record::{About, Journaled, LookOp, Op, SceneOp};
+pub use record::{About, HcbtfOp, Journaled, LookOp, Op, SceneOp};
 pub use slot::{Slot, left_behind};
 
 /// A journal may grow by so many bytes, or by as much as it began with, before it is begun anew.
@@ -32,6 +32,9 @@ const GROWTH: u64 = 8 << 20;
 const MAX_PAST: usize = 32 << 20;
 /// As many bytes of steps share a line.
 const STEPS_LINE: usize = 1 << 20;
+
+/// As many bytes of the document's image share a line.
+const IMAGE_LINE: usize = 64 << 20;
 
 /// A journal that is being written.
 #[derive(Debug)]
@@ -70,7 +73,7 @@ impl Journal {
         if let Some(text) = source {
             lines.write::<D::Edit>(&Record::Source { text: text.into() })?;
         }
-        lines.write::<D::Edit>(&Record::Document { image: history.document().to_image()?.into() })?;
+        lines.image::<D::Edit>(&history.document().to_image()?, IMAGE_LINE)?;
         lines.steps(history.done(), |steps| Record::Done(Cow::Borrowed(steps)))?;
         lines.steps(history.undone(), |steps| Record::Undone(Cow::Borrowed(steps)))?;
         lines.write::<D::Edit>(&Record::Ready)?;
@@ -85,7 +88,8 @@ impl Journal {
     /// afterwards loses none of it.
     ///
     /// # Errors
-    /// The disk is full, say. The journal is then as it was, and more may be tried.
+    /// The disk is full, say, or this is more than a line holds. The journal is then as it was, and more may be tried, or it
+    /// is begun anew.
     pub fn append<E: Clone + Serialize>(&mut self, ops: &[Op<E>]) -> io::Result<()> {
         if ops.is_empty() {
             return Ok(());
@@ -114,6 +118,13 @@ impl Journal {
     fn push<E: Clone + Serialize>(&mut self, record: &Record<'_, E>) -> io::Result<()> {
         self.line.clear();
         line::push(&mut self.line, self.number, &serde_json::to_string(record)?);
+        if self.line.len() as u64 > line::MAX_LINE {
+            self.line = String::new();
+            return Err(io::Error::new(
+                io::ErrorKind::InvalidData,
+                "more was done at once than a journal's line holds",
+            ));
+        }
         if let Err(error) = self.file.write_all(self.line.as_bytes()) {
             // Half a line would hide what follows it.
             self.file.set_len(self.size)?;
@@ -159,6 +170,17 @@ impl<W: io::Write> Lines<W> {
         self.number += 1;
         self.size += self.line.len() as u64;
         self.to.write_all(self.line.as_bytes())
+    }
+
+    /// The document's image, in lines of about so many bytes.
+    fn image<E: Clone + Serialize>(&mut self, image: &str, most: usize) -> io::Result<()> {
+        let mut rest = image;
+        while !rest.is_empty() {
+            let (part, after) = rest.split_at(rest.ceil_char_boundary(most));
+            self.write::<E>(&Record::Document { image: part.into() })?;
+            rest = after;
+        }
+        Ok(())
     }
 
     /// As many of the newest steps as may be kept, oldest first.

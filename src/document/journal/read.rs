@@ -8,7 +8,10 @@ use super::line::{Line, Lines};
 use super::record::{About, Journaled, Op, Record, VERSION};
 use crate::diag::Diagnostic;
 use crate::document::edit::{Editable, History, Numbers, Step};
-use crate::document::{Look, Scene};
+use crate::document::{Hcbtf, Look, Scene};
+
+/// A longer image of a document is refused: that of the largest HCBTF is shorter.
+const MAX_IMAGE: usize = 3 << 29;
 
 /// What a journal gave back.
 #[derive(Clone, Debug)]
@@ -32,16 +35,21 @@ pub enum Found {
     Look(Box<Recovered<Look>>),
     /// A scene.
     Scene(Box<Recovered<Scene>>),
+    /// An HCBTF.
+    Hcbtf(Box<Recovered<Hcbtf>>),
 }
 
-/// Reads a journal of either kind.
+/// Reads a journal of any kind.
 ///
 /// # Errors
 /// As [`recover`].
 pub fn recover_any(path: &Path) -> Result<Found, Box<Diagnostic>> {
     // What is damaged where it begins is told as that of a look.
-    match recover::<Scene>(path) {
-        Ok(scene) => Ok(Found::Scene(Box::new(scene))),
+    if let Ok(scene) = recover::<Scene>(path) {
+        return Ok(Found::Scene(Box::new(scene)));
+    }
+    match recover::<Hcbtf>(path) {
+        Ok(hcbtf) => Ok(Found::Hcbtf(Box::new(hcbtf))),
         Err(_) => recover::<Look>(path).map(|look| Found::Look(Box::new(look))),
     }
 }
@@ -99,18 +107,21 @@ impl Reader {
         if version != VERSION || kind != D::KIND {
             return Ok(None);
         }
-        let (about, mut source, mut document) = (about.into_owned(), None, None);
+        let (about, mut source, mut document) = (about.into_owned(), None, String::new());
         let (mut done, mut undone) = (Vec::new(), Vec::new());
         loop {
             match self.record::<D>()? {
                 Some(Record::Source { text }) => source = Some(text.into_owned()),
-                Some(Record::Document { image }) => document = D::from_image(&image).ok(),
+                Some(Record::Document { image }) if document.len() + image.len() <= MAX_IMAGE => {
+                    document.push_str(&image)
+                }
                 Some(Record::Done(steps)) => done.extend(steps.into_owned()),
                 Some(Record::Undone(steps)) => undone.extend(steps.into_owned()),
                 Some(Record::Ready) => break,
                 _ => return Ok(None),
             }
         }
+        let document = D::from_image(&document).ok();
         Ok(document.map(|document| Beginning { numbers, about, source, document, done, undone }))
     }
 

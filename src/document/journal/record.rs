@@ -5,8 +5,8 @@ use std::borrow::Cow;
 use serde::{Deserialize, Serialize};
 
 use crate::document::edit::{Editable, Numbers, Step};
-use crate::document::image::{LookImage, SceneImage};
-use crate::document::{Edit, Look, Scene, SceneEdit};
+use crate::document::image::{HcbtfImage, LookImage, SceneImage};
+use crate::document::{Edit, Hcbtf, HcbtfEdit, Look, Scene, SceneEdit};
 
 /// The version of the journal that this Chiaro writes, and the only one that it reads.
 pub(super) const VERSION: u32 = 1;
@@ -20,7 +20,7 @@ pub(super) enum Record<'a, E: Clone> {
     Begin { version: u32, kind: Cow<'a, str>, numbers: Numbers, about: Cow<'a, About> },
     /// The text that the file held when it was read or saved last.
     Source { text: Cow<'a, str> },
-    /// The document's image.
+    /// The document's image; of a large one the next part, several lines following each other.
     Document { image: Cow<'a, str> },
     /// Steps that can be taken back, oldest first; several lines follow each other.
     Done(Cow<'a, [Step<E>]>),
@@ -108,8 +108,11 @@ macro_rules! journaled {
 
 journaled!(Look, LookImage, "look");
 journaled!(Scene, SceneImage, "scene");
+journaled!(Hcbtf, HcbtfImage, "hcbtf");
 
 /// What is done to looks.
 pub type LookOp = Op<Edit>;
 /// What is done to scenes.
 pub type SceneOp = Op<SceneEdit>;
+/// What is done to HCBTFs.
+pub type HcbtfOp = Op<HcbtfEdit>;

@@ -73,6 +73,7 @@ impl Outline {
                 let beside = text_of(&found.about.window, "look");
                 Self { is_in_file, beside, is_scene: true, ..Self::of(*found) }
             }
+            Found::Hcbtf(found) => Self::of(*found),
         })
     }
 
@@ -244,10 +245,16 @@ impl Offers {
     pub(crate) fn take_back(&mut self, number: usize, session: &mut Session) -> Result<String, Box<Diagnostic>> {
         let Some(offer) = self.all.get(number) else { return Ok(String::new()) };
         let found = recover_any(offer.slot.path())?;
+        if matches!(found, Found::Hcbtf(_)) {
+            let message = "this window cannot take back an HCBTF that was being painted";
+            return Err(Box::new(Diagnostic::error("cannot-take-back", message)));
+        }
         let offer = self.all.remove(number);
         match found {
             Found::Look(found) => session.take_back(*found, offer.slot),
             Found::Scene(found) => session.take_back_scene(*found, offer.slot),
+            // It was sent away above.
+            Found::Hcbtf(_) => {}
         }
         Ok(offer.name)
     }

@@ -4,9 +4,18 @@
 //! equal bytes on every machine's floating point of IEEE 754. Lengths are in texels, x to the right and y downward, the
 //! middle of the first texel at (0.5, 0.5).
 
+mod blend;
 mod brush;
+mod canvas;
+mod dab;
 mod flood;
+mod path;
+mod picture;
+mod smudge;
 mod stroke;
+mod symmetry;
+#[cfg(test)]
+mod tests;
 
 use crate::document::Tile;
 

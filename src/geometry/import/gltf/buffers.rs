@@ -3,6 +3,7 @@
 use gltf::Document;
 use gltf::buffer::Source;
 
+use crate::base64;
 use crate::diag::Diagnostic;
 use crate::geometry::import::cursor::Cursor;
 use crate::geometry::import::report::{Problem, Report};
@@ -76,7 +77,7 @@ fn from_uri(uri: &str, siblings: Siblings) -> Result<Vec<u8>, String> {
         if !kind.ends_with(";base64") {
             return Err("its data URI is not in base64".to_owned());
         }
-        return decode_base64(data.as_bytes()).ok_or_else(|| "its base64 is damaged".to_owned());
+        return base64::decode(data.as_bytes()).ok_or_else(|| "its base64 is damaged".to_owned());
     }
     let path = decode_percent(uri).ok_or("its name is not UTF-8")?;
     let has_scheme = path.split('/').next().is_some_and(|first| first.contains(':'));
@@ -84,33 +85,6 @@ fn from_uri(uri: &str, siblings: Siblings) -> Result<Vec<u8>, String> {
         return Err(format!("`{path}` is not a relative path"));
     }
     siblings(&path).map_err(|why| format!("`{path}`: {why}"))
-}
-
-/// RFC 4648, section 4; padding may be left out.
-fn decode_base64(text: &[u8]) -> Option<Vec<u8>> {
-    let text = text.trim_ascii();
-    let padding = text.iter().rev().take(2).take_while(|&&c| c == b'=').count();
-    let text = &text[..text.len() - padding];
-    let mut bytes = Vec::with_capacity(text.len() / 4 * 3 + 2);
-    let (mut bits, mut count) = (0u32, 0);
-    for &c in text {
-        let digit = match c {
-            b'A'..=b'Z' => c - b'A',
-            b'a'..=b'z' => c - b'a' + 26,
-            b'0'..=b'9' => c - b'0' + 52,
-            b'+' => 62,
-            b'/' => 63,
-            _ => return None,
-        };
-        bits = bits << 6 | u32::from(digit);
-        count += 6;
-        if count >= 8 {
-            count -= 8;
-            bytes.push((bits >> count) as u8);
-        }
-    }
-    // One digit alone is half a byte.
-    (count != 6).then_some(bytes)
 }
 
 fn decode_percent(text: &str) -> Option<String> {
@@ -135,18 +109,6 @@ fn decode_percent(text: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn base64_of_the_rfc() {
-        for (text, bytes) in
-            [("", ""), ("Zg==", "f"), ("Zm8=", "fo"), ("Zm9v", "foo"), ("Zm9vYg", "foob"), ("Zm9vYmFy", "foobar")]
-        {
-            assert_eq!(decode_base64(text.as_bytes()).as_deref(), Some(bytes.as_bytes()), "{text}");
-        }
-        assert_eq!(decode_base64(b"Zm9v!"), None);
-        assert_eq!(decode_base64(b"Z"), None);
-        assert_eq!(decode_base64(b"=="), Some(Vec::new()));
-    }
 
     #[test]
     fn percent_signs() {

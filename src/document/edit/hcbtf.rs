@@ -1,0 +1,290 @@
+//! Edits of HCBTFs.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::parts::{at, insert_at};
+use super::patch::Patch;
+use super::{Applied, Editable, all_or_none, impossible};
+use crate::diag::Diagnostic;
+use crate::document::{Address, Grid, Hcbtf, Rule, Tile};
+
+/// A change of an HCBTF.
+///
+/// Steps of undo hold what changed and no more: painting over a tile is kept as a [`Patch`], a tile that goes away as
+/// itself, shared with whoever else has it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "edit", rename_all = "snake_case")]
+#[allow(missing_docs, reason = "the fields are named after what they set")]
+pub enum HcbtfEdit {
+    /// Several edits as one: all or none.
+    Group { edits: Vec<HcbtfEdit> },
+    /// Puts another HCBTF in the place of the whole one, as when its file was changed by others.
+    Replace {
+        #[serde(with = "crate::document::image::of_hcbtf")]
+        hcbtf: Box<Hcbtf>,
+    },
+    /// Paints a sample, in place of what was painted of it; `None` leaves it to the rules again.
+    SetTile {
+        address: Address,
+        #[serde(with = "crate::document::image::of_tile")]
+        tile: Option<Arc<Tile>>,
+    },
+    /// Changes a part of a painted sample, as a stroke does: see [`HcbtfEdit::paint`].
+    PatchTile { address: Address, patch: Patch },
+    /// Paints a sample as another is painted.
+    CopyTile { from: Address, to: Address },
+    /// Leaves a painted sample to the rules again.
+    DeleteTile { address: Address },
+    /// Changes all rules.
+    SetRules { rules: Vec<Rule> },
+    /// Adds a rule before the one at `index`; without one it comes last.
+    AddRule { rule: Rule, index: Option<usize> },
+    /// Changes a rule.
+    SetRule { index: usize, rule: Rule },
+    /// Removes a rule.
+    RemoveRule { index: usize },
+    /// Moves a rule to where it is number `to` of all.
+    MoveRule { from: usize, to: usize },
+    /// Says whether the tile repeats without a seam.
+    SetTiling { is_tiling: bool },
+    /// Divides it otherwise. Nothing is resampled: painted samples whose address or size is none any more go away, and
+    /// rules that name such an address too; undo brings them back.
+    SetGrid { grid: Grid },
+}
+
+impl HcbtfEdit {
+    /// What makes a sample look like `tile`, as at the end of a stroke: only what changed, where it was painted before.
+    pub fn paint(hcbtf: &Hcbtf, address: Address, tile: Tile) -> Self {
+        match hcbtf.painted(address).filter(|before| before.size() == tile.size()) {
+            Some(before) => match Patch::between(before, &tile) {
+                Some(patch) => Self::PatchTile { address, patch },
+                None => nothing(),
+            },
+            None => Self::SetTile { address, tile: Some(Arc::new(tile)) },
+        }
+    }
+
+    /// What undo calls it.
+    pub fn label(&self) -> String {
+        match self {
+            Self::Group { edits } => edits.first().map_or_else(|| "nothing".to_owned(), Self::label),
+            Self::Replace { .. } => "load the file again".to_owned(),
+            Self::SetTile { address, tile: Some(_) } | Self::PatchTile { address, .. } => format!("paint {address}"),
+            Self::SetTile { address, tile: None } | Self::DeleteTile { address } => format!("delete {address}"),
+            Self::CopyTile { to, .. } => format!("copy to {to}"),
+            Self::SetRules { .. } => "change the rules".to_owned(),
+            Self::AddRule { rule, .. } => format!("add the rule {}", rule.word()),
+            Self::SetRule { rule, .. } => format!("change the rule {}", rule.word()),
+            Self::RemoveRule { .. } => "remove a rule".to_owned(),
+            Self::MoveRule { .. } => "move a rule".to_owned(),
+            Self::SetTiling { is_tiling: true } => "let the tile repeat".to_owned(),
+            Self::SetTiling { .. } => "let the tile end".to_owned(),
+            Self::SetGrid { .. } => "change the grid".to_owned(),
+        }
+    }
+}
+
+impl Hcbtf {
+    /// Applies an edit and returns the one that takes it back.
+    ///
+    /// # Errors
+    /// A diagnostic where the edit is impossible: it names what does not exist, or sets what no HCBTF holds, such as a tile
+    /// of another size than the grid's. The HCBTF is then as it was.
+    pub fn apply(&mut self, edit: HcbtfEdit) -> Applied<HcbtfEdit> {
+        self.edit(edit, false)
+    }
+}
+
+impl Editable for Hcbtf {
+    type Edit = HcbtfEdit;
+
+    fn edit(&mut self, edit: HcbtfEdit, is_known_good: bool) -> Applied<HcbtfEdit> {
+        use std::mem::replace;
+        if !is_known_good {
+            check(self, &edit)?;
+        }
+        Ok(match edit {
+            HcbtfEdit::Group { edits } => HcbtfEdit::Group { edits: all_or_none(self, edits, is_known_good)? },
+            HcbtfEdit::Replace { hcbtf } => HcbtfEdit::Replace { hcbtf: Box::new(replace(self, *hcbtf)) },
+            HcbtfEdit::SetTile { address, tile } => set_tile(self, address, tile),
+            HcbtfEdit::PatchTile { address, patch } => patch_tile(self, address, &patch)?,
+            HcbtfEdit::CopyTile { from, to } => {
+                let tile = self.painted(from).ok_or_else(|| unpainted(from))?.clone();
+                set_tile(self, to, Some(tile))
+            }
+            HcbtfEdit::DeleteTile { address } => {
+                self.painted(address).ok_or_else(|| unpainted(address))?;
+                set_tile(self, address, None)
+            }
+            HcbtfEdit::SetRules { rules } => HcbtfEdit::SetRules { rules: replace(&mut self.rules, rules) },
+            HcbtfEdit::AddRule { rule, index } => {
+                HcbtfEdit::RemoveRule { index: insert_at(&mut self.rules, rule, index)? }
+            }
+            HcbtfEdit::SetRule { index, rule } => {
+                HcbtfEdit::SetRule { index, rule: replace(at(&mut self.rules, index)?, rule) }
+            }
+            HcbtfEdit::RemoveRule { index } => {
+                at(&mut self.rules, index)?;
+                HcbtfEdit::AddRule { rule: self.rules.remove(index), index: Some(index) }
+            }
+            HcbtfEdit::MoveRule { from, to } => {
+                at(&mut self.rules, from)?;
+                at(&mut self.rules, to)?;
+                let rule = self.rules.remove(from);
+                self.rules.insert(to, rule);
+                if from == to { nothing() } else { HcbtfEdit::MoveRule { from: to, to: from } }
+            }
+            HcbtfEdit::SetTiling { is_tiling } => {
+                HcbtfEdit::SetTiling { is_tiling: replace(&mut self.is_tiling, is_tiling) }
+            }
+            HcbtfEdit::SetGrid { grid } => set_grid(self, grid),
+        })
+    }
+
+    fn label(edit: &HcbtfEdit) -> String {
+        edit.label()
+    }
+
+    fn does_nothing(edit: &HcbtfEdit) -> bool {
+        matches!(edit, HcbtfEdit::Group { edits } if edits.is_empty())
+    }
+
+    /// Patches never do: each leads back one stroke, and no further.
+    fn covers(older: &HcbtfEdit, newer: &HcbtfEdit) -> bool {
+        match (older, newer) {
+            (HcbtfEdit::SetTile { address: a, .. }, HcbtfEdit::SetTile { address: b, .. }) => {
+                a.canonical() == b.canonical()
+            }
+            (HcbtfEdit::SetRule { index: a, .. }, HcbtfEdit::SetRule { index: b, .. }) => a == b,
+            (HcbtfEdit::SetRules { .. }, HcbtfEdit::SetRules { .. })
+            | (HcbtfEdit::SetTiling { .. }, HcbtfEdit::SetTiling { .. }) => true,
+            _ => false,
+        }
+    }
+}
+
+fn nothing() -> HcbtfEdit {
+    HcbtfEdit::Group { edits: Vec::new() }
+}
+
+fn unpainted(address: Address) -> Box<Diagnostic> {
+    impossible(format!("the sample at {address} is not painted"))
+}
+
+fn set_tile(hcbtf: &mut Hcbtf, address: Address, tile: Option<Arc<Tile>>) -> HcbtfEdit {
+    let address = address.canonical();
+    let old = match &tile {
+        Some(tile) => hcbtf.painted.insert(address, tile.clone()),
+        None => hcbtf.painted.remove(&address),
+    };
+    match (old, tile) {
+        (None, None) => nothing(),
+        (Some(old), Some(new)) if old == new => nothing(),
+        (Some(old), Some(new)) => match Patch::between(&new, &old) {
+            Some(patch) => HcbtfEdit::PatchTile { address, patch },
+            None => HcbtfEdit::SetTile { address, tile: Some(old) },
+        },
+        (old, _) => HcbtfEdit::SetTile { address, tile: old },
+    }
+}
+
+fn patch_tile(hcbtf: &mut Hcbtf, address: Address, patch: &Patch) -> Applied<HcbtfEdit> {
+    let tile = hcbtf.painted.get_mut(&address.canonical()).ok_or_else(|| unpainted(address))?;
+    let other = || impossible(format!("the sample at {address} is not what the stroke was painted on"));
+    // Before a tile that others share is copied.
+    if !patch.applies_to(tile) {
+        return Err(other());
+    }
+    let patch = patch.apply(Arc::make_mut(tile)).ok_or_else(other)?;
+    Ok(HcbtfEdit::PatchTile { address, patch })
+}
+
+fn set_grid(hcbtf: &mut Hcbtf, grid: Grid) -> HcbtfEdit {
+    let mut back = vec![HcbtfEdit::SetGrid { grid: std::mem::replace(&mut hcbtf.grid, grid) }];
+    hcbtf.painted.retain(|address, tile| {
+        let stays = grid.contains(*address) && tile.size() == grid.size;
+        if !stays {
+            back.push(HcbtfEdit::SetTile { address: *address, tile: Some(tile.clone()) });
+        }
+        stays
+    });
+    let rules = hcbtf.rules.clone();
+    hcbtf.rules.retain(|rule| rule.check(&grid).is_ok());
+    if hcbtf.rules.len() < rules.len() {
+        back.push(HcbtfEdit::SetRules { rules });
+    }
+    match back.len() {
+        1 => back.remove(0),
+        _ => HcbtfEdit::Group { edits: back },
+    }
+}
+
+/// Whether an edit sets what an HCBTF can hold, groups aside.
+fn check(hcbtf: &Hcbtf, edit: &HcbtfEdit) -> Result<(), Box<Diagnostic>> {
+    match edit {
+        HcbtfEdit::Replace { hcbtf } => {
+            check_grid(&hcbtf.grid)?;
+            check_rules(&hcbtf.grid, &hcbtf.rules, 0)?;
+            check_room(&hcbtf.grid, hcbtf.painted.len())?;
+            let mut tiles = hcbtf.painted.iter();
+            tiles.try_for_each(|(address, tile)| check_tile(&hcbtf.grid, *address, Some(tile)))
+        }
+        HcbtfEdit::SetTile { address, tile: Some(tile) } => {
+            check_tile(&hcbtf.grid, *address, Some(tile))?;
+            check_one_more(hcbtf, *address)
+        }
+        HcbtfEdit::CopyTile { to, .. } => {
+            check_tile(&hcbtf.grid, *to, None)?;
+            check_one_more(hcbtf, *to)
+        }
+        HcbtfEdit::SetRules { rules } => check_rules(&hcbtf.grid, rules, 0),
+        HcbtfEdit::AddRule { rule, .. } => check_rules(&hcbtf.grid, std::slice::from_ref(rule), hcbtf.rules.len()),
+        HcbtfEdit::SetRule { rule, .. } => check_rules(&hcbtf.grid, std::slice::from_ref(rule), 0),
+        HcbtfEdit::SetGrid { grid } => check_grid(grid),
+        _ => Ok(()),
+    }
+}
+
+fn check_grid(grid: &Grid) -> Result<(), Box<Diagnostic>> {
+    grid.check().map_err(impossible)
+}
+
+fn check_tile(grid: &Grid, address: Address, tile: Option<&Arc<Tile>>) -> Result<(), Box<Diagnostic>> {
+    if !grid.contains(address) {
+        return Err(impossible(format!("there is no sample at {address} in the grid")));
+    }
+    match tile.map(|tile| tile.size()).filter(|size| *size != grid.size) {
+        None => Ok(()),
+        Some([width, height]) => {
+            let [w, h] = grid.size;
+            Err(impossible(format!("the tile has {width} x {height} texels; the grid's tiles have {w} x {h}")))
+        }
+    }
+}
+
+/// Rules beside so many others.
+fn check_rules(grid: &Grid, rules: &[Rule], others: usize) -> Result<(), Box<Diagnostic>> {
+    if rules.len() + others > Hcbtf::MAX_RULES {
+        return Err(impossible(format!("there can be at most {} rules", Hcbtf::MAX_RULES)));
+    }
+    rules.iter().try_for_each(|rule| rule.check(grid).map_err(|why| impossible(format!("{}: {why}", rule.word()))))
+}
+
+fn check_one_more(hcbtf: &Hcbtf, address: Address) -> Result<(), Box<Diagnostic>> {
+    let is_new = hcbtf.painted(address).is_none();
+    check_room(&hcbtf.grid, hcbtf.painted.len() + usize::from(is_new))
+}
+
+fn check_room(grid: &Grid, samples: usize) -> Result<(), Box<Diagnostic>> {
+    let bytes = samples as u64 * grid.texels() as u64 * 4;
+    if samples <= Hcbtf::MAX_PAINTED && bytes <= Hcbtf::MAX_PAINTED_BYTES {
+        return Ok(());
+    }
+    let (most, mib) = (Hcbtf::MAX_PAINTED, Hcbtf::MAX_PAINTED_BYTES >> 20);
+    Err(Box::new(
+        impossible(format!("at most {most} samples can be painted, of at most {mib} MiB"))
+            .hint("take a coarser grid, or fill by rules what is painted now"),
+    ))
+}

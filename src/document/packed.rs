@@ -1,0 +1,86 @@
+//! Texels packed by DEFLATE (RFC 1951): in memory for undo, and as base64 in journals.
+
+use std::io::{Read as _, Write as _};
+use std::sync::Arc;
+
+use flate2::Compression;
+use flate2::read::DeflateDecoder;
+use flate2::write::DeflateEncoder;
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use super::{MAX_TILE_SIDE, Tile};
+use crate::base64;
+
+/// Bytes, packed.
+#[derive(Clone, PartialEq, Eq)]
+pub(super) struct Bytes(Arc<[u8]>);
+
+impl std::fmt::Debug for Bytes {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} bytes", self.0.len())
+    }
+}
+
+impl Bytes {
+    /// Packs quickly rather than tightly: a hand waits for it.
+    pub(super) fn pack(bytes: &[u8]) -> Self {
+        let mut encoder = DeflateEncoder::new(Vec::new(), Compression::fast());
+        // Writing to memory cannot fail.
+        let packed = encoder.write_all(bytes).and_then(|()| encoder.finish()).unwrap_or_default();
+        Self(packed.into())
+    }
+
+    /// The bytes, if they are `count`.
+    pub(super) fn unpack(&self, count: usize) -> Option<Vec<u8>> {
+        let mut bytes = Vec::new();
+        // One byte beyond tells that there are more.
+        DeflateDecoder::new(&*self.0).take(count as u64 + 1).read_to_end(&mut bytes).ok()?;
+        (bytes.len() == count).then_some(bytes)
+    }
+
+    /// How many they are, packed.
+    pub(super) fn count(&self) -> usize {
+        self.0.len()
+    }
+}
+
+impl Serialize for Bytes {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&base64::encode(&self.0))
+    }
+}
+
+impl<'de> Deserialize<'de> for Bytes {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        let bytes = base64::decode(text.as_bytes()).ok_or_else(|| D::Error::custom("no base64"))?;
+        Ok(Self(bytes.into()))
+    }
+}
+
+/// A tile, packed.
+#[derive(Serialize, Deserialize)]
+#[serde(rename = "Tile")]
+pub(super) struct Packed {
+    size: [u32; 2],
+    rgba: Bytes,
+}
+
+impl Packed {
+    pub(super) fn new(tile: &Tile) -> Self {
+        Self { size: tile.size(), rgba: Bytes::pack(tile.bytes()) }
+    }
+
+    /// How many bytes its texels take.
+    pub(super) fn texel_bytes(&self) -> u64 {
+        self.size.iter().fold(4, |bytes: u64, side| bytes.saturating_mul(u64::from(*side)))
+    }
+
+    /// The tile; `None` where it is damaged.
+    pub(super) fn tile(&self) -> Option<Tile> {
+        let is_tile = self.size.iter().all(|side| (1..=MAX_TILE_SIDE).contains(side));
+        let count = is_tile.then(|| self.texel_bytes() as usize)?;
+        Tile::new(self.size, self.rgba.unpack(count)?)
+    }
+}

@@ -1,0 +1,47 @@
+//! The copies of a stroke around the tile's middle.
+
+use glam::{DMat2, DVec2};
+
+use super::brush::Symmetry;
+use super::path;
+
+/// Sines are rounded to multiples of this, so that they are the same on every machine, and quarter turns exact.
+const SINES: f64 = 1.0 / 1_099_511_627_776.0;
+
+/// One of the copies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Mirrored {
+    middle: DVec2,
+    /// Turns and mirrors about the middle; its inverse is its transpose.
+    pub(super) turn: DMat2,
+}
+
+impl Mirrored {
+    /// Where the copy is while the pen is at a place.
+    pub(super) fn place(&self, at: DVec2) -> DVec2 {
+        path::settled(self.middle + self.turn * (at - self.middle))
+    }
+}
+
+/// All copies that differ, the stroke itself first.
+pub(super) fn copies(symmetry: &Symmetry, size: [u32; 2]) -> Vec<Mirrored> {
+    let middle = DVec2::from(size.map(f64::from)) / 2.0;
+    let turns = symmetry.turns.clamp(1, Symmetry::MAX_TURNS);
+    let flips = |is_on: bool| if is_on { &[1.0, -1.0][..] } else { &[1.0] };
+    let mut copies: Vec<Mirrored> = Vec::new();
+    for turn in 0..turns {
+        let angle = std::f64::consts::TAU * f64::from(turn) / f64::from(turns);
+        let [sine, cosine] = [angle.sin(), angle.cos()].map(|number| (number / SINES).round() * SINES);
+        let turned = DMat2::from_cols(DVec2::new(cosine, sine), DVec2::new(-sine, cosine));
+        for (&u, &v) in
+            flips(symmetry.across_u).iter().flat_map(|u| flips(symmetry.across_v).iter().map(move |v| (u, v)))
+        {
+            let copy = Mirrored { middle, turn: turned * DMat2::from_diagonal(DVec2::new(u, v)) };
+            // Half a turn is both flips at once.
+            if !copies.contains(&copy) {
+                copies.push(copy);
+            }
+        }
+    }
+    copies
+}
