@@ -110,8 +110,10 @@ impl App {
             Command::Stage(wish) => self.apply_to_stage(ui, wish),
             Command::Paint(wish) => self.apply_to_painting(ui, wish),
             Command::Safety(wish) => {
+                let painting = self.painting_number();
                 self.message = self.safety.apply(wish, &mut self.session);
                 self.open_lacking_look();
+                self.show_painting_taken_back(painting);
             }
             Command::Tell(text) => self.message = Some(text),
             Command::Act(action) => self.act(ui, action),

@@ -108,7 +108,7 @@ impl App {
     /// Does what would lose changes, where there are none, or where the journal keeps them; else asks first.
     pub(super) fn do_or_ask(&mut self, pending: Pending) {
         self.pending = Some(pending);
-        let is_kept = !self.is_painting_at_risk() && self.session.keeps_work();
+        let is_kept = self.keeps_all();
         if !self.is_at_risk() || is_kept {
             self.go_on();
         }
@@ -134,7 +134,13 @@ impl App {
         self.at_risk() != (false, false) || self.is_painting_at_risk()
     }
 
-    /// Whether what is to be done would lose what is painted: no journal keeps that.
+    /// Whether the journals keep what is at risk.
+    fn keeps_all(&mut self) -> bool {
+        (!self.is_painting_at_risk() || self.session.keeps_painting())
+            && (self.at_risk() == (false, false) || self.session.keeps_work())
+    }
+
+    /// Whether what is to be done is about what is painted, and that is not saved.
     fn is_painting_at_risk(&self) -> bool {
         let is_about = matches!(
             self.pending,
@@ -223,7 +229,8 @@ impl App {
         if self.closes {
             ctx.send_viewport_cmd(ViewportCommand::Close);
         } else if ctx.input(|input| input.viewport().close_requested())
-            && (self.session.is_painting_dirty() || self.session.is_dirty() && !self.session.keeps_work())
+            && (self.session.is_painting_dirty() && !self.session.keeps_painting()
+                || self.session.is_dirty() && !self.session.keeps_work())
         {
             ctx.send_viewport_cmd(ViewportCommand::CancelClose);
             self.pending = Some(Pending::Close);

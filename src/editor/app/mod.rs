@@ -155,8 +155,10 @@ impl App {
 
     /// Goes on where the last window was closed, if anything was not saved then.
     pub fn resume(&mut self) {
+        let painting = self.painting_number();
         self.message = self.safety.resume(&mut self.session);
         self.open_lacking_look();
+        self.show_painting_taken_back(painting);
     }
 
     /// Looks at once whether other programs changed files, which else takes a moment.

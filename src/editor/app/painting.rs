@@ -74,22 +74,53 @@ impl App {
 
     fn begin_painting(&mut self, work: Work, keeps_look: bool) {
         let told = work.load_problems.first().map(|problem| problem.message.clone());
-        if !keeps_look {
-            let sheet = work.path().map_or_else(|| UNSAVED_HCBTF.to_owned(), |path| path.display().to_string());
-            self.session.start_from(&look::default_look(&sheet, &work.name()), "painting");
-            self.safety.look();
-            self.session.view.look_at_a_sheet();
-        }
         self.session.set_painting(Some(work));
+        if !keeps_look {
+            self.begin_bare_look();
+        }
+        self.safety.look();
+        self.show_painting_panels();
+        self.message = told;
+    }
+
+    /// Begins a look that shows what is painted, and nothing else.
+    fn begin_bare_look(&mut self) {
+        let Some(work) = self.session.painting() else { return };
+        let sheet = work.path().map_or_else(|| UNSAVED_HCBTF.to_owned(), |path| path.display().to_string());
+        let look = look::default_look(&sheet, &work.name());
+        self.session.start_from(&look, "painting");
+        self.session.view.look_at_a_sheet();
+    }
+
+    fn show_painting_panels(&mut self) {
         self.start = None;
         for panel in [Panel::Rules, Panel::Directions, Panel::Samples, Panel::Paint] {
             self.dock.open(panel);
         }
-        self.message = told;
+    }
+
+    /// After work was taken back: shows what was painted, if that came back, in a look of its own where nothing else is
+    /// open. `before` is the number of what was painted before.
+    pub(super) fn show_painting_taken_back(&mut self, before: Option<u64>) {
+        let now = self.painting_number();
+        if now.is_none() || now == before {
+            return;
+        }
+        let is_new = self.session.path().is_none() && !self.session.is_look_dirty() && self.session.stage().is_none();
+        if is_new {
+            self.begin_bare_look();
+        }
+        self.show_painting_panels();
+    }
+
+    /// Tells what is painted from what was before.
+    pub(super) fn painting_number(&self) -> Option<u64> {
+        self.session.painting().map(Work::number)
     }
 
     pub(super) fn close_painting(&mut self) {
         self.session.set_painting(None);
+        self.safety.look();
     }
 
     fn ask_where_to_save_painting(&mut self) {

@@ -5,12 +5,11 @@ use std::sync::Arc;
 use eframe::egui::{Event, Key, PointerButton, Pos2, Response, Ui};
 use glam::DVec2;
 
-use super::edit::Change;
 use super::tilt::Tilt;
 use super::tools::{Kind, Tools};
 use super::work::Work;
 use super::{Wish, command};
-use crate::document::{Address, Tile};
+use crate::document::{Address, HcbtfEdit, Tile};
 use crate::editor::command::Command;
 use crate::editor::session::Session;
 use crate::hcbtf::paint::{self, Stroke};
@@ -29,29 +28,24 @@ pub(super) enum Going {
 pub(super) struct Of {
     address: Address,
     before: Arc<Tile>,
-    kind: Kind,
 }
 
 impl Of {
-    fn new(work: &Work, kind: Kind) -> Self {
+    fn new(work: &Work) -> Self {
         let address = work.at();
-        Self { address, before: tile_at(work, address), kind }
+        Self { address, before: tile_at(work, address) }
     }
 
     /// The step of undo, if anything is another now. A stroke that leaves no trace paints nothing.
-    fn done(self, tile: Tile) -> Option<Command> {
+    fn done(self, tile: Tile, work: &Work) -> Option<Command> {
         let is_same = tile == *self.before;
-        (!is_same).then(|| edit(self.address, tile, self.kind.step()))
+        (!is_same).then(|| command(Wish::Edit(HcbtfEdit::paint(work.hcbtf(), self.address, tile))))
     }
 }
 
 /// What a hand paints on: what is shown at a sample, or nothing at all.
 pub(super) fn tile_at(work: &Work, address: Address) -> Arc<Tile> {
     work.tile(address).cloned().unwrap_or_else(|| Arc::new(Tile::filled(work.grid().size, [0; 4])))
-}
-
-fn edit(address: Address, tile: Tile, label: &'static str) -> Command {
-    command(Wish::Edit(Change::Tile { address, tile: Some(Arc::new(tile)), label }))
 }
 
 /// Does what the pointer asks for on the tile as it lies now.
@@ -141,14 +135,14 @@ fn begin(
             return Some(Command::Tell(told.to_owned()));
         }
         Kind::Fill => {
-            let of = Of::new(work, kind);
+            let of = Of::new(work);
             let at = texel(at, of.before.size(), wraps)?;
             let tile = paint::fill(&of.before, at, tools.colors[0], tools.tolerance, wraps);
-            return of.done(tile);
+            return of.done(tile, work);
         }
-        Kind::Line => *going = Some(Going::Line { from: at, of: Of::new(work, kind) }),
+        Kind::Line => *going = Some(Going::Line { from: at, of: Of::new(work) }),
         _ => {
-            let of = Of::new(work, kind);
+            let of = Of::new(work);
             let mut stroke = Box::new(Stroke::begin(&of.before, &tools.brush(), &tools.symmetry, wraps));
             stroke.to(at, pressure);
             let live = (of.address, Arc::new(stroke.tile().clone()));
@@ -194,11 +188,12 @@ fn go_on(
 
 fn end(was: Going, last: Option<DVec2>, tools: &mut Tools, session: &mut Session) -> Option<Command> {
     match was {
-        Going::Stroke { stroke, of } => of.done(stroke.finish()),
+        Going::Stroke { stroke, of } => of.done(stroke.finish(), session.painting()?),
         Going::Line { from, of } => {
-            let wraps = session.painting()?.hcbtf().is_tiling;
+            let work = session.painting()?;
+            let wraps = work.hcbtf().is_tiling;
             let tile = paint::line(&of.before, &tools.brush(), &tools.symmetry, wraps, from, last.unwrap_or(from));
-            of.done(tile)
+            of.done(tile, work)
         }
         Going::Pick => {
             tools.picked(tools.colors[0]);

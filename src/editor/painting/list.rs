@@ -3,11 +3,10 @@
 use eframe::egui::{FontId, Rect, Role, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use super::easel::name_of;
-use super::edit::Change;
 use super::map::Atlas;
 use super::work::Work;
 use super::{Wish, command, moves};
-use crate::document::Address;
+use crate::document::{Address, HcbtfEdit};
 use crate::editor::command::Command;
 use crate::editor::dock::cell;
 use crate::editor::panels::widgets::{picture_frame, row_ground};
@@ -95,7 +94,7 @@ fn row(
     let delete = row.small_button("Delete");
     delete.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Delete {name}")));
     if delete.on_hover_text("Takes this painting away: the rules fill its place. Undo brings it back").clicked() {
-        out.push(command(Wish::Edit(Change::Tile { address, tile: None, label: "delete a painting" })));
+        out.push(command(Wish::Edit(HcbtfEdit::DeleteTile { address })));
     }
     let copy = row.add_enabled(!is_at_work, eframe::egui::Button::new("Copy").small());
     copy.widget_info(|| WidgetInfo::labeled(Role::Button, !is_at_work, format!("Copy {name}")));
@@ -113,6 +112,9 @@ fn row(
 
 /// Copies what is seen at a sample to another.
 pub(super) fn copy_to(work: &Work, from: Address, to: Address) -> Option<Command> {
-    let tile = work.tile(from).cloned()?;
-    Some(command(Wish::Edit(Change::Tile { address: to, tile: Some(tile), label: "copy a sample" })))
+    let edit = match work.hcbtf().painted(from) {
+        Some(_) => HcbtfEdit::CopyTile { from, to },
+        None => HcbtfEdit::SetTile { address: to, tile: Some(work.tile(from)?.clone()) },
+    };
+    Some(command(Wish::Edit(edit)))
 }

@@ -1,9 +1,13 @@
 //! The look that a bare HCBTF is seen in: a lookup with one light, over grey where nothing is painted.
 
+use glam::{DQuat, DVec3};
 use serde_json::json;
 
+use super::work::Work;
 use crate::document::{Edit, GraphId, Look, Value};
 use crate::editor::catalog::Catalog;
+use crate::editor::orbit::{Orbit, PLANE};
+use crate::editor::session::Session;
 use crate::library::Type;
 
 /// The default look on an HCBTF of this name.
@@ -27,6 +31,23 @@ pub(crate) fn default_look(sheet: &str, name: &str) -> String {
         ]
     });
     serde_json::to_string_pretty(&look).unwrap_or_default()
+}
+
+/// The picture's camera and light turned to the sample at work, where the picture shows a flat square that lies.
+pub(super) fn from_here(session: &Session, work: &Work) -> Option<Orbit> {
+    let mut view = session.view.clone();
+    let is_sheet = view.mesh == PLANE && view.z_is_up && session.stage().is_none();
+    let (_, light) = session.look().lights.first().filter(|_| is_sheet)?;
+    // The square lies in the world with u along x, v along -z and the normal along y.
+    let world = |vector: DVec3| DVec3::new(vector.x, vector.z, -vector.y);
+    let (grid, at) = (work.grid(), work.at());
+    let eye = world(grid.view.vector(at.view));
+    view.upright = DQuat::IDENTITY;
+    view.pitch = eye.y.clamp(-1.0, 1.0).asin();
+    view.yaw = if at.view.theta == 0 { 0.0 } else { eye.x.atan2(eye.z) };
+    let shines_from = DVec3::from(light.direction).try_normalize()?;
+    view.illumination = DQuat::from_rotation_arc(shines_from, world(grid.light.vector(at.light)));
+    Some(view)
 }
 
 /// The HCBTFs that a look names, wherever in it.

@@ -8,11 +8,10 @@ use eframe::egui::{
 
 pub(super) use super::atlas::Atlas;
 use super::easel::name_of;
-use super::edit::Change;
 use super::list::copy_to;
 use super::work::{State, Work};
 use super::{Wish, command};
-use crate::document::{Address, Direction, Directions};
+use crate::document::{Address, Direction, Directions, HcbtfEdit};
 use crate::editor::command::Command;
 use crate::editor::theme;
 use crate::hcbtf::Provenance;
@@ -24,6 +23,8 @@ const HEAD: f32 = 24.0;
 const TOP: f32 = 14.0;
 /// Cells with pictures are as large at least, in points.
 const PICTURE: f32 = 13.0;
+/// Cells can be hit from this size on, in points.
+const LEAST: f32 = 8.0;
 const LARGEST: f32 = 56.0;
 
 /// How the map is shown.
@@ -68,7 +69,10 @@ impl Map {
         let grid = *work.grid();
         let room = ui.available_width() - HEAD - 14.0;
         let gaps = (grid.view.theta.max(1) - 1) as f32 * GAP;
-        let fitting = ((room - gaps) / grid.view.distinct_count() as f32).clamp(4.0, LARGEST);
+        let across = ((room - gaps) / grid.view.distinct_count() as f32).clamp(4.0, LARGEST);
+        // All of it where that leaves cells that can be hit; else one scrolls downward.
+        let rows = ui.available_height() - TOP - 40.0 - (grid.light.theta.max(1) - 1) as f32 * GAP;
+        let fitting = across.min((rows / grid.light.distinct_count() as f32).max(LEAST));
         ui.horizontal(|ui| {
             legend(ui, work);
             let mut side = self.side.unwrap_or(fitting);
@@ -165,7 +169,7 @@ fn menu(ui: &mut Ui, work: &Work, address: Address, out: &mut Vec<Command>) {
     }
     let is_painted = work.state(address) == State::Painted;
     if ui.add_enabled(is_painted, eframe::egui::Button::new("Delete what is painted here")).clicked() {
-        out.push(command(Wish::Edit(Change::Tile { address, tile: None, label: "delete a painting" })));
+        out.push(command(Wish::Edit(HcbtfEdit::DeleteTile { address })));
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! A [`Work`] is the document with its past, kept by the session as looks and scenes are. Four panels show it: `easel`
 //! with the tools above it is the tile as the eye sees it, `map` is all of its lights and views at a glance, `dome` with
-//! `list` where the light and the eye are, and `rules` is what fills them. A stroke changes what is shown here and now; once it ends it is a [`Change`], which
+//! `list` where the light and the eye are, and `rules` is what fills them. A stroke changes what is shown here and now; once it ends it is an [`HcbtfEdit`], which
 //! [`App`](super::App) applies. What is painted stands in the viewport at once: the session gives it to whoever draws, in
 //! place of the file.
 
@@ -10,10 +10,10 @@ mod arrows;
 mod atlas;
 mod dome;
 mod easel;
-mod edit;
 mod filling;
 mod hand;
 mod icons;
+mod keeping;
 mod list;
 pub(crate) mod look;
 mod map;
@@ -36,8 +36,7 @@ use super::dock::{self, Panel};
 use super::session::Session;
 use super::shortcuts::{Action, Way};
 use super::theme;
-use crate::document::{Address, Grid};
-pub(crate) use edit::Change;
+use crate::document::{Address, Grid, HcbtfEdit};
 pub(crate) use start::Preset;
 pub(crate) use tools::Kind;
 use work::State;
@@ -47,9 +46,9 @@ pub use work::Work;
 #[derive(Clone, Debug)]
 pub(crate) enum Wish {
     /// A change as an undo step of its own.
-    Edit(Change),
+    Edit(HcbtfEdit),
     /// A change that goes on for as long as the same widget is held: one undo step in all.
-    EditHeld(egui::Id, Change),
+    EditHeld(egui::Id, HcbtfEdit),
     /// Works at another sample.
     GoTo(Address),
     /// Begins a new one, in a look of its own unless the open one is to stay.
@@ -139,7 +138,7 @@ impl Painting {
     fn show_easel(&mut self, ui: &mut Ui, session: &mut Session, out: &mut Vec<Command>) {
         toolbar::show(ui, &mut self.tools);
         if let Some(work) = session.painting() {
-            self.options(ui, work, out);
+            self.options(ui, session, work, out);
         }
         let is_free = self.easel.has_pointer() && !ui.ctx().egui_wants_keyboard_input();
         let before = session.painting().map(Work::before);
@@ -151,7 +150,7 @@ impl Painting {
     }
 
     /// Which sample is at work, and how it is shown.
-    fn options(&mut self, ui: &mut Ui, work: &Work, out: &mut Vec<Command>) {
+    fn options(&mut self, ui: &mut Ui, session: &Session, work: &Work, out: &mut Vec<Command>) {
         let at = work.at();
         ui.horizontal_wrapped(|ui| {
             let (state, color) = match work.state(at) {
@@ -168,7 +167,13 @@ impl Painting {
             let is_painted = work.state(at) == State::Painted;
             let clear = ui.add_enabled(is_painted, Button::new("Delete painting").small());
             if clear.on_hover_text("Takes this painting away: the rules fill its place").clicked() {
-                out.push(command(Wish::Edit(Change::Tile { address: at, tile: None, label: "delete a painting" })));
+                out.push(command(Wish::Edit(HcbtfEdit::DeleteTile { address: at })));
+            }
+            if let Some(view) = look::from_here(session, work) {
+                let help = "Turns the picture's camera and light to where the eye and the light are that you paint for";
+                if ui.small_button("Show in the picture").on_hover_text(help).clicked() {
+                    out.push(Command::TurnTo(Box::new(view)));
+                }
             }
         });
         ui.horizontal_wrapped(|ui| {

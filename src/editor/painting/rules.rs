@@ -6,10 +6,9 @@ use eframe::egui::{
     Checkbox, ComboBox, DragValue, Id, ProgressBar, RichText, Role, ScrollArea, Slider, Ui, WidgetInfo,
 };
 
-use super::edit::Change;
 use super::work::Work;
 use super::{Wish, command, moves};
-use crate::document::{Address, ColorSpace, Directions, HcbtfAngle, Rule};
+use crate::document::{Address, ColorSpace, Directions, HcbtfAngle, HcbtfEdit, Rule};
 use crate::editor::command::Command;
 use crate::editor::inspector::color;
 use crate::editor::theme;
@@ -67,9 +66,7 @@ pub(super) fn show(ui: &mut Ui, work: &Work, share: Option<f64>, problem: Option
                 let button = ui.button(name);
                 button.widget_info(|| WidgetInfo::labeled(Role::MenuItem, true, name));
                 if button.on_hover_text(help).clicked() {
-                    let mut rules = hcbtf.rules.clone();
-                    rules.push(rule);
-                    out.push(changed(rules, "add a rule"));
+                    out.push(command(Wish::Edit(HcbtfEdit::AddRule { rule, index: None })));
                     ui.close();
                 }
             }
@@ -77,7 +74,7 @@ pub(super) fn show(ui: &mut Ui, work: &Work, share: Option<f64>, problem: Option
         .response
         .on_hover_text("Rules fill what nobody painted. They work in order, and paintings always win");
         if ui.checkbox(&mut tiling, "The tile repeats").on_hover_text("Strokes go across its edges").changed() {
-            out.push(command(Wish::Edit(Change::Tiling(tiling))));
+            out.push(command(Wish::Edit(HcbtfEdit::SetTiling { is_tiling: tiling })));
         }
     });
     if let Some(problem) = problem {
@@ -97,10 +94,6 @@ pub(super) fn show(ui: &mut Ui, work: &Work, share: Option<f64>, problem: Option
             ui.push_id(index, |ui| card(ui, work, index, rule, counts.get(index).copied().unwrap_or_default(), out));
         }
     });
-}
-
-fn changed(rules: Vec<Rule>, label: &'static str) -> Command {
-    command(Wish::Edit(Change::Rules { rules, label }))
 }
 
 /// How many samples each rule fills or changes.
@@ -142,19 +135,13 @@ fn card(ui: &mut Ui, work: &Work, index: usize, rule: &Rule, count: usize, out: 
                     true,
                     "Takes the rule away; Undo brings it back",
                 ) {
-                    let mut rules = rules.clone();
-                    rules.remove(index);
-                    out.push(changed(rules, "remove a rule"));
+                    out.push(command(Wish::Edit(HcbtfEdit::RemoveRule { index })));
                 }
                 if moved(ui, "Down", format!("Move rule {} down", index + 1), index < last, "Lets it work later") {
-                    let mut rules = rules.clone();
-                    rules.swap(index, index + 1);
-                    out.push(changed(rules, "reorder rules"));
+                    out.push(command(Wish::Edit(HcbtfEdit::MoveRule { from: index, to: index + 1 })));
                 }
                 if moved(ui, "Up", format!("Move rule {} up", index + 1), index > 0, "Lets it work earlier") {
-                    let mut rules = rules.clone();
-                    rules.swap(index, index - 1);
-                    out.push(changed(rules, "reorder rules"));
+                    out.push(command(Wish::Edit(HcbtfEdit::MoveRule { from: index, to: index - 1 })));
                 }
             });
         });
@@ -163,9 +150,7 @@ fn card(ui: &mut Ui, work: &Work, index: usize, rule: &Rule, count: usize, out: 
         ui.label(RichText::new(text).color(theme::of(ui).dim).small());
         let mut edited = rule.clone();
         if let Some(widget) = fields(ui, work, &mut edited).filter(|_| edited != *rule) {
-            let mut rules = rules.clone();
-            rules[index] = edited;
-            out.push(command(Wish::EditHeld(widget, Change::Rules { rules, label: "change a rule" })));
+            out.push(command(Wish::EditHeld(widget, HcbtfEdit::SetRule { index, rule: edited })));
         }
     });
     ui.add_space(2.0);

@@ -50,19 +50,6 @@ impl Kind {
         }
     }
 
-    /// What undo calls its strokes.
-    pub(super) fn step(self) -> &'static str {
-        match self {
-            Self::Paint => "paint",
-            Self::Erase => "erase",
-            Self::Smudge => "smudge",
-            Self::Line => "draw a line",
-            Self::Fill => "fill",
-            Self::Stamp => "stamp",
-            Self::Pick => "pick a color",
-        }
-    }
-
     /// Whether it has a size and an edge.
     pub(super) fn has_brush(self) -> bool {
         !matches!(self, Self::Fill | Self::Pick)

@@ -6,9 +6,10 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::SystemTime;
 
-use super::edit::{Change, Painted};
 use crate::diag::Diagnostic;
-use crate::document::{Address, Grid, Hcbtf, History, Rule, Tile, write_atomic};
+use crate::document::journal::Op;
+use crate::document::{Address, Grid, Hcbtf, HcbtfEdit, History, Rule, Tile, write_atomic};
+use crate::editor::session::keeping::Keeping;
 use crate::editor::session::times::{Gestures, Times};
 use crate::frame::Overlay;
 use crate::hcbtf::{self, Filled, Provenance};
@@ -36,7 +37,7 @@ pub(crate) enum State {
 
 /// An HCBTF that is being painted.
 pub struct Work {
-    history: History<Painted>,
+    history: History<Hcbtf>,
     pub(crate) times: Times,
     gestures: Gestures,
     path: Option<PathBuf>,
@@ -57,15 +58,22 @@ pub struct Work {
     version: u64,
     /// Another number is another document.
     number: u64,
+    pub(super) keeping: Keeping<Hcbtf>,
 }
 
 impl Work {
     fn with(hcbtf: Hcbtf, path: Option<PathBuf>) -> Self {
-        let shown = Arc::new(hcbtf.clone());
-        let at = hcbtf.painted.keys().next().copied().unwrap_or_default();
+        Self::of_history(History::new(hcbtf), path)
+    }
+
+    pub(super) fn of_history(history: History<Hcbtf>, path: Option<PathBuf>) -> Self {
+        let shown = Arc::new(history.document().clone());
+        let at = shown.painted.keys().next().copied().unwrap_or_default();
+        let mut times = Times::default();
+        times.fit(history.steps());
         Self {
-            history: History::new(Painted(hcbtf)),
-            times: Times::default(),
+            history,
+            times,
             gestures: Gestures::default(),
             stamp: path.as_deref().and_then(stamp),
             path,
@@ -77,6 +85,7 @@ impl Work {
             filled: None,
             version: next_version(),
             number: next_version(),
+            keeping: Keeping::default(),
         }
     }
 
@@ -116,17 +125,18 @@ impl Work {
         self.load_problems.clear();
         self.history.mark_saved();
         self.version = next_version();
+        self.saved();
         Ok(())
     }
 
     /// The document as it is, without a stroke that goes on.
     pub fn hcbtf(&self) -> &Hcbtf {
-        &self.history.document().0
+        self.history.document()
     }
 
     /// How finely it is divided.
     pub(crate) fn grid(&self) -> &Grid {
-        &self.history.document().0.grid
+        &self.history.document().grid
     }
 
     /// The file, once there is one.
@@ -150,7 +160,7 @@ impl Work {
         self.history.mark_saved();
     }
 
-    pub(crate) fn history(&self) -> &History<Painted> {
+    pub(crate) fn history(&self) -> &History<Hcbtf> {
         &self.history
     }
 
@@ -252,8 +262,9 @@ impl Work {
     ///
     /// # Errors
     /// A diagnostic where the change is impossible; nothing is changed then.
-    pub(crate) fn apply(&mut self, change: Change, hand: Option<u64>, now: u64) -> Result<bool, Box<Diagnostic>> {
+    pub(crate) fn apply(&mut self, change: HcbtfEdit, hand: Option<u64>, now: u64) -> Result<bool, Box<Diagnostic>> {
         let before = self.history.revision();
+        let kept = self.keeping.is_on().then(|| change.clone());
         let gesture = hand.map(|hand| self.gestures.of(hand, before));
         match gesture {
             Some(gesture) => self.history.apply_in(gesture, change)?,
@@ -263,6 +274,7 @@ impl Work {
         let is_changed = self.history.revision() != before;
         if is_changed {
             self.times.did(self.history.steps(), now);
+            self.keeping.note(kept.map(|edit| Op::Edit { gesture, edit }));
         }
         self.live = None;
         self.show();
@@ -273,6 +285,7 @@ impl Work {
         let did = self.history.undo().is_some();
         if did {
             self.times.undid();
+            self.keeping.note(Some(Op::Undo));
             self.show();
         }
         did
@@ -282,6 +295,7 @@ impl Work {
         let did = self.history.redo().is_some();
         if did {
             self.times.redid(now);
+            self.keeping.note(Some(Op::Redo));
             self.show();
         }
         did

@@ -2,11 +2,12 @@
 
 use std::path::Path;
 
-use super::super::painting::{Change, Work, look};
+use super::super::painting::{Work, look};
 use super::super::stage::real;
 use super::Session;
 use crate::diag::Diagnostic;
-use crate::document::Edit;
+use crate::document::journal::{Recovered, Slot};
+use crate::document::{Edit, Hcbtf, HcbtfEdit};
 use crate::frame::UNSAVED_HCBTF;
 
 impl Session {
@@ -22,9 +23,34 @@ impl Session {
 
     /// Paints another one, or none.
     pub(crate) fn set_painting(&mut self, work: Option<Work>) {
+        self.keep_painting(work, None);
+    }
+
+    /// Takes painting back that a journal gave. The journal goes on where it is.
+    pub(crate) fn take_back_painting(&mut self, found: Recovered<Hcbtf>, slot: Slot) {
+        self.keep_painting(Some(Work::taken_back(found)), Some(slot));
+    }
+
+    fn keep_painting(&mut self, work: Option<Work>, slot: Option<Slot>) {
+        self.leave_painting(false);
         self.painting = work;
+        if let (Some(work), Some((folder, wake))) = (&mut self.painting, &self.keeps) {
+            work.keep_in(folder, wake.clone(), slot);
+        }
         self.painting_changed();
         self.problems_number += 1;
+    }
+
+    /// Lets go of what is painted; its journal stays if anything in it is not saved.
+    pub(super) fn leave_painting(&mut self, in_peace: bool) {
+        if let Some(mut work) = self.painting.take() {
+            work.leave_journal(in_peace);
+        }
+    }
+
+    /// Whether putting what is painted aside would lose nothing.
+    pub(crate) fn keeps_painting(&mut self) -> bool {
+        self.painting.as_mut().is_none_or(Work::keeps_work)
     }
 
     /// Whether what is painted has changes that no file holds.
@@ -41,7 +67,7 @@ impl Session {
     ///
     /// # Errors
     /// A diagnostic where the change is impossible, or nothing is open to be painted; nothing is changed then.
-    pub(crate) fn apply_to_painting(&mut self, change: Change, hand: Option<u64>) -> Result<(), Box<Diagnostic>> {
+    pub(crate) fn apply_to_painting(&mut self, change: HcbtfEdit, hand: Option<u64>) -> Result<(), Box<Diagnostic>> {
         let Some(work) = &mut self.painting else {
             return Err(Box::new(Diagnostic::error("impossible-edit", "no HCBTF is open")));
         };
