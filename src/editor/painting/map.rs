@@ -96,7 +96,7 @@ impl Map {
             (self.laid, self.grid) = (Some((origin, side)), Some(grid));
             heads(ui, work, rect, origin, side);
             cells(ui, work, atlas, origin, side);
-            self.hand(ui, &response, work, origin, side, peek, out);
+            self.hand(ui, &response, work, peek, out);
         });
     }
 
@@ -108,16 +108,8 @@ impl Map {
         grid.contains(address).then(|| Rect::from_min_size(origin + by, vec2(side, side)))
     }
 
-    fn hand(
-        &mut self,
-        ui: &Ui,
-        response: &Response,
-        work: &Work,
-        origin: Pos2,
-        side: f32,
-        peek: &mut Option<Address>,
-        out: &mut Vec<Command>,
-    ) {
+    fn hand(&mut self, ui: &Ui, response: &Response, work: &Work, peek: &mut Option<Address>, out: &mut Vec<Command>) {
+        let Some((origin, side)) = self.laid else { return };
         let grid = work.grid();
         let found = |place: Pos2| {
             let by = place - origin;
