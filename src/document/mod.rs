@@ -2,7 +2,7 @@
 //!
 //! [`Look::read`] and [`Scene::read`] take JSON and give a value, a [`SourceMap`] and every problem at once;
 //! [`Look::to_text`] writes the canonical form, and a document equal to what was read is written back byte for byte.
-//! [`History`] applies every [`Edit`], and undoes it; a [`journal`] keeps what is not saved. docs/format.md documents the
+//! [`History`] applies every [`Edit`], [`SceneEdit`] and [`HcbtfEdit`], and undoes it; a [`journal`] keeps what is not saved. docs/format.md documents the
 //! files.
 
 mod check;

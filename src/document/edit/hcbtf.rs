@@ -25,7 +25,7 @@ pub enum HcbtfEdit {
         #[serde(with = "crate::document::image::of_hcbtf")]
         hcbtf: Box<Hcbtf>,
     },
-    /// Paints a sample, in place of what was painted of it; `None` leaves it to the rules again.
+    /// Paints a sample, in place of what was painted of it, as pasting does; `None` leaves it to the rules again.
     SetTile {
         address: Address,
         #[serde(with = "crate::document::image::of_tile")]

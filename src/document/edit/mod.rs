@@ -1,6 +1,7 @@
 //! The one way in which documents change: edits that know their inverses.
 //!
-//! [`Look::apply`] checks an [`Edit`], applies it and returns the edit that takes it back. [`History`] owns a document
+//! [`Look::apply`] checks an [`Edit`], applies it and returns the edit that takes it back; scenes and HCBTFs have edits of
+//! their own ([`SceneEdit`], [`HcbtfEdit`]). [`History`] owns a document
 //! and keeps those, so that everything can be undone; serialized edits are what a journal holds.
 //!
 //! An edit that takes away what other parts name (a node with its wires, a light with its keys) is first spelled out

@@ -116,9 +116,15 @@ impl Journal {
     }
 
     fn push<E: Clone + Serialize>(&mut self, record: &Record<'_, E>) -> io::Result<()> {
+        self.push_within(record, line::MAX_LINE)
+    }
+
+    /// Adds a record of at most so many bytes: a longer one could not be read again.
+    fn push_within<E: Clone + Serialize>(&mut self, record: &Record<'_, E>, most: u64) -> io::Result<()> {
+        let json = serde_json::to_string(record)?;
         self.line.clear();
-        line::push(&mut self.line, self.number, &serde_json::to_string(record)?);
-        if self.line.len() as u64 > line::MAX_LINE {
+        line::push(&mut self.line, self.number, &json);
+        if self.line.len() as u64 > most {
             self.line = String::new();
             return Err(io::Error::new(
                 io::ErrorKind::InvalidData,
@@ -210,5 +216,48 @@ impl<W: io::Write> Lines<W> {
             self.write(&record(&steps[pair[1]..pair[0]]))?;
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::{Address, Grid, Hcbtf, HcbtfEdit, Tile};
+
+    /// A document that is too large for one line comes back from several.
+    #[test]
+    fn an_image_in_many_lines_is_read_again() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("journal");
+        let mut history = History::new(Hcbtf::new(Grid::THESIS));
+        let (address, tile) = (Address::new([2, 3], [1, 0]), Tile::filled([32, 32], [1, 2, 3, 4]));
+        history.apply(HcbtfEdit::paint(history.document(), address, tile)).unwrap();
+        let about = About { name: "grass, größer".into(), ..About::default() };
+        let to = File::create(&path).unwrap();
+        let mut lines = Lines { to, number: 0, size: 0, line: String::new() };
+        let kind = "hcbtf".into();
+        let begin = Record::Begin { version: VERSION, kind, numbers: history.numbers(), about: Cow::Borrowed(&about) };
+        lines.write::<HcbtfEdit>(&begin).unwrap();
+        lines.image::<HcbtfEdit>(&history.document().to_image().unwrap(), 7).unwrap();
+        lines.write::<HcbtfEdit>(&Record::Ready).unwrap();
+        assert!(lines.number > 20);
+        let found = recover::<Hcbtf>(&path).unwrap();
+        assert_eq!(found.history.document(), history.document());
+    }
+
+    /// What could not be read again is not written.
+    #[test]
+    fn more_than_a_line_holds_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let slot = Slot::new(folder.path()).unwrap();
+        let mut journal =
+            Journal::begin(&slot, &About::default(), None, &History::new(Hcbtf::new(Grid::THESIS))).unwrap();
+        let size = journal.size();
+        let ops = [Op::Edit { gesture: None, edit: HcbtfEdit::SetTiling { is_tiling: false } }];
+        let record = Record::Ops(Cow::Borrowed(&ops[..]));
+        assert!(journal.push_within(&record, 60).is_err() && journal.size() == size);
+        journal.append(&ops).unwrap();
+        assert!(journal.size() > size);
+        assert!(!recover::<Hcbtf>(slot.path()).unwrap().history.document().is_tiling);
     }
 }

@@ -113,7 +113,7 @@ impl Reader {
             match self.record::<D>()? {
                 Some(Record::Source { text }) => source = Some(text.into_owned()),
                 Some(Record::Document { image }) if document.len() + image.len() <= MAX_IMAGE => {
-                    document.push_str(&image)
+                    document.push_str(&image);
                 }
                 Some(Record::Done(steps)) => done.extend(steps.into_owned()),
                 Some(Record::Undone(steps)) => undone.extend(steps.into_owned()),

@@ -93,10 +93,11 @@ impl Smudge {
         if is_first {
             self.carried[copy] = vec![[0.0; 4]; side * side];
         }
+        let columns: Vec<usize> = (0..side).map(|column| canvas.nearest(0, corner[0] + column as i64)).collect();
         for (row, carried) in self.carried[copy].chunks_exact_mut(side).enumerate() {
             let y = canvas.nearest(1, corner[1] + row as i64) * canvas.size[0];
-            for (column, carried) in carried.iter_mut().enumerate() {
-                let under = self.work[y + canvas.nearest(0, corner[0] + column as i64)];
+            for (column, carried) in columns.iter().zip(carried) {
+                let under = self.work[y + column];
                 *carried = if is_first {
                     under
                 } else {

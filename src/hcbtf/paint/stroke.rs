@@ -24,7 +24,7 @@ use crate::document::Tile;
 pub type Changed = [u32; 4];
 
 /// As many texels are stamped at most from one place to the next; stamps that would be more lie farther apart.
-const MOST_TEXELS: f64 = 2_147_483_648.0;
+const MOST_TEXELS: f64 = 1_073_741_824.0;
 /// As many stamps are laid at most from one place to the next, copies counted.
 const MOST_STAMPS: f64 = 1_048_576.0;
 /// Smaller stamps than this are none, in texels.
@@ -75,7 +75,7 @@ impl fmt::Debug for Stroke {
 impl Stroke {
     /// Begins a stroke over a tile as it is. Where `wraps` the tile repeats, and the stroke goes across its edges. A brush
     /// with a number that is none, larger than [`Brush::MAX_SIZE`], or of so many texels with all copies that a stamp would
-    /// take seconds (2^31, for smudging 2^24), paints nothing.
+    /// take seconds (2^30, for smudging 2^24), paints nothing.
     pub fn begin(tile: &Tile, brush: &Brush, symmetry: &Symmetry, wraps: bool) -> Self {
         let size = tile.size().map(|side| side as usize);
         let texels = size[0] * size[1];
@@ -110,9 +110,12 @@ impl Stroke {
         }
     }
 
-    /// Goes on to a place, in texels from the upper left corner, which may lie outside the tile, with a pressure from 0 to
-    /// 1. Returns what changed. Places and pressures that are no numbers, and places more than 1,048,576 texels away, are
-    /// passed over.
+    /// Goes on to a place, in texels from the upper left corner, which may lie outside the tile, with a pressure between 0
+    /// and 1. Returns what changed. Places and pressures that are no numbers, and places more than 1,048,576 texels away,
+    /// are passed over.
+    ///
+    /// One call lays at most 2^20 stamps of 2^30 texels together; on a longer way they lie farther apart. Otherwise it does
+    /// not matter how a way is cut into calls.
     pub fn to(&mut self, at: DVec2, pressure: f64) -> Vec<Changed> {
         let Some(brush) = self.brush else { return Vec::new() };
         let most = self.most_stamps(brush.size);

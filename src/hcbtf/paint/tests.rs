@@ -357,7 +357,7 @@ proptest! {
 
     #[test]
     fn nothing_changes_outside_what_is_told(
-        brush in brushes(prop_oneof![4 => 0.01..90.0, 1 => wild()]),
+        brush in brushes(prop_oneof![4 => 0.01..90.0, 1 => -9.0..200.0, 1 => Just(f64::INFINITY)]),
         points in prop::collection::vec((wild(), wild(), prop_oneof![4 => 0.0..=1.0, 1 => wild()]), 1..5),
         size in (1..70_u32, 1..70_u32),
         wraps: bool,
