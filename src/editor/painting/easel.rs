@@ -113,7 +113,10 @@ impl Easel {
         if is_peeking {
             let text = format!("Only looking: {}. Let go to be back", name_of(work, shown));
             note(ui, &painter, room, &text);
-        } else if let Some(at) = pointer {
+        } else if work.shown().painted.is_empty() {
+            note(ui, &painter, room, "Drag on the tile to paint how it looks under this light, from here");
+        }
+        if let Some(at) = pointer.filter(|_| !is_peeking) {
             cursor(ui, &painter, &tilt, tools, at);
             self.tell(&tilt, work, tools, at);
         }

@@ -169,12 +169,6 @@ impl Painting {
             if clear.on_hover_text("Takes this painting away: the rules fill its place").clicked() {
                 out.push(command(Wish::Edit(HcbtfEdit::DeleteTile { address: at })));
             }
-            if let Some(view) = look::from_here(session, work) {
-                let help = "Turns the picture's camera and light to where the eye and the light are that you paint for";
-                if ui.small_button("Show in the picture").on_hover_text(help).clicked() {
-                    out.push(Command::TurnTo(Box::new(view)));
-                }
-            }
         });
         ui.horizontal_wrapped(|ui| {
             let easel = &mut self.easel;
@@ -185,6 +179,12 @@ impl Painting {
                 .on_hover_text("Shows where the light comes from, and where the eye is (A)");
             if ui.small_button("Fit").on_hover_text("Shows the whole tile again (Home)").clicked() {
                 easel.fit();
+            }
+            if let Some(view) = look::from_here(session, work) {
+                let help = "Turns the picture's camera and light to where the eye and the light are that you paint for";
+                if ui.small_button("Show in the picture").on_hover_text(help).clicked() {
+                    out.push(Command::TurnTo(Box::new(view)));
+                }
             }
             ui.separator();
             let help = "How much of the neighbouring samples shines through";
