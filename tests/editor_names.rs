@@ -4,7 +4,9 @@
 mod editor_support;
 
 use std::path::Path;
+use std::sync::Arc;
 
+use chiaro::document::{Address, Directions, Grid, Hcbtf, HcbtfAngle, Rule, Tile};
 use editor_support::Hand;
 use eframe::egui::{Key, Modifiers, Role};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -67,6 +69,38 @@ fn panels(hand: &mut Hand) -> Vec<String> {
     panels
 }
 
+/// The painting workspace with a rule of each kind.
+fn painting(hand: &mut Hand, found: &mut Vec<String>) {
+    let from = Address::default();
+    let angles = vec![HcbtfAngle::ViewPhi, HcbtfAngle::LightPhi];
+    let rules = vec![
+        Rule::Copy { from },
+        Rule::Lock { angles },
+        Rule::Blend { sharpness: 2.0 },
+        Rule::Mirror { color: [255; 4], width: 0.5 },
+        Rule::Specular { from, width: 0.5 },
+        Rule::Color { color: [9; 4] },
+        Rule::Lambert { shadow: [0; 3], amount: 1.0 },
+        Rule::Rotate { turns: 1.0 },
+        Rule::Recolor { angle: HcbtfAngle::LightTheta, from: [255; 3], to: [9; 3] },
+    ];
+    let three = Directions { theta: 2, phi: 3 };
+    let mut hcbtf = Hcbtf { rules, ..Hcbtf::new(Grid { size: [4, 4], light: three, view: three }) };
+    hcbtf.painted.insert(from, Arc::new(Tile::filled([4, 4], [90, 90, 90, 255])));
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("all.hcbtf");
+    std::fs::write(&path, chiaro::hcbtf::write(&hcbtf).unwrap()).unwrap();
+    hand.app_mut().open(&path);
+    hand.settle();
+    nameless(hand, "the painting workspace", found);
+    for menu in ["Paint", "+ Add a rule", "Symmetry", "Pen"] {
+        hand.press_a(Role::Button, menu);
+        nameless(hand, menu, found);
+        hand.key(Key::Escape);
+        hand.settle();
+    }
+}
+
 #[test]
 fn everything_that_can_be_operated_has_a_name() {
     let mut found = Vec::new();
@@ -106,6 +140,7 @@ fn everything_that_can_be_operated_has_a_name() {
     opened(&mut hand, "examples/scenes/cast.json");
     hand.tab("Objects");
     nameless(&hand, "a scene", &mut found);
+    painting(&mut hand, &mut found);
     hand.app_mut().show_start_page();
     hand.settle();
     nameless(&hand, "the start page", &mut found);

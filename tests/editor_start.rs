@@ -493,7 +493,7 @@ fn paths_are_asked_for_in_the_window_where_there_is_no_dialog() {
     // Who would rather type can, in any case.
     hand.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::O);
     hand.settle();
-    assert!(!says(&hand, "shows no file dialog") && has(&hand, "Open a look or a scene"));
+    assert!(!says(&hand, "shows no file dialog") && has(&hand, "Open a look, a scene or an HCBTF"));
 }
 
 #[test]

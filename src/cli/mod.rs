@@ -62,7 +62,7 @@ Exit codes: 0 done; 1 something in a document, an asset or the GPU is at fault (
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Open a look or a scene in the editor (also what `chiaro` and `chiaro FILE` do)
+    /// Open a look, a scene or an HCBTF in the editor (also what `chiaro` and `chiaro FILE` do)
     #[command(after_help = EDIT_EXAMPLES)]
     Edit {
         /// A look or a scene

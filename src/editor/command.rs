@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use super::dock::Panel;
 use super::orbit::Orbit;
+use super::painting;
 use super::panels::solo::Solo;
 use super::safety::Wish;
 use super::shortcuts::Action;
@@ -94,6 +95,8 @@ pub(crate) enum Command {
     TurnTo(Box<Orbit>),
     /// What is asked for of the scene around the look.
     Stage(stage::Wish),
+    /// What is asked for of the HCBTF that is being painted.
+    Paint(painting::Wish),
     /// What the bar of unsaved work and changed files asks for.
     Safety(Wish),
 }

@@ -23,6 +23,7 @@ pub(crate) enum Purpose {
     /// A look for the object that is asked for.
     ObjectLook,
     SaveScene,
+    SavePainting,
     /// Shaders of a language, or of all, are written into a folder.
     Shaders(&'static str),
     /// A picture is written.
@@ -37,6 +38,9 @@ pub(crate) const MESHES: [&str; 5] = ["obj", "ply", "stl", "gltf", "glb"];
 /// The endings of images that can be read.
 pub(crate) const IMAGES: [&str; 5] = ["png", "jpg", "jpeg", "exr", "hdr"];
 
+/// The ending of HCBTFs.
+pub(crate) const PAINTING: &str = "hcbtf";
+
 /// A dialog that is over before anybody could have seen it, in seconds, was none: there is no portal and no program that
 /// shows one.
 const UNSEEN: f64 = 0.35;
@@ -45,9 +49,10 @@ impl Purpose {
     /// What such files are called, and their endings.
     pub(crate) fn files(self) -> (&'static str, &'static [&'static str]) {
         match self {
-            Self::Open => ("Chiaro look or scene", &["json"]),
+            Self::Open => ("Chiaro look, scene or HCBTF", &["json", PAINTING]),
             Self::Save | Self::ObjectLook => ("Chiaro look", &["json"]),
             Self::SaveScene => ("Chiaro scene", &["json"]),
+            Self::SavePainting => ("HCBTF", &[PAINTING]),
             Self::Mesh | Self::AddMesh | Self::ObjectMesh => ("Mesh", &MESHES),
             Self::Shaders(_) => ("Folder", &[]),
             Self::Export(_) => ("PNG", &["png"]),
@@ -57,7 +62,7 @@ impl Purpose {
 
     /// Whether the file is written.
     pub(crate) fn writes(self) -> bool {
-        matches!(self, Self::Save | Self::SaveScene | Self::Export(_))
+        matches!(self, Self::Save | Self::SaveScene | Self::SavePainting | Self::Export(_))
     }
 
     /// Whether a folder is asked for, which is made where there is none.

@@ -9,6 +9,8 @@ use serde_json::Value;
 use crate::document::{Camera, Projection};
 use crate::frame::{DEFAULT_MESH, View};
 
+/// A flat square.
+pub(crate) const PLANE: &str = "shape:plane";
 /// The closest and the farthest that the eye may come by the wheel.
 const DISTANCE: std::ops::RangeInclusive<f64> = 0.2..=200.0;
 /// What is framed takes so much of the picture's height, or of its width.
@@ -256,6 +258,16 @@ impl Orbit {
             backdrop: self.backdrop,
             ..Self::default()
         };
+    }
+}
+
+impl Orbit {
+    /// Looks down at a flat square that lies in the middle: the way in which a painted surface is judged.
+    pub(crate) fn look_at_a_sheet(&mut self) {
+        PLANE.clone_into(&mut self.mesh);
+        self.z_is_up = true;
+        self.yaw = 0.5;
+        self.pitch = 0.75;
     }
 }
 

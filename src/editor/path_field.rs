@@ -161,9 +161,10 @@ impl PathField {
 
 fn title(purpose: Purpose) -> &'static str {
     match purpose {
-        Purpose::Open => "Open a look or a scene",
+        Purpose::Open => "Open a look, a scene or an HCBTF",
         Purpose::Save => "Save the look",
         Purpose::SaveScene => "Save the scene",
+        Purpose::SavePainting => "Save the painting",
         Purpose::Mesh => "Show the look on a mesh",
         Purpose::AddMesh => "Add an object of a mesh",
         Purpose::ObjectMesh => "Give the object another mesh",

@@ -6,7 +6,7 @@ use eframe::egui::{Align2, Key, Modifiers, RichText, ScrollArea, TextEdit, Ui, W
 
 use super::command::Command;
 use super::session::Session;
-use super::shortcuts::{self, Action, POINTER, Place, Shortcut};
+use super::shortcuts::{self, Action, PAINTING_POINTER, POINTER, Place, Shortcut};
 use super::theme;
 use crate::ids::NodeId;
 
@@ -96,11 +96,15 @@ fn show_shortcuts(ui: &mut Ui, height: f32) {
             let (first, second) = graph.split_at(graph.len().div_ceil(2));
             list(left, Place::Graph.label(), first);
             list(middle, " ", second);
-            for place in Place::ALL.into_iter().filter(|place| *place != Place::Graph) {
+            list(left, Place::Painting.label(), &rows(Place::Painting).collect::<Vec<_>>());
+            let told = |rows: &[(&str, &'static str)]| -> Vec<(String, &'static str)> {
+                rows.iter().map(|(key, what)| ((*key).to_owned(), *what)).collect()
+            };
+            list(middle, "With the pointer, on the tile", &told(PAINTING_POINTER));
+            for place in [Place::Window, Place::Picture] {
                 list(right, place.label(), &rows(place).collect::<Vec<_>>());
             }
-            let pointer: Vec<(String, &str)> = POINTER.iter().map(|(key, what)| ((*key).to_owned(), *what)).collect();
-            list(right, "With the pointer, in the graph", &pointer);
+            list(right, "With the pointer, in the graph", &told(POINTER));
         });
     });
 }

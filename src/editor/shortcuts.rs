@@ -4,6 +4,7 @@
 use eframe::egui;
 use eframe::egui::{Key, Modifiers};
 
+use super::painting::{Kind, Preset};
 use crate::export;
 
 /// Where a key works.
@@ -15,16 +16,17 @@ pub(crate) enum Place {
     Graph,
     /// Over the picture.
     Picture,
+    /// Over the tile that is painted on.
+    Painting,
 }
 
 impl Place {
-    pub(crate) const ALL: [Self; 3] = [Self::Window, Self::Graph, Self::Picture];
-
     pub(crate) fn label(self) -> &'static str {
         match self {
             Self::Window => "Everywhere",
             Self::Graph => "In the graph",
             Self::Picture => "In the picture",
+            Self::Painting => "On the tile that is painted",
         }
     }
 }
@@ -97,6 +99,21 @@ pub(crate) enum Action {
     SelectNext(Way),
     GoTo(u8),
     Remember(u8),
+    NewHcbtf(Preset),
+    SaveHcbtf,
+    SaveHcbtfAs,
+    CloseHcbtf,
+    Tool(Kind),
+    Brush {
+        is_larger: bool,
+    },
+    SwapColors,
+    Flat,
+    Copies,
+    Arrows,
+    FitTile,
+    StepView(Way),
+    StepLight(Way),
 }
 
 /// A way on the canvas.
@@ -140,7 +157,7 @@ const ALT: Modifiers = Modifiers::ALT;
 const CTRL_SHIFT: Modifiers = Modifiers { shift: true, ..Modifiers::COMMAND };
 
 use Action as A;
-use Place::{Graph, Window};
+use Place::{Graph, Painting, Window};
 use Way::{Down, Left, Right, Up};
 
 /// All of them. What needs more modifiers stands before what needs fewer, as the first that fits takes a key.
@@ -176,6 +193,13 @@ pub(crate) static ALL: &[Shortcut] = &[
     row(A::ExportPicture, "Export the picture as PNG...", &[], Window),
     row(A::Commands, "Find a command or a node", &[(CTRL, Key::P), (CTRL, Key::F)], Window),
     row(A::Shortcuts, "Show all shortcuts", &[(NONE, Key::Questionmark), (SHIFT, Key::Questionmark), (NONE, Key::F1)], Window),
+    row(A::NewHcbtf(Preset::Small), "New HCBTF, small (16 x 16, 3 x 6 directions)", &[], Window),
+    row(A::NewHcbtf(Preset::Thesis), "New HCBTF, as the thesis (32 x 32, 6 x 10 directions)", &[], Window),
+    row(A::NewHcbtf(Preset::Large), "New HCBTF, large (64 x 64, 6 x 10 directions)", &[], Window),
+    row(A::NewHcbtf(Preset::Fine), "New HCBTF, fine tile (128 x 128, 3 x 8 directions)", &[], Window),
+    row(A::SaveHcbtf, "Save the HCBTF", &[], Window),
+    row(A::SaveHcbtfAs, "Save the HCBTF under another name...", &[], Window),
+    row(A::CloseHcbtf, "Close the HCBTF", &[], Window),
     row(A::Probe, "Probe a pixel", &[(NONE, Key::I)], Place::Picture),
     row(A::ResetView, "Reset camera and lights", &[(NONE, Key::R)], Place::Picture),
     row(A::FrameObject, "Frame the object", &[(NONE, Key::F)], Place::Picture),
@@ -183,6 +207,28 @@ pub(crate) static ALL: &[Shortcut] = &[
     row(A::Projection, "Perspective or parallel", &[(NONE, Key::P)], Place::Picture),
     row(A::Turntable, "Start or stop the turntable", &[(NONE, Key::T)], Place::Picture),
     row(A::Handles, "Show or hide handles on the object", &[(NONE, Key::H)], Place::Picture),
+    row(A::Tool(Kind::Paint), "Brush", &[(NONE, Key::B)], Painting),
+    row(A::Tool(Kind::Erase), "Eraser", &[(NONE, Key::E)], Painting),
+    row(A::Tool(Kind::Smudge), "Smudge", &[(NONE, Key::S)], Painting),
+    row(A::Tool(Kind::Line), "Line", &[(NONE, Key::L)], Painting),
+    row(A::Tool(Kind::Fill), "Fill", &[(NONE, Key::G)], Painting),
+    row(A::Tool(Kind::Stamp), "Stamp", &[(NONE, Key::K)], Painting),
+    row(A::Tool(Kind::Pick), "Pick a color", &[(NONE, Key::I)], Painting),
+    row(A::Brush { is_larger: false }, "Smaller brush", &[(NONE, Key::OpenBracket)], Painting),
+    row(A::Brush { is_larger: true }, "Larger brush", &[(NONE, Key::CloseBracket)], Painting),
+    row(A::SwapColors, "Swap the two colors", &[(NONE, Key::X)], Painting),
+    row(A::Flat, "Tilted as the eye sees it, or flat", &[(NONE, Key::F)], Painting),
+    row(A::Copies, "Show or hide copies around the tile", &[(NONE, Key::C)], Painting),
+    row(A::Arrows, "Show or hide the arrows of light and eye", &[(NONE, Key::A)], Painting),
+    row(A::FitTile, "Show the whole tile", &[(NONE, Key::Home)], Painting),
+    row(A::StepLight(Left), "Light to the left", &[(SHIFT, Key::ArrowLeft)], Painting),
+    row(A::StepLight(Right), "Light to the right", &[(SHIFT, Key::ArrowRight)], Painting),
+    row(A::StepLight(Up), "Light higher", &[(SHIFT, Key::ArrowUp)], Painting),
+    row(A::StepLight(Down), "Light lower", &[(SHIFT, Key::ArrowDown)], Painting),
+    row(A::StepView(Left), "Eye to the left", &[(NONE, Key::ArrowLeft)], Painting),
+    row(A::StepView(Right), "Eye to the right", &[(NONE, Key::ArrowRight)], Painting),
+    row(A::StepView(Up), "Eye higher", &[(NONE, Key::ArrowUp)], Painting),
+    row(A::StepView(Down), "Eye lower", &[(NONE, Key::ArrowDown)], Painting),
     row(A::AddNode, "Add a node", &[(NONE, Key::Tab), (NONE, Key::A), (SHIFT, Key::A)], Graph),
     row(A::Swap, "Swap the node for another", &[(NONE, Key::S)], Graph),
     row(A::Dissolve, "Delete, keep the wires through", &[(SHIFT, Key::Delete), (SHIFT, Key::X)], Graph),
@@ -262,6 +308,19 @@ pub(crate) const POINTER: &[(&str, &str)] = &[
     ("Wheel", "Zoom"),
     ("Middle or right drag, Space+drag", "Move the view"),
     ("Right-click", "Menu"),
+];
+
+/// The same on the tile that is painted.
+pub(crate) const PAINTING_POINTER: &[(&str, &str)] = &[
+    ("Drag", "Paint, with the tool at hand"),
+    ("Alt-click", "Pick a color"),
+    ("Shift-click with the stamp", "Take this tile as the stamp"),
+    ("Hold V", "Look at the sample from before"),
+    ("Alt over the map or the list", "Look at that sample"),
+    ("Shift-click on the map", "Copy that sample to the one at work"),
+    ("Wheel over the palette", "Brighter or darker"),
+    ("Wheel", "Zoom"),
+    ("Middle or right drag, Space+drag", "Move the tile"),
 ];
 
 impl Shortcut {

@@ -6,12 +6,13 @@ use std::sync::Arc;
 use glam::DQuat;
 
 use super::orbit::Orbit;
+use super::painting::Work;
 use super::panels::solo::Solo;
 use super::session::Session;
 use super::stage::Staged;
 use crate::diag::Diagnostic;
 use crate::document::{Look, SourceMap};
-use crate::frame::{Assets, Planner, Setup, SetupLook, default_setup};
+use crate::frame::{Assets, Overlay, Planner, Setup, SetupLook, default_setup};
 use crate::library::Library;
 
 /// A look with everything that its picture depends on, but for the size.
@@ -27,6 +28,8 @@ pub(crate) struct Still {
     pub(crate) time: f64,
     /// The scene around the look; without one it is on a mesh of its own.
     pub(crate) stage: Option<Arc<Staged>>,
+    /// The HCBTF that is being painted, in place of its file.
+    pub(crate) painting: Option<Overlay>,
 }
 
 impl Still {
@@ -43,6 +46,7 @@ impl Still {
     /// # Errors
     /// What is wrong with the mesh, without a stage.
     pub(crate) fn setup(&self, assets: &mut Assets) -> Result<(Setup, Vec<Diagnostic>), Vec<Diagnostic>> {
+        assets.overlay(self.painting.clone());
         let look = SetupLook { look: (*self.look).clone(), source: self.source.clone(), folder: self.folder.clone() };
         let (mut setup, notes) = match &self.stage {
             Some(stage) => stage.setup(look, assets),
@@ -93,6 +97,7 @@ pub(crate) struct Stamp {
     solo: Solo,
     /// Of what there is of a scene.
     stage: Option<u64>,
+    painting: Option<u64>,
 }
 
 impl Session {
@@ -111,6 +116,7 @@ impl Session {
             orbit: self.view.clone(),
             time: self.time,
             stage: self.stage().map(|stage| self.solo().lit_stage(stage.staged())),
+            painting: self.painting().map(Work::overlay),
         }
     }
 
@@ -134,6 +140,7 @@ impl Session {
             time: self.time,
             solo: self.solo().clone(),
             stage: self.stage_version(),
+            painting: self.painting().map(Work::version),
         }
     }
 }

@@ -7,12 +7,14 @@ use std::sync::Arc;
 use std::time::SystemTime;
 
 use crate::diag::Diagnostic;
-use crate::document::{Directions, Grid, Hcbtf, Tile};
+use crate::document::{Address, Directions, Grid, Hcbtf, Tile};
 use crate::geometry::{self, Mesh};
-use crate::hcbtf::{self, LayerOptions};
+use crate::hcbtf::{self, Filled, LayerOptions};
 
 /// What an object's mesh begins with where it is an own shape.
 pub const SHAPE_PREFIX: &str = "shape:";
+/// What looks call the HCBTF that is being painted, while that has no file.
+pub const UNSAVED_HCBTF: &str = "hcbtf:open";
 /// The largest image, in pixels along a side; a GPU may allow less.
 pub const MAX_IMAGE_SIDE: u32 = 16_384;
 /// The most memory that decoding one image may take, in bytes.
@@ -53,9 +55,48 @@ struct Kept<T> {
     notes: Vec<Diagnostic>,
 }
 
+/// An HCBTF as it is being painted, in place of what its file holds.
+#[derive(Clone, Debug)]
+pub struct Overlay {
+    /// Its file, once there is one; [`UNSAVED_HCBTF`] names it also before.
+    pub path: Option<PathBuf>,
+    /// Another number is another content.
+    pub version: u64,
+    /// What is painted.
+    pub hcbtf: Arc<Hcbtf>,
+    /// What the rules made of the rest, as far as that is known.
+    pub filled: Option<Arc<Filled>>,
+}
+
+impl Overlay {
+    /// Whether a look that names `path` means it.
+    fn is(&self, path: &Path) -> bool {
+        let real = |path: &Path| path.canonicalize().ok();
+        let is_it = |own: &Path| own == path || real(path).is_some_and(|found| Some(found) == real(own));
+        path.ends_with(UNSAVED_HCBTF) || self.path.as_deref().is_some_and(is_it)
+    }
+
+    fn tile(&self, address: Address) -> Option<&Arc<Tile>> {
+        self.hcbtf.painted(address).or_else(|| self.filled.as_ref()?.tile(address))
+    }
+
+    fn bake(&self, options: LayerOptions) -> Result<Image, Diagnostic> {
+        let grid = self.hcbtf.grid;
+        check_size(&grid, options)?;
+        let layers = hcbtf::layers(&grid, |address| self.tile(address), options);
+        // While it is painted on it is baked again and again: its number tells it from the last one.
+        let mut hasher = DefaultHasher::new();
+        ("overlay", self.version, options).hash(&mut hasher);
+        Ok(Image { size: layers.size, layers: layers.count, rgba: layers.rgba, hash: hasher.finish() })
+    }
+}
+
 /// Reads meshes and images, each once.
 #[derive(Clone, Debug, Default)]
 pub struct Assets {
+    overlay: Option<Overlay>,
+    /// What was baked of it, by its version.
+    baked: HashMap<LayerOptions, (u64, Arc<Image>)>,
     meshes: HashMap<String, Kept<Mesh>>,
     images: HashMap<PathBuf, Kept<Image>>,
     hcbtfs: HashMap<(PathBuf, LayerOptions), Kept<Image>>,
@@ -113,6 +154,28 @@ impl Assets {
         Ok(value)
     }
 
+    /// Shows an HCBTF as it is being painted wherever its file is named, from now on; with `None` files are as they are.
+    pub fn overlay(&mut self, overlay: Option<Overlay>) {
+        if overlay.is_none() {
+            self.baked.clear();
+        }
+        self.overlay = overlay;
+    }
+
+    fn overlaid(&mut self, path: &Path, options: LayerOptions) -> Option<Result<Arc<Image>, Diagnostic>> {
+        let overlay = self.overlay.as_ref().filter(|overlay| overlay.is(path))?;
+        if let Some((version, image)) = self.baked.get(&options)
+            && *version == overlay.version
+        {
+            return Some(Ok(image.clone()));
+        }
+        let image = overlay.bake(options).map(Arc::new);
+        if let Ok(image) = &image {
+            self.baked.insert(options, (overlay.version, image.clone()));
+        }
+        Some(image)
+    }
+
     /// The texture of the HCBTF at `path`, relative to `folder`, filled by its rules, with what was odd in the file.
     ///
     /// # Errors
@@ -124,6 +187,9 @@ impl Assets {
         options: LayerOptions,
     ) -> Result<(Arc<Image>, Vec<Diagnostic>), Vec<Diagnostic>> {
         let path = folder.join(path);
+        if let Some(image) = self.overlaid(&path, options) {
+            return Ok((image.map_err(|problem| vec![problem])?, Vec::new()));
+        }
         let stamp = stamp(&path);
         let key = (path, options);
         if let Some(kept) = self.hcbtfs.get(&key).filter(|kept| kept.stamp == stamp) {
@@ -147,13 +213,18 @@ pub(super) fn plain_hcbtf(color: [u8; 4]) -> Image {
 
 /// The texture of an HCBTF, if it is not larger than one may be.
 fn bake(hcbtf: &Hcbtf, options: LayerOptions) -> Result<Image, Diagnostic> {
-    let bytes = hcbtf::layers_bytes(&hcbtf.grid, options.has_levels);
-    if bytes > MAX_HCBTF_BYTES {
-        let message = format!("its texture would take {} MiB; it may take {}", bytes >> 20, MAX_HCBTF_BYTES >> 20);
-        return Err(Diagnostic::error("too-large", message).hint("divide it into fewer texels, lights or views"));
-    }
+    check_size(&hcbtf.grid, options)?;
     let filled = hcbtf::fill::fill(hcbtf, &hcbtf::Progress::new())?;
     Ok(of_layers(hcbtf::layers(&hcbtf.grid, |address| filled.tile(address), options)))
+}
+
+fn check_size(grid: &Grid, options: LayerOptions) -> Result<(), Diagnostic> {
+    let bytes = hcbtf::layers_bytes(grid, options.has_levels);
+    if bytes <= MAX_HCBTF_BYTES {
+        return Ok(());
+    }
+    let message = format!("its texture would take {} MiB; it may take {}", bytes >> 20, MAX_HCBTF_BYTES >> 20);
+    Err(Diagnostic::error("too-large", message).hint("divide it into fewer texels, lights or views"))
 }
 
 fn of_layers(layers: hcbtf::Layers) -> Image {

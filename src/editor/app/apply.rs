@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use eframe::egui::{self, Ui};
 
 use super::App;
-use super::files::Pending;
+use super::files::{self, Pending};
 use crate::diag::Diagnostic;
 use crate::document::Edit;
 use crate::editor::canvas::edits;
@@ -14,6 +14,7 @@ use crate::editor::command::Command;
 use crate::editor::dialogs::Purpose;
 use crate::editor::dock;
 use crate::editor::look_export::stem_of;
+use crate::editor::painting;
 use crate::editor::session::Session;
 use crate::editor::shortcuts::{self, Action};
 use crate::editor::stage::Stage;
@@ -50,6 +51,9 @@ impl App {
             Command::Undo => drop(self.session.undo()),
             Command::Redo => drop(self.session.redo()),
             Command::New => self.do_or_ask(Pending::New),
+            Command::Open(Some(path)) if files::is_painting(&path) => {
+                self.do_or_ask(Pending::OpenPainting { path, keeps_look: false });
+            }
             Command::Open(Some(path)) => self.do_or_ask(Pending::Open(path)),
             Command::Open(None) => self.dialogs.ask(Purpose::Open, self.session.path()),
             Command::OpenPath => self.open_path_field(),
@@ -104,9 +108,12 @@ impl App {
             Command::SetTime(time) => self.session.time = time,
             Command::TurnTo(view) => self.session.view = *view,
             Command::Stage(wish) => self.apply_to_stage(ui, wish),
+            Command::Paint(wish) => self.apply_to_painting(ui, wish),
             Command::Safety(wish) => {
+                let painting = self.painting_number();
                 self.message = self.safety.apply(wish, &mut self.session);
                 self.open_lacking_look();
+                self.show_painting_taken_back(painting);
             }
             Command::Tell(text) => self.message = Some(text),
             Command::Act(action) => self.act(ui, action),
@@ -142,6 +149,19 @@ impl App {
                 let size = self.viewport.size_in_pixels(ui.pixels_per_point());
                 Command::Export(Export::Picture(size), None)
             }
+            Action::NewHcbtf(preset) => Command::Paint(painting::Wish::New { grid: preset.grid(), keeps_look: false }),
+            Action::SaveHcbtf => Command::Paint(painting::Wish::Save),
+            Action::SaveHcbtfAs => Command::Paint(painting::Wish::SaveAs),
+            Action::CloseHcbtf => Command::Paint(painting::Wish::Close),
+            Action::Tool(_)
+            | Action::Brush { .. }
+            | Action::SwapColors
+            | Action::Flat
+            | Action::Copies
+            | Action::Arrows
+            | Action::FitTile
+            | Action::StepView(_)
+            | Action::StepLight(_) => return self.painting.act(action, &mut self.session),
             Action::Commands | Action::Shortcuts => return self.sheet.open(action),
             Action::ResetView
             | Action::FrameObject
@@ -204,8 +224,9 @@ impl App {
 
     /// Saves what has changed: the look, and the scene around it. Asks where what has no file is to go.
     pub(super) fn save(&mut self) {
+        let Some(did_paint) = self.save_painting_first() else { return };
         let is_scene_dirty = self.session.stage().is_some_and(Stage::is_dirty);
-        let saves_look = self.session.is_look_dirty() || !is_scene_dirty;
+        let saves_look = self.session.is_look_dirty() || !is_scene_dirty && !did_paint;
         if saves_look {
             let Some(path) = self.session.path().map(Path::to_path_buf) else {
                 return self.ask_where_to_save();

@@ -23,9 +23,10 @@ impl App {
                 response.rect
             };
             button(ui, "New", "A new look (Ctrl+N)", true, Command::New);
-            button(ui, "Open", "Opens a look or a scene (Ctrl+O)", true, Command::Open(None));
+            button(ui, "Open", "Opens a look, a scene or an HCBTF (Ctrl+O)", true, Command::Open(None));
             let recent = self.safety.recent_menu(ui);
-            let save = button(ui, "Save", "Saves the look, and its scene (Ctrl+S)", true, Command::Save);
+            let save =
+                button(ui, "Save", "Saves the look, its scene and what is painted (Ctrl+S)", true, Command::Save);
             spots::note(ui, Spot::Save, save);
             button(ui, "Save as", "Saves the look under another name (Ctrl+Shift+S)", true, Command::SaveAs);
             ui.separator();
@@ -38,6 +39,11 @@ impl App {
             ui.separator();
             commands.extend(recent.map(|path| Command::Open(Some(path))));
             ui.menu_button("View", |ui| self.view_menu(ui)).response.on_hover_text("Panels, theme and scale");
+            let news = of_kind(|action| {
+                use Action::{CloseHcbtf, NewHcbtf, SaveHcbtf, SaveHcbtfAs};
+                matches!(action, NewHcbtf(_) | SaveHcbtf | SaveHcbtfAs | CloseHcbtf)
+            });
+            menu(ui, "Paint", "Surfaces that change with the light and the eye, painted by hand", &news, commands);
             let exports = of_kind(|action| matches!(action, Action::Export(_) | Action::ExportPicture));
             menu(ui, "Export", "The look as shaders for other programs, or the picture, as files", &exports, commands);
             let shaders = of_kind(|action| matches!(action, Action::CopyShader(..)));
@@ -47,7 +53,7 @@ impl App {
             menu(ui, "Help", "The start page, the tour, all commands and keys", &helps, commands);
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let name = self.documents();
-                if self.session.is_dirty() && ui.available_width() > LEAST_NAME {
+                if self.is_changed() && ui.available_width() > LEAST_NAME {
                     ui.label(RichText::new("changed").color(theme::of(ui).accent)).on_hover_text("Not saved yet");
                 }
                 let path = self.session.path().map(|path| path.display().to_string());
@@ -99,7 +105,7 @@ impl App {
     }
 
     pub(super) fn status(&self, ui: &mut Ui) -> Option<Command> {
-        let hints = [self.viewport.hint(), self.canvas.hint()];
+        let hints = [self.painting.hint(), self.viewport.hint(), self.canvas.hint()];
         let hint = hints.into_iter().find(|hint| !hint.is_empty() && self.start.is_none()).unwrap_or_default();
         ui.horizontal(|ui| {
             let command = problems::status(ui, &self.session);
@@ -125,14 +131,25 @@ impl App {
 
     /// What is open: the look, and the scene that it is in.
     fn documents(&self) -> String {
-        match self.session.stage() {
+        let look = match self.session.stage() {
             Some(stage) => format!("{} in {}", self.document_name(), stage.name()),
             None => self.document_name(),
+        };
+        match self.session.painting() {
+            // The look that only shows it has no name of its own.
+            Some(work) if self.session.path().is_none() && self.keeps_look() => work.name(),
+            Some(work) => format!("{look}, {}", work.name()),
+            None => look,
         }
     }
 
+    /// Whether there is anything that no file holds.
+    fn is_changed(&self) -> bool {
+        self.session.is_dirty() || self.session.is_painting_dirty()
+    }
+
     pub(super) fn set_title(&self, ctx: &egui::Context) {
-        let mark = if self.session.is_dirty() { "*" } else { "" };
+        let mark = if self.is_changed() { "*" } else { "" };
         let title = format!("{}{mark} - Chiaro", self.documents());
         let id = egui::Id::unique("title");
         if ctx.data(|data| data.get_temp::<String>(id)).as_ref() != Some(&title) {

@@ -6,8 +6,11 @@ use eframe::egui::{self, RichText, Ui, ViewportCommand};
 
 use super::App;
 use crate::diag::{Diagnostic, Severity};
+use crate::document::Grid;
 use crate::editor::command::Command;
+use crate::editor::dialogs::PAINTING;
 use crate::editor::dock::Panel;
+use crate::editor::painting::Work;
 use crate::editor::panels::{library, problems};
 use crate::editor::stage::{Stage, Wanted};
 
@@ -22,12 +25,24 @@ pub(super) enum Pending {
     LeaveScene,
     Example(usize),
     Tour,
+    NewPainting {
+        grid: Grid,
+        keeps_look: bool,
+    },
+    OpenPainting {
+        path: PathBuf,
+        keeps_look: bool,
+    },
+    ClosePainting,
     Close,
 }
 
 impl App {
-    /// Opens a look or a scene, and tells where that fails.
+    /// Opens a look, a scene or an HCBTF, and tells where that fails.
     pub fn open(&mut self, path: &Path) {
+        if is_painting(path) {
+            return self.open_painting(path, false);
+        }
         self.open_alone(path);
         self.open_lacking_look();
         if self.session.stage().is_some_and(|stage| stage.path() == Some(path)) {
@@ -93,7 +108,8 @@ impl App {
     /// Does what would lose changes, where there are none, or where the journal keeps them; else asks first.
     pub(super) fn do_or_ask(&mut self, pending: Pending) {
         self.pending = Some(pending);
-        if !self.is_at_risk() || self.session.keeps_work() {
+        let is_kept = self.keeps_all();
+        if !self.is_at_risk() || is_kept {
             self.go_on();
         }
     }
@@ -103,6 +119,11 @@ impl App {
         let (look, scene) = match self.pending {
             Some(Pending::Switch(_)) => (true, false),
             Some(Pending::LeaveScene) => (false, true),
+            Some(Pending::ClosePainting) => (false, false),
+            Some(Pending::NewPainting { keeps_look, .. } | Pending::OpenPainting { keeps_look, .. }) => {
+                let stays = keeps_look || self.keeps_look();
+                (!stays, !stays)
+            }
             _ => (true, true),
         };
         let is_scene_dirty = self.session.stage().is_some_and(Stage::is_dirty);
@@ -110,7 +131,27 @@ impl App {
     }
 
     fn is_at_risk(&self) -> bool {
-        self.at_risk() != (false, false)
+        self.at_risk() != (false, false) || self.is_painting_at_risk()
+    }
+
+    /// Whether the journals keep what is at risk.
+    fn keeps_all(&mut self) -> bool {
+        (!self.is_painting_at_risk() || self.session.keeps_painting())
+            && (self.at_risk() == (false, false) || self.session.keeps_work())
+    }
+
+    /// Whether what is to be done is about what is painted, and that is not saved.
+    fn is_painting_at_risk(&self) -> bool {
+        let is_about = matches!(
+            self.pending,
+            Some(Pending::NewPainting { .. } | Pending::OpenPainting { .. } | Pending::ClosePainting | Pending::Close)
+        );
+        is_about && self.session.is_painting_dirty()
+    }
+
+    /// Whether Save is to save what is painted: where that is asked about, or nothing is.
+    pub(super) fn saves_painting(&self) -> bool {
+        self.session.is_painting_dirty() && (self.pending.is_none() || self.is_painting_at_risk())
     }
 
     /// After a save: does what waited for it, if nothing else is to be saved.
@@ -138,6 +179,9 @@ impl App {
                 self.session.leave_stage(false);
                 self.safety.look();
             }
+            Some(Pending::NewPainting { grid, keeps_look }) => self.new_painting(grid, keeps_look),
+            Some(Pending::OpenPainting { path, keeps_look }) => self.open_painting(&path, keeps_look),
+            Some(Pending::ClosePainting) => self.close_painting(),
             Some(Pending::Close) => self.closes = true,
             None => {}
         }
@@ -150,7 +194,10 @@ impl App {
         let modal = egui::Modal::new(egui::Id::unique("unsaved")).show(ui.ctx(), |ui| {
             ui.set_width(320.0);
             let name = match self.session.stage() {
-                Some(stage) if !self.at_risk().0 => stage.name(),
+                _ if self.is_painting_at_risk() && self.at_risk() == (false, false) => {
+                    self.session.painting().map(Work::name).unwrap_or_default()
+                }
+                Some(stage) if !self.at_risk().0 && self.at_risk().1 => stage.name(),
                 _ => self.document_name(),
             };
             ui.label(RichText::new(format!("{name} has changes")).heading());
@@ -163,6 +210,9 @@ impl App {
                 if ui.button("Do not save").clicked() {
                     let (look, scene) = self.at_risk();
                     self.session.give_up_changes(look, scene);
+                    if let Some(work) = self.session.painting_mut().filter(|_| self.pending.is_some()) {
+                        work.give_up_changes();
+                    }
                     self.go_on();
                 }
                 if ui.button("Cancel").clicked() {
@@ -179,11 +229,16 @@ impl App {
         if self.closes {
             ctx.send_viewport_cmd(ViewportCommand::Close);
         } else if ctx.input(|input| input.viewport().close_requested())
-            && self.session.is_dirty()
-            && !self.session.keeps_work()
+            && (self.session.is_painting_dirty() && !self.session.keeps_painting()
+                || self.session.is_dirty() && !self.session.keeps_work())
         {
             ctx.send_viewport_cmd(ViewportCommand::CancelClose);
             self.pending = Some(Pending::Close);
         }
     }
+}
+
+/// Whether a file is an HCBTF, by its name.
+pub(super) fn is_painting(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(PAINTING))
 }

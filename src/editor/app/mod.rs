@@ -3,6 +3,7 @@
 mod apply;
 mod bar;
 mod files;
+mod painting;
 mod stage;
 mod welcome;
 
@@ -23,6 +24,7 @@ use super::dialogs::{Dialogs, IMAGES, MESHES, Purpose, Way};
 use super::dock::Dock;
 use super::dock::effects::Effects;
 use super::look_export::{self, LookExports};
+use super::painting::Painting;
 use super::panels::{Panels, library, solo};
 use super::path_field::PathField;
 use super::picture::Picture;
@@ -64,6 +66,7 @@ pub struct App {
     keys: Keys,
     timeline: Timeline,
     panels: Panels,
+    painting: Painting,
     look_exports: LookExports,
     safety: Safety,
     sheet: Sheet,
@@ -114,6 +117,7 @@ impl App {
             keys: Keys::default(),
             timeline: Timeline::default(),
             panels,
+            painting: Painting::new(waker()),
             look_exports: LookExports::new(waker()),
             safety: Safety::new(waker()),
             sheet: Sheet::default(),
@@ -151,8 +155,10 @@ impl App {
 
     /// Goes on where the last window was closed, if anything was not saved then.
     pub fn resume(&mut self) {
+        let painting = self.painting_number();
         self.message = self.safety.resume(&mut self.session);
         self.open_lacking_look();
+        self.show_painting_taken_back(painting);
     }
 
     /// Looks at once whether other programs changed files, which else takes a moment.
@@ -249,6 +255,11 @@ impl App {
         &self.probe
     }
 
+    /// The painting workspace.
+    pub fn painting(&self) -> &Painting {
+        &self.painting
+    }
+
     /// The comparison with a tier or the truth.
     pub fn wipe(&self) -> &Wipe {
         &self.wipe
@@ -279,6 +290,7 @@ impl App {
             || self.wipe.is_busy()
             || self.cost.is_busy()
             || self.panels.is_busy()
+            || self.painting.is_busy()
             || self.look_exports.is_busy()
     }
 
@@ -291,6 +303,7 @@ impl App {
         self.wipe.wait();
         self.cost.wait();
         self.panels.wait();
+        self.painting.wait();
         self.look_exports.wait();
         if let Some(picture) = &self.picture {
             picture.wait();
@@ -352,6 +365,7 @@ impl App {
             self.timeline.stop();
         }
         self.session.refresh_keys();
+        self.painting.tick(&mut self.session);
         let (told, again) = self.safety.tick(ui, &mut self.session);
         self.message = told.or(self.message.take());
         if let Some(again) = again {
@@ -396,6 +410,9 @@ impl App {
             picture.tells_effects = self.dock.shows(dock::Panel::Effects);
         }
         self.objects = None;
+        if self.start.is_some() || !self.dock.shows(dock::Panel::Paint) {
+            self.painting.rest();
+        }
         if self.start.is_some() {
             return self.start_page(ui, commands);
         }
@@ -436,6 +453,9 @@ impl App {
             dock::Panel::Profile => self.profile.show(ui, &self.session),
             dock::Panel::Keys => self.keys.show(ui, &self.session),
             dock::Panel::Timeline => self.timeline.show(ui, &self.session),
+            dock::Panel::Paint | dock::Panel::Samples | dock::Panel::Directions | dock::Panel::Rules => {
+                self.painting.show(ui, panel, &mut self.session)
+            }
             other => {
                 if other == dock::Panel::Objects {
                     self.objects = Some(ui.max_rect());
@@ -479,7 +499,9 @@ impl App {
         // The other keys of the picture work over it alone, where it takes them itself.
         let is_here = |row: &&Shortcut| row.place == Place::Window || row.action == Action::Probe;
         for row in shortcuts::ALL.iter().filter(is_here) {
-            if row.place == Place::Picture && (is_typing || self.start.is_some()) || is_typing && is_text(row.action) {
+            if row.place == Place::Picture && (is_typing || self.start.is_some() || self.painting.has_pointer())
+                || is_typing && is_text(row.action)
+            {
                 continue;
             }
             if row.keys.iter().any(|&key| shortcuts::take(ui, key)) {

@@ -5,6 +5,7 @@ use eframe::egui::{self, Ui};
 use super::App;
 use crate::editor::command::Command;
 use crate::editor::dialogs::{Answer, Purpose, Way};
+use crate::editor::painting;
 use crate::editor::path_field::PathField;
 use crate::editor::session::Session;
 use crate::editor::stage::Wish;
@@ -115,6 +116,7 @@ impl App {
             Purpose::AddMesh | Purpose::ObjectMesh | Purpose::ObjectLook | Purpose::SaveScene => {
                 Command::Stage(Wish::Chosen(purpose, path))
             }
+            Purpose::SavePainting => Command::Paint(painting::Wish::SaveTo(path)),
             Purpose::Shaders(language) => Command::ExportLook(language, Some(path)),
             Purpose::Export(export) => Command::Export(export, Some(path)),
             Purpose::Reference => Command::ShowReference(Some(path)),

@@ -23,6 +23,10 @@ const LEAST: Vec2 = Vec2::splat(48.0);
 pub(crate) enum Panel {
     Picture,
     Graph,
+    Paint,
+    Samples,
+    Directions,
+    Rules,
     Inspector,
     Code,
     Effects,
@@ -41,9 +45,13 @@ pub(crate) enum Panel {
 
 impl Panel {
     /// All, in the order of menus.
-    pub(crate) const ALL: [Self; 16] = [
+    pub(crate) const ALL: [Self; 20] = [
         Self::Picture,
         Self::Graph,
+        Self::Paint,
+        Self::Samples,
+        Self::Directions,
+        Self::Rules,
         Self::Layers,
         Self::Lights,
         Self::Objects,
@@ -65,6 +73,10 @@ impl Panel {
         match self {
             Self::Picture => "Picture",
             Self::Graph => "Graph",
+            Self::Paint => "Paint",
+            Self::Samples => "Samples",
+            Self::Directions => "Light and eye",
+            Self::Rules => "Fill rules",
             Self::Inspector => "Inspector",
             Self::Code => "Code",
             Self::Effects => "Effects",
@@ -87,6 +99,12 @@ impl Panel {
         match self {
             Self::Picture => "The look on a mesh: drag the lights and the camera",
             Self::Graph => "The nodes of the look and their wires",
+            Self::Paint => "A surface that changes with the light and the eye, to be painted on (HCBTF)",
+            Self::Samples => {
+                "All lights and views of what is painted at a glance: go from one to another, copy, delete"
+            }
+            Self::Directions => "Where the light and the eye are that you paint for, and what is painted already",
+            Self::Rules => "The rules that fill the lights and views that nobody painted",
             Self::Inspector => "The values of what is selected",
             Self::Code => "The generated WGSL",
             Self::Effects => "Everything that the picture costs, what was left out, and the proof",
@@ -108,11 +126,14 @@ impl Panel {
     fn neighbours(self) -> &'static [Self] {
         match self {
             Self::Picture | Self::Graph | Self::Inspector => &[],
+            Self::Paint => &[Self::Graph],
+            Self::Rules => &[Self::Inspector],
+            Self::Samples => &[Self::Profile, Self::Keys, Self::Code, Self::Effects, Self::Problems],
             Self::Profile | Self::Keys | Self::Timeline => &[Self::Profile, Self::Keys, Self::Code, Self::Effects],
             Self::Code | Self::Problems | Self::Effects | Self::Cost | Self::Probe => {
                 &[Self::Code, Self::Problems, Self::Effects, Self::Cost, Self::Probe, Self::Profile, Self::Keys]
             }
-            Self::Layers | Self::Lights | Self::Objects | Self::Library | Self::History => {
+            Self::Directions | Self::Layers | Self::Lights | Self::Objects | Self::Library | Self::History => {
                 &[Self::Layers, Self::Lights, Self::Objects, Self::Library, Self::History, Self::Inspector]
             }
         }

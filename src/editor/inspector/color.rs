@@ -42,7 +42,7 @@ pub(in super::super) fn pick(ui: &mut Ui, color: [f64; 4]) -> Option<[f64; 4]> {
 }
 
 /// The swatch alone; `name` is what screen readers call it.
-pub(super) fn named_swatch(
+pub(crate) fn named_swatch(
     ui: &mut Ui,
     name: &str,
     color: [f64; 4],

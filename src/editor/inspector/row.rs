@@ -5,11 +5,14 @@ use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, Slider, TextEdit
 
 use super::super::catalog::Port;
 use super::super::command::Command;
+use super::super::dock::Panel;
 use super::super::keying::KeyedBy;
+use super::super::painting::Wish;
 use super::super::{theme, values};
 use super::marks::{self, Marked};
 use super::{Subject, color, curve, ramp};
-use crate::document::{ColorSpace, Edit, Endpoint, Node, Value, Wire};
+use crate::document::{ColorSpace, Edit, Endpoint, Grid, Node, Value, Wire};
+use crate::frame::UNSAVED_HCBTF;
 use crate::ids::NodeId;
 use crate::library::{Fallback, Type};
 
@@ -108,6 +111,9 @@ pub(super) fn show(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Ve
                 }
                 marked(ui, text, &help, Some(&with_marks), out, |ui, label, out| {
                     reset(ui, subject, port, out);
+                    if port.ty == Type::Hcbtf {
+                        paint_button(ui, subject, port, shown, out);
+                    }
                     if let Some((id, value)) = widget(ui, label, subject, port, shown) {
                         out.push(held(subject, port, id, value));
                     }
@@ -217,6 +223,30 @@ fn reset(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Vec<Command>
             port: port.name.clone(),
         };
         out.push(Command::Edit(edit));
+    }
+}
+
+/// Opens the HCBTF of this input to be painted; a new one where there is none.
+fn paint_button(ui: &mut Ui, subject: &Subject<'_>, port: &Port, own: Option<&Value>, out: &mut Vec<Command>) {
+    let name = match own {
+        Some(Value::Text(name)) => name.as_str(),
+        _ => "",
+    };
+    let help = match name {
+        "" => "Begins a new HCBTF here, and opens it to be painted",
+        _ => "Opens this HCBTF to be painted; the picture shows every stroke at once",
+    };
+    let response = ui.small_button("Paint").on_hover_text(help);
+    if !response.clicked() {
+        return;
+    }
+    if name.is_empty() {
+        out.push(held(subject, port, response.id, Value::Text(UNSAVED_HCBTF.to_owned())));
+        out.push(Command::Paint(Wish::New { grid: Grid::THESIS, keeps_look: true }));
+    } else if name != UNSAVED_HCBTF {
+        out.push(Command::Paint(Wish::Open { path: subject.session.folder().join(name), keeps_look: true }));
+    } else {
+        out.push(Command::ShowPanel(Panel::Paint));
     }
 }
 

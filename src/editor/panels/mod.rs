@@ -10,7 +10,7 @@ pub(crate) mod solo;
 pub(crate) mod stack;
 mod start;
 mod thumbs;
-mod widgets;
+pub(crate) mod widgets;
 
 use eframe::egui::Ui;
 

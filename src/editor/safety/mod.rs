@@ -95,6 +95,12 @@ impl Safety {
     /// Goes on where the last window was closed, if anything was not saved then. A window that crashed is not gone on
     /// with unasked: what it was at may be what broke it.
     pub(crate) fn resume(&mut self, session: &mut Session) -> Option<String> {
+        let look = self.resume_look(session);
+        let painting = self.offers.closed_painting().map(|number| self.take_back(number, session));
+        look.or(painting)
+    }
+
+    fn resume_look(&mut self, session: &mut Session) -> Option<String> {
         let number = self.offers.closed()?;
         // What a scene was closed with comes back by the scene.
         let number = self.offers.scene_closed_with(number).unwrap_or(number);
@@ -133,11 +139,27 @@ impl Safety {
     }
 
     fn take_back(&mut self, number: usize, session: &mut Session) -> String {
+        if self.offers.get(number).is_some_and(|offer| offer.is_painting) {
+            return self.take_back_painting(number, session);
+        }
         if session.is_dirty() && !session.keeps_work() {
             return "Save this look first: its changes cannot be put aside now".to_owned();
         }
         self.open_scene_of(number, session);
         session.leave_journal(false);
+        let told = match self.offers.take_back(number, session) {
+            Ok(name) => format!("{name} is as it was, with all its changes"),
+            Err(problem) => problem.message,
+        };
+        self.look();
+        told
+    }
+
+    /// The look that is open stays: what is painted is seen beside it.
+    fn take_back_painting(&mut self, number: usize, session: &mut Session) -> String {
+        if session.is_painting_dirty() && !session.keeps_painting() {
+            return "Save what you paint first: its changes cannot be put aside now".to_owned();
+        }
         let told = match self.offers.take_back(number, session) {
             Ok(name) => format!("{name} is as it was, with all its changes"),
             Err(problem) => problem.message,

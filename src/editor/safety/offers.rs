@@ -36,6 +36,8 @@ pub(crate) struct Offer {
     is_saved: bool,
     /// Whether it is a scene, and no look.
     pub(crate) is_scene: bool,
+    /// Whether it is an HCBTF that was being painted.
+    pub(crate) is_painting: bool,
     /// What was open with it: of a look the scene, of a scene the look.
     pub(crate) beside: Option<PathBuf>,
     /// Whether it is a look that was in a scene.
@@ -55,6 +57,7 @@ struct Outline {
     damage: Vec<Diagnostic>,
     is_closed: bool,
     is_scene: bool,
+    is_painting: bool,
     beside: Option<PathBuf>,
     is_staged: bool,
 }
@@ -73,7 +76,7 @@ impl Outline {
                 let beside = text_of(&found.about.window, "look");
                 Self { is_in_file, beside, is_scene: true, ..Self::of(*found) }
             }
-            Found::Hcbtf(found) => Self::of(*found),
+            Found::Hcbtf(found) => Self { is_painting: true, ..Self::of(*found) },
         })
     }
 
@@ -88,6 +91,7 @@ impl Outline {
             damage: found.damage,
             is_closed: found.is_closed,
             is_scene: false,
+            is_painting: false,
             beside: None,
             is_staged: found.about.window.get("staged").and_then(serde_json::Value::as_bool).unwrap_or(false),
         }
@@ -120,6 +124,7 @@ impl Offer {
                     is_readable: true,
                     is_saved,
                     is_scene: found.is_scene,
+                    is_painting: found.is_painting,
                     beside: found.beside,
                     is_staged: found.is_staged,
                 })
@@ -135,6 +140,7 @@ impl Offer {
                 is_readable: false,
                 is_saved: false,
                 is_scene: false,
+                is_painting: false,
                 beside: None,
                 is_staged: false,
                 slot,
@@ -202,7 +208,14 @@ impl Offers {
 
     /// The newest that a window left when it was closed.
     pub(crate) fn closed(&self) -> Option<usize> {
-        self.shown().find(|(_, offer)| offer.is_closed && offer.is_readable).map(|(number, _)| number)
+        let is_it = |offer: &Offer| offer.is_closed && offer.is_readable && !offer.is_painting;
+        self.shown().find(|(_, offer)| is_it(offer)).map(|(number, _)| number)
+    }
+
+    /// The newest painting that a window left when it was closed.
+    pub(crate) fn closed_painting(&self) -> Option<usize> {
+        let is_it = |offer: &Offer| offer.is_closed && offer.is_readable && offer.is_painting;
+        self.shown().find(|(_, offer)| is_it(offer)).map(|(number, _)| number)
     }
 
     /// What was left of the look in this file, if the file is still what it was based on: `is_saved` asks for the past
@@ -211,7 +224,8 @@ impl Offers {
         let path = std::path::absolute(path).ok()?;
         let is_it = |offer: &Offer| {
             let is_free = is_saved || offer.is_closed || is_aside;
-            offer.path.as_ref() == Some(&path) && offer.is_saved == is_saved && is_free
+            let is_of_it = offer.path.as_ref() == Some(&path) && !offer.is_painting;
+            is_of_it && offer.is_saved == is_saved && is_free
         };
         let number = self.all.iter().position(is_it)?;
         let found = Outline::read(self.all[number].slot.path()).ok()?;
@@ -227,14 +241,15 @@ impl Offers {
 
     /// The scene that was closed with a look, if it was not saved then.
     pub(crate) fn scene_closed_with(&self, number: usize) -> Option<usize> {
-        let look = self.all.get(number).filter(|offer| !offer.is_scene)?;
+        let look = self.all.get(number).filter(|offer| !offer.is_scene && !offer.is_painting)?;
         let is_it = |offer: &Offer| offer.is_scene && offer.is_closed && offer.beside == look.path;
         self.shown().find(|(_, offer)| is_it(offer)).map(|(number, _)| number)
     }
 
     /// The look without a file that was put aside with a scene.
     pub(crate) fn unsaved_of_scene(&self) -> Option<usize> {
-        let is_it = |offer: &Offer| !offer.is_scene && offer.is_staged && offer.path.is_none() && offer.is_readable;
+        let is_look = |offer: &Offer| !offer.is_scene && !offer.is_painting;
+        let is_it = |offer: &Offer| is_look(offer) && offer.is_staged && offer.path.is_none() && offer.is_readable;
         self.all.iter().position(is_it)
     }
 
@@ -245,16 +260,11 @@ impl Offers {
     pub(crate) fn take_back(&mut self, number: usize, session: &mut Session) -> Result<String, Box<Diagnostic>> {
         let Some(offer) = self.all.get(number) else { return Ok(String::new()) };
         let found = recover_any(offer.slot.path())?;
-        if matches!(found, Found::Hcbtf(_)) {
-            let message = "this window cannot take back an HCBTF that was being painted";
-            return Err(Box::new(Diagnostic::error("cannot-take-back", message)));
-        }
         let offer = self.all.remove(number);
         match found {
             Found::Look(found) => session.take_back(*found, offer.slot),
             Found::Scene(found) => session.take_back_scene(*found, offer.slot),
-            // It was sent away above.
-            Found::Hcbtf(_) => {}
+            Found::Hcbtf(found) => session.take_back_painting(*found, offer.slot),
         }
         Ok(offer.name)
     }

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::super::orbit::Orbit;
+use super::super::painting::Work;
 use super::super::safety::keeper::{Keeper, Standing};
 use super::Session;
 use crate::diag::Diagnostic;
@@ -164,6 +165,9 @@ impl Session {
         self.keeps = Some((folder.to_owned(), wake.clone()));
         self.keeping.keep_in(folder, move || wake());
         self.keep_stage();
+        if let (Some(work), Some((folder, wake))) = (&mut self.painting, &self.keeps) {
+            work.keep_in(folder, wake.clone(), None);
+        }
         if self.is_look_dirty() {
             self.begin_journal(None);
         }
@@ -181,6 +185,9 @@ impl Session {
             stage.commit(goes_on);
             stage.note_view(&self.view);
         }
+        if let Some(work) = &mut self.painting {
+            work.commit(goes_on);
+        }
     }
 
     /// Waits until the system has all that was handed over; for tests, and before something is put away.
@@ -189,11 +196,16 @@ impl Session {
         if let Some(stage) = &self.stage {
             stage.keeping().wait();
         }
+        if let Some(work) = &self.painting {
+            work.wait_for_journal();
+        }
     }
 
     /// Why unsaved work is not kept, if it should be and is not.
     pub(crate) fn keeping_problem(&self) -> Option<Diagnostic> {
-        self.keeping.problem().or_else(|| self.stage.as_ref().and_then(|stage| stage.keeping().problem()))
+        let of_scene = || self.stage.as_ref().and_then(|stage| stage.keeping().problem());
+        let of_painting = || self.painting.as_ref().and_then(Work::keeping_problem);
+        self.keeping.problem().or_else(of_scene).or_else(of_painting)
     }
 
     /// Whether closing or another document would lose nothing, once all is handed over.
@@ -247,6 +259,7 @@ impl Session {
         self.leave_journal(in_peace);
         self.keeping.end();
         self.leave_stage(in_peace);
+        self.leave_painting(in_peace);
         self.keeps = None;
     }
 

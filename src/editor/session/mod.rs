@@ -1,6 +1,7 @@
 //! One open look: the document and its past, the file, what is selected, and the shaders made of it.
 
 pub(super) mod keeping;
+mod painting;
 mod place;
 mod project;
 mod shading;
@@ -18,6 +19,7 @@ use indexmap::IndexSet;
 use super::catalog::Catalog;
 use super::compiling::{self, Compiler};
 use super::orbit::Orbit;
+use super::painting::Work;
 use super::panels::solo::Solo;
 use super::stage::Stage;
 use super::wire::ShownWire;
@@ -39,7 +41,9 @@ pub struct Session {
     times: Times,
     /// The scene around the look, where there is one.
     stage: Option<Stage>,
-    /// Grows with every step that is done, in the look or in the scene.
+    /// The HCBTF that is being painted, where there is one.
+    painting: Option<Work>,
+    /// Grows with every step that is done, in the look, in the scene or in the painting.
     now: u64,
     source: Arc<SourceMap>,
     /// As it was opened: what says the same again after a save is written as it was.
@@ -100,6 +104,7 @@ impl Session {
             history: History::new(Look::default()),
             times: Times::default(),
             stage: None,
+            painting: None,
             now: 0,
             opened: source.clone(),
             source,

@@ -1,4 +1,4 @@
-//! The look in its scene: which scene is around it, and one order of undo for both.
+//! The look in its scene: which scene is around it, and one order of undo for both, and for what is painted.
 
 use std::path::Path;
 
@@ -10,11 +10,12 @@ use crate::document::journal::{Recovered, Slot};
 use crate::document::{Light, Loaded, Scene, SceneEdit};
 use crate::ids::{LightId, ObjectId};
 
-/// Which of both documents something is about.
+/// Which of the documents something is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Of {
     Look,
     Scene,
+    Painting,
 }
 
 impl Session {
@@ -252,7 +253,7 @@ impl Session {
     }
 }
 
-/// One order of undo for the look and the scene.
+/// One order of undo for the look, the scene and the painting.
 impl Session {
     /// Notes that a step of the look was done.
     pub(super) fn step_done(&mut self) {
@@ -260,6 +261,9 @@ impl Session {
         self.times.did(self.history.steps(), self.now);
         if let Some(stage) = &mut self.stage {
             stage.end_gesture();
+        }
+        if let Some(work) = &mut self.painting {
+            work.end_gesture();
         }
     }
 
@@ -281,9 +285,13 @@ impl Session {
 
     /// Where the step was done that undo would take back.
     fn last(&self) -> Of {
+        let of_look = self.history.undo_label().and(self.times.last());
         let of_scene = self.stage.as_ref().and_then(|stage| stage.times.last());
+        let of_painting = self.painting.as_ref().and_then(|work| work.times.last());
         // Of what journals brought back, the look's comes first.
-        if of_scene.is_some() && of_scene > self.history.undo_label().and(self.times.last()) {
+        if of_painting.is_some() && of_painting > of_look.max(of_scene) {
+            Of::Painting
+        } else if of_scene.is_some() && of_scene > of_look {
             Of::Scene
         } else {
             Of::Look
@@ -294,25 +302,26 @@ impl Session {
     fn next(&self) -> Of {
         let of_scene = self.stage.as_ref().and_then(|stage| stage.times.next());
         let of_look = self.history.redo_label().and(self.times.next());
-        match (of_look, of_scene) {
-            (Some(look), Some(scene)) if scene < look => Of::Scene,
-            (None, Some(_)) => Of::Scene,
-            _ => Of::Look,
-        }
+        let of_painting = self.painting.as_ref().and_then(|work| work.times.next());
+        let all = [(of_look, Of::Look), (of_scene, Of::Scene), (of_painting, Of::Painting)];
+        let there = all.into_iter().filter_map(|(time, of)| Some((time?, of)));
+        there.min_by_key(|(time, _)| *time).map_or(Of::Look, |(_, of)| of)
     }
 
     /// What undo would take back.
     pub fn undo_label(&self) -> Option<&str> {
-        match (self.last(), &self.stage) {
-            (Of::Scene, Some(stage)) => stage.history().undo_label(),
+        match (self.last(), &self.stage, &self.painting) {
+            (Of::Scene, Some(stage), _) => stage.history().undo_label(),
+            (Of::Painting, _, Some(work)) => work.history().undo_label(),
             _ => self.history.undo_label(),
         }
     }
 
     /// What redo would repeat.
     pub fn redo_label(&self) -> Option<&str> {
-        match (self.next(), &self.stage) {
-            (Of::Scene, Some(stage)) => stage.history().redo_label(),
+        match (self.next(), &self.stage, &self.painting) {
+            (Of::Scene, Some(stage), _) => stage.history().redo_label(),
+            (Of::Painting, _, Some(work)) => work.history().redo_label(),
             _ => self.history.redo_label(),
         }
     }
@@ -320,10 +329,15 @@ impl Session {
     /// Takes the last step back, in the look or in the scene.
     pub fn undo(&mut self) -> bool {
         let of = self.last();
-        match &mut self.stage {
-            Some(stage) if of == Of::Scene => {
+        match (of, &mut self.stage, &mut self.painting) {
+            (Of::Scene, Some(stage), _) => {
                 let did = stage.undo();
                 self.stage_changed();
+                did
+            }
+            (Of::Painting, _, Some(work)) => {
+                let did = work.undo();
+                self.painting_changed();
                 did
             }
             _ => self.undo_look(),
@@ -333,11 +347,17 @@ impl Session {
     /// Repeats the step that was taken back last.
     pub fn redo(&mut self) -> bool {
         let of = self.next();
-        match &mut self.stage {
-            Some(stage) if of == Of::Scene => {
+        match (of, &mut self.stage, &mut self.painting) {
+            (Of::Scene, Some(stage), _) => {
                 self.now += 1;
                 let did = stage.redo(self.now);
                 self.stage_changed();
+                did
+            }
+            (Of::Painting, _, Some(work)) => {
+                self.now += 1;
+                let did = work.redo(self.now);
+                self.painting_changed();
                 did
             }
             _ => self.redo_look(),
@@ -351,14 +371,18 @@ impl Session {
             // Steps of the same time are of journals: the scene's are older.
             let of_scene = stage.times.all().zip(stage.history().labels());
             steps.splice(0..0, of_scene);
-            steps.sort_by_key(|(time, _)| *time);
         }
+        if let Some(work) = &self.painting {
+            steps.splice(0..0, work.times.all().zip(work.history().labels()));
+        }
+        steps.sort_by_key(|(time, _)| *time);
         steps.into_iter().map(|(_, label)| label)
     }
 
     /// How many of the steps are done.
     pub fn place(&self) -> usize {
-        self.history.place() + self.stage.as_ref().map_or(0, |stage| stage.history().place())
+        let of_scene = self.stage.as_ref().map_or(0, |stage| stage.history().place());
+        self.history.place() + of_scene + self.painting.as_ref().map_or(0, |work| work.history().place())
     }
 
     /// Takes steps back or repeats them until so many are done.

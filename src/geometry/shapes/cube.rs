@@ -1,4 +1,4 @@
-//! A cube with rounded edges, and a plane.
+//! A cube with rounded edges, a plane, and a plane in waves.
 
 use std::f64::consts::FRAC_PI_4;
 
@@ -38,6 +38,21 @@ pub(super) fn plane() -> Soup {
     let across: Vec<f64> = (-16..=16).map(|i| f64::from(i) / 16.0).collect();
     let mut soup = Soup::default();
     face(&mut soup, &across, |u, v| (DVec3::new(u, v, 0.0), DVec3::Z));
+    soup
+}
+
+/// The same square in waves, of 5,000 triangles, as the thesis's test scene has it.
+pub(super) fn waves() -> Soup {
+    const HEIGHT: f64 = 0.13;
+    const PER_UNIT: f64 = 1.5 * std::f64::consts::PI;
+    let across: Vec<f64> = (-25..=25).map(|i| f64::from(i) / 25.0).collect();
+    let mut soup = Soup::default();
+    face(&mut soup, &across, |u, v| {
+        let (a, b) = (PER_UNIT * u, PER_UNIT * v + 1.0);
+        let height = HEIGHT * (a.sin() + 0.5 * b.sin());
+        let slope = [a.cos(), 0.5 * b.cos()].map(|cosine| HEIGHT * PER_UNIT * cosine);
+        (DVec3::new(u, v, height), DVec3::new(-slope[0], -slope[1], 1.0).normalize())
+    });
     soup
 }
 

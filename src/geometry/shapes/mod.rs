@@ -1,6 +1,6 @@
 //! Shapes of our own to judge a look on: each of known curvature or of many kinds of it.
 //!
-//! All but the plane are closed; all lie within about 1.5 units of the origin, y up, the front towards +z. They are made
+//! All but the plane and the waves are closed; all lie within about 1.5 units of the origin, y up, the front towards +z. They are made
 //! once, at first use, from formulas alone, so they are the same everywhere.
 
 mod blob;
@@ -73,6 +73,12 @@ pub const SHAPES: &[Shape] = &[
         make: revolve::vase,
     },
     Shape { name: "plane", label: "Plane", help: "A flat square, for textures and thresholds.", make: cube::plane },
+    Shape {
+        name: "waves",
+        label: "Waves",
+        help: "A flat square in waves, for painted surfaces: every tile is lit and seen from somewhere else.",
+        make: cube::waves,
+    },
 ];
 
 /// The shape of that name; made at first use, then copied.

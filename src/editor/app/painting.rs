@@ -1,0 +1,153 @@
+//! What is asked for of the HCBTF that is being painted.
+
+use std::path::{Path, PathBuf};
+
+use eframe::egui::Ui;
+
+use super::App;
+use super::files::Pending;
+use crate::document::Grid;
+use crate::editor::dialogs::Purpose;
+use crate::editor::dock::Panel;
+use crate::editor::painting::{Wish, Work, look};
+use crate::frame::UNSAVED_HCBTF;
+
+impl App {
+    pub(super) fn apply_to_painting(&mut self, ui: &Ui, wish: Wish) {
+        match wish {
+            Wish::Edit(change) => self.tell(|session| session.apply_to_painting(change, None)),
+            Wish::EditHeld(widget, change) => {
+                let hand = self.hand(ui, widget);
+                self.tell(|session| session.apply_to_painting(change, Some(hand)));
+            }
+            Wish::GoTo(address) => {
+                if let Some(work) = self.session.painting_mut() {
+                    work.go_to(address);
+                }
+            }
+            Wish::New { grid, keeps_look } => self.do_or_ask(Pending::NewPainting { grid, keeps_look }),
+            Wish::Open { path, keeps_look } => self.do_or_ask(Pending::OpenPainting { path, keeps_look }),
+            Wish::Save => match self.session.painting().map(|work| work.path().map(Path::to_path_buf)) {
+                Some(Some(path)) => drop(self.save_painting_as(&path)),
+                Some(None) => self.ask_where_to_save_painting(),
+                None => {}
+            },
+            Wish::SaveAs if self.session.painting().is_some() => self.ask_where_to_save_painting(),
+            Wish::SaveAs => {}
+            Wish::SaveTo(path) => {
+                if self.save_painting_as(&path) {
+                    self.go_on_if_safe();
+                }
+            }
+            Wish::Close => self.do_or_ask(Pending::ClosePainting),
+        }
+    }
+
+    /// Whether the open look shows what is painted, and so stays when another is painted in its place.
+    pub(super) fn keeps_look(&self) -> bool {
+        let path = match &self.pending {
+            Some(Pending::OpenPainting { path, .. }) => Some(path.as_path()),
+            Some(_) => None,
+            None => self.session.painting().map(|work| work.path().unwrap_or(Path::new(UNSAVED_HCBTF))),
+        };
+        path.is_some_and(|path| self.session.shows_painting(path))
+    }
+
+    pub(super) fn new_painting(&mut self, grid: Grid, keeps_look: bool) {
+        self.begin_painting(Work::new(grid), keeps_look);
+    }
+
+    /// Opens an HCBTF, in a look of its own where the open one does not show it; tells where that fails.
+    pub(super) fn open_painting(&mut self, path: &Path, keeps_look: bool) {
+        match Work::open(path) {
+            Ok(work) => {
+                let stays = keeps_look || self.session.shows_painting(path);
+                self.begin_painting(work, stays);
+                self.safety.opened(path);
+            }
+            Err(problems) => {
+                let why = problems.first().map(|problem| problem.message.as_str()).unwrap_or_default();
+                self.message = Some(format!("{} could not be opened: {why}", path.display()));
+            }
+        }
+    }
+
+    fn begin_painting(&mut self, work: Work, keeps_look: bool) {
+        let told = work.load_problems.first().map(|problem| problem.message.clone());
+        self.session.set_painting(Some(work));
+        if !keeps_look {
+            self.begin_bare_look();
+        }
+        self.safety.look();
+        self.show_painting_panels();
+        self.message = told;
+    }
+
+    /// Begins a look that shows what is painted, and nothing else.
+    fn begin_bare_look(&mut self) {
+        let Some(work) = self.session.painting() else { return };
+        let sheet = work.path().map_or_else(|| UNSAVED_HCBTF.to_owned(), |path| path.display().to_string());
+        let look = look::default_look(&sheet, &work.name());
+        self.session.start_from(&look, "painting");
+        self.session.view.look_at_a_sheet();
+    }
+
+    fn show_painting_panels(&mut self) {
+        self.start = None;
+        for panel in [Panel::Rules, Panel::Directions, Panel::Samples, Panel::Paint] {
+            self.dock.open(panel);
+        }
+    }
+
+    /// After work was taken back: shows what was painted, if that came back, in a look of its own where nothing else is
+    /// open. `before` is the number of what was painted before.
+    pub(super) fn show_painting_taken_back(&mut self, before: Option<u64>) {
+        let now = self.painting_number();
+        if now.is_none() || now == before {
+            return;
+        }
+        let is_new = self.session.path().is_none() && !self.session.is_look_dirty() && self.session.stage().is_none();
+        if is_new {
+            self.begin_bare_look();
+        }
+        self.show_painting_panels();
+    }
+
+    /// Tells what is painted from what was before.
+    pub(super) fn painting_number(&self) -> Option<u64> {
+        self.session.painting().map(Work::number)
+    }
+
+    pub(super) fn close_painting(&mut self) {
+        self.session.set_painting(None);
+        self.safety.look();
+    }
+
+    fn ask_where_to_save_painting(&mut self) {
+        let own = self.session.painting().and_then(Work::path).map(Path::to_path_buf);
+        let near = || self.session.path().map(|path| path.with_file_name("surface.hcbtf"));
+        let near = own.or_else(near).unwrap_or_else(|| PathBuf::from("surface.hcbtf"));
+        self.dialogs.ask(Purpose::SavePainting, Some(&near));
+    }
+
+    /// Saves what is painted to a file, which is its own from then on, and tells where that fails.
+    pub fn save_painting_as(&mut self, path: &Path) -> bool {
+        let saved = self.session.save_painting_as(path);
+        self.tell_saved(path, saved)
+    }
+
+    /// Saves what is painted before a look that shows it: whether there was anything to be saved; `None` where it is not
+    /// saved yet.
+    pub(super) fn save_painting_first(&mut self) -> Option<bool> {
+        if !self.saves_painting() {
+            return Some(false);
+        }
+        match self.session.painting().and_then(Work::path).map(Path::to_path_buf) {
+            Some(path) => self.save_painting_as(&path).then_some(true),
+            None => {
+                self.ask_where_to_save_painting();
+                None
+            }
+        }
+    }
+}

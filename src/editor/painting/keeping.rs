@@ -1,0 +1,80 @@
+//! What keeps painting that is not saved: its journal, as looks and scenes have theirs.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use serde_json::json;
+
+use super::work::Work;
+use crate::diag::Diagnostic;
+use crate::document::Hcbtf;
+use crate::document::journal::{About, Recovered, Slot};
+use crate::editor::safety::keeper::Standing;
+
+impl Work {
+    /// The one that a journal gave; the journal goes on where it is, once it is kept in a folder.
+    pub(crate) fn taken_back(found: Recovered<Hcbtf>) -> Self {
+        let mut work = Self::of_history(found.history, found.about.path.map(PathBuf::from));
+        work.load_problems = found.damage;
+        work
+    }
+
+    /// Keeps a journal in a folder from now on, in `slot` if it was taken back from there. `wake` is called from another
+    /// thread when that fails, or works again.
+    pub(crate) fn keep_in(&mut self, folder: &Path, wake: Arc<dyn Fn() + Send + Sync>, slot: Option<Slot>) {
+        self.keeping.keep_in(folder, move || wake());
+        if slot.is_some() || self.is_dirty() {
+            self.begin_journal(slot);
+        }
+    }
+
+    /// Hands what was done to the journal; a gesture that goes on may wait for a moment there.
+    pub(crate) fn commit(&mut self, goes_on: bool) {
+        if self.keeping.wants_to_begin(self.is_dirty()) {
+            self.begin_journal(None);
+        } else {
+            self.keeping.add(goes_on);
+        }
+    }
+
+    fn begin_journal(&mut self, slot: Option<Slot>) {
+        let about = About {
+            name: self.name(),
+            path: self.path().and_then(Path::to_str).map(str::to_owned),
+            is_partial: false,
+            window: json!({}),
+        };
+        self.keeping.begin(Standing { about, source: None, history: self.history().clone(), slot });
+    }
+
+    /// After a save the journal begins anew: with the same past, and nothing unsaved.
+    pub(super) fn saved(&mut self) {
+        if !self.keeping.is_on() || self.history().steps() == (0, 0) {
+            self.keeping.clear();
+        } else {
+            self.begin_journal(None);
+        }
+    }
+
+    /// Lets go of the journal: it stays if anything in it is not saved.
+    pub(crate) fn leave_journal(&mut self, in_peace: bool) {
+        self.commit(false);
+        self.keeping.leave(self.is_dirty(), in_peace);
+    }
+
+    /// Whether closing it would lose nothing, once all is handed over.
+    pub(crate) fn keeps_work(&mut self) -> bool {
+        self.commit(false);
+        self.keeping.keeps()
+    }
+
+    /// Why unsaved work is not kept, if it should be and is not.
+    pub(crate) fn keeping_problem(&self) -> Option<Diagnostic> {
+        self.keeping.problem()
+    }
+
+    /// Waits until the system has all that was handed over.
+    pub(crate) fn wait_for_journal(&self) {
+        self.keeping.wait();
+    }
+}

@@ -1,0 +1,88 @@
+//! The look that a bare HCBTF is seen in: a lookup with one light, over grey where nothing is painted.
+
+use glam::{DQuat, DVec3};
+use serde_json::json;
+
+use super::work::Work;
+use crate::document::{Edit, GraphId, Look, Value};
+use crate::editor::catalog::Catalog;
+use crate::editor::orbit::{Orbit, PLANE};
+use crate::editor::session::Session;
+use crate::library::Type;
+
+/// The default look on an HCBTF of this name.
+pub(crate) fn default_look(sheet: &str, name: &str) -> String {
+    let look = json!({
+        "name": name,
+        "lights": {"key": {"name": "Key light", "direction": [-0.45, 0.55, 0.7]}},
+        "nodes": [
+            {"id": "light", "kind": "light", "at": [0, 120], "values": {"light": "key"}},
+            {"id": "painting", "kind": "hcbtf_lookup", "at": [260, 0], "name": "Painting",
+             "values": {"sheet": sheet, "lookup": "texels", "scale": [2, 2], "below": [0.05, 0.05, 0.07, 1]}},
+            {"id": "base", "kind": "base", "at": [260, -140], "values": {"color": [0.36, 0.36, 0.38]}},
+            {"id": "over", "kind": "blend", "at": [520, 0], "values": {"mode": "alpha"}},
+            {"id": "output", "kind": "output", "at": [780, 0]}
+        ],
+        "wires": [
+            {"from": "light", "to": "painting.light"},
+            {"from": "base", "to": "over.below"},
+            {"from": "painting", "to": "over.color"},
+            {"from": "over", "to": "output.color"}
+        ]
+    });
+    serde_json::to_string_pretty(&look).unwrap_or_default()
+}
+
+/// The picture's camera and light turned to the sample at work, where the picture shows a flat square that lies.
+pub(super) fn from_here(session: &Session, work: &Work) -> Option<Orbit> {
+    let mut view = session.view.clone();
+    let is_sheet = view.mesh == PLANE && view.z_is_up && session.stage().is_none();
+    let (_, light) = session.look().lights.first().filter(|_| is_sheet)?;
+    // The square lies in the world with u along x, v along -z and the normal along y.
+    let world = |vector: DVec3| DVec3::new(vector.x, vector.z, -vector.y);
+    let (grid, at) = (work.grid(), work.at());
+    let eye = world(grid.view.vector(at.view));
+    view.upright = DQuat::IDENTITY;
+    view.pitch = eye.y.clamp(-1.0, 1.0).asin();
+    view.yaw = if at.view.theta == 0 { 0.0 } else { eye.x.atan2(eye.z) };
+    let shines_from = DVec3::from(light.direction).try_normalize()?;
+    view.illumination = DQuat::from_rotation_arc(shines_from, world(grid.light.vector(at.light)));
+    Some(view)
+}
+
+/// The HCBTFs that a look names, wherever in it.
+pub(crate) fn sheets(look: &Look, catalog: &Catalog) -> Vec<String> {
+    let mut found = Vec::new();
+    each_sheet(look, catalog, |_, _, _, name| found.push(name.to_owned()));
+    found
+}
+
+/// Edits that let a look name another HCBTF where it names this one.
+pub(crate) fn rename(look: &Look, catalog: &Catalog, from: &str, to: &str) -> Vec<Edit> {
+    let mut edits = Vec::new();
+    each_sheet(look, catalog, |graph, id, port, name| {
+        if name == from {
+            let value = Value::Text(to.to_owned());
+            edits.push(Edit::SetValue { graph: graph.clone(), id: id.clone(), port: port.clone(), value, index: None });
+        }
+    });
+    edits
+}
+
+fn each_sheet(
+    look: &Look,
+    catalog: &Catalog,
+    mut tell: impl FnMut(&GraphId, &crate::ids::NodeId, &crate::ids::PortName, &str),
+) {
+    let inner = look.definitions.iter().map(|(id, definition)| (GraphId::Definition(id.clone()), &definition.graph));
+    for (graph, nodes) in std::iter::once((GraphId::Look, &look.graph)).chain(inner) {
+        for (id, node) in &nodes.nodes {
+            let Some(kind) = catalog.of(node) else { continue };
+            for port in kind.inputs.iter().filter(|port| port.ty == Type::Hcbtf) {
+                if let Some(Value::Text(name)) = node.values.get(&port.name) {
+                    tell(&graph, id, &port.name, name);
+                }
+            }
+        }
+    }
+}

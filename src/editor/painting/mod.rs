@@ -1,0 +1,275 @@
+//! The painting workspace: an HCBTF is painted on, its samples are gone through, and rules fill the rest.
+//!
+//! A [`Work`] is the document with its past, kept by the session as looks and scenes are. Four panels show it: `easel`
+//! with the tools above it is the tile as the eye sees it, `map` is all of its lights and views at a glance, `dome` with
+//! `list` where the light and the eye are, and `rules` is what fills them. A stroke changes what is shown here and now; once it ends it is an [`HcbtfEdit`], which
+//! [`App`](super::App) applies. What is painted stands in the viewport at once: the session gives it to whoever draws, in
+//! place of the file.
+
+mod arrows;
+mod atlas;
+mod dome;
+mod easel;
+mod filling;
+mod hand;
+mod icons;
+mod keeping;
+mod list;
+pub(crate) mod look;
+mod map;
+mod moves;
+mod rules;
+mod start;
+mod textures;
+mod tilt;
+mod toolbar;
+mod tools;
+mod work;
+
+use std::path::PathBuf;
+
+use eframe::egui;
+use eframe::egui::{Button, Key, Pos2, Rect, RichText, Slider, Ui, WidgetInfo};
+
+use super::command::Command;
+use super::dock::{self, Panel};
+use super::session::Session;
+use super::shortcuts::{Action, Way};
+use super::theme;
+use crate::document::{Address, Grid, HcbtfEdit};
+pub(crate) use start::Preset;
+pub(crate) use tools::Kind;
+use work::State;
+pub use work::Work;
+
+/// Something that is asked for of what is painted; [`App`](super::App) does it.
+#[derive(Clone, Debug)]
+pub(crate) enum Wish {
+    /// A change as an undo step of its own.
+    Edit(HcbtfEdit),
+    /// A change that goes on for as long as the same widget is held: one undo step in all.
+    EditHeld(egui::Id, HcbtfEdit),
+    /// Works at another sample.
+    GoTo(Address),
+    /// Begins a new one, in a look of its own unless the open one is to stay.
+    New {
+        grid: Grid,
+        keeps_look: bool,
+    },
+    /// Opens the one in a file. The open look stays where it shows that, or where it is to.
+    Open {
+        path: PathBuf,
+        keeps_look: bool,
+    },
+    Save,
+    SaveAs,
+    /// Saves to this file.
+    SaveTo(PathBuf),
+    Close,
+}
+
+fn command(wish: Wish) -> Command {
+    Command::Paint(wish)
+}
+
+/// The workspace, and what it remembers between frames.
+pub struct Painting {
+    tools: tools::Tools,
+    easel: easel::Easel,
+    map: map::Map,
+    atlas: map::Atlas,
+    order: list::Order,
+    held: Option<dome::Held>,
+    filling: filling::Filling,
+    /// The sample that is only looked at, and the one for the next frame.
+    peek: Option<Address>,
+    next_peek: Option<Address>,
+}
+
+impl Painting {
+    /// `wake` is called from another thread when rules have filled something.
+    pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
+        Self {
+            tools: tools::Tools::default(),
+            easel: easel::Easel::default(),
+            map: map::Map::default(),
+            atlas: map::Atlas::default(),
+            order: list::Order::default(),
+            held: None,
+            filling: filling::Filling::new(wake),
+            peek: None,
+            next_peek: None,
+        }
+    }
+
+    /// What is due once a frame, whichever panels are seen.
+    pub(crate) fn tick(&mut self, session: &mut Session) {
+        self.peek = self.next_peek.take();
+        if let Some(work) = session.painting_mut()
+            && self.filling.tick(work)
+        {
+            session.painting_changed();
+        }
+    }
+
+    /// Shows one of its panels.
+    pub(crate) fn show(&mut self, ui: &mut Ui, panel: Panel, session: &mut Session) -> Vec<Command> {
+        let mut out = Vec::new();
+        if session.painting().is_none() {
+            match panel {
+                Panel::Paint => start::show(ui, &mut out),
+                _ => dock::hint(ui, "Nothing is open to be painted: the panel Paint begins something new"),
+            }
+            return out;
+        }
+        match panel {
+            Panel::Paint => self.show_easel(ui, session, &mut out),
+            Panel::Samples | Panel::Directions => self.show_samples(ui, panel, session, &mut out),
+            _ => {
+                let problem = self.filling.problem.as_ref().map(|problem| problem.message.as_str());
+                if let Some(work) = session.painting() {
+                    rules::show(ui, work, self.filling.share(), problem, &mut out);
+                }
+            }
+        }
+        out
+    }
+
+    fn show_easel(&mut self, ui: &mut Ui, session: &mut Session, out: &mut Vec<Command>) {
+        toolbar::show(ui, &mut self.tools);
+        if let Some(work) = session.painting() {
+            self.options(ui, session, work, out);
+        }
+        let is_free = self.easel.has_pointer() && !ui.ctx().egui_wants_keyboard_input();
+        let before = session.painting().map(Work::before);
+        let held = (is_free && ui.input(|input| input.key_down(Key::V))).then_some(before).flatten();
+        out.extend(self.easel.show(ui, session, &mut self.tools, self.peek.or(held)));
+        for action in self.easel.keys(ui) {
+            self.act(action, session);
+        }
+    }
+
+    /// Which sample is at work, and how it is shown.
+    fn options(&mut self, ui: &mut Ui, session: &Session, work: &Work, out: &mut Vec<Command>) {
+        let at = work.at();
+        ui.horizontal_wrapped(|ui| {
+            let (state, color) = match work.state(at) {
+                State::Painted => ("painted".to_owned(), theme::of(ui).accent),
+                State::Filled(rule) => (format!("filled by rule {}", rule + 1), theme::of(ui).second),
+                State::Empty => ("empty".to_owned(), theme::of(ui).dim),
+            };
+            let grid = work.grid();
+            ui.label(format!("Light {}", moves::name(grid.light, at.light)));
+            ui.label(RichText::new("·").color(theme::of(ui).dim));
+            ui.label(format!("Eye {}", moves::name(grid.view, at.view)));
+            let help = "A filled sample becomes painted by the first stroke, which begins from what is shown";
+            ui.label(RichText::new(state).color(color)).on_hover_text(help);
+            let is_painted = work.state(at) == State::Painted;
+            let clear = ui.add_enabled(is_painted, Button::new("Delete painting").small());
+            if clear.on_hover_text("Takes this painting away: the rules fill its place").clicked() {
+                out.push(command(Wish::Edit(HcbtfEdit::DeleteTile { address: at })));
+            }
+        });
+        ui.horizontal_wrapped(|ui| {
+            let easel = &mut self.easel;
+            ui.toggle_value(&mut easel.is_flat, "Flat").on_hover_text("Shows the tile unturned and untilted (F)");
+            ui.toggle_value(&mut easel.shows_copies, "Copies")
+                .on_hover_text("Repeats the tile around itself, so that seams are seen and painted across (C)");
+            ui.toggle_value(&mut easel.shows_arrows, "Arrows")
+                .on_hover_text("Shows where the light comes from, and where the eye is (A)");
+            if ui.small_button("Fit").on_hover_text("Shows the whole tile again (Home)").clicked() {
+                easel.fit();
+            }
+            if let Some(view) = look::from_here(session, work) {
+                let help = "Turns the picture's camera and light to where the eye and the light are that you paint for";
+                if ui.small_button("Show in the picture").on_hover_text(help).clicked() {
+                    out.push(Command::TurnTo(Box::new(view)));
+                }
+            }
+            ui.separator();
+            let help = "How much of the neighbouring samples shines through";
+            ui.label("Onion skin").on_hover_text(help);
+            ui.spacing_mut().slider_width = 60.0;
+            let slider = ui.add(Slider::new(&mut easel.onion, 0.0..=1.0).show_value(false));
+            slider.widget_info(|| WidgetInfo::slider(true, f64::from(easel.onion), "Onion skin"));
+            slider.on_hover_text(help);
+            if easel.onion > 0.0 {
+                rules::along(ui, "neighbours by", &mut easel.onion_along);
+            }
+        });
+    }
+
+    fn show_samples(&mut self, ui: &mut Ui, panel: Panel, session: &Session, out: &mut Vec<Command>) {
+        let Some(work) = session.painting() else { return };
+        self.atlas.update(ui.ctx(), work, self.easel.is_painting());
+        if panel == Panel::Samples {
+            return self.map.show(ui, work, &self.atlas, &mut self.next_peek, out);
+        }
+        let side = ui.available_width().min(ui.available_height() * 0.55).clamp(90.0, 190.0);
+        ui.vertical_centered(|ui| {
+            if let Some(address) = dome::show(ui, work, &mut self.held, side) {
+                out.push(command(Wish::GoTo(address)));
+            }
+        });
+        list::show(ui, work, &self.atlas, &mut self.order, &mut self.next_peek, out);
+    }
+
+    /// Does what a key over the tile or the command palette asks for.
+    pub(crate) fn act(&mut self, action: Action, session: &mut Session) {
+        match action {
+            Action::Tool(kind) => self.tools.take(kind),
+            Action::Brush { is_larger } => self.tools.resize(is_larger),
+            Action::SwapColors => self.tools.colors.swap(0, 1),
+            Action::Flat => self.easel.is_flat = !self.easel.is_flat,
+            Action::Copies => self.easel.shows_copies = !self.easel.shows_copies,
+            Action::Arrows => self.easel.shows_arrows = !self.easel.shows_arrows,
+            Action::FitTile => self.easel.fit(),
+            Action::StepView(way) => step(session, way, true),
+            Action::StepLight(way) => step(session, way, false),
+            _ => {}
+        }
+    }
+
+    /// What may be done at the pointer; empty while it is elsewhere.
+    pub(crate) fn hint(&self) -> &str {
+        &self.easel.hint
+    }
+
+    /// Whether the pointer is over the tile, so that keys are meant for it.
+    pub(crate) fn has_pointer(&self) -> bool {
+        self.easel.has_pointer()
+    }
+
+    /// Nothing of it is seen.
+    pub(crate) fn rest(&mut self) {
+        self.easel.leave();
+    }
+
+    /// Where a place of the tile is on the screen, in texels from its upper left corner; for tests.
+    pub fn screen(&self, texel: [f64; 2]) -> Option<Pos2> {
+        self.easel.screen(texel)
+    }
+
+    /// Where the cell of a sample is on the map; for tests.
+    pub fn cell(&self, address: Address) -> Option<Rect> {
+        self.map.cell(address)
+    }
+
+    pub(crate) fn is_busy(&self) -> bool {
+        self.filling.is_busy()
+    }
+
+    pub(crate) fn wait(&self) {
+        self.filling.wait();
+    }
+}
+
+/// Moves the eye or the light by one step.
+fn step(session: &mut Session, way: Way, is_view: bool) {
+    let Some(work) = session.painting_mut() else { return };
+    let (grid, at) = (*work.grid(), work.at());
+    work.go_to(match is_view {
+        true => Address { view: moves::step(grid.view, at.view, way), ..at },
+        false => Address { light: moves::step(grid.light, at.light, way), ..at },
+    });
+}

@@ -1,0 +1,289 @@
+//! An HCBTF is painted in the window: strokes reach the file texel by texel, samples are copied and deleted, rules fill
+//! the rest, and the picture shows it at once.
+#![cfg(feature = "editor")]
+
+mod editor_support;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use chiaro::document::{Address, Directions, Grid, Hcbtf, Rule, Tile};
+use chiaro::editor::App;
+use editor_support::Hand;
+use editor_support::home::Home;
+use eframe::egui::{Key, Modifiers, Pos2, Role};
+
+const GRID: Grid = Grid { size: [8, 8], light: Directions { theta: 3, phi: 4 }, view: Directions { theta: 3, phi: 4 } };
+const GREY: [u8; 4] = [90, 90, 90, 255];
+
+/// A file with one painted sample, straight above, of one colour.
+fn file(folder: &Path, rules: Vec<Rule>) -> PathBuf {
+    let mut hcbtf = Hcbtf { rules, ..Hcbtf::new(GRID) };
+    hcbtf.painted.insert(Address::default(), Arc::new(Tile::filled(GRID.size, GREY)));
+    let path = folder.join("surface.hcbtf");
+    fs::write(&path, chiaro::hcbtf::write(&hcbtf).unwrap()).unwrap();
+    path
+}
+
+fn saved(path: &Path) -> Hcbtf {
+    chiaro::hcbtf::load(path).unwrap().0
+}
+
+fn opened(path: &Path) -> Hand {
+    let mut hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
+    hand.app_mut().open(path);
+    hand.settle();
+    hand
+}
+
+fn hcbtf(hand: &Hand) -> &Hcbtf {
+    hand.app().session().painting().unwrap().hcbtf()
+}
+
+/// The middle of a texel on the screen.
+fn texel(hand: &Hand, x: i32, y: i32) -> Pos2 {
+    hand.app().painting().screen([f64::from(x) + 0.5, f64::from(y) + 0.5]).unwrap()
+}
+
+fn cell(hand: &Hand, light: [u32; 2], view: [u32; 2]) -> Pos2 {
+    hand.app().painting().cell(Address::new(light, view)).unwrap().center()
+}
+
+fn small_hard_brush(hand: &mut Hand) {
+    let size = hand.place_of(Role::SpinButton, "Size");
+    hand.type_over(size, "1");
+    let hardness = hand.place_of(Role::SpinButton, "Hardness");
+    hand.type_over(hardness, "100");
+}
+
+/// The texels that are not as they were.
+fn changed(tile: &Tile) -> Vec<[i64; 2]> {
+    let all = (0..8).flat_map(|y| (0..8).map(move |x| [x, y]));
+    all.filter(|[x, y]| tile.texel(*x, *y) != GREY).collect()
+}
+
+fn go_to(hand: &mut Hand, light: [u32; 2], view: [u32; 2]) {
+    hand.app_mut().session_mut().painting_mut().unwrap().go_to(Address::new(light, view));
+    hand.settle();
+}
+
+#[test]
+fn a_stroke_reaches_the_file_texel_by_texel_and_is_one_step() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = file(folder.path(), Vec::new());
+    let mut hand = opened(&path);
+    small_hard_brush(&mut hand);
+    hand.press("Color #d93a2f");
+    let (from, to) = (texel(&hand, 1, 2), texel(&hand, 5, 2));
+    hand.drag(from, to);
+    hand.settle();
+    hand.key_with(Modifiers::COMMAND, Key::S);
+    hand.settle();
+    let tile = saved(&path).painted(Address::default()).unwrap().clone();
+    assert_eq!(changed(&tile), [[1, 2], [2, 2], [3, 2], [4, 2], [5, 2]]);
+    assert_eq!(tile.texel(3, 2), [0xd9, 0x3a, 0x2f, 255]);
+    assert_eq!(hand.steps(), 1, "one stroke is one step");
+    assert!(!hand.app().session().painting().unwrap().is_dirty());
+    hand.undo();
+    assert!(changed(hcbtf(&hand).painted(Address::default()).unwrap()).is_empty());
+    assert!(hand.app().session().painting().unwrap().is_dirty());
+    hand.redo();
+    hand.key_with(Modifiers::COMMAND, Key::S);
+    hand.settle();
+    assert_eq!(saved(&path).painted(Address::default()).unwrap(), &tile);
+}
+
+#[test]
+fn a_copy_beside_the_tile_is_painted_on_as_the_tile_itself() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut hand = opened(&file(folder.path(), Vec::new()));
+    small_hard_brush(&mut hand);
+    // Seen aslant, and beyond the left edge.
+    go_to(&mut hand, [0, 0], [1, 1]);
+    let at = texel(&hand, -1, 3);
+    hand.drag(at, at + eframe::egui::vec2(0.5, 0.0));
+    hand.settle();
+    let tile = hcbtf(&hand).painted(Address::new([0, 0], [1, 1])).expect("an empty sample can be painted");
+    assert!(tile.texel(7, 3)[3] > 0);
+    assert_eq!(tile.bytes().chunks(4).filter(|texel| texel[3] > 0).count(), 1);
+}
+
+#[test]
+fn tools_have_keys_and_a_line_is_straight() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut hand = opened(&file(folder.path(), Vec::new()));
+    small_hard_brush(&mut hand);
+    let at = texel(&hand, 4, 4);
+    hand.hover(at);
+    hand.key(Key::L);
+    let ends = [texel(&hand, 0, 7), texel(&hand, 3, 0), texel(&hand, 6, 7)];
+    hand.drag_through(&ends);
+    hand.settle();
+    let line = changed(hcbtf(&hand).painted(Address::default()).unwrap());
+    assert!(line.iter().all(|[_, y]| *y == 7) && line.len() == 7, "from where it began to where it ended: {line:?}");
+    hand.hover(at);
+    hand.key(Key::G);
+    hand.press("Color #f7db4b");
+    hand.click(at);
+    hand.settle();
+    let tile = hcbtf(&hand).painted(Address::default()).unwrap();
+    assert_eq!(tile.texel(4, 4), [0xf7, 0xdb, 0x4b, 255], "filled");
+    assert_ne!(tile.texel(3, 7), [0xf7, 0xdb, 0x4b, 255], "the line is another color");
+    hand.hover(at);
+    hand.key(Key::E);
+    hand.drag(at, at + eframe::egui::vec2(0.5, 0.0));
+    hand.settle();
+    assert_eq!(hcbtf(&hand).painted(Address::default()).unwrap().texel(4, 4)[3], 0, "erased");
+    assert!(!hand.app().probe().is_on());
+    hand.hover(at);
+    hand.key(Key::ArrowDown);
+    hand.key_with(Modifiers::SHIFT, Key::ArrowDown);
+    assert_eq!(hand.app().session().painting().unwrap().at(), Address::new([1, 0], [1, 0]));
+}
+
+#[test]
+fn samples_are_copied_and_deleted_and_nothing_else_changes() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut hand = opened(&file(folder.path(), Vec::new()));
+    let to = cell(&hand, [2, 1], [1, 3]);
+    hand.click(to);
+    hand.settle();
+    let there = Address::new([2, 1], [1, 3]);
+    assert_eq!(hand.app().session().painting().unwrap().at(), there);
+    // Only to look at a sample is no way to it.
+    let first = cell(&hand, [0, 0], [0, 0]);
+    hand.click_with(Modifiers::SHIFT, first);
+    hand.settle();
+    assert_eq!(hcbtf(&hand).painted(there), hcbtf(&hand).painted(Address::default()));
+    assert_eq!(hcbtf(&hand).painted.len(), 2);
+    // The picture turns to where one paints for: from the light's side, as low as it stands.
+    hand.press("Show in the picture");
+    let orbit = hand.app().session().orbit();
+    assert!(editor_support::close(orbit.pitch, std::f64::consts::FRAC_PI_4), "{orbit:?}");
+    hand.press("Delete painting");
+    assert_eq!(hcbtf(&hand).painted.len(), 1);
+    assert!(hcbtf(&hand).painted(there).is_none());
+    hand.undo();
+    assert_eq!(hcbtf(&hand).painted.len(), 2);
+}
+
+#[test]
+fn a_rule_fills_the_map_and_a_filled_sample_is_painted_on_as_it_is_shown() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut hand = opened(&file(folder.path(), Vec::new()));
+    assert!(hand.has("80 empty"), "9 x 9 but for one");
+    hand.press("+ Add a rule");
+    hand.press_a(Role::MenuItem, "Copy");
+    assert_eq!(hcbtf(&hand).rules, [Rule::Copy { from: Address::default() }]);
+    assert!(hand.has("80 filled") && hand.has("0 empty"));
+    small_hard_brush(&mut hand);
+    go_to(&mut hand, [1, 2], [0, 0]);
+    let at = texel(&hand, 6, 6);
+    hand.drag(at, at + eframe::egui::vec2(0.5, 0.0));
+    hand.settle();
+    let tile = hcbtf(&hand).painted(Address::new([1, 2], [0, 0])).unwrap();
+    assert_eq!(changed(tile), [[6, 6]], "the rest is what the rule filled");
+    assert!(hand.has("79 filled"));
+    hand.press("Remove rule 1");
+    assert!(hcbtf(&hand).rules.is_empty() && hand.has("79 empty"));
+    hand.undo();
+    assert!(hand.has("79 filled"));
+}
+
+#[test]
+fn a_new_one_is_saved_where_one_says_and_the_look_goes_with_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("mine");
+    let mut hand = Hand::with(|ctx| App::new(ctx, None).with_path_fields());
+    hand.press("Paint");
+    hand.press("New HCBTF, small (16 x 16, 3 x 6 directions)");
+    let at = hand.app().painting().screen([8.0, 8.0]).unwrap();
+    hand.drag(at, at + eframe::egui::vec2(30.0, 0.0));
+    hand.settle();
+    hand.app_mut().answer_dialog(&path.with_extension("hcbtf"));
+    hand.key_with(Modifiers::COMMAND, Key::S);
+    hand.settle();
+    let hcbtf = saved(&path.with_extension("hcbtf"));
+    assert_eq!((hcbtf.painted.len(), hcbtf.rules.len()), (1, 1));
+    let sheet =
+        hand.look().graph.nodes.values().find_map(|node| {
+            node.values.iter().find(|(port, _)| port.as_str() == "sheet").map(|(_, value)| value.clone())
+        });
+    let named = chiaro::document::Value::Text(path.with_extension("hcbtf").display().to_string());
+    assert_eq!(sheet, Some(named), "the look shows the file from now on");
+    assert!(!hand.app().session().is_dirty(), "nobody is asked about a look that only shows the painting");
+}
+
+#[test]
+fn unsaved_strokes_are_seen_in_the_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = file(folder.path(), vec![Rule::Copy { from: Address::default() }]);
+    let mut hand = Hand::drawing_with(|app, _| app.without_dialogs());
+    hand.app_mut().open(&path);
+    hand.settle();
+    let picture = |hand: &mut Hand| {
+        let rect = hand.app().viewport().rect().unwrap();
+        let image = hand.harness.render().unwrap();
+        let (x, y) = (rect.center().x as u32 - 60, rect.center().y as u32 - 40);
+        image::imageops::crop_imm(&image, x, y, 120, 80).to_image()
+    };
+    let before = picture(&mut hand);
+    hand.press("Color #f7db4b");
+    let (from, to) = (texel(&hand, 0, 3), texel(&hand, 7, 4));
+    hand.drag(from, to);
+    hand.settle();
+    let after = picture(&mut hand);
+    let is_yellow = |pixel: &image::Rgba<u8>| pixel[0] > 120 && pixel[1] > 100 && pixel[2] < 100;
+    assert!(!before.pixels().any(is_yellow), "grey before");
+    assert!(after.pixels().filter(|pixel| is_yellow(pixel)).count() > 200, "the surface shows the stroke");
+    assert_eq!(saved(&path).painted(Address::default()).unwrap().texel(3, 3), GREY, "and the file is as it was");
+    hand.undo();
+    hand.settle();
+    assert!(!picture(&mut hand).pixels().any(is_yellow));
+}
+
+#[test]
+fn a_window_that_is_closed_loses_no_stroke() {
+    let home = Home::new();
+    let path = home.file("surface.hcbtf");
+    fs::rename(file(path.parent().unwrap(), Vec::new()), &path).unwrap();
+    let mut hand = home.window(Some(&path));
+    small_hard_brush(&mut hand);
+    let (from, to) = (texel(&hand, 1, 2), texel(&hand, 5, 2));
+    hand.drag(from, to);
+    hand.settle();
+    home.wait_until_written();
+    let painted = hcbtf(&hand).clone();
+    drop(hand);
+    let mut hand = home.window(None);
+    assert_eq!(hcbtf(&hand), &painted);
+    assert!(hand.app().session().painting().unwrap().is_dirty());
+    hand.undo();
+    assert!(changed(hcbtf(&hand).painted(Address::default()).unwrap()).is_empty());
+}
+
+#[test]
+fn the_inspector_paints_what_a_node_shows() {
+    let folder = tempfile::tempdir().unwrap();
+    file(folder.path(), Vec::new());
+    let look = folder.path().join("look.json");
+    let text = r#"{"chiaro": "look", "lights": {"key": {"direction": [0, 0, 1]}}, "nodes": [
+        {"id": "light", "kind": "light", "values": {"light": "key"}},
+        {"id": "paint", "kind": "hcbtf_lookup", "values": {"sheet": "surface.hcbtf"}},
+        {"id": "output", "kind": "output"}],
+        "wires": [{"from": "light", "to": "paint.light"}, {"from": "paint", "to": "output.color"}]}"#;
+    fs::write(&look, text).unwrap();
+    let mut hand = opened(&look);
+    hand.app_mut().session_mut().select(vec!["paint".into()]);
+    hand.settle();
+    let buttons: Vec<_> = {
+        use egui_kittest::kittest::Queryable as _;
+        hand.harness.query_all_by_role_and_label(Role::Button, "Paint").map(|node| node.rect()).collect()
+    };
+    let in_inspector = buttons.into_iter().max_by(|a, b| a.min.y.total_cmp(&b.min.y)).unwrap();
+    hand.click(in_inspector.center());
+    hand.settle();
+    assert_eq!(hcbtf(&hand).painted.len(), 1);
+    assert_eq!(hand.app().session().path(), Some(look.as_path()), "the look stays");
+}
