@@ -58,7 +58,7 @@ fn file(name: &str, hcbtf: &Hcbtf) -> PathBuf {
 }
 
 fn wearing(path: &Path, lookup: &str, tier: &str) -> SetupLook {
-    let mut values = json!({"sheet": path.display().to_string(), "below": BELOW});
+    let mut values = json!({"sheet": path.display().to_string(), "unlit": BELOW});
     let kind = if lookup == "nearest" { "hcbtf_nearest" } else { "hcbtf_lookup" };
     if lookup != "nearest" {
         values["lookup"] = json!(lookup);

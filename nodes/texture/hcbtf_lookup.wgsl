@@ -11,7 +11,7 @@ import chiaro::hcbtf;
 ///   Dominant light choose one, which keeps strokes whole.
 /// @param uv "UV" from=uv : Where on the tile, which repeats; u to the right, v up.
 /// @param scale "Scale" default=1,1 : How often the tile repeats.
-/// @param below "Below the horizon" default=0,0,0,1 : The colour where the light stands below the surface.
+/// @param unlit "Below the horizon" default=0,0,0,1 : The colour where the light stands below the surface.
 /// @param normal "Normal" from=normal : World space; a bumped one tilts the painting's directions with it.
 /// @choice lookup "Lookup" default=smooth smooth="Smooth" texels="Crisp texels" :
 ///   Smooth blends directions and texels and does not shimmer at a distance; Crisp texels blends directions alone and
@@ -33,7 +33,7 @@ fn hcbtf_lookup_smooth(
     light: Light,
     uv: vec2f,
     scale: vec2f,
-    below: Color,
+    unlit: Color,
     normal: vec3f,
     view: vec3f,
     tangent: vec3f,
@@ -51,7 +51,7 @@ fn hcbtf_lookup_smooth(
     if level > f32(finer) {
         sum = mix(sum, hcbtf_sixteen_at(sheet, place, grid, finer + 1, lights, views), level - f32(finer));
     }
-    return hcbtf_finished(hcbtf_straight(sum), above, below, grid);
+    return hcbtf_finished(hcbtf_straight(sum), above, unlit, grid);
 }
 
 fn hcbtf_lookup_smooth_balanced(
@@ -60,7 +60,7 @@ fn hcbtf_lookup_smooth_balanced(
     light: Light,
     uv: vec2f,
     scale: vec2f,
-    below: Color,
+    unlit: Color,
     normal: vec3f,
     view: vec3f,
     tangent: vec3f,
@@ -78,7 +78,7 @@ fn hcbtf_lookup_smooth_balanced(
     if level > f32(finer) {
         color = mix(color, hcbtf_taps_at(sheet, sheet_sampler, place, grid, finer + 1, lights, views), level - f32(finer));
     }
-    return hcbtf_finished(color, above, below, grid);
+    return hcbtf_finished(color, above, unlit, grid);
 }
 
 fn hcbtf_lookup_smooth_fast(
@@ -87,7 +87,7 @@ fn hcbtf_lookup_smooth_fast(
     light: Light,
     uv: vec2f,
     scale: vec2f,
-    below: Color,
+    unlit: Color,
     normal: vec3f,
     view: vec3f,
     tangent: vec3f,
@@ -101,7 +101,7 @@ fn hcbtf_lookup_smooth_fast(
     let lights = hcbtf_place(hcbtf_local(light.direction, frame), grid.light);
     let near = hcbtf_near(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
     let color = hcbtf_tap_at(sheet, sheet_sampler, place, grid, level, lights, near.x * grid.view.y + near.y);
-    return hcbtf_finished(color, above, below, grid);
+    return hcbtf_finished(color, above, unlit, grid);
 }
 
 fn hcbtf_lookup_texels(
@@ -110,7 +110,7 @@ fn hcbtf_lookup_texels(
     light: Light,
     uv: vec2f,
     scale: vec2f,
-    below: Color,
+    unlit: Color,
     normal: vec3f,
     view: vec3f,
     tangent: vec3f,
@@ -122,7 +122,7 @@ fn hcbtf_lookup_texels(
     let lights = hcbtf_around(hcbtf_place(hcbtf_local(light.direction, frame), grid.light), grid.light);
     let views = hcbtf_views(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
     let block = hcbtf_block(hcbtf_texel(uv * scale, grid.size), grid.light, vec2i(0));
-    return hcbtf_finished(hcbtf_straight(hcbtf_sixteen(sheet, block, lights, views)), above, below, grid);
+    return hcbtf_finished(hcbtf_straight(hcbtf_sixteen(sheet, block, lights, views)), above, unlit, grid);
 }
 
 fn hcbtf_lookup_texels_balanced(
@@ -131,7 +131,7 @@ fn hcbtf_lookup_texels_balanced(
     light: Light,
     uv: vec2f,
     scale: vec2f,
-    below: Color,
+    unlit: Color,
     normal: vec3f,
     view: vec3f,
     tangent: vec3f,
@@ -143,7 +143,7 @@ fn hcbtf_lookup_texels_balanced(
     let lights = hcbtf_place(hcbtf_local(light.direction, frame), grid.light);
     let views = hcbtf_views(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
     let block = hcbtf_block(hcbtf_texel(uv * scale, grid.size), grid.light, vec2i(0));
-    return hcbtf_finished(hcbtf_taps(sheet, sheet_sampler, block, lights, views), above, below, grid);
+    return hcbtf_finished(hcbtf_taps(sheet, sheet_sampler, block, lights, views), above, unlit, grid);
 }
 
 fn hcbtf_lookup_texels_fast(
@@ -152,7 +152,7 @@ fn hcbtf_lookup_texels_fast(
     light: Light,
     uv: vec2f,
     scale: vec2f,
-    below: Color,
+    unlit: Color,
     normal: vec3f,
     view: vec3f,
     tangent: vec3f,
@@ -165,5 +165,5 @@ fn hcbtf_lookup_texels_fast(
     let near = hcbtf_near(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
     let block = hcbtf_block(hcbtf_texel(uv * scale, grid.size), grid.light, vec2i(0));
     let color = hcbtf_tap(sheet, sheet_sampler, block, near.x * grid.view.y + near.y, lights);
-    return hcbtf_finished(color, above, below, grid);
+    return hcbtf_finished(color, above, unlit, grid);
 }

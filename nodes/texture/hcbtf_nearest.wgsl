@@ -10,7 +10,7 @@ import chiaro::hcbtf;
 /// @param light "Light" wire : The light that the painting answers to.
 /// @param uv "UV" from=uv : Where on the tile, which repeats; u to the right, v up.
 /// @param scale "Scale" default=1,1 : How often the tile repeats.
-/// @param below "Below the horizon" default=0,0,0,1 : The colour where the light stands below the surface.
+/// @param unlit "Below the horizon" default=0,0,0,1 : The colour where the light stands below the surface.
 /// @param normal "Normal" from=normal : World space; a bumped one tilts the painting's directions with it.
 /// @choice encoding "Encoding" default=color color="Color" data="Data" :
 ///   Color for what is seen; Data takes numbers as they are.
@@ -25,7 +25,7 @@ fn hcbtf_nearest(
     light: Light,
     uv: vec2f,
     scale: vec2f,
-    below: Color,
+    unlit: Color,
     normal: vec3f,
     view: vec3f,
     tangent: vec3f,
@@ -38,5 +38,5 @@ fn hcbtf_nearest(
     let near = hcbtf_near(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
     let block = hcbtf_block(hcbtf_texel(uv * scale, grid.size), grid.light, vec2i(0));
     let color = textureLoad(sheet, block + vec2i(lights.x, lights.y + 1), near.x * grid.view.y + near.y, 0);
-    return hcbtf_finished(color, above, below, grid);
+    return hcbtf_finished(color, above, unlit, grid);
 }

@@ -236,7 +236,7 @@ fn hcbtf_horizon(light: vec3f, frame: mat3x3f) -> f32 {
 }
 
 /// The colour of a straight blend: below the horizon replaced, decoded where the look is in linear light.
-fn hcbtf_finished(lit: vec4f, above: f32, below: vec4f, grid: HcbtfGrid) -> vec4f {
+fn hcbtf_finished(lit: vec4f, above: f32, unlit: vec4f, grid: HcbtfGrid) -> vec4f {
     let painted = select(lit, linear_from_display(lit), grid.is_decoded);
-    return mix(bounded_vec4(below), painted, above);
+    return mix(bounded_vec4(unlit), painted, above);
 }
