@@ -19,8 +19,6 @@ pub const UNSAVED_HCBTF: &str = "hcbtf:open";
 pub const MAX_IMAGE_SIDE: u32 = 16_384;
 /// The most memory that decoding one image may take, in bytes.
 const MAX_IMAGE_BYTES: u64 = 1 << 30;
-/// The most memory that the texture of an HCBTF may take, in bytes.
-pub const MAX_HCBTF_BYTES: u64 = 2 << 30;
 
 /// A decoded image: straight RGBA, 8 bits a channel, rows from the top, layer after layer.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,7 +80,7 @@ impl Overlay {
 
     fn bake(&self, options: LayerOptions) -> Result<Image, Diagnostic> {
         let grid = self.hcbtf.grid;
-        check_size(&grid, options)?;
+        hcbtf::check_layers(&grid, options.has_levels)?;
         let layers = hcbtf::layers(&grid, |address| self.tile(address), options);
         // While it is painted on it is baked again and again: its number tells it from the last one.
         let mut hasher = DefaultHasher::new();
@@ -213,18 +211,9 @@ pub(super) fn plain_hcbtf(color: [u8; 4]) -> Image {
 
 /// The texture of an HCBTF, if it is not larger than one may be.
 fn bake(hcbtf: &Hcbtf, options: LayerOptions) -> Result<Image, Diagnostic> {
-    check_size(&hcbtf.grid, options)?;
+    hcbtf::check_layers(&hcbtf.grid, options.has_levels)?;
     let filled = hcbtf::fill::fill(hcbtf, &hcbtf::Progress::new())?;
     Ok(of_layers(hcbtf::layers(&hcbtf.grid, |address| filled.tile(address), options)))
-}
-
-fn check_size(grid: &Grid, options: LayerOptions) -> Result<(), Diagnostic> {
-    let bytes = hcbtf::layers_bytes(grid, options.has_levels);
-    if bytes <= MAX_HCBTF_BYTES {
-        return Ok(());
-    }
-    let message = format!("its texture would take {} MiB; it may take {}", bytes >> 20, MAX_HCBTF_BYTES >> 20);
-    Err(Diagnostic::error("too-large", message).hint("divide it into fewer texels, lights or views"))
 }
 
 fn of_layers(layers: hcbtf::Layers) -> Image {

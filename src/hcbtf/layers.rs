@@ -33,6 +33,8 @@ pub struct Layers {
     pub rgba: Vec<u8>,
 }
 
+/// The most memory that a texture may take, in bytes.
+pub const MAX_LAYERS_BYTES: u64 = 2 << 30;
 /// The fewest texels along a layer: the last one tells the grid in two.
 const FEWEST: u64 = 2;
 
@@ -56,13 +58,26 @@ pub fn layers_bytes(grid: &Grid, has_levels: bool) -> u64 {
     layers_size(grid, has_levels).into_iter().fold(4, u64::saturating_mul)
 }
 
+/// The same where a texture may be so large.
+///
+/// # Errors
+/// `too-large`: it would take more than [`MAX_LAYERS_BYTES`].
+pub fn check_layers(grid: &Grid, has_levels: bool) -> Result<u64, Diagnostic> {
+    let bytes = layers_bytes(grid, has_levels);
+    if bytes <= MAX_LAYERS_BYTES {
+        return Ok(bytes);
+    }
+    let message = format!("its texture would take {} MiB; it may take {}", bytes >> 20, MAX_LAYERS_BYTES >> 20);
+    Err(Diagnostic::error("too-large", message).hint("divide it into fewer texels, lights or views"))
+}
+
 /// The sizes of a tile's levels, the tile itself first and one texel last.
 fn level_sizes(grid: &Grid) -> impl Iterator<Item = [u32; 2]> {
     std::iter::successors(Some(grid.size), |size| (*size != [1, 1]).then(|| size.map(|side| (side / 2).max(1))))
 }
 
 /// Makes the texture from the samples' tiles; a sample without one is transparent black. The caller has seen that there
-/// is room ([`layers_bytes`]).
+/// is room ([`check_layers`]).
 pub fn layers<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Tile>>, options: LayerOptions) -> Layers {
     let [width, height, count] = layers_size(grid, options.has_levels).map(|n| n as usize);
     let mut rgba = vec![0; 4 * width * height * count];

@@ -29,7 +29,9 @@ use crate::document::Hcbtf;
 
 pub use file::{load, read, read_bytes, write};
 pub use fill::{Estimate, Filled, NotFilled, Provenance, Which, estimate};
-pub use layers::{LayerOptions, Layers, from_layers, layers, layers_bytes, layers_size};
+pub use layers::{
+    LayerOptions, Layers, MAX_LAYERS_BYTES, check_layers, from_layers, layers, layers_bytes, layers_size,
+};
 pub use picture::Picture;
 pub use progress::Progress;
 

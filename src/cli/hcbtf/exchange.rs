@@ -8,9 +8,8 @@ use super::{GRID_HELP, GridText, check_free, filled, open, with_ending};
 use crate::cli::output::Output;
 use crate::diag::Diagnostic;
 use crate::document::{Grid, write_atomic};
-use crate::frame::MAX_HCBTF_BYTES;
 use crate::hcbtf::{
-    Filled, LayerOptions, Which, contact, folder, from_layers, ktx2, layers, layers_bytes, read_bytes, sheet, write,
+    Filled, LayerOptions, Which, check_layers, contact, folder, from_layers, ktx2, layers, read_bytes, sheet, write,
 };
 
 /// How samples lie in other programs' files.
@@ -124,11 +123,7 @@ pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(),
 
 fn export_texture(filled: &Filled, path: &Path, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let grid = filled.grid();
-    let bytes = layers_bytes(&grid, true);
-    if bytes > MAX_HCBTF_BYTES {
-        let message = format!("its texture would take {} MiB; it may take {}", bytes >> 20, MAX_HCBTF_BYTES >> 20);
-        return Err(vec![Diagnostic::error("too-large", message).hint("take a coarser grid")]);
-    }
+    let bytes = check_layers(&grid, true).map_err(|problem| vec![problem])?;
     let options = LayerOptions { has_levels: true, is_decoded: false };
     let texture = layers(&grid, |address| filled.tile(address), options);
     write_atomic(path, &ktx2::write(&texture)).map_err(|problem| vec![*problem])?;
