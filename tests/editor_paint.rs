@@ -188,6 +188,7 @@ fn a_rule_fills_the_map_and_a_filled_sample_is_painted_on_as_it_is_shown() {
     hand.press("Remove rule 1");
     assert!(hcbtf(&hand).rules.is_empty() && hand.has("79 empty"));
     hand.undo();
+    hand.settle();
     assert!(hand.has("79 filled"));
 }
 
