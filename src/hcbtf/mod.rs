@@ -16,6 +16,7 @@ pub mod contact;
 mod file;
 pub mod fill;
 pub mod folder;
+mod generate;
 pub mod ktx2;
 mod layers;
 mod manifest;

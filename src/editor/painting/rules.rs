@@ -33,6 +33,8 @@ fn about(rule: &Rule) -> (&'static str, &'static str) {
         Rule::Mirror { .. } => ("Highlight", "One color where the light is mirrored to the eye, fading outward"),
         Rule::Specular { .. } => ("Copy near the mirror", "One painting where the light is mirrored to the eye"),
         Rule::Color { .. } => ("Color", "Fills everything that is empty with one color"),
+        Rule::Strokes(_) => ("Strokes", "Draws strokes that stand on the tile, as each eye and each light see them"),
+        Rule::Relief(_) => ("Relief", "Shows a relief of the tile, as each eye and each light see it"),
         Rule::Lambert { .. } => ("Darken by Lambert", "Darkens what is filled as the light sinks"),
         Rule::Rotate { .. } => ("Turn with the eye", "Turns what is filled with the eye, so that it keeps facing it"),
         Rule::Recolor { .. } => ("Recolor", "Tints what is filled from one color to another along an angle"),
@@ -172,6 +174,7 @@ fn fields(ui: &mut Ui, work: &Work, rule: &mut Rule) -> Option<Id> {
             let help = "0 leaves everything as it is, 1 is Lambert's law";
             rgb(ui, "Shadow", shadow).or_else(|| number(ui, "Amount", help, amount, 0.0..=1.0))
         }
+        Rule::Strokes(_) | Rule::Relief(_) => None,
         Rule::Rotate { turns } => number(ui, "Turns", "How often it turns for one turn of the eye", turns, -4.0..=4.0),
         Rule::Recolor { angle, from, to } => {
             let chosen = along(ui, "Along", angle);

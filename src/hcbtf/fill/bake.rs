@@ -52,6 +52,14 @@ pub(super) fn tile(plan: &Plan<'_>, recipe: &Recipe, progress: &Progress) -> Opt
             }
             rows.turned(plan.is_tiling, |x, y| blended[y * width + x])
         }
+        Source::Generated { rule, address } => {
+            let drawn = plan.generators.get(rule as usize)?.as_ref()?.tile(address, progress)?;
+            let width = size[0] as usize;
+            match recipe.turn.get() == 0.0 {
+                true => rows.each(|y, row| row.copy_from_slice(&drawn[y * width..(y + 1) * width])),
+                false => rows.turned(plan.is_tiling, |x, y| drawn[y * width + x]),
+            }
+        }
     }
 }
 

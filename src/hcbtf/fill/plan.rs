@@ -11,6 +11,7 @@ use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 use super::lock::{Lock, angle};
 use super::{Progress, Provenance};
 use crate::document::{Address, Direction, Directions, Grid, Hcbtf, HcbtfAngle as Angle, Rule, Tile};
+use crate::hcbtf::generate::Generator;
 
 /// Directions nearer than this, in radians, are the same: angles of one grid differ by far more, and those that ought to be
 /// equal by rounding alone.
@@ -37,6 +38,8 @@ pub(super) enum Source {
     Blend { address: Address, sharpness: Bits },
     /// One colour, straight RGBA.
     Uniform([u8; 4]),
+    /// What the generator of a rule draws.
+    Generated { rule: u32, address: Address },
 }
 
 /// A finite number that can be hashed.
@@ -92,6 +95,8 @@ pub(super) struct Plan<'a> {
     pub(super) painted: Vec<Painted<'a>>,
     pub(super) recipes: Vec<Recipe>,
     pub(super) provenances: Vec<Provenance>,
+    /// For each rule, what draws its tiles, where that is needed and ready.
+    pub(super) generators: Vec<Option<Generator>>,
     /// For each sample in the grid's order: its recipe and its provenance.
     pub(super) samples: Vec<[u32; 2]>,
 }
@@ -116,8 +121,27 @@ impl<'a> Plan<'a> {
             painted: planner.painted,
             recipes: recipes.into_keys().collect(),
             provenances: provenances.into_iter().collect(),
+            generators: Vec::new(),
             samples,
         })
+    }
+
+    /// Makes the generators ready that some recipe needs; `None` where it is stopped.
+    pub(super) fn prepare(&mut self, rules: &[Rule], progress: &Progress) -> Option<()> {
+        let mut is_needed = vec![false; rules.len()];
+        for recipe in &self.recipes {
+            if let Source::Generated { rule, .. } = recipe.source {
+                is_needed[rule as usize] = true;
+            }
+        }
+        for (rule, is_needed) in rules.iter().zip(is_needed) {
+            let ready = is_needed.then(|| Generator::new(rule, &self.grid, self.is_tiling, progress));
+            if ready.as_ref().is_some_and(Option::is_none) {
+                return None;
+            }
+            self.generators.push(ready.flatten());
+        }
+        Some(())
     }
 }
 
@@ -203,6 +227,7 @@ impl<'a> Planner<'a> {
                 }
             }
             Rule::Color { color } => Some(Source::Uniform(*color)),
+            Rule::Strokes(_) | Rule::Relief(_) => Some(Source::Generated { rule: number as u32, address }),
             Rule::Lambert { .. } | Rule::Rotate { .. } | Rule::Recolor { .. } => None,
         }
     }
