@@ -31,7 +31,7 @@ pub use color::{parse_hex, srgb_to_linear};
 pub use edit::{Applied, Edit, Editable, HcbtfEdit, History, Patch, SceneEdit};
 pub use hcbtf::{
     Address, Angle as HcbtfAngle, Direction, Directions, Grid, Hcbtf, MAX_ANGLE_STEPS, MAX_TILE_SIDE, Relief, Rule,
-    Strokes, Tile,
+    Strokes, Tile, relief,
 };
 pub use look::*;
 pub use read::Document;

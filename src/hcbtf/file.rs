@@ -172,12 +172,15 @@ pub(super) fn tile(png: &[u8], size: [u32; 2], what: &str, report: &mut Report) 
 /// Tells of rules that copy a sample that nobody painted.
 fn idle_rules(hcbtf: &Hcbtf, report: &mut Report) {
     for (index, rule) in hcbtf.rules.iter().enumerate() {
-        if let Rule::Copy { from } | Rule::Specular { from, .. } = rule
-            && hcbtf.painted(*from).is_none()
-        {
-            let message = format!("this rule copies the sample at {from}, which is not painted, so it fills nothing");
+        let needed = match rule {
+            Rule::Copy { from } | Rule::Specular { from, .. } => vec![*from],
+            Rule::Relief(relief) => relief.painted().collect(),
+            _ => Vec::new(),
+        };
+        if let Some(from) = needed.into_iter().find(|from| hcbtf.painted(*from).is_none()) {
+            let message = format!("this rule takes the sample at {from}, which is not painted, so it fills nothing");
             let problem = Diagnostic::warning("hcbtf-idle-rule", message).json_path(format!("rules[{index}]"));
-            report.add(problem.hint("paint the sample, or let the rule copy another"));
+            report.add(problem.hint("paint the sample, or let the rule take another"));
         }
     }
 }

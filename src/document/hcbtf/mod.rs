@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-mod relief;
+pub mod relief;
 mod rule;
 mod strokes;
 

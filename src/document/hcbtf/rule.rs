@@ -129,7 +129,7 @@ impl Rule {
             Self::Lambert { amount, .. } => within("amount", *amount, 0.0, 1.0),
             Self::Rotate { turns } => within("turns", *turns, -Self::MAX_TURNS, Self::MAX_TURNS),
             Self::Strokes(strokes) => strokes.check(),
-            Self::Relief(relief) => relief.check(),
+            Self::Relief(relief) => relief.check(grid),
             Self::Copy { .. } | Self::Lock { .. } | Self::Color { .. } | Self::Recolor { .. } => Ok(()),
         }
     }

@@ -205,7 +205,7 @@ fn laid_out<'a>(hcbtf: &'a Hcbtf, progress: &Progress) -> Result<(Plan<'a>, Esti
 /// Where it was stopped, and where the grid is too large or none at all.
 pub fn fill(hcbtf: &Hcbtf, progress: &Progress) -> Result<Filled, NotFilled> {
     let (mut plan, _) = laid_out(hcbtf, progress)?;
-    plan.prepare(&hcbtf.rules, progress).ok_or(NotFilled::Stopped)?;
+    plan.prepare(hcbtf, progress).ok_or(NotFilled::Stopped)?;
     let rows = u64::from(hcbtf.grid.size[1]);
     progress.begin(plan.recipes.len() as u64 * rows);
     let baked = plan.recipes.par_iter().map(|recipe| bake::tile(&plan, recipe, progress).ok_or(NotFilled::Stopped));

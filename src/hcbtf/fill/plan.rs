@@ -127,7 +127,8 @@ impl<'a> Plan<'a> {
     }
 
     /// Makes the generators ready that some recipe needs; `None` where it is stopped.
-    pub(super) fn prepare(&mut self, rules: &[Rule], progress: &Progress) -> Option<()> {
+    pub(super) fn prepare(&mut self, hcbtf: &Hcbtf, progress: &Progress) -> Option<()> {
+        let rules = &hcbtf.rules;
         let mut is_needed = vec![false; rules.len()];
         for recipe in &self.recipes {
             if let Source::Generated { rule, .. } = recipe.source {
@@ -135,7 +136,7 @@ impl<'a> Plan<'a> {
             }
         }
         for (rule, is_needed) in rules.iter().zip(is_needed) {
-            let ready = is_needed.then(|| Generator::new(rule, &self.grid, self.is_tiling, progress));
+            let ready = is_needed.then(|| Generator::new(rule, hcbtf, progress));
             if ready.as_ref().is_some_and(Option::is_none) {
                 return None;
             }
@@ -227,7 +228,11 @@ impl<'a> Planner<'a> {
                 }
             }
             Rule::Color { color } => Some(Source::Uniform(*color)),
-            Rule::Strokes(_) | Rule::Relief(_) => Some(Source::Generated { rule: number as u32, address }),
+            Rule::Strokes(_) => Some(Source::Generated { rule: number as u32, address }),
+            Rule::Relief(relief) => {
+                let is_painted = relief.painted().all(|from| painted(&from).is_some());
+                is_painted.then_some(Source::Generated { rule: number as u32, address })
+            }
             Rule::Lambert { .. } | Rule::Rotate { .. } | Rule::Recolor { .. } => None,
         }
     }

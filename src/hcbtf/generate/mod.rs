@@ -7,7 +7,7 @@ mod relief;
 mod strokes;
 
 use super::Progress;
-use crate::document::{Address, Grid, Rule};
+use crate::document::{Address, Hcbtf, Rule};
 
 /// Straight RGBA from 0 to 255.
 pub(super) type Color = [f32; 4];
@@ -22,10 +22,12 @@ pub(super) enum Generator {
 
 impl Generator {
     /// Makes the generator of a rule ready; `None` where the rule is none, and where it is stopped.
-    pub(super) fn new(rule: &Rule, grid: &Grid, is_tiling: bool, progress: &Progress) -> Option<Self> {
+    pub(super) fn new(rule: &Rule, hcbtf: &Hcbtf, progress: &Progress) -> Option<Self> {
         match rule {
-            Rule::Strokes(strokes) => strokes::Ready::new(strokes, grid, is_tiling, progress).map(Self::Strokes),
-            Rule::Relief(relief) => relief::Ready::new(relief, grid, is_tiling, progress).map(Self::Relief),
+            Rule::Strokes(strokes) => {
+                strokes::Ready::new(strokes, &hcbtf.grid, hcbtf.is_tiling, progress).map(Self::Strokes)
+            }
+            Rule::Relief(relief) => relief::Ready::new(relief, hcbtf, progress).map(Self::Relief),
             _ => None,
         }
     }

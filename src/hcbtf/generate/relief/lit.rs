@@ -1,0 +1,137 @@
+//! What a light and the sky do to the field: how much of the sun every cell sees, and what comes to it otherwise.
+
+use super::field::Field;
+use super::noise::{mix3, ramp};
+use super::pattern::linear;
+use super::transport::Transport;
+use crate::document::Relief;
+use crate::document::relief::Illumination;
+use crate::hcbtf::Progress;
+
+/// A cell whose corners are farther apart than this, in cells, is a wall: its shadow is found where it is looked at.
+const WALL: f32 = 1.5;
+
+/// The light on the field.
+pub(super) struct Lit {
+    /// Toward the sun: along x, along y (down), and out of the tile.
+    pub(super) toward: [f32; 3],
+    /// The sun's own light, linear.
+    pub(super) sun: [f32; 3],
+    /// How low the sun is, from 0 to 1.
+    pub(super) lowness: f32,
+    /// How much of the sun's disc every cell sees.
+    pub(super) visible: Vec<f32>,
+    /// What comes from the sky and from other cells, linear.
+    pub(super) ambient: Vec<[f32; 3]>,
+}
+
+impl Lit {
+    /// `None` where it is stopped.
+    pub(super) fn new(
+        relief: &Relief,
+        field: &Field,
+        transport: &Transport,
+        toward: [f32; 3],
+        progress: &Progress,
+    ) -> Option<Self> {
+        let light = &relief.light;
+        let lowness = lowness(light, toward);
+        let amount = |colors: [[u8; 3]; 2], amount: f64| {
+            mix3(linear(colors[0]), linear(colors[1]), lowness).map(|channel| channel * amount as f32)
+        };
+        let sun = amount([light.sun, light.low_sun], light.sun_amount);
+        let sky = amount([light.sky, light.low_sky], light.sky_amount);
+        let shadows = Shadows::new(light, toward);
+        let width = field.size[0];
+        let cells = width * field.size[1];
+        let (mut visible, mut direct) = (Vec::with_capacity(cells), Vec::with_capacity(cells));
+        for cell in 0..cells {
+            if cell % width == 0 && progress.is_stopped() {
+                return None;
+            }
+            let cosine = shadows.cosine(field, cell);
+            let seen = if cosine > 0.0 { shadows.visible(field, cell, field.middle(cell)) } else { 0.0 };
+            visible.push(seen);
+            direct.push(seen * cosine);
+        }
+        let own = |cell: usize| -> [f32; 3] { std::array::from_fn(|i| transport.sky[cell] * sky[i]) };
+        let mut ambient: Vec<[f32; 3]> = (0..cells).map(own).collect();
+        for _ in 0..light.bounces {
+            if progress.is_stopped() {
+                return None;
+            }
+            let sent = |cell: usize| -> [f32; 3] {
+                let color = field.materials[cell].color;
+                std::array::from_fn(|i| color[i] * (sun[i] * direct[cell] + ambient[cell][i]))
+            };
+            let sent: Vec<[f32; 3]> = (0..cells).map(sent).collect();
+            let next = |cell: usize| -> [f32; 3] {
+                let (own, gathered) = (own(cell), transport.gathered(cell, &sent));
+                std::array::from_fn(|i| own[i] + gathered[i])
+            };
+            ambient = (0..cells).map(next).collect();
+        }
+        Some(Self { toward, sun, lowness, visible, ambient })
+    }
+
+    /// How much of the sun is seen at a place of a cell.
+    pub(super) fn visible_at(&self, light: &Illumination, field: &Field, cell: usize, place: [f32; 3]) -> f32 {
+        if field.steepness(cell) < WALL {
+            return self.visible[cell];
+        }
+        Shadows::new(light, self.toward).visible(field, cell, place)
+    }
+}
+
+/// How low the sun is: 0 overhead, 1 at the horizon, or level with an upright tile.
+fn lowness(light: &Illumination, toward: [f32; 3]) -> f32 {
+    let up = if light.is_upright { -toward[1] } else { toward[2] };
+    1.0 - ramp(0.0, 0.7, up)
+}
+
+/// Shadows of a light.
+pub(super) struct Shadows {
+    toward: [f32; 3],
+    /// Along the tile, of length 1.
+    along: [f32; 2],
+    /// Above the tile, in radians.
+    elevation: f32,
+    softness: f32,
+}
+
+impl Shadows {
+    pub(super) fn new(light: &Illumination, toward: [f32; 3]) -> Self {
+        let [x, y, z] = toward;
+        let across = x.hypot(y);
+        let along = if across > 1e-6 { [x / across, y / across] } else { [0.0; 2] };
+        let along = along.map(|part| if part.abs() < 1e-6 { 0.0 } else { part });
+        Self { toward, along, elevation: z.max(0.0).atan2(across), softness: (light.softness as f32).max(1e-4) }
+    }
+
+    /// The cosine between the sun and the normal of a cell, 0 where the sun is behind it.
+    fn cosine(&self, field: &Field, cell: usize) -> f32 {
+        let normal = field.normal(cell);
+        (0..3).map(|i| normal[i] * self.toward[i]).sum::<f32>().max(0.0)
+    }
+
+    /// How much of the sun's disc is above the horizon of a place.
+    pub(super) fn visible(&self, field: &Field, cell: usize, place: [f32; 3]) -> f32 {
+        if self.along == [0.0; 2] {
+            return 1.0;
+        }
+        let [x, y] = field.slopes[cell];
+        // A cell does not stand in its own light.
+        let plane = x * self.along[0] + y * self.along[1];
+        let slope = |elevation: f32| elevation.clamp(-1.5, 1.5).tan();
+        let (lower, upper) = (slope(self.elevation - self.softness), slope(self.elevation + self.softness));
+        let least = plane.max(lower);
+        let horizon = field.horizon(place, self.along, least, upper);
+        if horizon <= least {
+            return 1.0;
+        }
+        // The disc's lower half sinks first; as much of it as the horizon is above the cell's own plane.
+        let hidden = 0.5 + (horizon.atan() - self.elevation) / (2.0 * self.softness);
+        let own = ((horizon.atan() - plane.atan()) / self.softness).clamp(0.0, 1.0);
+        1.0 - hidden.clamp(0.0, 1.0) * own
+    }
+}

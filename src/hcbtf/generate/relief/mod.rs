@@ -1,0 +1,75 @@
+//! A relief of the tile: a height field as every eye sees it under every light.
+//!
+//! A `field` of cells finer than the texels is made of the pattern once, and `transport` finds what every cell sees of the
+//! sky and of the others. Then what an eye sees (`seen`) depends on the view alone, and what a light does (`lit`) on the
+//! light alone: each is worked out when it is first asked for and kept, and a sample puts the two together (`shade`).
+//! Light is linear; what a sample shows is in display colours, as all paint is.
+//!
+//! Each of them is worked out on one thread, so that no thread waits for itself; samples go over all cores.
+
+mod field;
+mod lit;
+mod noise;
+mod pattern;
+mod seen;
+mod shade;
+#[cfg(test)]
+mod tests;
+mod transport;
+
+use std::sync::OnceLock;
+
+use self::field::Field;
+use self::lit::Lit;
+use self::pattern::Sampler;
+use self::seen::Seen;
+use self::transport::Transport;
+use super::Color;
+use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Relief};
+use crate::hcbtf::Progress;
+
+/// Ready to give tiles.
+pub(in crate::hcbtf) struct Ready {
+    relief: Relief,
+    grid: Grid,
+    field: Field,
+    transport: Transport,
+    /// By the view's place in the grid; `None` in it where it was stopped.
+    seen: Vec<OnceLock<Option<Seen>>>,
+    /// By the light's.
+    lit: Vec<OnceLock<Option<Lit>>>,
+}
+
+impl Ready {
+    /// `None` where it is stopped, and where a painted sample is missing.
+    pub(super) fn new(relief: &Relief, hcbtf: &Hcbtf, progress: &Progress) -> Option<Self> {
+        let sampler = Sampler::new(relief, hcbtf)?;
+        let field = Field::new(relief, hcbtf.grid.size, &sampler, progress)?;
+        Self::of(relief.clone(), hcbtf.grid, field, progress)
+    }
+
+    fn of(relief: Relief, grid: Grid, field: Field, progress: &Progress) -> Option<Self> {
+        let transport = Transport::new(&field, progress)?;
+        let slots = |directions: Directions| 0..directions.distinct_count();
+        let seen = slots(grid.view).map(|_| OnceLock::new()).collect();
+        let lit = slots(grid.light).map(|_| OnceLock::new()).collect();
+        Some(Self { relief, grid, field, transport, seen, lit })
+    }
+
+    /// The texels of a sample; `None` where it is stopped.
+    pub(super) fn tile(&self, address: Address, progress: &Progress) -> Option<Vec<Color>> {
+        let (view, light) = (toward(self.grid.view, address.view), toward(self.grid.light, address.light));
+        let of = |directions: Directions, direction: Direction| usize::try_from(directions.index(direction)).ok();
+        let seen = self.seen.get(of(self.grid.view, address.view)?)?;
+        let seen = seen.get_or_init(|| Seen::new(&self.relief, &self.field, view, progress)).as_ref()?;
+        let lit = self.lit.get(of(self.grid.light, address.light)?)?;
+        let lit = lit.get_or_init(|| Lit::new(&self.relief, &self.field, &self.transport, light, progress)).as_ref()?;
+        shade::tile(self, seen, lit, view, progress)
+    }
+}
+
+/// A direction along x, along y (down), and out of the tile.
+fn toward(directions: Directions, direction: Direction) -> [f32; 3] {
+    let vector = directions.vector(direction);
+    [vector.x as f32, -vector.y as f32, vector.z as f32]
+}
