@@ -13,6 +13,7 @@ mod picture;
 mod plan;
 mod samples;
 mod setup;
+mod tiles;
 mod values;
 mod visibility;
 
@@ -35,5 +36,6 @@ pub use setup::{
     ANY_MATERIAL, DEFAULT_MESH, Setup, SetupLook, SetupObject, Wardrobe, default_setup, look_of, object_matrix, open,
     place_objects, scene_setup,
 };
+pub use tiles::{moving_light, tile_batches, tiles_of};
 pub use values::check_exposed_value;
 pub use visibility::Cull;

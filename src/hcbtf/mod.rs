@@ -20,11 +20,13 @@ mod generate;
 pub mod ktx2;
 mod layers;
 mod manifest;
+mod noise;
 pub mod paint;
 mod picture;
 mod progress;
 mod report;
 pub mod sheet;
+mod synthesize;
 
 use crate::document::Hcbtf;
 
@@ -35,6 +37,7 @@ pub use layers::{
 };
 pub use picture::Picture;
 pub use progress::Progress;
+pub use synthesize::{Synthesis, synthesize};
 
 /// The version of `.hcbtf` files that this Chiaro writes, and the newest that it reads.
 pub const VERSION: u32 = 1;

@@ -1,5 +1,6 @@
 //! How far long work has come, seen and stopped from another thread.
 
+use std::fmt;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// How far work has come, and whether it is still wanted. Whoever watches and whoever works share one.
@@ -8,12 +9,27 @@ pub struct Progress {
     done: AtomicU64,
     total: AtomicU64,
     is_stopped: AtomicBool,
+    told: Option<Told>,
+}
+
+/// Who is told of every step, from the thread that made it.
+struct Told(Box<dyn Fn([u64; 2]) + Send + Sync>);
+
+impl fmt::Debug for Told {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Told")
+    }
 }
 
 impl Progress {
     /// Nothing is done yet.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// Nothing is done yet; `tell` is told of every step that is, and of how many there are, from whatever thread made it.
+    pub fn telling(tell: impl Fn([u64; 2]) + Send + Sync + 'static) -> Self {
+        Self { told: Some(Told(Box::new(tell))), ..Self::default() }
     }
 
     /// The work is not wanted any more; it ends soon after.
@@ -38,13 +54,16 @@ impl Progress {
     }
 
     /// The work is laid out.
-    pub(super) fn begin(&self, total: u64) {
+    pub(crate) fn begin(&self, total: u64) {
         self.done.store(0, Ordering::Relaxed);
         self.total.store(total, Ordering::Relaxed);
     }
 
     /// More steps are done.
-    pub(super) fn add(&self, steps: u64) {
+    pub(crate) fn add(&self, steps: u64) {
         self.done.fetch_add(steps, Ordering::Relaxed);
+        if let Some(Told(tell)) = &self.told {
+            tell(self.steps());
+        }
     }
 }

@@ -35,6 +35,7 @@ mod shade;
 mod shader;
 mod texels;
 mod tile;
+mod tiles;
 mod uniform;
 
 pub use eval::evaluate;
@@ -50,3 +51,4 @@ pub use setup::Sides;
 pub use shader::{FragmentStage, Interpolation, LANES, QUADS, QuadBatch, Shaded, Shader, Varying, VertexStage};
 pub use texels::{Coverage, Texels};
 pub use tile::Target;
+pub use tiles::bake_look;

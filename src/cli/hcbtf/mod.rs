@@ -2,6 +2,7 @@
 
 mod exchange;
 mod info;
+mod make;
 mod new;
 mod rules;
 
@@ -24,6 +25,8 @@ Examples:
   chiaro hcbtf import all.png --as contact --gap 2 -o grass.hcbtf
   chiaro hcbtf rules grass.hcbtf > rules.json
   chiaro hcbtf rules grass.hcbtf --set rules.json
+  chiaro hcbtf synthesize grass.hcbtf -o meadow.hcbtf --size 64x64 --seed 3
+  chiaro hcbtf bake looks/rim.json -o rim.hcbtf --grid 32x32,6x10,6x10
   chiaro hcbtf export grass.hcbtf -o sheet.png
   chiaro hcbtf export grass.hcbtf --to folder -o painted/ --painted
 
@@ -48,6 +51,10 @@ enum Command {
     Import(exchange::ImportArguments),
     /// Write a sheet, a folder of images, or a contact sheet
     Export(exchange::ExportArguments),
+    /// Make another tile, or a larger one, of patches of a painted one
+    Synthesize(make::SynthesizeArguments),
+    /// Paint an .hcbtf file with what a look shows on a flat tile
+    Bake(make::BakeArguments),
     /// Write an .hcbtf file to begin with
     New(new::Arguments),
     /// Show the rules of a file as JSON, or set them
@@ -59,6 +66,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         Command::Info(arguments) => info::run(arguments, output),
         Command::Import(arguments) => exchange::import(arguments, output),
         Command::Export(arguments) => exchange::export(arguments, output),
+        Command::Synthesize(arguments) => make::synthesized(arguments, output),
+        Command::Bake(arguments) => make::baked(arguments, output),
         Command::New(arguments) => new::run(arguments, output),
         Command::Rules(arguments) => rules::run(arguments, output),
     }

@@ -19,6 +19,7 @@ pub(crate) mod look;
 mod map;
 mod moves;
 mod rules;
+mod rules_relief;
 mod start;
 mod textures;
 mod tilt;

@@ -7,7 +7,7 @@ use eframe::egui::{
 };
 
 use super::work::Work;
-use super::{Wish, command, moves};
+use super::{Wish, command, moves, rules_relief};
 use crate::document::{Address, ColorSpace, Directions, HcbtfAngle, HcbtfEdit, Rule};
 use crate::editor::command::Command;
 use crate::editor::inspector::color;
@@ -51,6 +51,7 @@ fn fresh(work: &Work) -> Vec<Rule> {
         Rule::Specular { from, width: PI / 6.0 },
         Rule::Mirror { color: [255, 250, 235, 255], width: PI / 8.0 },
         Rule::Color { color: [128, 128, 128, 255] },
+        Rule::Relief(Box::default()),
         Rule::Lambert { shadow: [20, 18, 32], amount: 1.0 },
         Rule::Rotate { turns: 1.0 },
         Rule::Recolor { angle: HcbtfAngle::LightTheta, from: [255, 255, 255], to: [255, 170, 110] },
@@ -174,7 +175,8 @@ fn fields(ui: &mut Ui, work: &Work, rule: &mut Rule) -> Option<Id> {
             let help = "0 leaves everything as it is, 1 is Lambert's law";
             rgb(ui, "Shadow", shadow).or_else(|| number(ui, "Amount", help, amount, 0.0..=1.0))
         }
-        Rule::Strokes(_) | Rule::Relief(_) => None,
+        Rule::Strokes(_) => None,
+        Rule::Relief(relief) => rules_relief::fields(ui, work, relief),
         Rule::Rotate { turns } => number(ui, "Turns", "How often it turns for one turn of the eye", turns, -4.0..=4.0),
         Rule::Recolor { angle, from, to } => {
             let chosen = along(ui, "Along", angle);
@@ -220,7 +222,7 @@ fn rgba(ui: &mut Ui, label: &str, color: &mut [u8; 4]) -> Option<Id> {
     })
 }
 
-fn rgb(ui: &mut Ui, label: &str, color: &mut [u8; 3]) -> Option<Id> {
+pub(super) fn rgb(ui: &mut Ui, label: &str, color: &mut [u8; 3]) -> Option<Id> {
     let [r, g, b] = color.map(|channel| f64::from(channel) / 255.0);
     line(ui, label, "Click to choose", |ui, _| {
         let (id, found) = color::named_swatch(ui, label, [r, g, b, 1.0], ColorSpace::Display, false)?;
@@ -269,7 +271,7 @@ pub(super) fn along(ui: &mut Ui, label: &str, angle: &mut HcbtfAngle) -> Option<
 }
 
 /// Which painting a rule copies.
-fn sample(ui: &mut Ui, work: &Work, from: &mut Address) -> Option<Id> {
+pub(super) fn sample(ui: &mut Ui, work: &Work, from: &mut Address) -> Option<Id> {
     let mut changed = None;
     let before = *from;
     let grid = work.grid();

@@ -2,11 +2,13 @@
 
 mod light;
 mod pattern;
+mod presets;
 
 use serde::{Deserialize, Serialize};
 
 pub use light::{Finish, Glint, Illumination};
 pub use pattern::{Channel, Pattern};
+pub use presets::PRESETS;
 
 use super::{Address, Grid};
 

@@ -9,7 +9,7 @@
 
 mod field;
 mod lit;
-mod noise;
+
 mod pattern;
 mod seen;
 mod shade;
@@ -26,7 +26,7 @@ use self::seen::Seen;
 use self::transport::Transport;
 use super::Color;
 use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Relief};
-use crate::hcbtf::Progress;
+use crate::hcbtf::{Progress, noise};
 
 /// Ready to give tiles.
 pub(in crate::hcbtf) struct Ready {

@@ -2,9 +2,9 @@
 
 use std::f32::consts::PI;
 
-use super::super::noise::{chance, chances, hash, mix, mix3, ramp, rough};
 use super::{Material, linear, part};
 use crate::document::relief::Pattern;
+use crate::hcbtf::noise::{chance, chances, hash, mix, mix3, ramp, rough};
 
 /// A built pattern.
 pub(in crate::hcbtf::generate::relief) struct Masonry<'a> {

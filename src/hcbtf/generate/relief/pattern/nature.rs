@@ -2,9 +2,9 @@
 
 use std::f32::consts::TAU;
 
-use super::super::noise::{chances, hash, mix, mix3, ramp, rough};
 use super::{Material, linear};
 use crate::document::relief::Pattern;
+use crate::hcbtf::noise::{chances, hash, mix, mix3, ramp, rough};
 
 /// A pattern without straight lines.
 pub(in crate::hcbtf::generate::relief) struct Nature<'a> {

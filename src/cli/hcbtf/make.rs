@@ -1,0 +1,103 @@
+//! `chiaro hcbtf synthesize` and `bake`: new tiles from a painted one, and a look as one.
+
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use super::super::open::{check_nodes_folder, library_for, open_look};
+use super::super::render::Size;
+use super::{GRID_HELP, GridText, check_free, open, with_ending};
+use crate::cli::output::Output;
+use crate::diag::Diagnostic;
+use crate::document::{Grid, Hcbtf, write_atomic};
+use crate::frame::moving_light;
+use crate::hcbtf::{Progress, Synthesis, synthesize, write};
+use crate::reference::bake_look;
+
+/// What `chiaro hcbtf synthesize` is given.
+#[derive(Debug, clap::Args)]
+pub(super) struct SynthesizeArguments {
+    /// An .hcbtf file
+    file: PathBuf,
+    /// The .hcbtf file to write
+    #[arg(short, long)]
+    output: PathBuf,
+    /// Width and height of the new tile in texels [default: as the old one]
+    #[arg(long)]
+    size: Option<Size>,
+    /// Another number lays other patches
+    #[arg(long, default_value_t = 1)]
+    seed: u32,
+    /// Texels along a patch's side: large ones keep large forms whole [default: half of the old tile's]
+    #[arg(long)]
+    patch: Option<u32>,
+    /// Replace a file that is there
+    #[arg(long)]
+    force: bool,
+}
+
+pub(super) fn synthesized(arguments: &SynthesizeArguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+    let path = with_ending(&arguments.output);
+    check_free(&path, arguments.force)?;
+    let hcbtf = open(&arguments.file, output)?;
+    let size = arguments.size.map_or(hcbtf.grid.size, |size| size.0);
+    let how = Synthesis { size, seed: arguments.seed, patch: arguments.patch };
+    let named = arguments.file.display().to_string();
+    let made = synthesize(&hcbtf, &how, &telling("laying"));
+    output.end_progress();
+    save(&made.map_err(|problem| vec![problem.in_file(named)])?, &path, output)
+}
+
+/// What `chiaro hcbtf bake` is given.
+#[derive(Debug, clap::Args)]
+pub(super) struct BakeArguments {
+    /// A look
+    look: PathBuf,
+    /// The .hcbtf file to write
+    #[arg(short, long)]
+    output: PathBuf,
+    #[arg(long, help = format!("Texels, lights and views, as 32x32,6x10,6x10 [default: {GRID_HELP}]"))]
+    grid: Option<GridText>,
+    /// The light that goes around the tile [default: the first directional one]; the others stay
+    #[arg(long)]
+    light: Option<String>,
+    /// A folder of a project's own nodes; `nodes/` beside the look is found without it
+    #[arg(long)]
+    nodes: Option<PathBuf>,
+    /// Replace a file that is there
+    #[arg(long)]
+    force: bool,
+}
+
+pub(super) fn baked(arguments: &BakeArguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+    let path = with_ending(&arguments.output);
+    check_free(&path, arguments.force)?;
+    check_nodes_folder(arguments.nodes.as_deref())?;
+    let library = library_for(&arguments.look, arguments.nodes.as_deref());
+    output.diagnostics(&library.problems);
+    let setup = open_look(&arguments.look, output)?;
+    let named = arguments.look.display().to_string();
+    let light = moving_light(&setup, arguments.light.as_deref()).map_err(|problem| vec![problem.in_file(named)])?;
+    let grid = arguments.grid.map_or(Grid::THESIS, |grid| grid.0);
+    let made = bake_look(&setup, &library, grid, &light, &telling("baking"));
+    output.end_progress();
+    save(&made?, &path, output)
+}
+
+/// Tells how far it is whenever another percent is done.
+fn telling(what: &'static str) -> Progress {
+    let last = AtomicU64::new(u64::MAX);
+    Progress::telling(move |[done, total]| {
+        let percent = 100 * done / total.max(1);
+        if last.swap(percent, Ordering::Relaxed) != percent {
+            Output::new().progress(what, done, total);
+        }
+    })
+}
+
+fn save(hcbtf: &Hcbtf, path: &Path, output: &Output) -> Result<(), Vec<Diagnostic>> {
+    let bytes = write(hcbtf).map_err(|problem| vec![problem.in_file(path.display().to_string())])?;
+    write_atomic(path, &bytes).map_err(|problem| vec![*problem])?;
+    output.result(&path.display().to_string());
+    output.message(&format!("{} of {} samples are painted", hcbtf.painted.len(), hcbtf.grid.sample_count()));
+    Ok(())
+}

@@ -1,0 +1,94 @@
+//! Reliefs to begin with.
+
+use super::{Finish, Glint, Illumination, Pattern, Relief};
+
+/// Names of reliefs to begin with, and what they are.
+pub const PRESETS: [(&str, fn() -> Relief); 5] =
+    [("Bricks", bricks), ("Asphalt", asphalt), ("Facade", facade), ("Arches", arches), ("Sand", sand)];
+
+fn bricks() -> Relief {
+    Relief {
+        depth: 0.045,
+        glint: Glint { amount: 0.12, sharpness: 12.0, ..Glint::default() },
+        finish: Finish { ink: 0.35, ink_width: 0.8, grain: 0.12, ..Finish::default() },
+        ..Relief::default()
+    }
+}
+
+fn asphalt() -> Relief {
+    let pattern = Pattern::Stones {
+        count: 9,
+        share: 0.75,
+        grit: 0.8,
+        roundness: 0.55,
+        colors: [[112, 110, 108], [168, 160, 148]],
+        binder: [46, 46, 52],
+    };
+    Relief {
+        pattern,
+        depth: 0.055,
+        glint: Glint { amount: 1.6, sharpness: 30.0, share: 0.4, lean: 0.35 },
+        ..Relief::default()
+    }
+}
+
+fn facade() -> Relief {
+    let pattern = Pattern::Facade {
+        columns: 3,
+        floors: 3,
+        window: [0.44, 0.56],
+        frame: 0.09,
+        sill: 0.5,
+        roughness: 0.5,
+        wall: [226, 206, 178],
+        trim: [244, 236, 222],
+        glass: [70, 92, 112],
+        lit: 0.4,
+        lit_color: [255, 206, 120],
+    };
+    let light = Illumination {
+        sun: [255, 248, 232],
+        low_sun: [255, 150, 92],
+        sun_amount: 0.95,
+        sky: [168, 188, 224],
+        low_sky: [146, 124, 186],
+        sky_amount: 0.42,
+        is_upright: true,
+        ..Illumination::default()
+    };
+    let finish = Finish {
+        ink: 0.85,
+        ink_width: 1.1,
+        ink_color: [58, 44, 60],
+        hatch: 0.4,
+        hatch_lines: 14,
+        wobble: 0.012,
+        grain: 0.16,
+        ..Finish::default()
+    };
+    let glint = Glint { amount: 0.9, sharpness: 24.0, ..Glint::default() };
+    Relief { pattern, depth: 0.05, light, glint, finish, ..Relief::default() }
+}
+
+fn arches() -> Relief {
+    let pattern = Pattern::Arches {
+        columns: 1,
+        rows: 1,
+        opening: [0.5, 0.8],
+        ring: 0.34,
+        courses: 7,
+        roughness: 0.5,
+        wall: [206, 178, 138],
+        trim: [232, 212, 176],
+        inside: [104, 78, 74],
+    };
+    let light = Illumination { sky_amount: 0.4, bounces: 3, ..Illumination::default() };
+    let finish = Finish { ink: 0.5, ink_color: [66, 44, 44], grain: 0.12, ..Finish::default() };
+    Relief { pattern, depth: 0.2, light, finish, ..Relief::default() }
+}
+
+fn sand() -> Relief {
+    let pattern = Pattern::Ripples { count: 7, bend: 1.1, roughness: 0.25, colors: [[176, 132, 84], [238, 208, 154]] };
+    let glint = Glint { amount: 0.8, sharpness: 60.0, share: 0.06, lean: 0.3 };
+    Relief { pattern, depth: 0.035, glint, ..Relief::default() }
+}
