@@ -152,8 +152,9 @@ fn hcbtfs_are_made_told_of_and_exchanged() {
         "12 samples",
         "painted  1",
         "copy fills 11",
-        "texture  8 x 15 in 5 layers",
-        "fits     every GPU",
+        "quick    8 x 15 in 2 layers, 0.00 MiB of at most 0.00: fits every GPU",
+        "quick    12 x 15 in 2 layers",
+        "compact  57 x 1 in 1 layer, 0.00 MiB",
         "lambert changes 9",
         "empty    0",
     ] {

@@ -1068,11 +1068,13 @@ fn every_kind_is_held() {
         "transition",
         "warp",
         // hcbtf_lookup.rs
+        "constant_size",
         "dominant_light",
         "hcbtf_directions",
         "hcbtf_lookup",
         "hcbtf_nearest",
         "light_by_tone",
+        "scatter_uv",
         // Above, in tests of their own.
         "bands",
         "bump_map",

@@ -211,9 +211,8 @@ pub(super) fn plain_hcbtf(color: [u8; 4]) -> Image {
 
 /// The texture of an HCBTF, if it is not larger than one may be.
 fn bake(hcbtf: &Hcbtf, options: LayerOptions) -> Result<Image, Diagnostic> {
-    hcbtf::check_layers(&hcbtf.grid, options.has_levels)?;
     let filled = hcbtf::fill::fill(hcbtf, &hcbtf::Progress::new())?;
-    Ok(of_layers(hcbtf::layers(&hcbtf.grid, |address| filled.tile(address), options)))
+    Ok(of_layers(hcbtf::stored(&hcbtf.grid, |address| filled.tile(address), options)?))
 }
 
 fn of_layers(layers: hcbtf::Layers) -> Image {

@@ -4,14 +4,18 @@
 //! with a copy of the last phi above the first and of the first below the last, so that one bilinear tap blends four
 //! lights (the inner layout of thesis A.3, with a layer for each view instead of one flat texture, which no GPU could
 //! hold for larger tiles). Smaller levels of the tile stand to the right of it, each below the one before. The first two
-//! texels of one more layer tell the grid, so that a shader needs nothing beside the texture. `shaders/lib/hcbtf.wgsl`
-//! reads this.
+//! texels of one more layer tell the grid, so that a shader needs nothing beside the texture. Views that are equal may
+//! share a layer; the texels after those two then tell whose is whose. `shaders/lib/hcbtf.wgsl` reads this.
+//!
+//! [`compact`](super::compact) is the other way, for less memory.
 
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use super::compact;
+use super::fill::MAX_SAMPLES;
 use crate::diag::Diagnostic;
-use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Tile};
+use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Storage, Tile};
 
 /// What the texture is to hold beside the samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -20,6 +24,8 @@ pub struct LayerOptions {
     pub has_levels: bool,
     /// Whether shaders are to decode blended colours to linear light.
     pub is_decoded: bool,
+    /// How it lies there.
+    pub storage: Storage,
 }
 
 /// The texture: straight RGBA, 8 bits a channel, rows from the top, layer after layer.
@@ -27,7 +33,7 @@ pub struct LayerOptions {
 pub struct Layers {
     /// Texels of a layer.
     pub size: [u32; 2],
-    /// One for each view, and one that tells the grid.
+    /// One for each view that differs, and one that tells the grid; or as many as the compact storage takes.
     pub count: u32,
     /// Four bytes a texel.
     pub rgba: Vec<u8>,
@@ -37,6 +43,12 @@ pub struct Layers {
 pub const MAX_LAYERS_BYTES: u64 = 2 << 30;
 /// The fewest texels along a layer: the last one tells the grid in two.
 const FEWEST: u64 = 2;
+/// As many texels tell the grid.
+const TOLD: usize = 2;
+/// Among the flags: views share layers.
+const SHARED: u8 = 4;
+/// Among the flags: the storage is compact.
+const COMPACT: u8 = 8;
 
 /// Texels of a layer and the number of layers, before anything is made. They are as large as the grid asks, which may
 /// be more than there is memory, or than a GPU takes.
@@ -63,30 +75,131 @@ pub fn layers_bytes(grid: &Grid, has_levels: bool) -> u64 {
 /// # Errors
 /// `too-large`: it would take more than [`MAX_LAYERS_BYTES`].
 pub fn check_layers(grid: &Grid, has_levels: bool) -> Result<u64, Diagnostic> {
-    let bytes = layers_bytes(grid, has_levels);
+    check_bytes(layers_bytes(grid, has_levels))
+}
+
+fn check_bytes(bytes: u64) -> Result<u64, Diagnostic> {
     if bytes <= MAX_LAYERS_BYTES {
         return Ok(bytes);
     }
     let message = format!("its texture would take {} MiB; it may take {}", bytes >> 20, MAX_LAYERS_BYTES >> 20);
-    Err(Diagnostic::error("too-large", message).hint("divide it into fewer texels, lights or views"))
+    let hint = "divide it into fewer texels, lights or views, or let its nodes store it as `compact`";
+    Err(Diagnostic::error("too-large", message).hint(hint))
+}
+
+/// Texels of a layer and the number of layers that [`stored`] gives, without making them.
+pub fn stored_size<'a>(
+    grid: &Grid,
+    tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
+    has_levels: bool,
+    storage: Storage,
+) -> [u64; 3] {
+    match storage {
+        Storage::Quick => shared_size(grid, &views(grid, tile), has_levels),
+        Storage::Compact => compact::size(grid, tile, has_levels),
+    }
+}
+
+/// Makes the texture from the samples' tiles, with what is equal in it once, as far as the storage can; a sample without
+/// a tile is transparent black.
+///
+/// # Errors
+/// `too-large`: it would take more than [`MAX_LAYERS_BYTES`].
+pub fn stored<'a>(
+    grid: &Grid,
+    tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
+    options: LayerOptions,
+) -> Result<Layers, Diagnostic> {
+    match options.storage {
+        Storage::Quick => {
+            let views = views(grid, &tile);
+            let size = shared_size(grid, &views, options.has_levels);
+            check_bytes(size.into_iter().fold(4, u64::saturating_mul))?;
+            let mut made = layers_of(grid, &views.differ, tile, options);
+            if views.differ.len() < grid.view.count() {
+                write_shares(&mut made, &views.layer);
+            }
+            Ok(made)
+        }
+        Storage::Compact => {
+            let plan = compact::Plan::new(grid, tile, options.has_levels);
+            check_bytes(plan.size().into_iter().fold(4, u64::saturating_mul))?;
+            Ok(plan.write(header(grid, options)))
+        }
+    }
+}
+
+/// Which views differ, and which of those each view is like.
+struct Views {
+    differ: Vec<usize>,
+    layer: Vec<u32>,
+}
+
+/// Finds the views whose samples have the same tiles. Where the layer that tells the grid has no room for whose is whose,
+/// which is where a layer has hardly a texel, all of them differ.
+fn views<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Tile>>) -> Views {
+    let count = grid.view.count();
+    let [width, height, _] = layers_size(grid, false);
+    if width * height < TOLD as u64 + count as u64 {
+        return Views { differ: (0..count).collect(), layer: (0..count as u32).collect() };
+    }
+    let mut known: HashMap<Vec<Option<*const Tile>>, u32> = HashMap::new();
+    let mut views = Views { differ: Vec::new(), layer: Vec::with_capacity(count) };
+    for index in 0..count {
+        let view = direction(index, grid.view.phi);
+        let lights = (0..grid.light.count()).map(|index| direction(index, grid.light.phi));
+        let tiles = lights.map(|light| tile(Address { view, light }.canonical()).map(Arc::as_ptr)).collect();
+        let next = known.len() as u32;
+        let layer = *known.entry(tiles).or_insert(next);
+        if layer == next {
+            views.differ.push(index);
+        }
+        views.layer.push(layer);
+    }
+    views
+}
+
+fn shared_size(grid: &Grid, views: &Views, has_levels: bool) -> [u64; 3] {
+    let [width, height, _] = layers_size(grid, has_levels);
+    [width, height, views.differ.len() as u64 + 1]
+}
+
+/// Writes which layer each view has, and that it is written.
+fn write_shares(layers: &mut Layers, layer_of: &[u32]) {
+    let told = 4 * (layers.size[0] * layers.size[1]) as usize * (layers.count as usize - 1);
+    layers.rgba[told + 3] |= SHARED;
+    for (texel, layer) in layers.rgba[told..].chunks_exact_mut(4).skip(TOLD).zip(layer_of) {
+        texel.copy_from_slice(&layer.to_le_bytes());
+    }
 }
 
 /// The sizes of a tile's levels, the tile itself first and one texel last.
-fn level_sizes(grid: &Grid) -> impl Iterator<Item = [u32; 2]> {
+pub(super) fn level_sizes(grid: &Grid) -> impl Iterator<Item = [u32; 2]> {
     std::iter::successors(Some(grid.size), |size| (*size != [1, 1]).then(|| size.map(|side| (side / 2).max(1))))
 }
 
-/// Makes the texture from the samples' tiles; a sample without one is transparent black. The caller has seen that there
-/// is room ([`check_layers`]).
+/// Makes the texture from the samples' tiles, quick and with a layer for each view, so that a sample is always in the same
+/// place: for what is being painted. The caller has seen that there is room ([`check_layers`]).
 pub fn layers<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Tile>>, options: LayerOptions) -> Layers {
-    let [width, height, count] = layers_size(grid, options.has_levels).map(|n| n as usize);
+    let options = LayerOptions { storage: Storage::Quick, ..options };
+    layers_of(grid, &(0..grid.view.count()).collect::<Vec<_>>(), tile, options)
+}
+
+fn layers_of<'a>(
+    grid: &Grid,
+    views: &[usize],
+    tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
+    options: LayerOptions,
+) -> Layers {
+    let [width, height, _] = layers_size(grid, options.has_levels).map(|n| n as usize);
+    let count = views.len() + 1;
     let mut rgba = vec![0; 4 * width * height * count];
     // Equal samples share their tile, and so its levels.
     let mut smaller: HashMap<*const Tile, Vec<Tile>> = HashMap::new();
     let mut layer = Layer { grid, width, texels: &mut [] };
-    for (index, texels) in rgba.chunks_exact_mut(4 * width * height).take(grid.view.count()).enumerate() {
+    for (index, texels) in views.iter().zip(rgba.chunks_exact_mut(4 * width * height)) {
         layer.texels = texels;
-        let view = direction(index, grid.view.phi);
+        let view = direction(*index, grid.view.phi);
         for light in (0..grid.light.count()).map(|index| direction(index, grid.light.phi)) {
             let Some(tile) = tile(Address { view, light }.canonical()) else { continue };
             layer.put(tile, light, [0, 0]);
@@ -114,6 +227,9 @@ pub fn from_layers(layers: &Layers) -> Result<Hcbtf, Diagnostic> {
     let wrong = |message: &str| Diagnostic::error("hcbtf-layers", message).hint("export it anew from an .hcbtf file");
     let [width, height] = layers.size.map(|side| side as usize);
     let whole = 4 * width * height * layers.count as usize;
+    if layers.rgba.len() != whole {
+        return Err(wrong("the texture has not the size that it tells"));
+    }
     let told = whole.checked_sub(4 * width * height).and_then(|at| layers.rgba.get(at..at + 8));
     let Some(&[low_x, low_y, high, flags, light_theta, light_phi, view_theta, view_phi]) = told else {
         return Err(wrong("the texture tells no grid"));
@@ -125,13 +241,33 @@ pub fn from_layers(layers: &Layers) -> Result<Hcbtf, Diagnostic> {
         light: directions(light_theta, light_phi),
         view: directions(view_theta, view_phi),
     };
-    let size = [width, height, layers.count as usize].map(|n| n as u64);
-    if grid.check().is_err() || layers_size(&grid, flags & 1 == 1) != size || layers.rgba.len() != whole {
-        return Err(wrong("the texture has not the size of the grid that it tells"));
+    let samples = grid.view.count() as u64 * grid.light.count() as u64;
+    if grid.check().is_err() || flags & (SHARED | COMPACT) != 0 && samples > MAX_SAMPLES {
+        return Err(wrong("the texture tells a grid that cannot be"));
     }
+    if flags & COMPACT != 0 {
+        let texels = layers.rgba.chunks_exact(4 * width * height).rev().collect::<Vec<_>>().concat();
+        return compact::read(&grid, &texels).ok_or_else(|| wrong("the texture does not hold what it tells of"));
+    }
+    let layer_of = |view: usize| match flags & SHARED != 0 {
+        true => {
+            let told = layers.rgba.get(whole - 4 * width * height + 4 * (TOLD + view)..)?.first_chunk()?;
+            Some(u32::from_le_bytes(*told) as usize)
+        }
+        false => Some(view),
+    };
+    let of_views: Option<Vec<usize>> = (0..grid.view.count()).map(layer_of).collect();
+    let of_views = of_views.filter(|layers_of| layers_of.iter().all(|layer| *layer + 1 < layers.count as usize));
+    let most = layers_size(&grid, flags & 1 == 1);
+    let is_whole = flags & SHARED != 0 || most[2] == u64::from(layers.count);
+    let Some(of_views) = of_views.filter(|_| is_whole && most[..2] == [width as u64, height as u64]) else {
+        return Err(wrong("the texture has not the size of the grid that it tells"));
+    };
     let mut hcbtf = Hcbtf::new(grid);
+    // What views share is made once.
+    let mut tiles: HashMap<(usize, Direction), Arc<Tile>> = HashMap::new();
     for address in grid.addresses() {
-        let layer = (address.view.theta * grid.view.phi + address.view.phi) as usize * height;
+        let layer = of_views[(address.view.theta * grid.view.phi + address.view.phi) as usize] * height;
         let texel = |index: usize| {
             let [x, y] = [index % grid.size[0] as usize, index / grid.size[0] as usize];
             let column = x * grid.light.theta as usize + address.light.theta as usize;
@@ -139,27 +275,36 @@ pub fn from_layers(layers: &Layers) -> Result<Hcbtf, Diagnostic> {
             let at = 4 * (row * width + column);
             &layers.rgba[at..at + 4]
         };
-        let rgba: Vec<u8> = (0..grid.texels()).flat_map(texel).copied().collect();
-        if rgba.iter().any(|byte| *byte != 0)
-            && let Some(tile) = Tile::new(grid.size, rgba)
-        {
-            hcbtf.painted.insert(address, Arc::new(tile));
-        }
+        let make = || {
+            let rgba: Vec<u8> = (0..grid.texels()).flat_map(texel).copied().collect();
+            Arc::new(Tile::new(grid.size, rgba).unwrap_or_else(|| Tile::filled(grid.size, [0; 4])))
+        };
+        let tile = tiles.entry((layer, address.light)).or_insert_with(make);
+        paint(&mut hcbtf, address, tile);
     }
     Ok(hcbtf)
+}
+
+/// A sample as painted, but one that is transparent black all over.
+pub(super) fn paint(hcbtf: &mut Hcbtf, address: Address, tile: &Arc<Tile>) {
+    if tile.bytes().iter().any(|byte| *byte != 0) {
+        hcbtf.painted.insert(address, tile.clone());
+    }
 }
 
 /// The two texels that tell the grid: the tile's sides with twelve bits each and the flags; then rings and steps of
 /// lights and of views.
 fn header(grid: &Grid, options: LayerOptions) -> [u8; 8] {
     let [width, height] = grid.size;
-    let flags = u8::from(options.has_levels) | u8::from(options.is_decoded) << 1;
+    let compact = if options.storage == Storage::Compact { COMPACT } else { 0 };
+    let flags = u8::from(options.has_levels) | u8::from(options.is_decoded) << 1 | compact;
     let high = (width >> 8 & 15) | (height >> 8 & 15) << 4;
     let angles = [grid.light.theta, grid.light.phi, grid.view.theta, grid.view.phi].map(|n| n as u8);
     [width as u8, height as u8, high as u8, flags, angles[0], angles[1], angles[2], angles[3]]
 }
 
-fn direction(index: usize, steps: u32) -> Direction {
+/// The direction of that number: ring by ring.
+pub(super) fn direction(index: usize, steps: u32) -> Direction {
     let index = index as u32;
     Direction { theta: index / steps.max(1), phi: index % steps.max(1) }
 }
@@ -197,7 +342,7 @@ impl Layer<'_> {
 }
 
 /// The smaller levels of a tile, half as large each, down to one texel.
-fn levels_of(tile: &Tile) -> Vec<Tile> {
+pub(super) fn levels_of(tile: &Tile) -> Vec<Tile> {
     let halved = |tile: &Tile| (tile.size() != [1, 1]).then(|| halved(tile));
     std::iter::successors(halved(tile), halved).collect()
 }
@@ -264,7 +409,8 @@ mod tests {
                 (address, Arc::new(Tile::new(grid.size, texels).unwrap()))
             })
             .collect();
-        let made = layers(&grid, |address| tiles.get(&address), LayerOptions { has_levels: true, is_decoded: false });
+        let made =
+            layers(&grid, |address| tiles.get(&address), LayerOptions { has_levels: true, ..LayerOptions::default() });
         assert_eq!([u64::from(made.size[0]), u64::from(made.size[1]), u64::from(made.count)], layers_size(&grid, true));
         assert_eq!(made.rgba.len() as u64, layers_bytes(&grid, true));
         let texel = |x: u32, y: u32, layer: u32| {
@@ -297,6 +443,29 @@ mod tests {
         // The whole tile in one texel stands at the top right.
         let mean = (0..6).map(|texel| f64::from(hashed(Address::new([2, 1], [1, 3]), texel)[0])).sum::<f64>() / 6.0;
         assert_eq!(texel(9 + 2, 2, 8)[0], mean.round() as u8);
+    }
+
+    #[test]
+    fn views_that_are_equal_share_a_layer() {
+        let grid = Grid { size: [4, 4], light: Directions { theta: 2, phi: 3 }, view: Directions { theta: 3, phi: 5 } };
+        let tiles: Vec<Arc<Tile>> = (0..3).map(|n| Arc::new(Tile::filled(grid.size, [n, 2, 3, 255]))).collect();
+        // The same whatever the phi of the view.
+        let of = |address: Address| tiles.get(address.view.theta as usize);
+        let made = stored(&grid, of, LayerOptions { has_levels: true, ..LayerOptions::default() }).unwrap();
+        assert_eq!(made.count, 4);
+        assert_eq!(stored_size(&grid, of, true, Storage::Quick)[2], 4);
+        let back = from_layers(&made).unwrap();
+        assert!(grid.addresses().all(|address| back.painted(address) == of(address)));
+        let told = made.rgba.len() - 4 * (made.size[0] * made.size[1]) as usize;
+        let mut lying = made;
+        lying.rgba[told + 4 * 2] = 3;
+        assert!(from_layers(&lying).is_err(), "the first view's layer is no view's");
+        // Where there is no room to tell of it, each has its own.
+        let small =
+            Grid { size: [1, 1], light: Directions { theta: 1, phi: 1 }, view: Directions { theta: 9, phi: 9 } };
+        let tile = Arc::new(Tile::filled([1, 1], [1; 4]));
+        let made = stored(&small, |_| Some(&tile), LayerOptions::default()).unwrap();
+        assert_eq!((made.count, from_layers(&made).unwrap().painted.len()), (82, 73));
     }
 
     #[test]

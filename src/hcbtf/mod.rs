@@ -5,13 +5,14 @@
 //! [`Filled`]: a tile and its [`Provenance`] for every sample of the grid, which is what shaders look up. [`sheet`],
 //! [`folder`] and [`contact`] exchange samples with other programs: the thesis's flattened texture, a folder of images, and
 //! one picture with all samples side by side. docs/format.md documents all of them. [`paint`] is the brush.
-//! [`layers()`] lays the filled tiles out
-//! as the texture of a shader, [`ktx2`] as a file for other engines.
+//! [`stored`] lays the filled tiles out as the texture of a shader, [`needs`] tells beforehand what that takes, and [`ktx2`]
+//! writes it as a file for other engines.
 //!
 //! Files are not trusted: sizes are bounded before memory is taken for them ([`MAX_FILE_BYTES`],
 //! [`MAX_PAINTED_BYTES`], [`MAX_PAINTED`]), and every problem is a diagnostic that names the file.
 
 mod archive;
+mod compact;
 pub mod contact;
 mod file;
 pub mod fill;
@@ -21,6 +22,7 @@ pub mod ktx2;
 mod layers;
 mod manifest;
 mod noise;
+mod memory;
 pub mod paint;
 mod picture;
 mod progress;
@@ -33,8 +35,10 @@ use crate::document::Hcbtf;
 pub use file::{load, read, read_bytes, write};
 pub use fill::{Estimate, Filled, NotFilled, Provenance, Which, estimate};
 pub use layers::{
-    LayerOptions, Layers, MAX_LAYERS_BYTES, check_layers, from_layers, layers, layers_bytes, layers_size,
+    LayerOptions, Layers, MAX_LAYERS_BYTES, check_layers, from_layers, layers, layers_bytes, layers_size, stored,
+    stored_size,
 };
+pub use memory::{Limits, Need, needs, needs_at_most};
 pub use picture::Picture;
 pub use progress::Progress;
 pub use synthesize::{Synthesis, synthesize};

@@ -141,6 +141,8 @@ pub const EXCEPTIONS: &[Exception] = &[
     on("image", "nearest").within(30.0).together().steps("between texels rounding decides"),
     on("litsphere", "linear").together().bound(1e-2).steep(FILTER),
     on("litsphere", "nearest").together().steep("between texels rounding decides"),
+    on("constant_size", "").from(1e-3).within(1e3).together().steps("at powers of two Even and Odd change places"),
+    on("scatter_uv", "").within(30.0).together().bound(1e-4).steps("from cell to cell another place is seen"),
     on("hcbtf_lookup", "smooth").within(30.0).together().bound(1e-4).steep(PLACES),
     on("hcbtf_nearest", "").within(30.0).together().bound(1e-4).steep("between texels and paintings rounding decides"),
     on("hcbtf_lookup", "").within(30.0).together().bound(1e-4).steep("between texels and paintings rounding decides"),

@@ -7,7 +7,7 @@ use clap::ValueEnum;
 use super::{GRID_HELP, GridText, check_free, filled, open, with_ending};
 use crate::cli::output::Output;
 use crate::diag::Diagnostic;
-use crate::document::{Grid, write_atomic};
+use crate::document::{Grid, Storage, write_atomic};
 use crate::hcbtf::{
     Filled, LayerOptions, Which, check_layers, contact, folder, from_layers, ktx2, layers, read_bytes, sheet, write,
 };
@@ -124,7 +124,7 @@ pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(),
 fn export_texture(filled: &Filled, path: &Path, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let grid = filled.grid();
     let bytes = check_layers(&grid, true).map_err(|problem| vec![problem])?;
-    let options = LayerOptions { has_levels: true, is_decoded: false };
+    let options = LayerOptions { has_levels: true, is_decoded: false, storage: Storage::Quick };
     let texture = layers(&grid, |address| filled.tile(address), options);
     write_atomic(path, &ktx2::write(&texture)).map_err(|problem| vec![*problem])?;
     output.result(&path.display().to_string());
