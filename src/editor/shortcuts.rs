@@ -6,6 +6,7 @@ use eframe::egui::{Key, Modifiers};
 
 use super::painting::{Kind, Preset};
 use crate::export;
+use crate::hcbtf::exchange::Form;
 
 /// Where a key works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,6 +104,8 @@ pub(crate) enum Action {
     SaveHcbtf,
     SaveHcbtfAs,
     CloseHcbtf,
+    ImportHcbtf,
+    ExportHcbtf(Form),
     Tool(Kind),
     Brush {
         is_larger: bool,
@@ -200,6 +203,11 @@ pub(crate) static ALL: &[Shortcut] = &[
     row(A::SaveHcbtf, "Save the HCBTF", &[], Window),
     row(A::SaveHcbtfAs, "Save the HCBTF under another name...", &[], Window),
     row(A::CloseHcbtf, "Close the HCBTF", &[], Window),
+    row(A::ImportHcbtf, "Import painted pictures as an HCBTF...", &[], Window),
+    row(A::ExportHcbtf(Form::Folder), "Export the HCBTF as a folder of images...", &[], Window),
+    row(A::ExportHcbtf(Form::Contact), "Export the HCBTF as a contact sheet...", &[], Window),
+    row(A::ExportHcbtf(Form::Sheet), "Export the HCBTF as a sheet of the thesis...", &[], Window),
+    row(A::ExportHcbtf(Form::Ktx2), "Export the HCBTF as a KTX2 texture...", &[], Window),
     row(A::Probe, "Probe a pixel", &[(NONE, Key::I)], Place::Picture),
     row(A::ResetView, "Reset camera and lights", &[(NONE, Key::R)], Place::Picture),
     row(A::FrameObject, "Frame the object", &[(NONE, Key::F)], Place::Picture),

@@ -4,7 +4,7 @@
 //! [`load`] and [`read`] take an `.hcbtf` file, [`write()`] gives its bytes. [`fill`](fill::fill) runs the rules and gives a
 //! [`Filled`]: a tile and its [`Provenance`] for every sample of the grid, which is what shaders look up. [`sheet`],
 //! [`folder`] and [`contact`] exchange samples with other programs: the thesis's flattened texture, a folder of images, and
-//! one picture with all samples side by side. docs/format.md documents all of them. [`paint`] is the brush.
+//! one picture with all samples side by side; [`exchange`] has all of them by one name each. docs/format.md documents all of them. [`paint`] is the brush.
 //! [`layers()`] lays the filled tiles out
 //! as the texture of a shader, [`ktx2`] as a file for other engines.
 //!
@@ -13,6 +13,7 @@
 
 mod archive;
 pub mod contact;
+pub mod exchange;
 mod file;
 pub mod fill;
 pub mod folder;

@@ -153,6 +153,8 @@ impl App {
             Action::SaveHcbtf => Command::Paint(painting::Wish::Save),
             Action::SaveHcbtfAs => Command::Paint(painting::Wish::SaveAs),
             Action::CloseHcbtf => Command::Paint(painting::Wish::Close),
+            Action::ImportHcbtf => Command::Paint(painting::Wish::AskImport),
+            Action::ExportHcbtf(form) => Command::Paint(painting::Wish::Export { form, to: None }),
             Action::Tool(_)
             | Action::Brush { .. }
             | Action::SwapColors

@@ -10,9 +10,11 @@ mod arrows;
 mod atlas;
 mod dome;
 mod easel;
+mod export;
 mod filling;
 mod hand;
 mod icons;
+mod import;
 mod keeping;
 mod list;
 pub(crate) mod look;
@@ -37,6 +39,8 @@ use super::session::Session;
 use super::shortcuts::{Action, Way};
 use super::theme;
 use crate::document::{Address, Grid, HcbtfEdit};
+use crate::hcbtf::exchange::Form;
+pub(crate) use import::Import;
 pub(crate) use start::Preset;
 pub(crate) use tools::Kind;
 use work::State;
@@ -61,6 +65,18 @@ pub(crate) enum Wish {
         path: PathBuf,
         keeps_look: bool,
     },
+    /// Asks what pictures of other programs are to become an HCBTF.
+    AskImport,
+    /// Makes one of pictures; asks for them where there are none.
+    Import {
+        import: Import,
+        from: Option<PathBuf>,
+    },
+    /// Writes all samples in another program's form; asks where to.
+    Export {
+        form: Form,
+        to: Option<PathBuf>,
+    },
     Save,
     SaveAs,
     /// Saves to this file.
@@ -81,14 +97,17 @@ pub struct Painting {
     order: list::Order,
     held: Option<dome::Held>,
     filling: filling::Filling,
+    exports: export::Exports,
+    /// What is to be imported, while that is asked for.
+    import: Option<Import>,
     /// The sample that is only looked at, and the one for the next frame.
     peek: Option<Address>,
     next_peek: Option<Address>,
 }
 
 impl Painting {
-    /// `wake` is called from another thread when rules have filled something.
-    pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
+    /// `wake` is called from another thread when rules have filled something, or something was exported.
+    pub(crate) fn new(wake: impl Fn() + Send + Clone + 'static) -> Self {
         Self {
             tools: tools::Tools::default(),
             easel: easel::Easel::default(),
@@ -96,10 +115,34 @@ impl Painting {
             atlas: map::Atlas::default(),
             order: list::Order::default(),
             held: None,
-            filling: filling::Filling::new(wake),
+            filling: filling::Filling::new(wake.clone()),
+            exports: export::Exports::new(wake),
+            import: None,
             peek: None,
             next_peek: None,
         }
+    }
+
+    /// Asks what is to be imported.
+    pub(crate) fn ask_import(&mut self) {
+        self.import = Some(Import::default());
+    }
+
+    /// What is asked for in front of everything else, while it is.
+    pub(crate) fn ask(&mut self, ui: &Ui) -> Option<Command> {
+        import::show(ui, &mut self.import)
+    }
+
+    /// Writes what is painted in another program's form.
+    pub(crate) fn export(&self, session: &Session, form: Form, to: PathBuf) {
+        if let Some(work) = session.painting() {
+            self.exports.write(work.shown().clone(), form, to);
+        }
+    }
+
+    /// What to tell of exports that are done.
+    pub(crate) fn exported(&self) -> Option<String> {
+        self.exports.told()
     }
 
     /// What is due once a frame, whichever panels are seen.
@@ -256,11 +299,12 @@ impl Painting {
     }
 
     pub(crate) fn is_busy(&self) -> bool {
-        self.filling.is_busy()
+        self.filling.is_busy() || self.exports.is_busy()
     }
 
     pub(crate) fn wait(&self) {
         self.filling.wait();
+        self.exports.wait();
     }
 }
 

@@ -95,6 +95,14 @@ impl Work {
         Self::with(Hcbtf { rules, ..Hcbtf::new(grid) }, None)
     }
 
+    /// One that pictures of other programs were made into, with what was odd about them; no file holds it.
+    pub(crate) fn imported(hcbtf: Hcbtf, notes: Vec<Diagnostic>) -> Self {
+        let mut work = Self::with(hcbtf, None);
+        work.history.mark_unsaved();
+        work.load_problems = notes;
+        work
+    }
+
     /// The one in a file.
     ///
     /// # Errors
