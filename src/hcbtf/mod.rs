@@ -23,6 +23,7 @@ mod manifest;
 pub mod paint;
 mod picture;
 mod progress;
+mod repaint;
 mod report;
 pub mod sheet;
 
@@ -35,6 +36,7 @@ pub use layers::{
 };
 pub use picture::Picture;
 pub use progress::Progress;
+pub use repaint::{Region, repaint};
 
 /// The version of `.hcbtf` files that this Chiaro writes, and the newest that it reads.
 pub const VERSION: u32 = 1;

@@ -57,6 +57,33 @@ pub fn export(filled: &Filled) -> Result<Picture, Box<Diagnostic>> {
     Ok(sheet)
 }
 
+/// What a texel of the sheet holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Held {
+    /// The sample that it is of, as it is kept.
+    pub address: Address,
+    /// Which texel of that tile, from its upper left corner.
+    pub texel: [u32; 2],
+    /// Whether it is a copy: padding, or one of the steps around the normal but the first.
+    pub is_copy: bool,
+}
+
+/// What the sheet of a grid holds at a place, in texels from its upper left corner; `None` outside.
+pub fn held(grid: &Grid, [x, y]: [u32; 2]) -> Option<Held> {
+    let [width, height] = size(grid);
+    if x >= width || y >= height {
+        return None;
+    }
+    let across = grid.view.theta * grid.light.theta;
+    let column = x % across;
+    let Row { iy, phi_r, phi_i, is_padding } = Row::of(grid, y as usize);
+    let view = Direction { theta: column / grid.light.theta, phi: phi_r };
+    let light = Direction { theta: column % grid.light.theta, phi: phi_i };
+    let written = Address { view, light };
+    let address = written.canonical();
+    Some(Held { address, texel: [x / across, iy as u32], is_copy: is_padding || address != written })
+}
+
 /// What a row of the sheet holds.
 struct Row {
     iy: usize,
@@ -90,7 +117,7 @@ impl Row {
 }
 
 /// Where the texel (ix, iy) of a sample lies in the sheet.
-fn place(grid: &Grid, Address { light, view }: Address, [ix, iy]: [usize; 2]) -> [usize; 2] {
+pub(crate) fn place(grid: &Grid, Address { light, view }: Address, [ix, iy]: [usize; 2]) -> [usize; 2] {
     let padded = grid.light.phi + 2;
     let across = (grid.view.theta * grid.light.theta) as usize;
     let down = (grid.view.phi * padded) as usize;

@@ -455,9 +455,11 @@ impl App {
             dock::Panel::Profile => self.profile.show(ui, &self.session),
             dock::Panel::Keys => self.keys.show(ui, &self.session),
             dock::Panel::Timeline => self.timeline.show(ui, &self.session),
-            dock::Panel::Paint | dock::Panel::Samples | dock::Panel::Directions | dock::Panel::Rules => {
-                self.painting.show(ui, panel, &mut self.session)
-            }
+            dock::Panel::Paint
+            | dock::Panel::Samples
+            | dock::Panel::Sheet
+            | dock::Panel::Directions
+            | dock::Panel::Rules => self.painting.show(ui, panel, &mut self.session),
             other => {
                 if other == dock::Panel::Objects {
                     self.objects = Some(ui.max_rect());

@@ -25,6 +25,7 @@ pub(crate) enum Panel {
     Graph,
     Paint,
     Samples,
+    Sheet,
     Directions,
     Rules,
     Inspector,
@@ -45,11 +46,12 @@ pub(crate) enum Panel {
 
 impl Panel {
     /// All, in the order of menus.
-    pub(crate) const ALL: [Self; 20] = [
+    pub(crate) const ALL: [Self; 21] = [
         Self::Picture,
         Self::Graph,
         Self::Paint,
         Self::Samples,
+        Self::Sheet,
         Self::Directions,
         Self::Rules,
         Self::Layers,
@@ -75,6 +77,7 @@ impl Panel {
             Self::Graph => "Graph",
             Self::Paint => "Paint",
             Self::Samples => "Samples",
+            Self::Sheet => "Sheet",
             Self::Directions => "Light and eye",
             Self::Rules => "Fill rules",
             Self::Inspector => "Inspector",
@@ -103,6 +106,7 @@ impl Panel {
             Self::Samples => {
                 "All lights and views of what is painted at a glance: go from one to another, copy, delete"
             }
+            Self::Sheet => "All of what is painted and filled in one picture, as the thesis lays it out; tells what lies where",
             Self::Directions => "Where the light and the eye are that you paint for, and what is painted already",
             Self::Rules => "The rules that fill the lights and views that nobody painted",
             Self::Inspector => "The values of what is selected",
@@ -127,6 +131,7 @@ impl Panel {
         match self {
             Self::Picture | Self::Graph | Self::Inspector => &[],
             Self::Paint => &[Self::Graph],
+            Self::Sheet => &[Self::Paint, Self::Graph],
             Self::Rules => &[Self::Inspector],
             Self::Samples => &[Self::Profile, Self::Keys, Self::Code, Self::Effects, Self::Problems],
             Self::Profile | Self::Keys | Self::Timeline => &[Self::Profile, Self::Keys, Self::Code, Self::Effects],

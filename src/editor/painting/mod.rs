@@ -1,7 +1,8 @@
 //! The painting workspace: an HCBTF is painted on, its samples are gone through, and rules fill the rest.
 //!
-//! A [`Work`] is the document with its past, kept by the session as looks and scenes are. Four panels show it: `easel`
-//! with the tools above it is the tile as the eye sees it, `map` is all of its lights and views at a glance, `dome` with
+//! A [`Work`] is the document with its past, kept by the session as looks and scenes are. Five panels show it: `easel`
+//! with the tools above it is the tile as the eye sees it, `map` is all of its lights and views at a glance, `sheet` is them as one
+//! picture, `dome` with
 //! `list` where the light and the eye are, and `rules` is what fills them. A stroke changes what is shown here and now; once it ends it is an [`HcbtfEdit`], which
 //! [`App`](super::App) applies. What is painted stands in the viewport at once: the session gives it to whoever draws, in
 //! place of the file.
@@ -21,6 +22,7 @@ pub(crate) mod look;
 mod map;
 mod moves;
 mod rules;
+mod sheet;
 mod start;
 mod textures;
 mod tilt;
@@ -45,6 +47,7 @@ pub(crate) use start::Preset;
 pub(crate) use tools::Kind;
 use work::State;
 pub use work::Work;
+pub(crate) use work::OnDisk;
 
 /// Something that is asked for of what is painted; [`App`](super::App) does it.
 #[derive(Clone, Debug)]
@@ -93,6 +96,7 @@ pub struct Painting {
     tools: tools::Tools,
     easel: easel::Easel,
     map: map::Map,
+    sheet: sheet::Sheet,
     atlas: map::Atlas,
     order: list::Order,
     held: Option<dome::Held>,
@@ -112,6 +116,7 @@ impl Painting {
             tools: tools::Tools::default(),
             easel: easel::Easel::default(),
             map: map::Map::default(),
+            sheet: sheet::Sheet::default(),
             atlas: map::Atlas::default(),
             order: list::Order::default(),
             held: None,
@@ -168,6 +173,11 @@ impl Painting {
         match panel {
             Panel::Paint => self.show_easel(ui, session, &mut out),
             Panel::Samples | Panel::Directions => self.show_samples(ui, panel, session, &mut out),
+            Panel::Sheet => {
+                if let Some(work) = session.painting() {
+                    self.sheet.show(ui, work, self.easel.is_painting(), &mut out);
+                }
+            }
             _ => {
                 let problem = self.filling.problem.as_ref().map(|problem| problem.message.as_str());
                 if let Some(work) = session.painting() {
@@ -296,6 +306,11 @@ impl Painting {
     /// Where the cell of a sample is on the map; for tests.
     pub fn cell(&self, address: Address) -> Option<Rect> {
         self.map.cell(address)
+    }
+
+    /// Where a texel of a sample is on the sheet of all; for tests.
+    pub fn on_sheet(&self, address: Address, texel: [u32; 2]) -> Option<Pos2> {
+        self.sheet.screen(address, texel)
     }
 
     pub(crate) fn is_busy(&self) -> bool {

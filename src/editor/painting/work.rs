@@ -17,6 +17,9 @@ use crate::hcbtf::{self, Filled, Provenance};
 /// A new one is filled from the first stroke on: what is painted is blended over all lights and views.
 const FIRST_SHARPNESS: f64 = 4.0;
 
+/// With more texels in all samples than these, the rules run once a stroke is done, and not while it goes on.
+const MOST_LIVE: u64 = 1 << 22;
+
 /// Numbers of what is shown, each of something else.
 static VERSIONS: AtomicU64 = AtomicU64::new(1);
 
@@ -33,6 +36,16 @@ pub(crate) enum State {
     Filled(usize),
     /// Nothing is there.
     Empty,
+}
+
+/// How the file is compared with what was read from it or written to it last.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum OnDisk {
+    Same,
+    /// Another program wrote it.
+    Changed,
+    /// It was removed or moved away.
+    Gone,
 }
 
 /// An HCBTF that is being painted.
@@ -124,7 +137,7 @@ impl Work {
         if is_own && self.stamp.is_some() && stamp(&path).is_some_and(|now| Some(now) != self.stamp) {
             let message = "another program has changed this file since it was opened, and nothing was written over it";
             let problem = Diagnostic::error("changed-on-disk", message);
-            return Err(Box::new(problem.hint("save under another name, and open the other version beside it")));
+            return Err(Box::new(problem.hint("choose above whose version is kept, or save under another name")));
         }
         let bytes = hcbtf::write(self.hcbtf()).map_err(|problem| problem.in_file(path.display().to_string()))?;
         write_atomic(&path, &bytes)?;
@@ -135,6 +148,42 @@ impl Work {
         self.version = next_version();
         self.saved();
         Ok(())
+    }
+
+    /// Compares the file with what it was when it was read or written last.
+    pub(crate) fn on_disk(&self) -> OnDisk {
+        match (self.stamp, self.path.as_deref().map(stamp)) {
+            (Some(was), Some(Some(is))) if was != is => OnDisk::Changed,
+            (Some(_), Some(None)) => OnDisk::Gone,
+            _ => OnDisk::Same,
+        }
+    }
+
+    /// Takes what another program made of the file, as one step that can be undone. `now` is when. Returns whether
+    /// anything is another now.
+    ///
+    /// # Errors
+    /// What keeps the file from being read; everything stays as it is then.
+    pub(crate) fn reload(&mut self, now: u64) -> Result<bool, Vec<Diagnostic>> {
+        let Some(path) = self.path.clone() else { return Ok(false) };
+        // Taken before it is read: what comes in between is noticed the next time.
+        let read = stamp(&path);
+        let (hcbtf, notes) = hcbtf::load(&path)?;
+        let is_other = hcbtf != *self.hcbtf();
+        if is_other {
+            let change = HcbtfEdit::Replace { hcbtf: Box::new(hcbtf) };
+            self.apply(change, None, now).map_err(|problem| vec![*problem])?;
+        }
+        self.stamp = read;
+        self.load_problems = notes;
+        self.history.mark_saved();
+        self.saved();
+        Ok(is_other)
+    }
+
+    /// Lets saving write over what another program made of the file, or write it again where it is gone.
+    pub(crate) fn keep_mine(&mut self) {
+        self.stamp = self.path.as_deref().and_then(stamp);
     }
 
     /// The document as it is, without a stroke that goes on.
@@ -243,6 +292,17 @@ impl Work {
         }
     }
 
+    /// Whether a stroke goes on.
+    pub(crate) fn is_live(&self) -> bool {
+        self.live.is_some()
+    }
+
+    /// Whether the rules wait until the stroke that goes on is done: they would take all cores from it.
+    pub(crate) fn rules_wait(&self) -> bool {
+        let texels = self.grid().sample_count() * self.grid().texels() as u64;
+        self.is_live() && texels > MOST_LIVE
+    }
+
     /// Shows a stroke that goes on, or none.
     pub(crate) fn set_live(&mut self, live: Option<(Address, Arc<Tile>)>) {
         if self.live.is_some() || live.is_some() {
@@ -255,6 +315,12 @@ impl Work {
         let mut hcbtf = self.hcbtf().clone();
         if let Some((address, tile)) = &self.live {
             hcbtf.painted.insert(address.canonical(), tile.clone());
+        }
+        if !hcbtf.grid.contains(self.at) {
+            self.at = Address::default();
+        }
+        if self.filled.as_ref().is_some_and(|filled| filled.grid() != hcbtf.grid) {
+            self.filled = None;
         }
         self.shown = Arc::new(hcbtf);
         self.version = next_version();

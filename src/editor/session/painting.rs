@@ -7,7 +7,7 @@ use super::super::stage::real;
 use super::Session;
 use crate::diag::Diagnostic;
 use crate::document::journal::{Recovered, Slot};
-use crate::document::{Edit, Hcbtf, HcbtfEdit};
+use crate::document::{Hcbtf, HcbtfEdit};
 use crate::frame::UNSAVED_HCBTF;
 
 impl Session {
@@ -90,19 +90,58 @@ impl Session {
     /// A diagnostic that says why not; the old file is then as it was.
     pub(crate) fn save_painting_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
         let Some(work) = &mut self.painting else { return Ok(()) };
+        let had_no_file = work.path().is_none();
         work.save_as(path)?;
-        let path = work.path().map(|path| path.to_string_lossy().into_owned()).unwrap_or_default();
-        let edits = look::rename(self.look(), &self.catalog, UNSAVED_HCBTF, &path);
-        if !edits.is_empty() {
-            let is_bare = self.path.is_none() && !self.is_look_dirty();
-            self.apply(Edit::Group { edits }, None)?;
-            if is_bare {
-                // Nobody wants to be asked about a look that only shows the painting.
-                self.history.mark_saved();
-            }
+        if had_no_file {
+            let path = work.path().map(|path| path.to_string_lossy().into_owned()).unwrap_or_default();
+            self.name_painting(&path);
         }
         self.painting_changed();
         Ok(())
+    }
+
+    /// Lets the look name the file of what is painted, now that there is one. It is no step: undo would bring a name back
+    /// that means nothing any more.
+    fn name_painting(&mut self, path: &str) {
+        let mut look = self.look().clone();
+        let edits = look::rename(&look, &self.catalog, UNSAVED_HCBTF, path);
+        let is_renamed = !edits.is_empty();
+        for edit in edits {
+            if look.apply(edit).is_err() {
+                return;
+            }
+        }
+        self.history.amend(look, |edit| look::rename_in(edit, UNSAVED_HCBTF, path));
+        if is_renamed && self.path.is_some() {
+            self.history.mark_unsaved();
+        }
+        if self.is_look_dirty() {
+            self.begin_journal(None);
+        } else {
+            self.saved();
+        }
+        self.meaning += 1;
+        self.changed(true);
+    }
+
+    /// Takes what another program made of the painted file, as one step that can be undone. Returns whether anything is
+    /// another now.
+    ///
+    /// # Errors
+    /// What keeps the file from being read; everything stays as it is then.
+    pub(crate) fn reload_painting(&mut self) -> Result<bool, Vec<Diagnostic>> {
+        self.now += 1;
+        let Some(work) = &mut self.painting else { return Ok(false) };
+        let is_other = work.reload(self.now)?;
+        self.problems_number += 1;
+        if is_other {
+            self.painting_changed();
+            self.gestures.end();
+            if let Some(stage) = &mut self.stage {
+                stage.end_gesture();
+            }
+        }
+        Ok(is_other)
     }
 
     /// Whether the look shows the HCBTF of a file.
