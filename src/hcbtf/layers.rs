@@ -309,15 +309,23 @@ pub(super) fn direction(index: usize, steps: u32) -> Direction {
     Direction { theta: index / steps.max(1), phi: index % steps.max(1) }
 }
 
-struct Layer<'a> {
-    grid: &'a Grid,
-    width: usize,
-    texels: &'a mut [u8],
+/// A layer while it is filled.
+pub(super) struct Layer<'a> {
+    pub(super) grid: &'a Grid,
+    pub(super) width: usize,
+    pub(super) texels: &'a mut [u8],
 }
 
 impl Layer<'_> {
     /// Puts each texel of a tile where its block has this light, and where that is copied to.
-    fn put(&mut self, tile: &Tile, light: Direction, origin: [u32; 2]) {
+    pub(super) fn put(&mut self, tile: &Tile, light: Direction, origin: [u32; 2]) {
+        let [width, height] = tile.size();
+        self.put_part(tile, [0, 0, width, height], light, origin);
+    }
+
+    /// The same with a part of it alone: x, y, width and height in texels of the tile.
+    pub(super) fn put_part(&mut self, tile: &Tile, part: [u32; 4], light: Direction, origin: [u32; 2]) {
+        let [left, top, wide, high] = part;
         let lights = self.grid.light;
         let mut rows = vec![light.phi + 1];
         if light.phi == 0 {
@@ -326,14 +334,13 @@ impl Layer<'_> {
         if light.phi + 1 == lights.phi {
             rows.push(0);
         }
-        let [width, height] = tile.size();
-        for y in 0..height {
+        for y in top..top + high {
             for row in &rows {
                 let row = (origin[1] + y * (lights.phi + 2) + row) as usize;
-                for x in 0..width {
+                for x in left..left + wide {
                     let column = (origin[0] + x * lights.theta + light.theta) as usize;
                     let to = 4 * (row * self.width + column);
-                    let from = 4 * (y * width + x) as usize;
+                    let from = 4 * (y * tile.size()[0] + x) as usize;
                     self.texels[to..to + 4].copy_from_slice(&tile.bytes()[from..from + 4]);
                 }
             }

@@ -4,7 +4,8 @@
 //! [`load`] and [`read`] take an `.hcbtf` file, [`write()`] gives its bytes. [`fill`](fill::fill) runs the rules and gives a
 //! [`Filled`]: a tile and its [`Provenance`] for every sample of the grid, which is what shaders look up. [`sheet`],
 //! [`folder`] and [`contact`] exchange samples with other programs: the thesis's flattened texture, a folder of images, and
-//! one picture with all samples side by side. docs/format.md documents all of them. [`paint`] is the brush.
+//! one picture with all samples side by side; [`exchange`] has all of them by one name each. docs/format.md documents
+//! all of them. [`paint`] is the brush.
 //! [`stored`] lays the filled tiles out as the texture of a shader, [`needs`] tells beforehand what that takes, and [`ktx2`]
 //! writes it as a file for other engines.
 //!
@@ -14,6 +15,7 @@
 mod archive;
 mod compact;
 pub mod contact;
+pub mod exchange;
 mod file;
 pub mod fill;
 pub mod folder;
@@ -21,11 +23,12 @@ mod generate;
 pub mod ktx2;
 mod layers;
 mod manifest;
-mod noise;
 mod memory;
+mod noise;
 pub mod paint;
 mod picture;
 mod progress;
+mod repaint;
 mod report;
 pub mod sheet;
 mod synthesize;
@@ -41,6 +44,7 @@ pub use layers::{
 pub use memory::{Limits, Need, needs, needs_at_most};
 pub use picture::Picture;
 pub use progress::Progress;
+pub use repaint::{Region, repaint};
 pub use synthesize::{Synthesis, synthesize};
 
 /// The version of `.hcbtf` files that this Chiaro writes, and the newest that it reads.

@@ -51,7 +51,7 @@ impl Filling {
                 Err(why) => self.problem = Some(why.into()),
             }
         }
-        if !self.asked.as_ref().is_some_and(|asked| Arc::ptr_eq(asked, work.shown())) {
+        if !work.rules_wait() && !self.asked.as_ref().is_some_and(|asked| Arc::ptr_eq(asked, work.shown())) {
             // Other rules make what is being filled useless; one more texel does not.
             let is_other = self.asked.as_ref().is_none_or(|asked| asked.rules != work.shown().rules);
             if is_other {
