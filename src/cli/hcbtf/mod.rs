@@ -3,6 +3,7 @@
 mod exchange;
 mod info;
 mod new;
+mod rules;
 
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -21,6 +22,8 @@ Examples:
   chiaro hcbtf import sheet.png -o grass.hcbtf
   chiaro hcbtf import painted/ -o grass.hcbtf --grid 64x64,6x12,6x12
   chiaro hcbtf import all.png --as contact --gap 2 -o grass.hcbtf
+  chiaro hcbtf rules grass.hcbtf > rules.json
+  chiaro hcbtf rules grass.hcbtf --set rules.json
   chiaro hcbtf export grass.hcbtf -o sheet.png
   chiaro hcbtf export grass.hcbtf --to folder -o painted/ --painted
 
@@ -47,6 +50,8 @@ enum Command {
     Export(exchange::ExportArguments),
     /// Write an .hcbtf file to begin with
     New(new::Arguments),
+    /// Show the rules of a file as JSON, or set them
+    Rules(rules::Arguments),
 }
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
@@ -55,6 +60,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         Command::Import(arguments) => exchange::import(arguments, output),
         Command::Export(arguments) => exchange::export(arguments, output),
         Command::New(arguments) => new::run(arguments, output),
+        Command::Rules(arguments) => rules::run(arguments, output),
     }
 }
 

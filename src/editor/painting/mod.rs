@@ -88,7 +88,7 @@ pub struct Painting {
 
 impl Painting {
     /// `wake` is called from another thread when rules have filled something.
-    pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
+    pub(crate) fn new(wake: impl Fn() + Clone + Send + 'static) -> Self {
         Self {
             tools: tools::Tools::default(),
             easel: easel::Easel::default(),
