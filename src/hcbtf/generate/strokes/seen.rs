@@ -33,15 +33,15 @@ pub(super) struct Rays {
 
 /// A point of a stroke.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Node {
+struct Node {
     point: Vec3,
     /// To its edge, along the surface and up.
     side: Vec3,
     /// The cosines between the light, and its face and its side.
-    pub(super) facing: f32,
-    pub(super) aside: f32,
+    facing: f32,
+    aside: f32,
     /// Its highlight.
-    pub(super) shine: f32,
+    shine: f32,
 }
 
 /// A stroke that is there.
@@ -51,7 +51,7 @@ pub(super) struct Seen<'a> {
     pub(super) bundle: &'a Bundle,
     /// Its radius, for a dot.
     radius: f32,
-    pub(super) nodes: Vec<Node>,
+    nodes: Vec<Node>,
 }
 
 /// All strokes that are there in a light, by number.
@@ -146,20 +146,14 @@ pub(super) fn draw<'a>(
 }
 
 impl Seen<'_> {
-    /// Its point between two nodes: what [`super::canvas::Hit`] says of it.
-    pub(super) fn node(&self, along: f32) -> Node {
+    /// How it is lit between two nodes: the cosines between the light, and its face and its side, and its highlight.
+    pub(super) fn lit(&self, along: f32) -> [f32; 3] {
         let last = self.nodes.len() - 1;
         let low = (along.max(0.0) as usize).min(last.saturating_sub(1));
-        let (a, b) = (self.nodes[low], self.nodes[(low + 1).min(last)]);
+        let (a, b) = (&self.nodes[low], &self.nodes[(low + 1).min(last)]);
         let part = (along - low as f32).clamp(0.0, 1.0);
         let mix = |a: f32, b: f32| a + (b - a) * part;
-        Node {
-            point: a.point.lerp(b.point, part),
-            side: a.side,
-            facing: mix(a.facing, b.facing),
-            aside: mix(a.aside, b.aside),
-            shine: mix(a.shine, b.shine),
-        }
+        [mix(a.facing, b.facing), mix(a.aside, b.aside), mix(a.shine, b.shine)]
     }
 
     /// Its own colour along it.
