@@ -1,6 +1,6 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use glam::DVec2;
+use glam::{DVec2, Vec3};
 
 use super::*;
 use crate::document::{
