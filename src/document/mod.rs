@@ -31,8 +31,9 @@ mod write;
 pub use color::{parse_hex, srgb_to_linear};
 pub use edit::{Applied, Edit, Editable, HcbtfEdit, History, Patch, SceneEdit};
 pub use hcbtf::{
-    Address, Angle as HcbtfAngle, Direction, Directions, Grid, Hcbtf, MAX_ANGLE_STEPS, MAX_TILE_SIDE, Relief, Rule,
-    Strokes, Tile, relief,
+    Address, Angle as HcbtfAngle, Bundle, Direction, Directions, Grid, Hcbtf, MAX_ANGLE_STEPS, MAX_TILE_SIDE,
+    Placement, Relief, Rule, StrokeGround, StrokeHighlight, StrokeShadow, StrokeShape, StrokeTones, Strokes, Tile,
+    relief,
 };
 pub use look::*;
 pub use read::Document;

@@ -12,7 +12,7 @@ mod strokes;
 
 pub use relief::Relief;
 pub use rule::Rule;
-pub use strokes::Strokes;
+pub use strokes::{Bundle, Placement, StrokeGround, StrokeHighlight, StrokeShadow, StrokeShape, StrokeTones, Strokes};
 
 /// The most texels along a side of a tile.
 pub const MAX_TILE_SIDE: u32 = 4095;

@@ -22,7 +22,6 @@ pub(crate) mod look;
 mod map;
 mod moves;
 mod rules;
-mod rules_relief;
 mod sheet;
 mod start;
 mod textures;

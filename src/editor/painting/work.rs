@@ -63,6 +63,8 @@ pub struct Work {
     /// Everything as it is shown, the stroke that goes on included.
     shown: Arc<Hcbtf>,
     filled: Option<Arc<Filled>>,
+    /// What the rules made of one sample, ahead of the rest.
+    ahead: Option<(Address, Arc<Tile>)>,
     /// Another number is another picture.
     version: u64,
     /// Another number is another document.
@@ -87,6 +89,7 @@ impl Work {
             live: None,
             shown,
             filled: None,
+            ahead: None,
             version: next_version(),
             number: next_version(),
         }
@@ -232,7 +235,8 @@ impl Work {
     /// The tile of a sample as it is shown: painted, being painted, or filled.
     pub(crate) fn tile(&self, address: Address) -> Option<&Arc<Tile>> {
         let filled = || self.filled.as_ref().filter(|_| self.state(address) != State::Empty)?.tile(address);
-        self.shown.painted(address).or_else(filled)
+        let ahead = || self.ahead.as_ref().filter(|(at, _)| *at == address.canonical()).map(|(_, tile)| tile);
+        self.shown.painted(address).or_else(ahead).or_else(filled)
     }
 
     /// How a sample came about.
@@ -258,7 +262,13 @@ impl Work {
 
     /// Takes what the rules made.
     pub(crate) fn set_filled(&mut self, filled: Arc<Filled>) {
-        self.filled = Some(filled);
+        (self.filled, self.ahead) = (Some(filled), None);
+        self.version = next_version();
+    }
+
+    /// Takes what the rules made of one sample, until they have made the rest.
+    pub(crate) fn set_ahead(&mut self, address: Address, tile: Arc<Tile>) {
+        self.ahead = Some((address, tile));
         self.version = next_version();
     }
 
