@@ -83,6 +83,7 @@ fn painting(hand: &mut Hand, found: &mut Vec<String>) {
         Rule::Lambert { shadow: [0; 3], amount: 1.0 },
         Rule::Rotate { turns: 1.0 },
         Rule::Recolor { angle: HcbtfAngle::LightTheta, from: [255; 3], to: [9; 3] },
+        Rule::Relief(Box::default()),
     ];
     let three = Directions { theta: 2, phi: 3 };
     let mut hcbtf = Hcbtf { rules, ..Hcbtf::new(Grid { size: [4, 4], light: three, view: three }) };

@@ -6,7 +6,7 @@ use std::io::{Cursor, Read as _, Write as _};
 use std::sync::Arc;
 
 use chiaro::diag::Diagnostic;
-use chiaro::document::{Address, Directions, Grid, Hcbtf, HcbtfAngle, Rule, Tile};
+use chiaro::document::{Address, Directions, Grid, Hcbtf, HcbtfAngle, Relief, Rule, Tile};
 use chiaro::hcbtf::{Picture, Progress, fill::fill, read, sheet, write};
 use support::random::Random;
 use zip::write::SimpleFileOptions;
@@ -38,6 +38,7 @@ fn sample() -> Hcbtf {
         Rule::Lambert { shadow: [1, 0, 2], amount: 1.0 / 3.0 },
         Rule::Rotate { turns: -1.0 },
         Rule::Recolor { angle: HcbtfAngle::ViewPhi, from: [255; 3], to: [0, 128, 255] },
+        Rule::Relief(Box::new(Relief { depth: 0.1 + 0.2, ..Relief::default() })),
     ];
     hcbtf
 }

@@ -94,11 +94,11 @@ fn arches() -> Relief {
         roughness: 0.5,
         wall: [206, 178, 138],
         trim: [232, 212, 176],
-        inside: [104, 78, 74],
+        inside: [134, 102, 92],
     };
     let light = Illumination { sky_amount: 0.4, bounces: 3, ..Illumination::default() };
     let finish = Finish { ink: 0.5, ink_color: [66, 44, 44], grain: 0.12, ..Finish::default() };
-    Relief { pattern, depth: 0.2, light, finish, ..Relief::default() }
+    Relief { pattern, depth: 0.13, light, finish, ..Relief::default() }
 }
 
 fn sand() -> Relief {

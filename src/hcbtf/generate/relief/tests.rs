@@ -110,14 +110,14 @@ fn the_horizon_is_the_steepest_slope_and_rises_with_the_field() {
     let ridge = |x: usize| 4.0 * chance(x, 0);
     let low = field(size, WHITE, |x, _| ridge(x));
     let high = field(size, WHITE, |x, _| ridge(x) + if chance(x, 1) > 0.7 { 2.0 } else { 0.0 });
-    for cell in (0..size[0] * size[1]).step_by(7) {
+    for cell in (0..size[0] * size[1]).step_by(29) {
         let [x, y, z] = low.middle(cell);
         for turn in 0..12 {
             let turn = 0.3 + turn as f32;
             let direction = [turn.sin(), turn.cos()];
             let found = low.horizon([x, y, z + 0.5], direction, -10.0, f32::INFINITY);
             // By steps of a hundredth of a cell.
-            let steepest = (1..4000).map(|step| {
+            let steepest = (1..8400).map(|step| {
                 let far = step as f32 * 0.01;
                 (low.height(x + far * direction[0], y + far * direction[1]) - z - 0.5) / far
             });
