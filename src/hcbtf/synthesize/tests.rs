@@ -9,13 +9,13 @@ const GRID: Grid = {
     Grid { size: [20, 16], light: directions, view: directions }
 };
 
-/// Samples that are smooth noise, each another, with the texel's own number in red and green of the first.
+/// Smooth noise, in each sample of another brightness, with the texel's own number in red and green of the first.
 fn source() -> Hcbtf {
     let mut hcbtf = Hcbtf::new(GRID);
     for (number, address) in GRID.addresses().enumerate() {
         let texels = (0..GRID.texels()).flat_map(|at| {
             let place = [(at % 20) as f32 / 20.0, (at / 20) as f32 / 16.0];
-            let grey = (smooth(number as u32 % 4, [3, 3], place) * 255.0) as u8;
+            let grey = (smooth(7, [4, 3], place) * (255.0 - 10.0 * number as f32)) as u8;
             if number == 0 { [(at % 256) as u8, (at / 256) as u8, 0, 255] } else { [grey, grey, 255 - grey, 255] }
         });
         hcbtf.painted.insert(address, Arc::new(Tile::new(GRID.size, texels.collect()).unwrap()));
@@ -112,7 +112,11 @@ fn what_cannot_be_made_is_told() {
     assert_eq!(told(Synthesis { patch: Some(16), ..HOW }), "bad-argument");
     assert_eq!(told(Synthesis { patch: Some(2), ..HOW }), "bad-argument");
     assert_eq!(told(Synthesis { size: [3, 30], ..HOW }), "bad-argument");
-    assert_eq!(told(Synthesis { size: [4095, 4095], ..HOW }), "too-large");
+    let many = Directions { theta: 3, phi: 8 };
+    let many =
+        Hcbtf { rules: vec![Rule::Rotate { turns: 1.0 }], ..Hcbtf::new(Grid { light: many, view: many, ..GRID }) };
+    let large = Synthesis { size: [4095, 4095], ..HOW };
+    assert_eq!(synthesize(&many, &large, &Progress::new()).unwrap_err().code, "too-large");
     let stopped = Progress::new();
     stopped.stop();
     assert_eq!(synthesize(&source, &HOW, &stopped).unwrap_err().code, "stopped");
