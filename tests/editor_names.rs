@@ -85,6 +85,7 @@ fn painting(hand: &mut Hand, found: &mut Vec<String>) {
         Rule::Recolor { angle: HcbtfAngle::LightTheta, from: [255; 3], to: [9; 3] },
         Rule::Morph { sharpness: 2.0 },
         Rule::Strokes(Box::new(Strokes::preset("Pencil"))),
+        Rule::Relief(Box::default()),
     ];
     let three = Directions { theta: 2, phi: 3 };
     let mut hcbtf = Hcbtf { rules, ..Hcbtf::new(Grid { size: [4, 4], light: three, view: three }) };

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use chiaro::diag::Diagnostic;
 use chiaro::document::{
-    Address, Bundle, Directions, Grid, Hcbtf, HcbtfAngle, Placement, Rule, StrokeTones, Strokes, Tile,
+    Address, Bundle, Directions, Grid, Hcbtf, HcbtfAngle, Placement, Relief, Rule, StrokeTones, Strokes, Tile,
 };
 use chiaro::hcbtf::{Picture, Progress, fill::fill, read, sheet, write};
 use support::random::Random;
@@ -41,6 +41,7 @@ fn sample() -> Hcbtf {
         Rule::Lambert { shadow: [1, 0, 2], amount: 1.0 / 3.0 },
         Rule::Rotate { turns: -1.0 },
         Rule::Recolor { angle: HcbtfAngle::ViewPhi, from: [255; 3], to: [0, 128, 255] },
+        Rule::Relief(Box::new(Relief { depth: 0.1 + 0.2, ..Relief::default() })),
     ];
     hcbtf.rules.extend(Strokes::PRESETS.map(|name| Rule::Strokes(Box::new(Strokes::preset(name)))));
     let paths = Placement::Paths(vec![vec![[0.1, 0.2, 0.3], [-1.0 / 3.0, 0.5, 0.0]], Vec::new()]);

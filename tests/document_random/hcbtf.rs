@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use chiaro::document::journal::{About, Found, Journal, Op, Slot, recover, recover_any};
-use chiaro::document::{Address, Directions, Grid, Hcbtf, HcbtfAngle, HcbtfEdit, History, Rule, Strokes, Tile};
+use chiaro::document::relief::{Channel, PRESETS, Pattern};
+use chiaro::document::{Address, Directions, Grid, Hcbtf, HcbtfAngle, HcbtfEdit, History, Relief, Rule, Strokes, Tile};
 use chiaro::hcbtf::write;
 use proptest::prelude::*;
 
@@ -45,7 +46,7 @@ impl Random {
     }
 
     fn rule(&mut self, hcbtf: &Hcbtf) -> Rule {
-        match self.below(7) {
+        match self.below(8) {
             0 => Rule::Copy { from: self.address(hcbtf) },
             1 => Rule::Lock { angles: vec![HcbtfAngle::LightPhi] },
             2 => Rule::Blend { sharpness: self.below(70) as f64 },
@@ -57,8 +58,21 @@ impl Random {
                 strokes.shadow.softness = self.below(12) as f64 / 10.0;
                 Rule::Strokes(Box::new(strokes))
             }
+            6 => Rule::Relief(Box::new(self.relief(hcbtf))),
             _ => Rule::Color { color: self.bits().to_le_bytes()[..4].try_into().unwrap() },
         }
+    }
+
+    /// Mostly within its bounds.
+    fn relief(&mut self, hcbtf: &Hcbtf) -> Relief {
+        let mut relief = self.pick(&PRESETS).unwrap().1();
+        if self.chance(3) {
+            let from = self.address(hcbtf);
+            relief.pattern =
+                Pattern::Painted { heights: from, channel: Channel::Alpha, is_inverted: true, colors: from };
+        }
+        (relief.seed, relief.depth) = (self.bits() as u32, self.below(12) as f64 / 10.0);
+        relief
     }
 
     fn hcbtf_edit(&mut self, hcbtf: &Hcbtf) -> HcbtfEdit {

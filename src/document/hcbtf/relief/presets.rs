@@ -7,8 +7,22 @@ pub const PRESETS: [(&str, fn() -> Relief); 5] =
     [("Bricks", bricks), ("Asphalt", asphalt), ("Facade", facade), ("Arches", arches), ("Sand", sand)];
 
 fn bricks() -> Relief {
+    let pattern = Pattern::Bricks {
+        columns: 3,
+        rows: 6,
+        shift: 0.5,
+        joint: 0.14,
+        bevel: 0.16,
+        unevenness: 0.35,
+        roughness: 0.45,
+        colors: [[206, 112, 84], [158, 78, 64]],
+        joint_color: [222, 212, 194],
+    };
+    let light = Illumination { sun_amount: 1.0, sky_amount: 0.5, ..Illumination::default() };
     Relief {
-        depth: 0.045,
+        pattern,
+        light,
+        depth: 0.04,
         glint: Glint { amount: 0.12, sharpness: 12.0, ..Glint::default() },
         finish: Finish { ink: 0.35, ink_width: 0.8, grain: 0.12, ..Finish::default() },
         ..Relief::default()
@@ -34,10 +48,10 @@ fn asphalt() -> Relief {
 
 fn facade() -> Relief {
     let pattern = Pattern::Facade {
-        columns: 3,
-        floors: 3,
-        window: [0.44, 0.56],
-        frame: 0.09,
+        columns: 2,
+        floors: 2,
+        window: [0.46, 0.58],
+        frame: 0.1,
         sill: 0.5,
         roughness: 0.5,
         wall: [226, 206, 178],
@@ -48,17 +62,17 @@ fn facade() -> Relief {
     };
     let light = Illumination {
         sun: [255, 248, 232],
-        low_sun: [255, 150, 92],
+        low_sun: [255, 178, 122],
         sun_amount: 0.95,
         sky: [168, 188, 224],
-        low_sky: [146, 124, 186],
+        low_sky: [136, 122, 176],
         sky_amount: 0.42,
         is_upright: true,
         ..Illumination::default()
     };
     let finish = Finish {
-        ink: 0.85,
-        ink_width: 1.1,
+        ink: 0.75,
+        ink_width: 0.8,
         ink_color: [58, 44, 60],
         hatch: 0.4,
         hatch_lines: 14,
@@ -80,11 +94,11 @@ fn arches() -> Relief {
         roughness: 0.5,
         wall: [206, 178, 138],
         trim: [232, 212, 176],
-        inside: [104, 78, 74],
+        inside: [134, 102, 92],
     };
     let light = Illumination { sky_amount: 0.4, bounces: 3, ..Illumination::default() };
     let finish = Finish { ink: 0.5, ink_color: [66, 44, 44], grain: 0.12, ..Finish::default() };
-    Relief { pattern, depth: 0.2, light, finish, ..Relief::default() }
+    Relief { pattern, depth: 0.13, light, finish, ..Relief::default() }
 }
 
 fn sand() -> Relief {

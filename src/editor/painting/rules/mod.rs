@@ -11,6 +11,7 @@ use eframe::egui::{
 
 use super::work::Work;
 use super::{Wish, command, moves};
+use crate::document::relief::PRESETS;
 use crate::document::{Address, ColorSpace, Directions, HcbtfAngle, HcbtfEdit, Rule, Strokes};
 use crate::editor::command::Command;
 use crate::editor::inspector::color;
@@ -59,7 +60,7 @@ fn fresh(work: &Work) -> Vec<Rule> {
         Rule::Specular { from, width: PI / 6.0 },
         Rule::Mirror { color: [255, 250, 235, 255], width: PI / 8.0 },
         Rule::Color { color: [128, 128, 128, 255] },
-        Rule::Relief(Box::default()),
+        Rule::Relief(Box::new(PRESETS[0].1())),
         Rule::Strokes(Box::new(Strokes::preset("Grass"))),
         Rule::Lambert { shadow: [20, 18, 32], amount: 1.0 },
         Rule::Rotate { turns: 1.0 },

@@ -11,9 +11,11 @@ use crate::document::Relief;
 use crate::hcbtf::Progress;
 
 /// As many cells along a side of the tile are aimed at.
-const AIM: u32 = 192;
+const AIM: u32 = 128;
 /// The most cells along a texel's side.
 const MOST_CELLS: u32 = 4;
+/// Texels of tiles that are no larger are cut into two cells at least.
+const SMALL_SIDE: u32 = 160;
 
 /// A height field that repeats with the tile. Lengths are in cells, x to the right, y down, z out of the tile.
 pub(super) struct Field {
@@ -47,7 +49,8 @@ pub(super) struct Crossing {
 impl Field {
     /// `None` where it is stopped.
     pub(super) fn new(relief: &Relief, tile: [u32; 2], sampler: &Sampler<'_>, progress: &Progress) -> Option<Self> {
-        let per_texel = AIM.div_ceil(tile[0].max(tile[1])).clamp(1, MOST_CELLS);
+        let side = tile[0].max(tile[1]);
+        let per_texel = AIM.div_ceil(side).clamp(if side <= SMALL_SIDE { 2 } else { 1 }, MOST_CELLS);
         let size = tile.map(|side| (side * per_texel) as usize);
         let [width, height] = size;
         let scale = relief.depth as f32 * width as f32;

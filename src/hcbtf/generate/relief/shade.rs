@@ -1,5 +1,7 @@
 //! A sample of a relief: what an eye sees, in the light that falls on it, finished as by hand.
 
+use std::sync::OnceLock;
+
 use super::lit::Lit;
 use super::noise::{chances, hash, mix, mix3, ramp, rough};
 use super::pattern::linear;
@@ -46,8 +48,8 @@ struct Shader<'a> {
     /// What lit windows give, linear.
     glow: [f32; 3],
     ink: [f32; 3],
-    /// The display luminance of a white surface in the sun and under the sky.
-    full: f32,
+    /// The luminance of a white surface in the sun and under the sky.
+    white: f32,
 }
 
 impl<'a> Shader<'a> {
@@ -66,7 +68,7 @@ impl<'a> Shader<'a> {
             half: sum.map(|part| part / length),
             glow,
             ink: relief.finish.ink_color.map(|byte| f32::from(byte) / 255.0),
-            full: encode(white).max(1e-3),
+            white: white.max(1e-3),
         }
     }
 
@@ -83,9 +85,8 @@ impl<'a> Shader<'a> {
         let (light, brightness) = self.in_bands(light);
         let shine = if direct > 0.0 { visible * self.glint(normal, material.gloss, material.grain) } else { 0.0 };
         let glow = material.glow;
-        let shown = std::array::from_fn(|i| {
-            encode(material.color[i] * light[i] + shine * lit.sun[i] + glow * self.glow[i]).min(1.0)
-        });
+        let shown =
+            std::array::from_fn(|i| shown(material.color[i] * light[i] + shine * lit.sun[i] + glow * self.glow[i]));
         let finish = &relief.finish;
         let lines = if finish.hatch > 0.0 { self.hatching(hit, brightness.max(glow * lit.lowness)) } else { 0.0 };
         let pen = (finish.ink as f32 * f32::from(ink) / 255.0).max(finish.hatch as f32 * lines);
@@ -95,7 +96,7 @@ impl<'a> Shader<'a> {
     /// The light in steps, and how bright it is to the eye, in parts of the full light.
     fn in_bands(&self, light: [f32; 3]) -> ([f32; 3], f32) {
         let luminance = dot(light, [0.2126, 0.7152, 0.0722]);
-        let brightness = (encode(luminance) / self.full).min(1.0);
+        let brightness = shown(luminance / self.white);
         let bands = self.ready.relief.finish.bands;
         if bands == 0 || luminance <= 1e-6 {
             return (light, brightness);
@@ -104,7 +105,7 @@ impl<'a> Shader<'a> {
         // Between two steps lies a short ramp, so that edges are smooth.
         let stepped = (at.floor() + ramp(0.85, 1.0, at - at.floor())).min(bands as f32) / bands as f32;
         let stepped = mix(0.5 / bands as f32, 1.0, stepped);
-        let factor = decode(stepped * self.full) / luminance;
+        let factor = decode(stepped) * self.white / luminance;
         (light.map(|channel| channel * factor), stepped)
     }
 
@@ -166,8 +167,21 @@ fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Linear light as it is shown, from 0 to 1 (and beyond, where it is).
-pub(super) fn encode(linear: f32) -> f32 {
+/// Steps of the table of [`shown`].
+const STEPS: usize = 1024;
+
+/// [`encode`] up to 1, from a table: by the root of the light, along which it is nearly straight.
+fn shown(linear: f32) -> f32 {
+    static TABLE: OnceLock<Vec<f32>> = OnceLock::new();
+    let entry = |step: usize| encode((step as f32 / STEPS as f32).powi(2));
+    let table = TABLE.get_or_init(|| (0..=STEPS + 1).map(entry).collect());
+    let at = linear.clamp(0.0, 1.0).sqrt() * STEPS as f32;
+    let step = at as usize;
+    table[step] + (table[step + 1] - table[step]) * (at - step as f32)
+}
+
+/// Linear light as sRGB shows it (IEC 61966-2-1).
+fn encode(linear: f32) -> f32 {
     if linear <= 0.003_130_8 { 12.92 * linear.max(0.0) } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
 }
 

@@ -139,6 +139,12 @@ impl Masonry<'_> {
             // A ledge runs under all of them.
             return (1.0, Material { gloss: 0.1, ..Material::of(stone(*trim, 0.95)) });
         }
+        // The opening's side leans a little, so that it has a side at all.
+        let side = 0.05 * radius;
+        if from_middle > radius - side && from_middle <= radius {
+            let height = ramp(0.0, side, from_middle - radius + side);
+            return (height, Material { gloss: 0.1, ..Material::of(stone(*trim, 0.9)) });
+        }
         if from_middle < radius {
             let deep = ramp(0.0, 1.0, y / (spring + radius).max(1e-5));
             return (0.0, Material { gloss: 0.0, ..Material::of(stone(*inside, mix(1.1, 0.7, deep))) });

@@ -265,3 +265,6 @@ fn cheapest(long: usize, wide: usize, cost: impl Fn(usize, usize) -> u64) -> Vec
     }
     line
 }
+
+#[cfg(test)]
+mod tests;
