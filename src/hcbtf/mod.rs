@@ -19,12 +19,14 @@ pub mod fill;
 pub mod folder;
 pub mod ktx2;
 mod layers;
+mod levels;
 mod manifest;
 mod memory;
 pub mod paint;
 mod picture;
 mod progress;
 mod report;
+mod share;
 pub mod sheet;
 
 use crate::document::Hcbtf;

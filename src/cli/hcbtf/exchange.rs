@@ -8,9 +8,7 @@ use super::{GRID_HELP, GridText, check_free, filled, open, with_ending};
 use crate::cli::output::Output;
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Storage, write_atomic};
-use crate::hcbtf::{
-    Filled, LayerOptions, Which, check_layers, contact, folder, from_layers, ktx2, layers, read_bytes, sheet, write,
-};
+use crate::hcbtf::{Filled, LayerOptions, Which, contact, folder, from_layers, ktx2, read_bytes, sheet, stored, write};
 
 /// How samples lie in other programs' files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -94,6 +92,9 @@ pub(super) struct ExportArguments {
     /// Contact sheets: texels between tiles
     #[arg(long, default_value_t = 0)]
     gap: u32,
+    /// KTX2: with every tile that differs once, and palettes, as small as it can be
+    #[arg(long)]
+    compact: bool,
     /// Folders and contact sheets: only what is painted, without what the rules fill
     #[arg(long)]
     painted: bool,
@@ -105,12 +106,15 @@ pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(),
         let problem = Diagnostic::error("bad-argument", "--painted goes with --to folder and --to contact");
         return Err(vec![problem.hint("a sheet and a texture hold every sample")]);
     }
+    if arguments.compact && arguments.to != Form::Ktx2 {
+        return Err(vec![Diagnostic::error("bad-argument", "--compact goes with --to ktx2")]);
+    }
     let hcbtf = open(&arguments.file, output)?;
     let filled = filled(&hcbtf, &arguments.file)?;
     let which = if arguments.painted { Which::Painted } else { Which::All };
     let path = &arguments.output;
     let picture = match arguments.to {
-        Form::Ktx2 => return export_texture(&filled, path, output),
+        Form::Ktx2 => return export_texture(&filled, path, arguments.compact, output),
         Form::Folder => return export_folder(&filled, which, path, output),
         Form::Sheet => sheet::export(&filled),
         Form::Contact => contact::export(&filled, arguments.gap, which),
@@ -121,15 +125,15 @@ pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(),
     Ok(())
 }
 
-fn export_texture(filled: &Filled, path: &Path, output: &Output) -> Result<(), Vec<Diagnostic>> {
-    let grid = filled.grid();
-    let bytes = check_layers(&grid, true).map_err(|problem| vec![problem])?;
-    let options = LayerOptions { has_levels: true, is_decoded: false, storage: Storage::Quick };
-    let texture = layers(&grid, |address| filled.tile(address), options);
+fn export_texture(filled: &Filled, path: &Path, is_compact: bool, output: &Output) -> Result<(), Vec<Diagnostic>> {
+    let storage = if is_compact { Storage::Compact } else { Storage::Quick };
+    let options = LayerOptions { has_levels: true, is_decoded: false, storage };
+    let texture = stored(&filled.grid(), |address| filled.tile(address), options).map_err(|problem| vec![problem])?;
     write_atomic(path, &ktx2::write(&texture)).map_err(|problem| vec![*problem])?;
     output.result(&path.display().to_string());
     let [width, height] = texture.size;
-    output.message(&format!("{width} x {height} texels, {} layers, {} MiB", texture.count, bytes >> 20));
+    let mib = texture.rgba.len() as f64 / f64::from(1 << 20);
+    output.message(&format!("{width} x {height} texels, {} layers, {mib:.2} MiB", texture.count));
     Ok(())
 }
 
