@@ -521,8 +521,9 @@ fn hard_places_have_a_color() {
     // A tangent along the normal is none.
     samples.push(sample(DVec3::Z, DVec3::Z, true, up, up, DVec2::splat(0.4)));
     for lookup in LOOKUPS {
-        for one in ["exact", "balanced", "fast"] {
-            let values = seen(&path, lookup, one, &samples);
+        for (storage, one) in [("quick", "exact"), ("quick", "balanced"), ("quick", "fast"), ("compact", "balanced")] {
+            let look = stored_as(storage, &path, lookup, one);
+            let values = eval_with(&look, Library::built_in(), &options(""), &samples);
             for (index, value) in values.iter().enumerate() {
                 let is_below = (lit..lit + 3).contains(&index);
                 assert_eq!(*value == BELOW, is_below, "{lookup} {one} {index}: {value:?}");

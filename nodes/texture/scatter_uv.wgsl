@@ -12,7 +12,7 @@ import chiaro::total;
 /// @param sharpness "Sharpness" default=0.5 min=0 max=1 : 0 blends from the middle of a cell to the next; 1 cuts cells
 ///   out, with an edge as wide as a pixel.
 /// @param seed "Seed" default=0 : Another number, other places.
-/// @source thesis 12.6; the lattice of triangles as Heitz and Neyret 2018
+/// @source Heitz and Neyret 2018 (the lattice of triangles)
 fn scatter_uv(uv: vec2f, cells: f32, sharpness: f32, seed: i32) -> ScatteredUv {
     let p = clamp(bounded_vec2(uv * cells), vec2f(-1e6), vec2f(1e6));
     let w = footprint_of_vec2(p);

@@ -18,7 +18,8 @@ use std::sync::Arc;
 use indexmap::IndexSet;
 
 use super::fill::{MAX_SAMPLES, shared};
-use super::layers::{Layers, direction, level_sizes, levels_of, paint};
+use super::layers::{Layers, TOLD, direction, paint};
+use super::levels::{level_sizes, levels_of};
 use crate::document::{Address, Grid, Hcbtf, Tile};
 
 /// Words of a row, and rows of a layer where there are several. `shaders/lib/hcbtf.wgsl` knows its logarithm.
@@ -27,8 +28,6 @@ pub(super) const SIDE: usize = 2048;
 const MOST_COLORS: usize = 256;
 /// As many of the newest palettes are tried before a new one is begun.
 const TRIED: usize = 8;
-/// Words that tell the grid.
-const TOLD: usize = 2;
 
 /// What lies where.
 pub(super) struct Plan {

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::fill::{Filled, Which};
-use super::layers::{LayerOptions, check_layers, from_layers, layers};
+use super::layers::{LayerOptions, from_layers, stored};
 use super::{contact, folder, ktx2, read_bytes, sheet};
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Hcbtf, Storage, write_atomic};
@@ -84,8 +84,18 @@ pub fn import(from: &Path, form: Form, grid: Grid, gap: u32) -> Result<(Hcbtf, V
     }
 }
 
-/// Writes what is filled in a form to `path`: a file, or a folder, which is made where there is none. Sheets and textures
-/// hold every sample, whatever `which` says. `told` learns how many images of how many are written. Returns what there is
+/// How samples are written, where the form leaves a choice.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Manner {
+    /// Which of them; sheets and textures hold every sample, whatever this says.
+    pub which: Which,
+    /// Texels between the tiles of a contact sheet.
+    pub gap: u32,
+    /// How a texture lies.
+    pub storage: Storage,
+}
+
+/// Writes what is filled in a form to `path`: a file, or a folder, which is made where there is none. `told` learns how many images of how many are written. Returns what there is
 /// to say about it.
 ///
 /// # Errors
@@ -93,30 +103,29 @@ pub fn import(from: &Path, form: Form, grid: Grid, gap: u32) -> Result<(Hcbtf, V
 pub fn export(
     filled: &Filled,
     form: Form,
-    (which, gap): (Which, u32),
+    manner: Manner,
     path: &Path,
     told: &mut dyn FnMut(u64, u64),
 ) -> Result<Option<String>, Vec<Diagnostic>> {
     let alone = |problem: Box<Diagnostic>| vec![*problem];
     let picture = match form {
-        Form::Ktx2 => return export_texture(filled, path).map(Some),
-        Form::Folder => return export_folder(filled, which, path, told).map(Some),
+        Form::Ktx2 => return export_texture(filled, manner.storage, path).map(Some),
+        Form::Folder => return export_folder(filled, manner.which, path, told).map(Some),
         Form::Sheet => sheet::export(filled),
-        Form::Contact => contact::export(filled, gap, which),
+        Form::Contact => contact::export(filled, manner.gap, manner.which),
     };
     let png = picture.and_then(|picture| picture.to_png()).map_err(alone)?;
     write_atomic(path, &png).map_err(alone)?;
     Ok(None)
 }
 
-fn export_texture(filled: &Filled, path: &Path) -> Result<String, Vec<Diagnostic>> {
-    let grid = filled.grid();
-    let bytes = check_layers(&grid, true).map_err(|problem| vec![problem])?;
-    let options = LayerOptions { has_levels: true, is_decoded: false, storage: Storage::Quick };
-    let texture = layers(&grid, |address| filled.tile(address), options);
+fn export_texture(filled: &Filled, storage: Storage, path: &Path) -> Result<String, Vec<Diagnostic>> {
+    let options = LayerOptions { has_levels: true, is_decoded: false, storage };
+    let texture = stored(&filled.grid(), |address| filled.tile(address), options).map_err(|problem| vec![problem])?;
     write_atomic(path, &ktx2::write(&texture)).map_err(|problem| vec![*problem])?;
     let [width, height] = texture.size;
-    Ok(format!("{width} x {height} texels, {} layers, {} MiB", texture.count, bytes >> 20))
+    let mib = texture.rgba.len() as f64 / f64::from(1 << 20);
+    Ok(format!("{width} x {height} texels, {} layers, {mib:.2} MiB", texture.count))
 }
 
 fn export_folder(
@@ -164,7 +173,7 @@ mod tests {
         {
             let path = folder.path().join(name);
             let gap = if form == Form::Contact { 2 } else { 0 };
-            export(&filled, form, (Which::All, gap), &path, &mut |_, _| {}).unwrap();
+            export(&filled, form, Manner { gap, ..Manner::default() }, &path, &mut |_, _| {}).unwrap();
             let unknown = Grid { size: [1, 1], ..grid };
             let found = fitted(&path, form, unknown, gap);
             assert_eq!(found.size, if form == Form::Ktx2 { [1, 1] } else { grid.size }, "{form:?}");

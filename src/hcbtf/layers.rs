@@ -14,6 +14,8 @@ use std::sync::Arc;
 
 use super::compact;
 use super::fill::MAX_SAMPLES;
+use super::levels::{level_sizes, levels_of};
+use super::share::{shared_size, views, write_shares};
 use crate::diag::Diagnostic;
 use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Storage, Tile};
 
@@ -44,9 +46,9 @@ pub const MAX_LAYERS_BYTES: u64 = 2 << 30;
 /// The fewest texels along a layer: the last one tells the grid in two.
 const FEWEST: u64 = 2;
 /// As many texels tell the grid.
-const TOLD: usize = 2;
+pub(super) const TOLD: usize = 2;
 /// Among the flags: views share layers.
-const SHARED: u8 = 4;
+pub(super) const SHARED: u8 = 4;
 /// Among the flags: the storage is compact.
 const COMPACT: u8 = 8;
 
@@ -127,55 +129,6 @@ pub fn stored<'a>(
             Ok(plan.write(header(grid, options)))
         }
     }
-}
-
-/// Which views differ, and which of those each view is like.
-struct Views {
-    differ: Vec<usize>,
-    layer: Vec<u32>,
-}
-
-/// Finds the views whose samples have the same tiles. Where the layer that tells the grid has no room for whose is whose,
-/// which is where a layer has hardly a texel, all of them differ.
-fn views<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Tile>>) -> Views {
-    let count = grid.view.count();
-    let [width, height, _] = layers_size(grid, false);
-    if width * height < TOLD as u64 + count as u64 {
-        return Views { differ: (0..count).collect(), layer: (0..count as u32).collect() };
-    }
-    let mut known: HashMap<Vec<Option<*const Tile>>, u32> = HashMap::new();
-    let mut views = Views { differ: Vec::new(), layer: Vec::with_capacity(count) };
-    for index in 0..count {
-        let view = direction(index, grid.view.phi);
-        let lights = (0..grid.light.count()).map(|index| direction(index, grid.light.phi));
-        let tiles = lights.map(|light| tile(Address { view, light }.canonical()).map(Arc::as_ptr)).collect();
-        let next = known.len() as u32;
-        let layer = *known.entry(tiles).or_insert(next);
-        if layer == next {
-            views.differ.push(index);
-        }
-        views.layer.push(layer);
-    }
-    views
-}
-
-fn shared_size(grid: &Grid, views: &Views, has_levels: bool) -> [u64; 3] {
-    let [width, height, _] = layers_size(grid, has_levels);
-    [width, height, views.differ.len() as u64 + 1]
-}
-
-/// Writes which layer each view has, and that it is written.
-fn write_shares(layers: &mut Layers, layer_of: &[u32]) {
-    let told = 4 * (layers.size[0] * layers.size[1]) as usize * (layers.count as usize - 1);
-    layers.rgba[told + 3] |= SHARED;
-    for (texel, layer) in layers.rgba[told..].chunks_exact_mut(4).skip(TOLD).zip(layer_of) {
-        texel.copy_from_slice(&layer.to_le_bytes());
-    }
-}
-
-/// The sizes of a tile's levels, the tile itself first and one texel last.
-pub(super) fn level_sizes(grid: &Grid) -> impl Iterator<Item = [u32; 2]> {
-    std::iter::successors(Some(grid.size), |size| (*size != [1, 1]).then(|| size.map(|side| (side / 2).max(1))))
 }
 
 /// Makes the texture from the samples' tiles, quick and with a layer for each view, so that a sample is always in the same
@@ -348,52 +301,6 @@ impl Layer<'_> {
     }
 }
 
-/// The smaller levels of a tile, half as large each, down to one texel.
-pub(super) fn levels_of(tile: &Tile) -> Vec<Tile> {
-    let halved = |tile: &Tile| (tile.size() != [1, 1]).then(|| halved(tile));
-    std::iter::successors(halved(tile), halved).collect()
-}
-
-/// A tile half as large, each texel the mean of what it covers; what is transparent does not tint.
-fn halved(tile: &Tile) -> Tile {
-    let [width, height] = tile.size();
-    let size = [width, height].map(|side| (side / 2).max(1));
-    let mut rgba = Vec::with_capacity(4 * size[0] as usize * size[1] as usize);
-    for y in 0..size[1] {
-        let rows = covered(y, height, size[1]);
-        for x in 0..size[0] {
-            let mut sum = [0.0; 4];
-            let mut whole = 0.0;
-            for &(row, tall) in &rows {
-                for (column, wide) in covered(x, width, size[0]) {
-                    let [r, g, b, a] = tile.texel(column, row).map(f64::from);
-                    let weight = wide * tall;
-                    whole += weight;
-                    sum[3] += weight * a;
-                    for (sum, channel) in sum.iter_mut().zip([r, g, b]) {
-                        *sum += weight * a * channel;
-                    }
-                }
-            }
-            let opaque = if sum[3] > 0.0 { sum[3] } else { 1.0 };
-            rgba.extend(sum[..3].iter().map(|channel| (channel / opaque).round() as u8));
-            rgba.push((sum[3] / whole).round() as u8);
-        }
-    }
-    Tile::new(size, rgba).unwrap_or_else(|| Tile::filled(size, [0; 4]))
-}
-
-/// Which texels of `many` the texel `index` of `few` covers, and how much of each.
-fn covered(index: u32, many: u32, few: u32) -> Vec<(i64, f64)> {
-    let wide = f64::from(many) / f64::from(few);
-    let (from, to) = (f64::from(index) * wide, f64::from(index + 1) * wide);
-    let texels = from.floor() as i64..to.ceil() as i64;
-    texels
-        .map(|texel| (texel, (to.min(texel as f64 + 1.0) - from.max(texel as f64)).max(0.0)))
-        .filter(|(texel, share)| *share > 0.0 && *texel < i64::from(many))
-        .collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -473,17 +380,5 @@ mod tests {
         let tile = Arc::new(Tile::filled([1, 1], [1; 4]));
         let made = stored(&small, |_| Some(&tile), LayerOptions::default()).unwrap();
         assert_eq!((made.count, from_layers(&made).unwrap().painted.len()), (82, 73));
-    }
-
-    #[test]
-    fn what_is_transparent_does_not_tint_a_smaller_level() {
-        let tile = Tile::new([2, 1], vec![200, 100, 50, 255, 0, 0, 0, 0]).unwrap();
-        assert_eq!(halved(&tile).bytes(), [200, 100, 50, 128]);
-    }
-
-    #[test]
-    fn odd_sides_lose_nothing() {
-        let tile = Tile::new([3, 1], vec![90, 0, 0, 255, 30, 0, 0, 255, 0, 0, 0, 255]).unwrap();
-        assert_eq!(halved(&tile).bytes(), [40, 0, 0, 255]);
     }
 }

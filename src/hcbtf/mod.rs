@@ -22,6 +22,7 @@ pub mod folder;
 mod generate;
 pub mod ktx2;
 mod layers;
+mod levels;
 mod manifest;
 mod memory;
 mod noise;
@@ -30,6 +31,7 @@ mod picture;
 mod progress;
 mod repaint;
 mod report;
+mod share;
 pub mod sheet;
 mod synthesize;
 

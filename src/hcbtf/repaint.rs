@@ -1,7 +1,8 @@
 //! One sample put anew into the texture that shaders look up: a stroke changes a few texels of a tile, and the texture of all
 //! tiles may be hundreds of mebibytes.
 
-use super::layers::{Layer, LayerOptions, layers_size, levels_of};
+use super::layers::{Layer, LayerOptions, layers_size};
+use super::levels::levels_of;
 use crate::document::{Address, Direction, Directions, Grid, Tile};
 
 /// A rectangle of a layer, in texels of the texture.

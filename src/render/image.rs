@@ -66,7 +66,7 @@ impl Images {
         let limits = gpu.device.limits();
         for (what, size, limit) in [
             ("a side of an image in pixels", image.size[0].max(image.size[1]), limits.max_texture_dimension_2d),
-            ("the layers of an HCBTF, one a view", image.layers, limits.max_texture_array_layers),
+            ("the layers of an HCBTF", image.layers, limits.max_texture_array_layers),
         ] {
             if size > limit {
                 let what = what.to_owned();

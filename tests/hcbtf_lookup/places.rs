@@ -58,12 +58,15 @@ fn constant_size_follows_the_distance_in_powers_of_two() {
             samples.push(EvalSample { uv: coordinate(&mut random), position, ..EvalSample::default() });
         }
     }
-    let found = outputs("constant_size", &json!({}), &["distance", "near"], &["even", "odd", "mix"], &samples);
+    let fade = 0.625;
+    let values = json!({"fade": fade});
+    let found = outputs("constant_size", &values, &["distance", "near"], &["even", "odd", "mix"], &samples);
     for (place, bound) in [(0, 1e-6), (1, 1e-13)] {
         let mut errors = Errors::new(format!("constant size, {place}"), bound);
         for (index, sample) in samples.iter().enumerate() {
             let octave = (sample.position.x / sample.position.y).log2();
-            let (low, part) = (octave.floor(), octave - octave.floor());
+            let low = octave.floor();
+            let part = (0.5 + (octave - low - 0.5) / fade).clamp(0.0, 1.0);
             let is_even = low.rem_euclid(2.0) < 0.5;
             let (even, odd, mix) = if is_even { (low, low + 1.0, part) } else { (low + 1.0, low, 1.0 - part) };
             for (output, octave) in [(0, even), (1, odd)] {

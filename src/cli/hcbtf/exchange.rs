@@ -7,7 +7,7 @@ use clap::ValueEnum;
 use super::{GRID_HELP, GridText, check_free, filled, open, with_ending};
 use crate::cli::output::Output;
 use crate::diag::Diagnostic;
-use crate::document::{Grid, write_atomic};
+use crate::document::{Grid, Storage, write_atomic};
 use crate::hcbtf::{Which, exchange, write};
 
 /// How samples lie in other programs' files.
@@ -88,6 +88,9 @@ pub(super) struct ExportArguments {
     /// Contact sheets: texels between tiles
     #[arg(long, default_value_t = 0)]
     gap: u32,
+    /// KTX2: with every tile that differs once, and palettes, as small as it can be
+    #[arg(long)]
+    compact: bool,
     /// Folders and contact sheets: only what is painted, without what the rules fill
     #[arg(long)]
     painted: bool,
@@ -98,11 +101,16 @@ pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(),
         let problem = Diagnostic::error("bad-argument", "--painted goes with --to folder and --to contact");
         return Err(vec![problem.hint("a sheet and a texture hold every sample")]);
     }
+    if arguments.compact && arguments.to != Form::Ktx2 {
+        return Err(vec![Diagnostic::error("bad-argument", "--compact goes with --to ktx2")]);
+    }
     let hcbtf = open(&arguments.file, output)?;
     let filled = filled(&hcbtf, &arguments.file)?;
     let which = if arguments.painted { Which::Painted } else { Which::All };
     let path = &arguments.output;
-    let told = exchange::export(&filled, arguments.to.into(), (which, arguments.gap), path, &mut |count, total| {
+    let storage = if arguments.compact { Storage::Compact } else { Storage::Quick };
+    let manner = exchange::Manner { which, gap: arguments.gap, storage };
+    let told = exchange::export(&filled, arguments.to.into(), manner, path, &mut |count, total| {
         output.progress("writing", count, total);
     })?;
     if arguments.to == Form::Folder {

@@ -9,7 +9,7 @@ use crate::document::Hcbtf;
 use crate::editor::worker::Worker;
 use crate::hcbtf::exchange::{self, Form};
 use crate::hcbtf::fill::fill;
-use crate::hcbtf::{Progress, Which};
+use crate::hcbtf::Progress;
 
 /// An HCBTF as it was when it was asked for.
 struct Job {
@@ -61,8 +61,8 @@ impl Drop for Exports {
 
 fn run(job: &Job) -> String {
     let filled = fill(&job.hcbtf, &job.progress).map_err(|why| vec![Diagnostic::from(why)]);
-    let written =
-        filled.and_then(|filled| exchange::export(&filled, job.form, (Which::All, 0), &job.to, &mut |_, _| {}));
+    let written = filled
+        .and_then(|filled| exchange::export(&filled, job.form, exchange::Manner::default(), &job.to, &mut |_, _| {}));
     match written {
         Ok(more) => {
             let more = more.map(|more| format!(": {more}")).unwrap_or_default();
