@@ -160,6 +160,18 @@ fn hcbtfs_are_made_told_of_and_exchanged() {
     ] {
         assert!(info.contains(told), "no `{told}` in {info}");
     }
+    // Rules are shown as they are set.
+    let rules = shop.run(&["hcbtf", "rules", "grass.hcbtf"]).ok();
+    assert_eq!(rules.json()[0]["rule"], json!("copy"));
+    shop.write("rules.json", &rules.out);
+    shop.run(&["hcbtf", "new", "other", "--grid", grid]).ok();
+    shop.run(&["hcbtf", "rules", "other.hcbtf", "--set", "rules.json"]).ok();
+    assert_eq!(shop.run(&["hcbtf", "rules", "other.hcbtf"]).ok().out, rules.out);
+    shop.write("rules.json", r#"[{"rule": "blend", "sharpness": 99}]"#);
+    shop.run(&["hcbtf", "rules", "other.hcbtf", "--set", "rules.json"]).fails(1, &["hcbtf-rule", "`sharpness` is 99"]);
+    shop.write("rules.json", r#"[{"rule": "strokes", "bundle": []}]"#);
+    shop.run(&["hcbtf", "rules", "other.hcbtf", "--set", "rules.json"]).fails(1, &["unknown field `bundle`"]);
+    assert_eq!(shop.run(&["hcbtf", "rules", "other.hcbtf"]).ok().out, rules.out);
     let info = shop.run(&["hcbtf", "info", "grass.hcbtf", "--json"]).ok().json();
     assert_eq!((&info["tiles"], &info["sheet"]), (&json!(2), &json!([16, 30])));
     assert_eq!(info["samples"].as_array().map(Vec::len), Some(12));

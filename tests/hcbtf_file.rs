@@ -156,6 +156,9 @@ fn the_example_in_the_docs_is_read_and_every_rule_is_in_them() {
     for word in Rule::WORDS {
         assert!(text.contains(&format!("\n| `{word}` | ")), "{word}");
     }
+    let strokes = text.split("```jsonc\n").find(|block| block.starts_with("{ \"rule\": \"strokes\"")).unwrap();
+    let strokes: Rule = serde_json::from_str(strokes.split("```").next().unwrap()).unwrap();
+    strokes.check(&GRID).unwrap();
     assert!(sample().rules.iter().map(Rule::word).all(|word| Rule::WORDS.contains(&word)));
 }
 

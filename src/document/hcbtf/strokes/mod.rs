@@ -8,7 +8,7 @@ mod presets;
 use serde::{Deserialize, Serialize};
 
 /// Half a turn, as people write it: a little more than pi.
-const HALF: f64 = 3.1416;
+const HALF: f64 = std::f64::consts::PI + 1e-5;
 /// A turn.
 const TURN: f64 = 2.0 * HALF;
 

@@ -1,7 +1,6 @@
 //! The looks that the window brings along.
 
-/// Looks of `examples/looks`: the file's name and its text, in the order in which they are best looked at. Those that show an
-/// HCBTF are opened from their files, beside which theirs lies.
+/// Looks of `examples/looks`: the file's name and its text, in the order in which they are best looked at.
 pub(crate) static EXAMPLES: [(&str, &str); 11] = [
     ("figure1-layers", include_str!("../../../../examples/looks/figure1-layers.json")),
     ("figure2-diffuse", include_str!("../../../../examples/looks/figure2-diffuse.json")),
@@ -26,7 +25,6 @@ mod tests {
         let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
         let mut found: Vec<String> =
             files.map(|path| path.file_stem().unwrap().to_string_lossy().into_owned()).collect();
-        found.retain(|name| !name.starts_with("hcbtf-"));
         let mut known: Vec<&str> = EXAMPLES.iter().map(|(name, _)| *name).collect();
         found.sort();
         known.sort_unstable();

@@ -112,7 +112,7 @@ impl Flow {
             flow = Some(before.refined(from, to, reach.min(COARSE as i64 / 2 + 1)));
         }
         let (flow, [from, to]) = (flow?, levels.first()?);
-        Some(flow.kept_where_it_helps(from, to).as_shares())
+        Some(flow.kept_where_it_helps(from, to).into_shares())
     }
 
     fn still(level: &Level) -> Self {
@@ -194,7 +194,7 @@ impl Flow {
     }
 
     /// Moves in texels become shares of the tile.
-    fn as_shares(mut self) -> Self {
+    fn into_shares(mut self) -> Self {
         let size = Vec2::new(self.size[0] as f32, self.size[1] as f32);
         self.moves.iter_mut().for_each(|by| *by /= size);
         self

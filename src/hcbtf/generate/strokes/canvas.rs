@@ -82,7 +82,8 @@ impl Canvas {
     pub(super) fn at(&self, place: Vec2) -> Hit {
         let [width, height] = self.size.map(|side| side as i64);
         let (x, y) = (place.x.floor() as i64, place.y.floor() as i64);
-        if !self.is_tiling && !((0..width).contains(&x) && (0..height).contains(&y)) {
+        let is_inside = (0..width).contains(&x) && (0..height).contains(&y);
+        if !(self.is_tiling || is_inside) {
             return NOTHING;
         }
         self.hits[(y.rem_euclid(height) * width + x.rem_euclid(width)) as usize - self.first * self.size[0]]
