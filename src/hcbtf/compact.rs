@@ -254,7 +254,7 @@ mod tests {
         let grid =
             Grid { size: [1024, 836], light: Directions { theta: 2, phi: 4 }, view: Directions { theta: 2, phi: 2 } };
         let tile = |seed: u32, colors: u32| {
-            let texel = |at: u32| ((at ^ seed).wrapping_mul(0x9e37_79b1) % colors | 0xff00_0000).to_le_bytes();
+            let texel = |at: u32| (((at ^ seed).wrapping_mul(0x9e37_79b1) % colors) | 0xff00_0000).to_le_bytes();
             Arc::new(Tile::new(grid.size, (0..grid.texels() as u32).flat_map(texel).collect()).unwrap())
         };
         let tiles: Vec<Arc<Tile>> = (0..5).map(|seed| tile(seed, 70_000)).chain([tile(9, 2)]).collect();

@@ -67,9 +67,9 @@ fn empty() -> Vec<u32> {
 /// A number in [0, 1) that looks random and is always the same (the finisher of MurmurHash3, Appleby).
 fn chance(of: u32, which: u32) -> f64 {
     let mut h = of.wrapping_mul(0x9e37_79b1) ^ which.wrapping_add(1).wrapping_mul(0x85eb_ca77);
-    h = (h ^ h >> 16).wrapping_mul(0x85eb_ca6b);
-    h = (h ^ h >> 13).wrapping_mul(0xc2b2_ae35);
-    f64::from(h ^ h >> 16) / 4_294_967_296.0
+    h = (h ^ (h >> 16)).wrapping_mul(0x85eb_ca6b);
+    h = (h ^ (h >> 13)).wrapping_mul(0xc2b2_ae35);
+    f64::from(h ^ (h >> 16)) / 4_294_967_296.0
 }
 
 struct Builder {
