@@ -1,8 +1,8 @@
 //! What HCBTFs cost: the thesis's two scenes (chapter 11) in each tier and storage, what it takes to fill and to store
 //! one, and how much memory grids of growing size take.
 //!
-//! `cargo bench --profile dev --no-default-features --features gpu --bench hcbtf` prints tables; docs/performance.md
-//! holds them.
+//! `cargo bench --profile dev --no-default-features --features gpu --bench hcbtf` prints it all, with `-- frames`,
+//! `-- baking` or `-- memory` a part; docs/performance.md holds the figures.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
 
 use std::hint::black_box;
@@ -10,11 +10,13 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
-use chiaro::accuracy::{BenchOptions, Progress, Subject, bench};
+use chiaro::accuracy::cost::alternate;
+use chiaro::accuracy::{Progress, Variant};
+use chiaro::compile::Live;
 use chiaro::document::{
-    Address, Camera, Directions, Grid, Hcbtf, HcbtfAngle, Look, Rule, Scene, Storage, Tile, Transform,
+    Address, Camera, Directions, Grid, Hcbtf, HcbtfAngle, Look, Rule, Scene, Storage, Tier, Tile, Transform,
 };
-use chiaro::frame::{PlanOptions, Setup, SetupLook, SetupObject, object_matrix};
+use chiaro::frame::{FramePlan, PlanOptions, Planner, Setup, SetupLook, SetupObject, object_matrix};
 use chiaro::geometry::shape;
 use chiaro::hcbtf::{self, LayerOptions, needs, needs_at_most};
 use chiaro::library::Library;
@@ -23,7 +25,7 @@ use glam::{DMat4, DVec3};
 use serde_json::json;
 
 const SIZE: [u32; 2] = [1280, 720];
-const ROUNDS: usize = 7;
+const ROUNDS: usize = 5;
 
 /// Every sample of its own texels, of so many colours.
 fn painted(grid: Grid, colors: u32) -> Hcbtf {
@@ -90,10 +92,13 @@ fn scenes() -> [(&'static str, f64, Vec<SetupObject>, DVec3); 2] {
 
 fn frames(path: &Path) {
     let mut renderer = Renderer::new(block_on(Gpu::headless()).expect("a device"));
-    println!("{}, {} x {}, medians of {ROUNDS}", renderer.gpu().name(), SIZE[0], SIZE[1]);
+    println!("{}, {} x {}; the least and the median of {ROUNDS}", renderer.gpu().name(), SIZE[0], SIZE[1]);
+    let lookups = [("hcbtf_lookup", "smooth", 3), ("hcbtf_lookup", "texels", 3), ("hcbtf_nearest", "", 1)];
     for (scene, repeats, objects, eye) in scenes() {
-        for (kind, lookup) in [("hcbtf_lookup", "smooth"), ("hcbtf_lookup", "texels"), ("hcbtf_nearest", "")] {
-            for storage in Storage::ALL {
+        let mut planner = Planner::default();
+        let mut all = Vec::new();
+        for ((kind, lookup, tiers), storage) in lookups.into_iter().flat_map(|one| Storage::ALL.map(|it| (one, it))) {
+            for tier in [Tier::Exact, Tier::Balanced, Tier::Fast].into_iter().take(tiers) {
                 let camera = Camera { eye: eye.to_array(), ..Camera::default() };
                 let setup = Setup {
                     scene: Scene { camera, ..Scene::default() },
@@ -101,18 +106,18 @@ fn frames(path: &Path) {
                     objects: objects.clone(),
                     ..Setup::default()
                 };
-                let plan = PlanOptions { size: SIZE, samples: 1, time: 0.0 };
-                let options = BenchOptions { plan, rounds: ROUNDS, every_node: false, truth: false };
-                let mut go_on = |_, _| true;
-                let mut progress = Progress::new(&mut go_on);
-                let report = bench(&setup, Library::built_in(), &mut renderer, &options, &mut progress);
-                let report = report.unwrap_or_else(|_| panic!("{scene}, {kind}, {lookup}"));
-                for row in report.rows.iter().filter(|row| row.subject == Subject::Whole) {
-                    let Some(tier) = row.tier else { continue };
-                    let ms = row.time.median;
-                    println!("{scene}, {kind} {lookup}, {}, {tier:?}: {ms:.1} ms, {:.1} fps", storage.word(), 1e3 / ms);
-                }
+                let options = PlanOptions { size: SIZE, samples: 1, time: 0.0 };
+                let setup = Variant::Looks(tier).of(&setup);
+                let plan = planner.plan(&setup, Library::built_in(), &Live::Keyed, &options).expect("it compiles");
+                all.push((format!("{scene}, {kind} {lookup}, {}, {tier:?}", storage.word()), plan));
             }
+        }
+        let plans: Vec<&FramePlan> = all.iter().map(|(_, plan)| plan).collect();
+        let mut go_on = |_, _| true;
+        let series = alternate(&mut renderer, &plans, ROUNDS, &mut Progress::new(&mut go_on));
+        for ((name, _), series) in all.iter().zip(series.unwrap_or_else(|_| panic!("{scene}"))) {
+            let least = series.frame.iter().copied().fold(f64::MAX, f64::min);
+            println!("{name}: {least:.1} ms ({:.1}), {:.1} fps", series.estimate().median, 1e3 / least);
         }
     }
 }
@@ -178,11 +183,23 @@ fn main() {
         let directions = Directions { theta, phi };
         Grid { size: [side; 2], light: directions, view: directions }
     };
+    let wanted: Vec<String> = std::env::args().skip(1).filter(|word| !word.starts_with('-')).collect();
+    let is_wanted = |part: &str| wanted.is_empty() || wanted.iter().any(|word| word == part);
+    if is_wanted("frames") {
+        thesis_scenes();
+    }
+    if is_wanted("baking") {
+        baking(Grid::THESIS);
+    }
+    if is_wanted("memory") {
+        memory(&[grid(8, 3, 6), grid(16, 4, 8), Grid::THESIS, grid(64, 6, 10), grid(64, 9, 16)]);
+    }
+}
+
+fn thesis_scenes() {
     let path = std::env::temp_dir().join(format!("chiaro-bench-{}.hcbtf", std::process::id()));
     let bytes = hcbtf::write(&painted(Grid::THESIS, 100_000)).expect("it fits");
     std::fs::write(&path, bytes).expect("a temporary file");
     frames(&path);
     let _ = std::fs::remove_file(&path);
-    baking(Grid::THESIS);
-    memory(&[grid(8, 3, 6), grid(16, 4, 8), Grid::THESIS, grid(64, 6, 10), grid(64, 9, 16)]);
 }

@@ -16,6 +16,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use indexmap::IndexSet;
+use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
 
 use super::fill::{MAX_SAMPLES, shared};
 use super::layers::{Layers, TOLD, direction, paint};
@@ -93,9 +94,11 @@ impl Plan {
         let (tiles, place) = shared(tiles);
         samples.iter_mut().for_each(|sample| *sample = place[*sample as usize]);
         let count = if has_levels { level_sizes(grid).count() } else { 1 };
-        let smaller = |tile: &Tile| if has_levels { levels_of(tile) } else { Vec::new() };
-        let all =
-            tiles.iter().flat_map(|tile| std::iter::once(tile.clone()).chain(smaller(tile).into_iter().map(Arc::new)));
+        let smaller = |tile: &Arc<Tile>| if has_levels { levels_of(tile) } else { Vec::new() };
+        let smaller: Vec<Vec<Tile>> = tiles.par_iter().map(smaller).collect();
+        let levels_of_one =
+            |(tile, smaller): (Arc<Tile>, Vec<Tile>)| std::iter::once(tile).chain(smaller.into_iter().map(Arc::new));
+        let all = tiles.into_iter().zip(smaller).flat_map(levels_of_one);
         let (pieces, place) = shared(all.collect());
         let levels = place.chunks(count).map(<[u32]>::to_vec).collect();
         let mut palettes = Palettes::default();
@@ -254,7 +257,7 @@ mod tests {
         let grid =
             Grid { size: [1024, 836], light: Directions { theta: 2, phi: 4 }, view: Directions { theta: 2, phi: 2 } };
         let tile = |seed: u32, colors: u32| {
-            let texel = |at: u32| ((at ^ seed).wrapping_mul(0x9e37_79b1) % colors | 0xff00_0000).to_le_bytes();
+            let texel = |at: u32| (((at ^ seed).wrapping_mul(0x9e37_79b1) % colors) | 0xff00_0000).to_le_bytes();
             Arc::new(Tile::new(grid.size, (0..grid.texels() as u32).flat_map(texel).collect()).unwrap())
         };
         let tiles: Vec<Arc<Tile>> = (0..5).map(|seed| tile(seed, 70_000)).chain([tile(9, 2)]).collect();

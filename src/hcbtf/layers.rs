@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 use super::compact;
 use super::fill::MAX_SAMPLES;
-use super::levels::{level_sizes, levels_of};
+use super::levels::{level_sizes, levels_of_all};
 use super::share::{shared_size, views, write_shares};
 use crate::diag::Diagnostic;
 use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Storage, Tile};
@@ -147,22 +147,25 @@ fn layers_of<'a>(
     let [width, height, _] = layers_size(grid, options.has_levels).map(|n| n as usize);
     let count = views.len() + 1;
     let mut rgba = vec![0; 4 * width * height * count];
-    // Equal samples share their tile, and so its levels.
-    let mut smaller: HashMap<*const Tile, Vec<Tile>> = HashMap::new();
+    let addresses = |view: usize| {
+        let view = direction(view, grid.view.phi);
+        let lights = (0..grid.light.count()).map(|index| direction(index, grid.light.phi));
+        lights.map(move |light| Address { view, light })
+    };
+    let smaller = match options.has_levels {
+        true => levels_of_all(views.iter().flat_map(|view| addresses(*view)).filter_map(|at| tile(at.canonical()))),
+        false => HashMap::new(),
+    };
     let mut layer = Layer { grid, width, texels: &mut [] };
     for (index, texels) in views.iter().zip(rgba.chunks_exact_mut(4 * width * height)) {
         layer.texels = texels;
-        let view = direction(*index, grid.view.phi);
-        for light in (0..grid.light.count()).map(|index| direction(index, grid.light.phi)) {
-            let Some(tile) = tile(Address { view, light }.canonical()) else { continue };
-            layer.put(tile, light, [0, 0]);
-            if options.has_levels {
-                let levels = smaller.entry(Arc::as_ptr(tile)).or_insert_with(|| levels_of(tile));
-                let mut origin = [grid.size[0] * grid.light.theta, 0];
-                for level in levels {
-                    layer.put(level, light, origin);
-                    origin[1] += level.size()[1] * (grid.light.phi + 2);
-                }
+        for address in addresses(*index) {
+            let Some(tile) = tile(address.canonical()) else { continue };
+            layer.put(tile, address.light, [0, 0]);
+            let mut origin = [grid.size[0] * grid.light.theta, 0];
+            for level in smaller.get(&Arc::as_ptr(tile)).into_iter().flatten() {
+                layer.put(level, address.light, origin);
+                origin[1] += level.size()[1] * (grid.light.phi + 2);
             }
         }
     }

@@ -1,10 +1,23 @@
 //! Smaller levels of a tile, for surfaces that are far away.
 
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
+
 use crate::document::{Grid, Tile};
 
 /// The sizes of a tile's levels, the tile itself first and one texel last.
 pub(super) fn level_sizes(grid: &Grid) -> impl Iterator<Item = [u32; 2]> {
     std::iter::successors(Some(grid.size), |size| (*size != [1, 1]).then(|| size.map(|side| (side / 2).max(1))))
+}
+
+/// The smaller levels of all these tiles, each made once, by the tile's place in memory.
+pub(super) fn levels_of_all<'a>(tiles: impl Iterator<Item = &'a Arc<Tile>>) -> HashMap<*const Tile, Vec<Tile>> {
+    let differ: HashMap<*const Tile, &Arc<Tile>> = tiles.map(|tile| (Arc::as_ptr(tile), tile)).collect();
+    let differ: Vec<&Arc<Tile>> = differ.into_values().collect();
+    let made: Vec<Vec<Tile>> = differ.par_iter().map(|tile| levels_of(tile)).collect();
+    differ.into_iter().map(Arc::as_ptr).zip(made).collect()
 }
 
 /// The smaller levels of a tile, half as large each, down to one texel.
@@ -18,13 +31,14 @@ fn halved(tile: &Tile) -> Tile {
     let [width, height] = tile.size();
     let size = [width, height].map(|side| (side / 2).max(1));
     let mut rgba = Vec::with_capacity(4 * size[0] as usize * size[1] as usize);
+    let columns: Vec<Vec<(i64, f64)>> = (0..size[0]).map(|x| covered(x, width, size[0])).collect();
     for y in 0..size[1] {
         let rows = covered(y, height, size[1]);
-        for x in 0..size[0] {
+        for columns in &columns {
             let mut sum = [0.0; 4];
             let mut whole = 0.0;
             for &(row, tall) in &rows {
-                for (column, wide) in covered(x, width, size[0]) {
+                for &(column, wide) in columns {
                     let [r, g, b, a] = tile.texel(column, row).map(f64::from);
                     let weight = wide * tall;
                     whole += weight;

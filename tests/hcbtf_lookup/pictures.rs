@@ -85,13 +85,14 @@ fn smooth_lookups_are_true_at_any_distance() {
                 "{what}: max {:.1e}, p999 {:.1e}, rms {:.1e} of {} pixels, {} broken",
                 figures.max, figures.p999, figures.rms, figures.pixels, figures.broken
             );
+            // What the node's file states of each tier, in any pixel.
             let most = match what.split(' ').nth(1) {
-                Some("exact") => [2e-3, 2e-4],
-                Some("balanced") => [5e-3, 2e-3],
-                _ => [0.55, 0.1],
+                Some("exact") => 1e-4,
+                Some("balanced") => 5e-3,
+                _ => 0.55,
             };
-            assert!(figures.broken == 0 && figures.pixels > 2000, "{what}: {figures:?}");
-            assert!(figures.p999 <= most[0] && figures.rms <= most[1], "{what}: {figures:?}");
+            assert!(figures.broken == 0 && figures.pixels > 10_000, "{what}: {figures:?}");
+            assert!(figures.max <= most, "{what}: {figures:?}");
         }
     }
 }

@@ -141,8 +141,8 @@ pub const EXCEPTIONS: &[Exception] = &[
     on("image", "nearest").within(30.0).together().steps("between texels rounding decides"),
     on("litsphere", "linear").together().bound(1e-2).steep(FILTER),
     on("litsphere", "nearest").together().steep("between texels rounding decides"),
-    on("constant_size", "").from(1e-3).within(1e3).together().steps("at powers of two Even and Odd change places"),
-    on("scatter_uv", "").within(30.0).together().bound(1e-4).steps("from cell to cell another place is seen"),
+    on("constant_size", "").from(1e-3).within(1e3).together().steep("at powers of two Even and Odd change places"),
+    on("scatter_uv", "").from(1e-15).within(30.0).together().bound(1e-4).steep(CELLS),
     on("hcbtf_lookup", "smooth").within(30.0).together().bound(1e-4).steep(PLACES),
     on("hcbtf_nearest", "").within(30.0).together().bound(1e-4).steep("between texels and paintings rounding decides"),
     on("hcbtf_lookup", "").within(30.0).together().bound(1e-4).steep("between texels and paintings rounding decides"),
@@ -167,6 +167,8 @@ const FRAME: &str = "where normal and tangent are nearly the same, rounding turn
 const PHASE: &str = "beyond 100,000 an f32 holds no phase";
 const CANCELS: &str = "large terms cancel";
 const STEPS: &str = "a step: rounding of the input decides on which side it is";
+const CELLS: &str =
+    "from cell to cell another place is seen; what B counts beside A is nothing where C is all there is";
 const PLACES: &str = "near the normal rounding turns directions, at the horizon it decides whether there is light";
 const FILTER: &str = "a GPU weighs texels by 8 bits";
 const COLOR: &str = "far beyond any colour, what is left of a small difference is rounding's";

@@ -10,11 +10,11 @@ const LOTS: u32 = 53;
 /// Lots between two streets.
 const BLOCK: u32 = 4;
 /// How wide a street is, in lots.
-const STREET: f64 = 0.7;
+const STREET: f64 = 1.0;
 /// Lots that stay empty, as squares and yards.
 const EMPTY: usize = 24;
 /// Repeats of the paint along the side of a lot; one is a window's width, and a floor high.
-const BAYS: f64 = 3.0;
+const BAYS: f64 = 2.0;
 
 /// A square of houses on the ground, from -1 to 1 along x and z, y up. Walls have whole repeats, u to the right and v up,
 /// roofs and ground as many in the same measure.
@@ -29,12 +29,12 @@ pub(super) fn city() -> Soup {
         let [first, second, third, fourth] = [0, 1, 2, 3].map(|n| chance(index, n));
         let corner = DVec3::new(along(i), 0.0, along(j)) * scale - DVec3::new(1.0, 0.0, 1.0);
         // Houses keep a little off their neighbours, or fill the lot.
-        let inset = scale * (0.03 + 0.12 * first * second);
+        let inset = scale * (0.04 + 0.16 * first * second);
         let size = scale - 2.0 * inset;
         let middle = corner + DVec3::new(scale, 0.0, scale) / 2.0;
         // Taller toward the middle, and a tower here and there.
-        let center = (-3.0 * middle.length_squared()).exp();
-        let floors = 2.0 + (4.0 * third).floor() + (center * (4.0 + 14.0 * fourth.powi(4))).floor();
+        let center = (-4.0 * middle.length_squared()).exp();
+        let floors = 2.0 + (5.0 * third).floor() + (center * (8.0 * fourth + 26.0 * fourth.powi(6))).floor();
         let from = corner + DVec3::new(inset, 0.0, inset);
         builder.house(from, DVec3::new(size, floors * builder.bay, size));
     }
@@ -67,9 +67,9 @@ fn empty() -> Vec<u32> {
 /// A number in [0, 1) that looks random and is always the same (the finisher of MurmurHash3, Appleby).
 fn chance(of: u32, which: u32) -> f64 {
     let mut h = of.wrapping_mul(0x9e37_79b1) ^ which.wrapping_add(1).wrapping_mul(0x85eb_ca77);
-    h = (h ^ h >> 16).wrapping_mul(0x85eb_ca6b);
-    h = (h ^ h >> 13).wrapping_mul(0xc2b2_ae35);
-    f64::from(h ^ h >> 16) / 4_294_967_296.0
+    h = (h ^ (h >> 16)).wrapping_mul(0x85eb_ca6b);
+    h = (h ^ (h >> 13)).wrapping_mul(0xc2b2_ae35);
+    f64::from(h ^ (h >> 16)) / 4_294_967_296.0
 }
 
 struct Builder {
