@@ -254,10 +254,10 @@ fn truth(kind: &str, word: &str) -> Option<Truth> {
             vec![if reach == 0.0 { 0.0 } else { line * (1.0 - follow + follow * side) }]
         },
         ("thin_film", _) => |i, p| {
-            let n = i[1][0].clamp(1.0, 10.0);
+            let n = i[1][0].clamp(1.0, 3.0);
             let outside = angle(v3(&i[2]), p.v).min(0.5 * PI);
             let inside = (outside.sin() / n).asin();
-            let path = 2.0 * n * i[0][0].clamp(0.0, 1e4) * inside.cos();
+            let path = 2.0 * n * i[0][0].clamp(0.0, 2000.0) * inside.cos();
             [650.0, 532.0, 450.0].map(|wave| 0.5 - 0.5 * (TAU * path / wave).cos()).into_iter().chain([1.0]).collect()
         },
         ("gooch", _) => |i, p| {

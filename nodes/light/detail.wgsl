@@ -1,5 +1,6 @@
 import chiaro::numeric;
 import chiaro::total;
+import chiaro::material;
 
 /// Detail
 ///
@@ -30,6 +31,6 @@ fn detail_focus(near: f32, far: f32, depth: f32) -> f32 {
 }
 
 fn detail_orientation(power: f32, normal: vec3f, view: vec3f) -> f32 {
-    let cosine = abs(dot(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), view));
-    return powered(clamp(cosine, 0.0, 1.0), clamp(bounded(power), 0.0, 1e3));
+    let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
+    return min(cosine_power(abs(dot(n, view)), sine_squared(n, view), clamp(bounded(power), 0.0, 1e3)), 1.0);
 }

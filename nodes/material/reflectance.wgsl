@@ -43,14 +43,16 @@ fn reflectance_phong(light: Light, normal: vec3f, view: vec3f, roughness: f32) -
     let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
     let e = exponent_of_width(width_of_roughness(roughness));
     let n_l = max(dot(n, light.direction), 0.0);
-    let mirrored = clamp(2.0 * dot(n, view) * n_l - dot(view, light.direction), 0.0, 1.0);
-    return min(0.5 * (e + 2.0) * powered(mirrored, e) * n_l, 1e6);
+    let mirrored = normalize_or(2.0 * dot(n, view) * n - view, n);
+    let shine = cosine_power(dot(mirrored, light.direction), sine_squared(mirrored, light.direction), e);
+    return min(0.5 * (e + 2.0) * shine * n_l, 1e6);
 }
 
 fn reflectance_blinn_phong(light: Light, normal: vec3f, view: vec3f, roughness: f32) -> f32 {
     let r = reflection_of(light.direction, normalize_or(normal, vec3f(0.0, 0.0, 1.0)), view);
     let e = exponent_of_width(width_of_roughness(roughness));
-    return min(0.125 * (e + 8.0) * powered(r.n_h, e) * max(r.n_l, 0.0), 1e6);
+    let shine = cosine_power(r.n_h, r.sine2, e);
+    return min(0.125 * (e + 8.0) * shine * max(r.n_l, 0.0), 1e6);
 }
 
 fn reflectance_ggx(light: Light, normal: vec3f, view: vec3f, roughness: f32, at_normal: f32) -> f32 {

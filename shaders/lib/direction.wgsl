@@ -28,8 +28,8 @@ fn direction_moved(bent: Bent, by: vec2f) -> vec3f {
     // Farther than a million it lies along the axis.
     let step = clamp(by, vec2f(-1e6), vec2f(1e6));
     let moved = bent.direction + step.x * bent.x_axis + step.y * bent.y_axis;
-    // Where it is moved to nothing but rounding, rounding has no say.
-    return select(bent.direction, normalize_or(moved, bent.direction), dot(moved, moved) > 1e-10);
+    // Where it is moved to nearly nothing, rounding has no say.
+    return select(bent.direction, normalize_or(moved, bent.direction), dot(moved, moved) > 1e-6);
 }
 
 /// Unit axes at right angles to `toward`: to the right, and upright along `up` as far as that goes.

@@ -11,12 +11,31 @@ struct Reflection {
     n_v: f32,
     n_h: f32,
     v_h: f32,
+    /// The square of the sine between the normal and the half-vector: near a highlight's middle a cosine has no digits
+    /// left to tell how far it is.
+    sine2: f32,
 }
 
 /// The directions' cosines; the half-vector is the normal where light and eye are opposite.
 fn reflection_of(light: vec3f, normal: vec3f, view: vec3f) -> Reflection {
     let half = half_of(light, normal, view);
-    return Reflection(dot(normal, light), dot(normal, view), clamp(dot(normal, half), 0.0, 1.0), clamp(dot(view, half), 0.0, 1.0));
+    let n_h = clamp(dot(normal, half), 0.0, 1.0);
+    let v_h = clamp(dot(view, half), 0.0, 1.0);
+    return Reflection(dot(normal, light), dot(normal, view), n_h, v_h, sine_squared(normal, half));
+}
+
+/// The square of the sine between two unit vectors.
+fn sine_squared(a: vec3f, b: vec3f) -> f32 {
+    let across = cross(a, b);
+    return min(dot(across, across), 1.0);
+}
+
+/// A cosine to a power, 0 where it is negative; by the square of its sine where that has more digits.
+fn cosine_power(cosine: f32, sine2: f32, exponent: f32) -> f32 {
+    if cosine < 0.7 {
+        return powered(max(cosine, 0.0), exponent);
+    }
+    return exp2_stable(0.5 * exponent * LOG2_E * log1p_negative(min(sine2, 0.6)));
 }
 
 /// Unit, midway between the light and the eye; the normal where they are opposite.
@@ -50,9 +69,7 @@ fn ggx(r: Reflection, width: f32, at_normal: f32) -> f32 {
         return 0.0;
     }
     let a2 = width * width;
-    // By the tangent, since 1 - n_h^2 cancels where the highlight is.
-    let h2 = r.n_h * r.n_h;
-    let bottom = max((1.0 - h2) + a2 * h2, 1e-12);
+    let bottom = max(r.sine2 + a2 * r.n_h * r.n_h, 1e-12);
     let distribution = a2 / (bottom * bottom);
     let toward_light = r.n_v * sqrt(r.n_l * r.n_l * (1.0 - a2) + a2);
     let toward_eye = r.n_l * sqrt(r.n_v * r.n_v * (1.0 - a2) + a2);
