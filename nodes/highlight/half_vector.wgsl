@@ -4,8 +4,8 @@ import chiaro::surface;
 
 /// Half-vector
 ///
-/// Midway between a light and the eye. A highlight lies where it meets the normal: bend it with the nodes beside this
-/// one, measure its Angle between directions from the normal, and the highlight takes another shape.
+/// Midway between a light and the eye. A highlight lies where it meets the normal: bend either of them with the nodes
+/// beside this one, measure the Angle between directions, and the highlight takes another shape.
 ///
 /// @param light "Light" wire : The highlight's light.
 /// @param view from=view hidden

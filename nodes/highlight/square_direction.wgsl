@@ -5,11 +5,12 @@ import chiaro::total;
 ///
 /// Gives a highlight corners: from round to a square whose sides lie along the axes.
 ///
-/// @param direction "Direction" default=0,0,1 : Any length; without one it is +z.
+/// @param direction "Direction" from=normal : The half-vector, with the mesh's axes; or the normal, with axes around the
+///   half-vector. Any length.
 /// @param x_axis "X axis" from=tangent : Along u of the mesh, or from Axes around a direction.
 /// @param y_axis "Y axis" from=bitangent : Along v of the mesh, or from Axes around a direction.
-/// @param amount "Amount" default=0.5 min=0 max=1 : How far the corners are drawn out.
-/// @param sharpness "Sharpness" default=2 min=1 max=32 : How pointed the corners are.
+/// @param amount "Amount" default=0.3 min=0 max=1 : How far the corners are drawn out; at 0.3 the sides are straight.
+/// @param sharpness "Sharpness" default=4 min=1 max=32 : How pointed the corners are.
 /// @return direction "Direction" : Unit.
 /// @source Anjyo and Hiramitsu 2003, squaring
 fn square_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, amount: f32, sharpness: f32) -> vec3f {
