@@ -6,13 +6,13 @@
 use std::collections::HashMap;
 
 use eframe::egui::{
-    Align2, Color32, ColorImage, FontId, PointerButton, Pos2, Rect, Response, RichText, Role, Sense, Stroke, StrokeKind,
+    Color32, ColorImage, FontId, PointerButton, Pos2, Rect, Response, RichText, Role, Sense, Stroke, StrokeKind,
     TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 
 use super::work::{State, Work};
 use super::{Wish, command, moves};
-use crate::document::{Address, Grid, Tile};
+use crate::document::{Address, Direction, Grid, Tile};
 use crate::editor::command::Command;
 use crate::editor::theme;
 use crate::hcbtf::sheet::{Held, held, place, size};
@@ -94,7 +94,6 @@ impl Sheet {
             ui.label(RichText::new("a block for each texel of the tile").color(theme::of(ui).dim)).on_hover_text(help);
         });
         let (room, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
-        response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Sheet of all samples"));
         let laid = self.navigate(ui, &response, room, whole);
         self.laid = Some((laid, grid));
         let scale = f64::from(ui.pixels_per_point());
@@ -119,9 +118,14 @@ impl Sheet {
         mark(ui, &laid, &grid, work.at());
         let hovered = response.hover_pos().and_then(|at| texel_at(&laid, at));
         let found = hovered.and_then(|texel| Some((texel, held(&grid, texel)?)));
-        if let Some((texel, held)) = found {
+        let told = found.map(|(_, held)| tell(work, &held));
+        response.widget_info(|| WidgetInfo {
+            current_text_value: told.as_ref().map(|lines| lines.join("\n")),
+            ..WidgetInfo::labeled(Role::Canvas, true, "Sheet of all samples")
+        });
+        if let (Some((texel, held)), Some(lines)) = (found, told) {
             outline(ui, &laid, texel, Color32::WHITE);
-            tell(ui, room, work, &held);
+            plate(ui, room, lines);
             if response.clicked() {
                 out.push(command(Wish::GoTo(held.address)));
             }
@@ -258,33 +262,39 @@ fn outline(ui: &Ui, laid: &Laid, texel: [u32; 2], color: Color32) {
     painter.rect_stroke(rect, 0.0, Stroke::new(1.0, color), StrokeKind::Outside);
 }
 
-/// What lies under the pointer: where in the sheet's six dimensions, which colour, and how it came about.
-fn tell(ui: &Ui, room: Rect, work: &Work, held: &Held) {
+/// What lies under the pointer: where in the six dimensions, which colour, and how it came about.
+fn tell(work: &Work, held: &Held) -> [String; 3] {
     let Held { address, texel: [x, y], is_copy } = *held;
     let grid = work.grid();
-    let color = work.tile(address).map_or([0; 4], |tile| tile.texel(x.into(), y.into()));
-    let [r, g, b, a] = color;
+    let [r, g, b, a] = work.tile(address).map_or([0; 4], |tile| tile.texel(x.into(), y.into()));
     let color = format!("#{r:02x}{g:02x}{b:02x}, {:.0}%", f64::from(a) / 2.55);
     let state = match work.state(address) {
         State::Painted => "painted".to_owned(),
         State::Filled(rule) => format!("filled by rule {}", rule + 1),
         State::Empty => "empty".to_owned(),
     };
-    let copy = if is_copy { " · a copy" } else { "" };
-    let line = |name: &str, directions, direction| format!("{name} {direction}: {}", moves::name(directions, direction));
-    let texts = [
-        format!("texel {x}, {y} · {color} · {state}{copy}"),
-        line("light", grid.light, address.light),
-        line("view", grid.view, address.view),
-    ];
+    let copy = if is_copy { ", a copy" } else { "" };
+    let line = |name: &str, directions, direction: Direction| {
+        let Direction { theta, phi } = direction;
+        format!("{name} ring {theta}, step {phi}: {}", moves::name(directions, direction))
+    };
+    [
+        format!("Texel {x}, {y}: {color}, {state}{copy}"),
+        line("Light", grid.light, address.light),
+        line("Eye", grid.view, address.view),
+    ]
+}
+
+/// Shows lines of text in a corner.
+fn plate(ui: &Ui, room: Rect, lines: [String; 3]) {
     let font = FontId::proportional(theme::SMALL_TEXT);
     let painter = ui.painter_at(room);
-    let galleys = texts.map(|text| painter.layout_no_wrap(text, font.clone(), Color32::WHITE));
+    let galleys = lines.map(|text| painter.layout_no_wrap(text, font.clone(), Color32::WHITE));
     let width = galleys.iter().map(|galley| galley.size().x).fold(0.0, f32::max);
     let high: f32 = galleys.iter().map(|galley| galley.size().y).sum();
-    let plate = Align2::LEFT_BOTTOM.anchor_size(room.left_bottom() + vec2(6.0, -6.0), vec2(width + 14.0, high + 8.0));
-    painter.rect_filled(plate, 4.0, theme::PLATE);
-    let mut at = plate.min + vec2(7.0, 4.0);
+    let corner = room.left_bottom() + vec2(6.0, -high - 14.0);
+    painter.rect_filled(Rect::from_min_size(corner, vec2(width + 14.0, high + 8.0)), 4.0, theme::PLATE);
+    let mut at = corner + vec2(7.0, 4.0);
     for galley in galleys {
         let down = galley.size().y;
         painter.galley(at, galley, Color32::WHITE);

@@ -207,11 +207,13 @@ impl Session {
             let hint = "choose above whose version is kept, or save under another name";
             return Err(Box::new(Diagnostic::error("changed-on-disk", message).hint(hint)));
         }
-        let text = if is_own { self.text() } else { self.look().to_text() };
+        let names = if is_own { None } else { self.names_of_painting(path) };
+        let text = if is_own { self.text() } else { self.look_for(names.as_ref()).to_text() };
         write_atomic(path, text.as_bytes())?;
         self.source = Arc::new(Look::read(&text, &path.display().to_string()).source);
-        self.history.mark_saved();
         self.path = Some(path.to_owned());
+        self.take_names(names);
+        self.history.mark_saved();
         self.is_partial = false;
         self.load_problems.clear();
         self.problems_number += 1;

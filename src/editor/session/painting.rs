@@ -3,11 +3,11 @@
 use std::path::Path;
 
 use super::super::painting::{Work, look};
-use super::super::stage::real;
+use super::super::stage::{folder_of, real, relative};
 use super::Session;
 use crate::diag::Diagnostic;
 use crate::document::journal::{Recovered, Slot};
-use crate::document::{Hcbtf, HcbtfEdit};
+use crate::document::{Hcbtf, HcbtfEdit, Look};
 use crate::frame::UNSAVED_HCBTF;
 
 impl Session {
@@ -92,36 +92,65 @@ impl Session {
         let Some(work) = &mut self.painting else { return Ok(()) };
         let had_no_file = work.path().is_none();
         work.save_as(path)?;
-        if had_no_file {
-            let path = work.path().map(|path| path.to_string_lossy().into_owned()).unwrap_or_default();
-            self.name_painting(&path);
+        let file = work.path().map(Path::to_path_buf).filter(|_| had_no_file);
+        if let Some(file) = file {
+            let name = match &self.path {
+                Some(look) => relative(&folder_of(look), &file),
+                None => file.to_string_lossy().into_owned(),
+            };
+            let is_named = self.rename_painting(UNSAVED_HCBTF, &name);
+            if is_named && self.path.is_some() {
+                self.history.mark_unsaved();
+            }
+            match self.is_look_dirty() {
+                true => self.begin_journal(None),
+                false => self.saved(),
+            }
         }
         self.painting_changed();
         Ok(())
     }
 
-    /// Lets the look name the file of what is painted, now that there is one. It is no step: undo would bring a name back
-    /// that means nothing any more.
-    fn name_painting(&mut self, path: &str) {
-        let mut look = self.look().clone();
-        let edits = look::rename(&look, &self.catalog, UNSAVED_HCBTF, path);
-        let is_renamed = !edits.is_empty();
-        for edit in edits {
-            if look.apply(edit).is_err() {
-                return;
-            }
-        }
-        self.history.amend(look, |edit| look::rename_in(edit, UNSAVED_HCBTF, path));
-        if is_renamed && self.path.is_some() {
-            self.history.mark_unsaved();
-        }
-        if self.is_look_dirty() {
-            self.begin_journal(None);
-        } else {
-            self.saved();
-        }
+    /// Lets the look name what is painted otherwise, now and in all its past: that is no step, since undo would bring a name
+    /// back that means nothing any more. Returns whether the look named it so.
+    fn rename_painting(&mut self, from: &str, to: &str) -> bool {
+        let Some(look) = self.look_naming(from, to) else { return false };
+        let is_renamed = look != *self.look();
+        self.history.amend(look, |edit| look::rename_in(edit, from, to));
         self.meaning += 1;
         self.changed(true);
+        is_renamed
+    }
+
+    /// The look with another name for what is painted.
+    fn look_naming(&self, from: &str, to: &str) -> Option<Look> {
+        let mut look = self.look().clone();
+        for edit in look::rename(&look, &self.catalog, from, to) {
+            look.apply(edit).ok()?;
+        }
+        Some(look)
+    }
+
+    /// What the look calls the file of what is painted, where that is its whole path, and what it is called from the folder
+    /// of another file: a look that is saved names its assets by the way to them.
+    pub(super) fn names_of_painting(&self, look: &Path) -> Option<(String, String)> {
+        let file = self.painting.as_ref()?.path()?;
+        let from = file.to_string_lossy().into_owned();
+        let to = relative(&folder_of(look), file);
+        (from != to && look::sheets(self.look(), &self.catalog).contains(&from)).then_some((from, to))
+    }
+
+    /// The look as it is written to a file, with what is painted named from there.
+    pub(super) fn look_for(&self, names: Option<&(String, String)>) -> Look {
+        let named = names.and_then(|(from, to)| self.look_naming(from, to));
+        named.unwrap_or_else(|| self.look().clone())
+    }
+
+    /// Takes on the names that the look was written with.
+    pub(super) fn take_names(&mut self, names: Option<(String, String)>) {
+        if let Some((from, to)) = names {
+            self.rename_painting(&from, &to);
+        }
     }
 
     /// Takes what another program made of the painted file, as one step that can be undone. Returns whether anything is

@@ -25,7 +25,7 @@ use crate::document::{History, Object, Scene, SceneEdit, SourceMap};
 use crate::ids::ObjectId;
 use crate::library::Library;
 use looks::{Closed, Looks};
-pub(crate) use names::real;
+pub(crate) use names::{folder_of, real, relative};
 pub(crate) use objects::{Placed, file_label, from_degrees, mesh_label, scene_of, stood_up, to_degrees};
 pub(crate) use still::Staged;
 pub(crate) use wish::Wish;

@@ -68,7 +68,8 @@ impl Viewport {
         let help = "Turns the object before the camera, until it is switched off again (T)";
         ui.checkbox(&mut self.turns, "Turntable").on_hover_text(help);
         if session.view.mesh.starts_with(SHAPE_PREFIX) {
-            session.view.z_is_up = false;
+            // A painted tile lies flat on the plane, which is how it begins.
+            session.view.z_is_up &= session.view.mesh == crate::editor::orbit::PLANE;
         } else if session.stage().is_none() {
             ui.checkbox(&mut session.view.z_is_up, "Z is up").on_hover_text("Stands up a mesh whose z axis points up");
         }
