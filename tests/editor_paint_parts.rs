@@ -106,13 +106,8 @@ fn a_pen_that_is_pressed_lightly_paints_less() {
     let mut counts = Vec::new();
     for force in [0.2, 0.6, 1.0] {
         let at = texel(&hand, 4, 4);
-        let touch = |phase| Event::Touch {
-            device_id: TouchDeviceId(1),
-            id: TouchId(1),
-            phase,
-            pos: at,
-            force: Some(force),
-        };
+        let touch =
+            |phase| Event::Touch { device_id: TouchDeviceId(1), id: TouchId(1), phase, pos: at, force: Some(force) };
         // A tablet tells of the pen and of the pointer that it moves.
         hand.hover(at);
         hand.harness.event(touch(TouchPhase::Start));
@@ -143,7 +138,10 @@ fn the_wheel_over_the_palette_changes_the_value_and_not_the_hue() {
     assert!(a == 255 && (90..0xd9).contains(&r), "darker: {r} {g} {b}");
     // The hue and the saturation are those of #d93a2f.
     let part = |channel: u8, of: u8| f64::from(channel) / f64::from(of);
-    assert!((part(g, r) - part(0x3a, 0xd9)).abs() < 0.02 && (part(b, r) - part(0x2f, 0xd9)).abs() < 0.02, "{r} {g} {b}");
+    assert!(
+        (part(g, r) - part(0x3a, 0xd9)).abs() < 0.02 && (part(b, r) - part(0x2f, 0xd9)).abs() < 0.02,
+        "{r} {g} {b}"
+    );
 }
 
 #[test]
@@ -246,9 +244,9 @@ fn the_sheet_tells_what_lies_where_and_leads_there() {
     let sample = Address::new([2, 1], [1, 3]);
     let on_sheet = |hand: &Hand| hand.app().painting().on_sheet(sample, [5, 6]).unwrap();
     // Closer, until the texel can be hit; what is under the pointer stays there.
-    for _ in 0..12 {
+    for _ in 0..4 {
         let at = on_sheet(&hand);
-        hand.wheel(at, 120.0);
+        hand.wheel(at, 300.0);
         assert!(on_sheet(&hand).distance(at) < 0.6, "{at:?} went to {:?}", on_sheet(&hand));
     }
     let at = on_sheet(&hand);
@@ -266,7 +264,8 @@ fn the_sheet_tells_what_lies_where_and_leads_there() {
     assert!(on_sheet(&hand).distance(at + vec2(40.0, -30.0)) < 1.0);
     assert_eq!(at_work(&hand), sample);
     hand.press("Fit");
-    let [left, right] = [[0, 0], [7, 7]].map(|texel| hand.app().painting().on_sheet(Address::default(), texel).unwrap());
+    let [left, right] =
+        [[0, 0], [7, 7]].map(|texel| hand.app().painting().on_sheet(Address::default(), texel).unwrap());
     let canvas = hand.place("Sheet of all samples");
     assert!(canvas.contains(left) && canvas.contains(right), "{left:?} {right:?} in {canvas:?}");
 }

@@ -74,8 +74,7 @@ fn a_surface_is_painted_from_nothing() {
     artist.settle();
     let was = painted(&artist).clone();
     assert_eq!(chiaro::hcbtf::load(&path).unwrap().0, was, "the file holds what was painted");
-    artist.app_mut().show_on("shape:sphere");
-    artist.settle();
+    artist.choose("On", "Sphere");
     let wgsl = studio.finish(artist, "meadow.json");
     assert!(wgsl.contains("texture_2d_array"), "what was painted is looked up");
     assert!(studio.read("meadow.json").contains("\"meadow.hcbtf\""), "the look names its neighbour by the way to it");

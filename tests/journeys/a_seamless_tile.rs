@@ -35,9 +35,8 @@ fn a_tile_is_painted_without_a_seam() {
 
     // A bow over the corner, across copies on all sides: the same bow in the middle is the same tile, moved by half.
     let bow = [[-4.0, 1.0], [0.5, -3.0], [5.0, 2.0]];
-    let along = |artist: &Artist, by: f64| -> Vec<Pos2> {
-        bow.iter().map(|[x, y]| texel(artist, x + by, y + by)).collect()
-    };
+    let along =
+        |artist: &Artist, by: f64| -> Vec<Pos2> { bow.iter().map(|[x, y]| texel(artist, x + by, y + by)).collect() };
     let path = along(&artist, 0.0);
     artist.drag_through(&path);
     artist.settle();
@@ -87,7 +86,6 @@ fn a_tile_is_painted_without_a_seam() {
     let sheet = image::open(&sheet).unwrap().into_rgba8();
     let first = image::imageops::crop_imm(&sheet, 0, 0, 16, 16).to_image();
     assert_eq!(first.as_raw(), striped.bytes(), "{:?}", artist.app().message());
-    artist.app_mut().show_on("shape:sphere");
-    artist.settle();
+    artist.choose("On", "Sphere");
     studio.finish(artist, "bow.json");
 }

@@ -15,9 +15,7 @@ const GRID: Grid =
 /// What somebody painted for a light, seen from above: a ramp whose colour tells the light.
 fn painted(light: u8) -> image::RgbaImage {
     let [width, height] = GRID.size;
-    image::RgbaImage::from_fn(width, height, |x, y| {
-        image::Rgba([40 + 50 * light, (x * 20) as u8, (y * 30) as u8, 255])
-    })
+    image::RgbaImage::from_fn(width, height, |x, y| image::Rgba([40 + 50 * light, (x * 20) as u8, (y * 30) as u8, 255]))
 }
 
 #[test]
@@ -34,7 +32,8 @@ fn painted_pictures_become_a_shader() {
     let mut artist = studio.window();
     artist.press("Paint");
     artist.press("Import painted pictures as an HCBTF...");
-    for (label, text) in [("Lights: rings", "2"), ("Lights: steps", "3"), ("Views: rings", "2"), ("Views: steps", "2")] {
+    for (label, text) in [("Lights: rings", "2"), ("Lights: steps", "3"), ("Views: rings", "2"), ("Views: steps", "2")]
+    {
         let field = artist.place_of(Role::SpinButton, label);
         artist.type_over(field, text);
     }
@@ -67,7 +66,7 @@ fn painted_pictures_become_a_shader() {
     assert_eq!(chiaro::hcbtf::load(&path).unwrap().0.painted.len(), 4);
 
     // The look that shows it is kept, and leaves as WGSL by the menu.
-    artist.app_mut().show_on("shape:sphere");
+    artist.choose("On", "Sphere");
     artist.save_under(&studio.path("ramp.json"));
     let out = studio.path("shaders");
     artist.app_mut().answer_dialog(&out);
@@ -79,7 +78,12 @@ fn painted_pictures_become_a_shader() {
         written.iter().filter(|path| path.extension().is_some_and(|found| found == ending)).collect::<Vec<_>>()
     };
     let (wgsl, textures) = (of("wgsl"), of("ktx2"));
-    assert_eq!((wgsl.len(), textures.len()), (1, 1), "{written:?}: {:?}", artist.app().message());
+    assert_eq!(
+        (wgsl.len(), textures.len()),
+        (2, 1),
+        "the look, what it prepares, and its texture: {written:?}: {:?}",
+        artist.app().message()
+    );
     tint(&wgsl).unwrap();
     let texture = ktx2::read(&std::fs::read(textures[0]).unwrap(), "texture").unwrap();
     let carried = from_layers(&texture).unwrap();

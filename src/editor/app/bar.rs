@@ -105,7 +105,8 @@ impl App {
     }
 
     pub(super) fn status(&self, ui: &mut Ui) -> Option<Command> {
-        let hints = [self.painting.hint(), self.viewport.hint(), self.canvas.hint()];
+        let of_graph = if self.dock.shows(dock::Panel::Graph) { self.canvas.hint() } else { "" };
+        let hints = [self.painting.hint(), self.viewport.hint(), of_graph];
         let hint = hints.into_iter().find(|hint| !hint.is_empty() && self.start.is_none()).unwrap_or_default();
         ui.horizontal(|ui| {
             let command = problems::status(ui, &self.session);

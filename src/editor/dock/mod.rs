@@ -8,7 +8,8 @@ use eframe::egui::{
     Color32, Rect, Response, Sense, Stroke, TextStyle, Ui, UiBuilder, Vec2, Visuals, WidgetInfo, WidgetText, vec2,
 };
 use egui_tiles::{
-    Behavior, Container, Linear, LinearDir, SimplificationOptions, TabState, Tabs, Tile, TileId, Tiles, Tree, UiResponse,
+    Behavior, Container, Linear, LinearDir, SimplificationOptions, TabState, Tabs, Tile, TileId, Tiles, Tree,
+    UiResponse,
 };
 use serde::{Deserialize, Serialize};
 
@@ -18,6 +19,8 @@ use super::theme;
 const TAB_MARGIN: f32 = 20.0;
 /// The width of the arrows that move tabs, in points.
 const ARROW: f32 = 30.0;
+/// For so many frames a tab that came to the front is brought into view.
+const FRAMES: u8 = 3;
 /// Panels are laid out in as much room at least, in points.
 const LEAST: Vec2 = Vec2::splat(48.0);
 
@@ -110,7 +113,9 @@ impl Panel {
             Self::Samples => {
                 "All lights and views of what is painted at a glance: go from one to another, copy, delete"
             }
-            Self::Sheet => "All of what is painted and filled in one picture, as the thesis lays it out; tells what lies where",
+            Self::Sheet => {
+                "All of what is painted and filled in one picture, as the thesis lays it out; tells what lies where"
+            }
             Self::Directions => "Where the light and the eye are that you paint for, and what is painted already",
             Self::Rules => "The rules that fill the lights and views that nobody painted",
             Self::Inspector => "The values of what is selected",
@@ -386,12 +391,15 @@ impl Behavior<Panel> for Shown<'_> {
         menu.response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, "All panels of this stack"));
         menu.response.on_hover_text("Lists all panels that lie here");
         let known = egui::Id::unique("front tab").with(stack);
-        let before = ui.data(|data| data.get_temp::<Option<TileId>>(known)).flatten();
+        let (before, frames) = ui.data(|data| data.get_temp::<(Option<TileId>, u8)>(known)).unwrap_or_default();
         let Some((tile, _, span)) = all.into_iter().find(|(tile, ..)| tabs.active == Some(*tile)) else { return };
-        if before != Some(tile) {
-            ui.data_mut(|data| data.insert_temp(known, Some(tile)));
+        let frames = if before == Some(tile) { frames.saturating_add(1) } else { 0 };
+        // How wide all tabs are together is known in the frame after.
+        if frames < FRAMES {
             let room = (ui.available_width() - 2.0 * ARROW).max(0.0);
             *offset = offset.max(*span.end() - room).min(*span.start());
+            ui.data_mut(|data| data.insert_temp(known, (Some(tile), frames)));
+            ui.ctx().request_repaint();
         }
     }
 

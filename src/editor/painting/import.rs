@@ -55,8 +55,12 @@ fn told(form: Form) -> (&'static str, &'static str) {
             "A contact sheet",
             "One PNG with all tiles side by side: views across, lights down, the one straight above first.",
         ),
-        Form::Sheet => ("A sheet of the thesis", "One PNG in which every texel is a block of all its lights and views."),
-        Form::Ktx2 => ("A KTX2 texture", "The texture that shaders look up, as it was exported; it tells its own grid."),
+        Form::Sheet => {
+            ("A sheet of the thesis", "One PNG in which every texel is a block of all its lights and views.")
+        }
+        Form::Ktx2 => {
+            ("A KTX2 texture", "The texture that shaders look up, as it was exported; it tells its own grid.")
+        }
     }
 }
 

@@ -45,9 +45,9 @@ use crate::hcbtf::exchange::Form;
 pub(crate) use import::Import;
 pub(crate) use start::Preset;
 pub(crate) use tools::Kind;
+pub(crate) use work::OnDisk;
 use work::State;
 pub use work::Work;
-pub(crate) use work::OnDisk;
 
 /// Something that is asked for of what is painted; [`App`](super::App) does it.
 #[derive(Clone, Debug)]

@@ -3,8 +3,6 @@
 //!
 //! Only what is seen is made, in pixels of the screen, when it changes: the whole may be larger than any texture.
 
-use std::collections::HashMap;
-
 use eframe::egui::{
     Color32, ColorImage, FontId, PointerButton, Pos2, Rect, Response, RichText, Role, Sense, Stroke, StrokeKind,
     TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
@@ -12,23 +10,23 @@ use eframe::egui::{
 
 use super::work::{State, Work};
 use super::{Wish, command, moves};
-use crate::document::{Address, Direction, Grid, Tile};
+use crate::document::{Address, Direction, Grid};
 use crate::editor::command::Command;
 use crate::editor::theme;
-use crate::hcbtf::sheet::{Held, held, place, size};
+use crate::hcbtf::sheet::{Held, column, held, place, row, size};
 
 /// Points a texel of the sheet, at most.
 const CLOSEST: f64 = 64.0;
 /// So much of the room the whole sheet takes when it is fitted.
 const FITTED: f64 = 0.96;
 /// Where a pixel shows more texels than one, it is the mean of so many along each side at most.
-const MOST_AVERAGED: u32 = 4;
+const MOST_AVERAGED: usize = 4;
 /// Lines between blocks are drawn where these are so many points wide.
 const LINED: f64 = 12.0;
 /// The texels of the sample at work are marked where they are so many points wide.
 const MARKED: f64 = 3.0;
-/// What holds nothing.
-const NOTHING: Color32 = Color32::from_gray(38);
+/// The grey that shows through what is transparent.
+const NOTHING: u32 = 38;
 
 /// How the sheet is shown.
 #[derive(Default)]
@@ -174,42 +172,79 @@ fn texel_at(laid: &Laid, at: Pos2) -> Option<[u32; 2]> {
 /// What is seen of the sheet, a colour a pixel.
 fn picture(work: &Work, laid: &Laid, pixels: [usize; 2]) -> ColorImage {
     let grid = *work.grid();
-    let tiles: HashMap<Address, &Tile> =
-        grid.addresses().filter_map(|address| Some((address, work.tile(address)?.as_ref()))).collect();
+    let tiles = tiles(work, &grid);
+    let steps = (grid.view.phi * grid.light.phi) as usize;
     let step = f64::from(laid.room.width()) / pixels[0] as f64 / laid.zoom;
-    let count = (step.ceil() as u32).clamp(1, MOST_AVERAGED);
+    let count = (step.ceil() as usize).clamp(1, MOST_AVERAGED);
     let from = laid.texel(laid.room.min);
-    let places = |axis: usize, pixel: usize| {
-        (0..count).map(move |part| from[axis] + step * (pixel as f64 + (f64::from(part) + 0.5) / f64::from(count)))
+    // What is met along an axis: for each pixel the texels that it averages.
+    let place = |axis: usize, index: usize| {
+        let at = from[axis] + step * (index as f64 + 0.5) / count as f64;
+        (at >= 0.0).then_some(at as u32)
     };
-    let shown = |[x, y]: [f64; 2]| -> Option<[u8; 4]> {
-        if x < 0.0 || y < 0.0 {
-            return None;
-        }
-        let held = held(&grid, [x as u32, y as u32])?;
-        let [x, y] = held.texel.map(i64::from);
-        Some(tiles.get(&held.address).map_or([0; 4], |tile| tile.texel(x, y)))
-    };
-    let color = |column: usize, row: usize| {
-        let mut sum = [0_u32; 3];
-        let mut inside = 0;
-        for texel in places(1, row).flat_map(|y| places(0, column).map(move |x| [x, y])).filter_map(shown) {
-            let alpha = u32::from(texel[3]);
-            for (sum, (channel, ground)) in sum.iter_mut().zip(texel.into_iter().zip(NOTHING.to_array())) {
-                *sum += (u32::from(channel) * alpha + u32::from(ground) * (255 - alpha)) / 255;
+    let columns: Vec<Option<[usize; 2]>> = (0..pixels[0] * count)
+        .map(|index| {
+            let [ix, view, light] = column(&grid, place(0, index)?)?;
+            Some([ix as usize, (view * grid.light.theta + light) as usize * steps])
+        })
+        .collect();
+    let rows: Vec<Option<[usize; 2]>> = (0..pixels[1] * count)
+        .map(|index| {
+            let ([iy, view, light], _) = row(&grid, place(1, index)?)?;
+            Some([(iy * grid.size[0]) as usize, (view * grid.light.phi + light) as usize])
+        })
+        .collect();
+    let mut colors = Vec::with_capacity(pixels[0] * pixels[1]);
+    for rows in rows.chunks_exact(count) {
+        for columns in columns.chunks_exact(count) {
+            let mut mean = Mean::default();
+            for [start, step] in rows.iter().flatten() {
+                for [ix, rings] in columns.iter().flatten() {
+                    mean.add(tiles[rings + step].and_then(|tile| tile.get(start + ix)));
+                }
             }
-            inside += 1;
+            colors.push(mean.color());
         }
-        match inside {
-            0 => Color32::TRANSPARENT,
-            _ => {
-                let [r, g, b] = sum.map(|sum| (sum / inside) as u8);
-                Color32::from_rgb(r, g, b)
-            }
-        }
+    }
+    ColorImage::new(pixels, colors)
+}
+
+/// The texels of every sample, by the rings of view and light and then by their steps.
+fn tiles<'w>(work: &'w Work, grid: &Grid) -> Vec<Option<&'w [[u8; 4]]>> {
+    let directions = |theta, phi| Direction { theta, phi };
+    let rings = (0..grid.view.theta).flat_map(|view| (0..grid.light.theta).map(move |light| [view, light]));
+    let steps = || (0..grid.view.phi).flat_map(|view| (0..grid.light.phi).map(move |light| [view, light]));
+    let all = rings.flat_map(|rings| steps().map(move |steps| (rings, steps)));
+    let tile = |(rings, steps): ([u32; 2], [u32; 2])| {
+        let address = Address { view: directions(rings[0], steps[0]), light: directions(rings[1], steps[1]) };
+        Some(work.tile(address.canonical())?.bytes().as_chunks::<4>().0)
     };
-    let all = (0..pixels[1]).flat_map(|row| (0..pixels[0]).map(move |column| (column, row)));
-    ColorImage::new(pixels, all.map(|(column, row)| color(column, row)).collect())
+    all.map(tile).collect()
+}
+
+/// The mean of texels over what shows through them.
+#[derive(Default)]
+struct Mean {
+    sum: [u32; 3],
+    count: u32,
+}
+
+impl Mean {
+    fn add(&mut self, texel: Option<&[u8; 4]>) {
+        let [r, g, b, a] = texel.copied().unwrap_or_default();
+        for (sum, channel) in self.sum.iter_mut().zip([r, g, b]) {
+            *sum += (u32::from(channel) * u32::from(a) + NOTHING * (255 - u32::from(a))) / 255;
+        }
+        self.count += 1;
+    }
+
+    /// Nothing outside the sheet.
+    fn color(&self) -> Color32 {
+        let Some([r, g, b]) = (self.count > 0).then(|| self.sum.map(|sum| (sum / self.count) as u8)) else {
+            return Color32::TRANSPARENT;
+        };
+        Color32::from_rgb(r, g, b)
+    }
 }
 
 /// Lines between the blocks, and between the views of a block where there is room.
