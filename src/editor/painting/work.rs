@@ -7,10 +7,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::SystemTime;
 
 use crate::diag::Diagnostic;
-use crate::document::journal::Op;
 use crate::document::{Address, Grid, Hcbtf, HcbtfEdit, History, Rule, Tile, write_atomic};
-use crate::editor::session::keeping::Keeping;
-use crate::editor::session::times::{Gestures, Times};
+use crate::editor::session::kept::Kept;
 use crate::frame::Overlay;
 use crate::hcbtf::{self, Filled, Provenance};
 
@@ -50,9 +48,7 @@ pub(crate) enum OnDisk {
 
 /// An HCBTF that is being painted.
 pub struct Work {
-    history: History<Hcbtf>,
-    pub(crate) times: Times,
-    gestures: Gestures,
+    pub(crate) kept: Kept<Hcbtf>,
     path: Option<PathBuf>,
     /// When the file was written that this was read from or saved to, and how long it was.
     stamp: Option<(SystemTime, u64)>,
@@ -71,7 +67,6 @@ pub struct Work {
     version: u64,
     /// Another number is another document.
     number: u64,
-    pub(super) keeping: Keeping<Hcbtf>,
 }
 
 impl Work {
@@ -82,12 +77,8 @@ impl Work {
     pub(super) fn of_history(history: History<Hcbtf>, path: Option<PathBuf>) -> Self {
         let shown = Arc::new(history.document().clone());
         let at = shown.painted.keys().next().copied().unwrap_or_default();
-        let mut times = Times::default();
-        times.fit(history.steps());
         Self {
-            history,
-            times,
-            gestures: Gestures::default(),
+            kept: Kept::new(history),
             stamp: path.as_deref().and_then(stamp),
             path,
             load_problems: Vec::new(),
@@ -98,7 +89,6 @@ impl Work {
             filled: None,
             version: next_version(),
             number: next_version(),
-            keeping: Keeping::default(),
         }
     }
 
@@ -111,7 +101,7 @@ impl Work {
     /// One that pictures of other programs were made into, with what was odd about them; no file holds it.
     pub(crate) fn imported(hcbtf: Hcbtf, notes: Vec<Diagnostic>) -> Self {
         let mut work = Self::with(hcbtf, None);
-        work.history.mark_unsaved();
+        work.kept.history.mark_unsaved();
         work.load_problems = notes;
         work
     }
@@ -144,7 +134,7 @@ impl Work {
         self.stamp = stamp(&path);
         self.path = Some(path);
         self.load_problems.clear();
-        self.history.mark_saved();
+        self.kept.history.mark_saved();
         self.version = next_version();
         self.saved();
         Ok(())
@@ -176,7 +166,7 @@ impl Work {
         }
         self.stamp = read;
         self.load_problems = notes;
-        self.history.mark_saved();
+        self.kept.history.mark_saved();
         self.saved();
         Ok(is_other)
     }
@@ -188,12 +178,12 @@ impl Work {
 
     /// The document as it is, without a stroke that goes on.
     pub fn hcbtf(&self) -> &Hcbtf {
-        self.history.document()
+        self.kept.history.document()
     }
 
     /// How finely it is divided.
     pub(crate) fn grid(&self) -> &Grid {
-        &self.history.document().grid
+        &self.kept.history.document().grid
     }
 
     /// The file, once there is one.
@@ -209,16 +199,16 @@ impl Work {
 
     /// Whether there are changes that no file holds.
     pub fn is_dirty(&self) -> bool {
-        !self.history.is_saved()
+        !self.kept.history.is_saved()
     }
 
     /// Lets unsaved changes go: they are no longer asked about.
     pub(crate) fn give_up_changes(&mut self) {
-        self.history.mark_saved();
+        self.kept.history.mark_saved();
     }
 
     pub(crate) fn history(&self) -> &History<Hcbtf> {
-        &self.history
+        &self.kept.history
     }
 
     /// The sample at work.
@@ -328,7 +318,7 @@ impl Work {
 
     /// Breaks a gesture, so that whatever comes next is a step of its own.
     pub(crate) fn end_gesture(&mut self) {
-        self.gestures.end();
+        self.kept.end_gesture();
     }
 
     /// Applies a change. With a `hand`, consecutive changes by it are one step. `now` is when. Returns whether anything
@@ -337,39 +327,23 @@ impl Work {
     /// # Errors
     /// A diagnostic where the change is impossible; nothing is changed then.
     pub(crate) fn apply(&mut self, change: HcbtfEdit, hand: Option<u64>, now: u64) -> Result<bool, Box<Diagnostic>> {
-        let before = self.history.revision();
-        let kept = self.keeping.is_on().then(|| change.clone());
-        let gesture = hand.map(|hand| self.gestures.of(hand, before));
-        match gesture {
-            Some(gesture) => self.history.apply_in(gesture, change)?,
-            None => self.history.apply(change)?,
-        }
-        self.gestures.did(hand, self.history.revision());
-        let is_changed = self.history.revision() != before;
-        if is_changed {
-            self.times.did(self.history.steps(), now);
-            self.keeping.note(kept.map(|edit| Op::Edit { gesture, edit }));
-        }
+        let is_changed = self.kept.apply(change, hand, now)?;
         self.live = None;
         self.show();
         Ok(is_changed)
     }
 
     pub(crate) fn undo(&mut self) -> bool {
-        let did = self.history.undo().is_some();
+        let did = self.kept.undo();
         if did {
-            self.times.undid();
-            self.keeping.note(Some(Op::Undo));
             self.show();
         }
         did
     }
 
     pub(crate) fn redo(&mut self, now: u64) -> bool {
-        let did = self.history.redo().is_some();
+        let did = self.kept.redo(now);
         if did {
-            self.times.redid(now);
-            self.keeping.note(Some(Op::Redo));
             self.show();
         }
         did

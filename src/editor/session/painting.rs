@@ -75,7 +75,7 @@ impl Session {
         let is_changed = work.apply(change, hand, self.now)?;
         self.painting_changed();
         if is_changed {
-            self.gestures.end();
+            self.kept.end_gesture();
             if let Some(stage) = &mut self.stage {
                 stage.end_gesture();
             }
@@ -100,7 +100,7 @@ impl Session {
             };
             let is_named = self.rename_painting(UNSAVED_HCBTF, &name);
             if is_named && self.path.is_some() {
-                self.history.mark_unsaved();
+                self.kept.history.mark_unsaved();
             }
             match self.is_look_dirty() {
                 true => self.begin_journal(None),
@@ -116,7 +116,7 @@ impl Session {
     fn rename_painting(&mut self, from: &str, to: &str) -> bool {
         let Some(look) = self.look_naming(from, to) else { return false };
         let is_renamed = look != *self.look();
-        self.history.amend(look, |edit| look::rename_in(edit, from, to));
+        self.kept.history.amend(look, |edit| look::rename_in(edit, from, to));
         self.meaning += 1;
         self.changed(true);
         is_renamed
@@ -165,7 +165,7 @@ impl Session {
         self.problems_number += 1;
         if is_other {
             self.painting_changed();
-            self.gestures.end();
+            self.kept.end_gesture();
             if let Some(stage) = &mut self.stage {
                 stage.end_gesture();
             }
