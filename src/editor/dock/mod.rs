@@ -376,6 +376,7 @@ impl Behavior<Panel> for Shown<'_> {
         if end <= ui.available_width() {
             return;
         }
+        ui.add_space(4.0);
         let menu = ui.menu_button("...", |ui| {
             for (tile, panel, _) in &all {
                 let is_it = tabs.active == Some(*tile);
