@@ -255,13 +255,13 @@ fn lines(ui: &Ui, laid: &Laid, grid: &Grid) {
     let block = [inner[0] * grid.view.theta, inner[1] * grid.view.phi];
     let [first, last] = [laid.screen([0.0, 0.0]), laid.screen(whole.map(f64::from))];
     for (part, stroke) in [
-        (inner, Stroke::new(1.0, Color32::from_white_alpha(18))),
+        (inner, Stroke::new(1.0, Color32::from_white_alpha(28))),
         (block, Stroke::new(1.0, Color32::from_white_alpha(60))),
     ] {
+        if part.into_iter().any(|side| f64::from(side) * laid.zoom < LINED) {
+            continue;
+        }
         for (axis, [from, to]) in laid.seen(whole).into_iter().enumerate() {
-            if f64::from(part[axis]) * laid.zoom < LINED {
-                continue;
-            }
             for index in from / part[axis]..=to / part[axis] {
                 let at = laid.screen([f64::from(index * part[axis]); 2]);
                 match axis {
