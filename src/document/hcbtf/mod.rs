@@ -343,3 +343,29 @@ struct AddressText {
     light: Direction,
     view: Direction,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_difference_is_the_least_rectangle_around_what_differs() {
+        let before = Tile::filled([7, 5], [1, 2, 3, 255]);
+        assert_eq!(before.difference(&before.clone()), None);
+        assert_eq!(before.difference(&Tile::filled([5, 7], [1, 2, 3, 255])), Some([0, 0, 7, 5]));
+        for (changed, wanted) in [
+            (vec![[0, 0, 0]], [0, 0, 1, 1]),
+            (vec![[6, 4, 3]], [6, 4, 1, 1]),
+            (vec![[2, 3, 2], [4, 1, 1]], [2, 1, 3, 3]),
+            (vec![[5, 1, 0], [3, 2, 3], [3, 4, 1]], [3, 1, 3, 4]),
+            (vec![[0, 2, 3], [6, 2, 0]], [0, 2, 7, 1]),
+        ] {
+            let mut after = before.clone();
+            for [x, y, channel] in &changed {
+                after.bytes_mut()[4 * (y * 7 + x) + channel] = 9;
+            }
+            assert_eq!(after.difference(&before), Some(wanted), "{changed:?}");
+            assert_eq!(before.difference(&after), Some(wanted), "{changed:?}");
+        }
+    }
+}
