@@ -1,7 +1,8 @@
-//! What the window costs a hand: frames of the canvas, opening, the way from an edit to its picture, startup, memory.
+//! What the window costs a hand: frames of the canvas, opening, the way from an edit to its picture, strokes, startup,
+//! memory.
 //!
 //! `cargo bench --profile dev --bench editor` prints tables; docs/performance.md holds the figures. With arguments after
-//! `--` only the parts so named run: `canvas`, `latency`, `startup`, `memory`; with numbers, looks of so many nodes.
+//! `--` only the parts so named run: `canvas`, `latency`, `painting`, `startup`, `memory`; with numbers, looks of so many nodes.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
 #![allow(missing_docs, reason = "a program")]
 #![allow(clippy::disallowed_methods, reason = "it starts programs and reads what they say")]
@@ -20,6 +21,8 @@ mod latency;
 mod looks;
 #[path = "editor/memory.rs"]
 mod memory;
+#[path = "editor/painting.rs"]
+mod painting;
 #[path = "editor/startup.rs"]
 mod startup;
 #[path = "editor/times.rs"]
@@ -44,8 +47,13 @@ fn main() {
     {
         return memory::child(nodes.parse().expect("a number of nodes"));
     }
-    let parts: [(&str, fn()); 4] =
-        [("canvas", canvas::run), ("latency", latency::run), ("startup", startup::run), ("memory", memory::run)];
+    let parts: [(&str, fn()); 5] = [
+        ("canvas", canvas::run),
+        ("latency", latency::run),
+        ("painting", painting::run),
+        ("startup", startup::run),
+        ("memory", memory::run),
+    ];
     let is_asked = |name: &str| asked.iter().any(|part| part == name);
     let wants_all = !parts.iter().any(|(name, _)| is_asked(name));
     for (name, run) in parts {

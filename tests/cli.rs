@@ -152,13 +152,26 @@ fn hcbtfs_are_made_told_of_and_exchanged() {
         "12 samples",
         "painted  1",
         "copy fills 11",
-        "texture  8 x 15 in 5 layers",
-        "fits     every GPU",
+        "quick    8 x 15 in 2 layers, 0.00 MiB of at most 0.00: fits every GPU",
+        "quick    12 x 15 in 2 layers",
+        "compact  38 x 1 in 1 layer, 0.00 MiB",
         "lambert changes 9",
         "empty    0",
     ] {
         assert!(info.contains(told), "no `{told}` in {info}");
     }
+    // Rules are shown as they are set.
+    let rules = shop.run(&["hcbtf", "rules", "grass.hcbtf"]).ok();
+    assert_eq!(rules.json()[0]["rule"], json!("copy"));
+    shop.write("rules.json", &rules.out);
+    shop.run(&["hcbtf", "new", "other", "--grid", grid]).ok();
+    shop.run(&["hcbtf", "rules", "other.hcbtf", "--set", "rules.json"]).ok();
+    assert_eq!(shop.run(&["hcbtf", "rules", "other.hcbtf"]).ok().out, rules.out);
+    shop.write("rules.json", r#"[{"rule": "blend", "sharpness": 99}]"#);
+    shop.run(&["hcbtf", "rules", "other.hcbtf", "--set", "rules.json"]).fails(1, &["hcbtf-rule", "`sharpness` is 99"]);
+    shop.write("rules.json", r#"[{"rule": "strokes", "bundle": []}]"#);
+    shop.run(&["hcbtf", "rules", "other.hcbtf", "--set", "rules.json"]).fails(1, &["unknown field `bundle`"]);
+    assert_eq!(shop.run(&["hcbtf", "rules", "other.hcbtf"]).ok().out, rules.out);
     let info = shop.run(&["hcbtf", "info", "grass.hcbtf", "--json"]).ok().json();
     assert_eq!((&info["tiles"], &info["sheet"]), (&json!(2), &json!([16, 30])));
     assert_eq!(info["samples"].as_array().map(Vec::len), Some(12));
@@ -182,6 +195,11 @@ fn hcbtfs_are_made_told_of_and_exchanged() {
     assert!(told.contains("12 of 12 samples are painted"), "{told}");
     shop.run(&["hcbtf", "export", "back.hcbtf", "-o", "again.png"]).ok();
     assert_eq!(fs::read(shop.path("again.png")).unwrap(), fs::read(shop.path("sheet.png")).unwrap(), "KTX2");
+    shop.run(&["hcbtf", "export", "grass.hcbtf", "--to", "ktx2", "--compact", "-o", "small.ktx2"]).ok();
+    shop.run(&["hcbtf", "import", "small.ktx2", "-o", "back.hcbtf", "--force"]).ok();
+    shop.run(&["hcbtf", "export", "back.hcbtf", "-o", "again.png"]).ok();
+    assert_eq!(fs::read(shop.path("again.png")).unwrap(), fs::read(shop.path("sheet.png")).unwrap(), "compact");
+    shop.run(&["hcbtf", "export", "grass.hcbtf", "--compact", "-o", "x.png"]).fails(2, &["--to ktx2"]);
     shop.run(&["hcbtf", "import", "sheet.png", "--as", "ktx2", "-o", "x"]).fails(1, &["sheet.png", "bad-ktx2"]);
     let told = shop.run(&["hcbtf", "export", "grass.hcbtf", "--to", "folder", "--painted", "-o", "one"]).ok();
     assert!(told.err.contains("1 images"), "{}", told.err);

@@ -6,6 +6,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use chiaro::document::{Directions, Grid, Hcbtf};
+
 /// A user's home, with data of other programs in it.
 struct Home(tempfile::TempDir);
 
@@ -116,14 +118,19 @@ fn desktops_take_what_is_written() {
     if let Some(judged) = tool("desktop-file-validate", &[&entry], &home.data()) {
         assert!(judged.status.success(), "{}{}", text(&judged.stdout), text(&judged.stderr));
     }
-    // A look and a scene are known as what they are, and other JSON is left to other programs.
+    // A look, a scene and a painted surface are known as what they are, and other JSON is left to other programs.
     if !home.data().join("mime/mime.cache").is_file() {
         return;
     }
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
     let plain = home.0.path().join("plain.json");
     fs::write(&plain, r#"{"a": [1, 2]}"#).unwrap();
+    let directions = Directions { theta: 1, phi: 1 };
+    let grid = Grid { size: [2, 2], light: directions, view: directions };
+    let painting = home.0.path().join("grass.hcbtf");
+    fs::write(&painting, chiaro::hcbtf::write(&Hcbtf::new(grid)).unwrap()).unwrap();
     for (file, expected) in [
+        (painting, "application/vnd.chiaro.hcbtf+zip"),
         (root.join("looks/figure1-layers.json"), "application/vnd.chiaro.look+json"),
         (root.join("scenes/cast.json"), "application/vnd.chiaro.scene+json"),
         (plain, "application/json"),

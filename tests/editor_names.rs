@@ -6,7 +6,7 @@ mod editor_support;
 use std::path::Path;
 use std::sync::Arc;
 
-use chiaro::document::{Address, Directions, Grid, Hcbtf, HcbtfAngle, Rule, Tile};
+use chiaro::document::{Address, Directions, Grid, Hcbtf, HcbtfAngle, Rule, Strokes, Tile};
 use editor_support::Hand;
 use eframe::egui::{Key, Modifiers, Role};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -83,6 +83,8 @@ fn painting(hand: &mut Hand, found: &mut Vec<String>) {
         Rule::Lambert { shadow: [0; 3], amount: 1.0 },
         Rule::Rotate { turns: 1.0 },
         Rule::Recolor { angle: HcbtfAngle::LightTheta, from: [255; 3], to: [9; 3] },
+        Rule::Morph { sharpness: 2.0 },
+        Rule::Strokes(Box::new(Strokes::preset("Pencil"))),
         Rule::Relief(Box::default()),
     ];
     let three = Directions { theta: 2, phi: 3 };
@@ -94,7 +96,7 @@ fn painting(hand: &mut Hand, found: &mut Vec<String>) {
     hand.app_mut().open(&path);
     hand.settle();
     nameless(hand, "the painting workspace", found);
-    for menu in ["Paint", "+ Add a rule", "Symmetry", "Pen"] {
+    for menu in ["Paint", "+ Add a rule", "Begin with", "Symmetry", "Pen"] {
         hand.press_a(Role::Button, menu);
         nameless(hand, menu, found);
         hand.key(Key::Escape);

@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use chiaro::document::{Address, Directions, Grid, Hcbtf, Rule, Tile};
+use chiaro::document::{Address, Directions, Grid, Hcbtf, Rule, Strokes, Tile};
 use chiaro::editor::App;
 use editor_support::Hand;
 use editor_support::home::Home;
@@ -190,6 +190,28 @@ fn a_rule_fills_the_map_and_a_filled_sample_is_painted_on_as_it_is_shown() {
     hand.undo();
     hand.settle();
     assert!(hand.has("79 filled"));
+}
+
+#[test]
+fn strokes_begin_from_a_preset_and_are_changed_field_by_field() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut hand = opened(&file(folder.path(), Vec::new()));
+    hand.press("+ Add a rule");
+    hand.press_a(Role::MenuItem, "Strokes");
+    hand.settle();
+    let strokes = |hand: &Hand| match &hcbtf(hand).rules[..] {
+        [Rule::Strokes(strokes)] => Strokes::clone(strokes),
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(strokes(&hand), Strokes::preset("Grass"));
+    assert!(hand.has("80 filled"));
+    hand.press("Begin with");
+    hand.press_a(Role::MenuItem, "Half-tone dots");
+    hand.settle();
+    assert_eq!(strokes(&hand), Strokes::preset("Half-tone dots"));
+    hand.undo();
+    hand.settle();
+    assert_eq!(strokes(&hand), Strokes::preset("Grass"));
 }
 
 #[test]

@@ -98,10 +98,14 @@ fn spiral(hand: &Hand) -> Vec<Pos2> {
 #[ignore = "writes pictures to be looked at"]
 fn shots() {
     let mut hand = window();
-    hand.press("View");
-    hand.press_a(Role::CheckBox, "Paint");
-    hand.key(Key::Escape);
+    hand.app_mut().show_start_page();
+    save(&mut hand, "paint-start-page");
+    hand.press("Paint a surface");
     save(&mut hand, "paint-0-start");
+    hand.press("Import painted pictures...");
+    hand.choose("Kind of pictures", "A contact sheet");
+    save(&mut hand, "paint-0-import");
+    hand.press("Cancel");
     hand.press("Thesis: 32 x 32 texels, 51 lights x 51 views");
     save(&mut hand, "paint-1-new");
     let path = spiral(&hand);
@@ -124,6 +128,19 @@ fn shots() {
     hand.app_mut().session_mut().painting_mut().unwrap().go_to(Address::new([2, 1], [5, 2]));
     hand.tab("Fill rules");
     save(&mut hand, "paint-5-grazing");
+    hand.press("View");
+    hand.press_a(Role::CheckBox, "Sheet");
+    hand.key(Key::Escape);
+    save(&mut hand, "paint-8-sheet");
+    let sample = Address::new([2, 1], [5, 2]);
+    for _ in 0..5 {
+        let at = hand.app().painting().on_sheet(sample, [12, 10]).unwrap();
+        hand.wheel(at, 300.0);
+    }
+    let at = hand.app().painting().on_sheet(sample, [12, 10]).unwrap();
+    hand.hover(at + vec2(0.0, 40.0));
+    save(&mut hand, "paint-9-sheet-near");
+    hand.tab("Paint");
     hand.harness.ctx.set_theme(Theme::Light);
     save(&mut hand, "paint-6-light");
     hand.key_with(Modifiers::NONE, Key::F1);

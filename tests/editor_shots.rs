@@ -56,6 +56,23 @@ fn shots() {
     save(&mut hand, "light");
 }
 
+/// Arrows toward eye and lights on the waves and on a ball.
+#[test]
+#[ignore = "writes pictures to be looked at"]
+fn arrows() {
+    let mut hand = window();
+    hand.press("Options");
+    hand.press("Arrows toward eye and lights");
+    hand.key(Key::Escape);
+    for shape in ["waves", "sphere"] {
+        hand.app_mut().show_on(&format!("shape:{shape}"));
+        hand.settle();
+        let at = hand.app().viewport().rect().unwrap().center();
+        hand.hover(at);
+        save(&mut hand, &format!("arrows-{shape}"));
+    }
+}
+
 /// The viewport's handles on every mesh of a folder that `CHIARO_MODELS` names, and on own shapes.
 #[test]
 #[ignore = "writes pictures to be looked at"]

@@ -313,3 +313,38 @@ fn the_window_rests_with_lines_on_the_object() {
     hand.harness.run_steps(2);
     assert!(hand.repaint_delay() < std::time::Duration::from_secs(1), "and goes on");
 }
+
+/// Arrows lie from the surface toward each light and along the eye's trace; without them there are none.
+#[test]
+fn arrows_point_at_the_light() {
+    let mut hand = on_ball();
+    assert_eq!(hand.app().viewport().arrows().count(), 0);
+    hand.press("Options");
+    hand.press("Arrows toward eye and lights");
+    hand.key(Key::Escape);
+    hand.settle();
+    let arrows: Vec<[Pos2; 2]> = hand.app().viewport().arrows().collect();
+    assert!(arrows.len() > 20, "{}", arrows.len());
+    let toward = light(&hand);
+    let mut pointed = 0;
+    for [from, to] in &arrows {
+        let Some(normal) = normal_at(&hand, *from) else { continue };
+        let ends: Vec<Pos2> = [
+            // At the light, its trace, and the eye's trace.
+            toward,
+            toward - normal * normal.dot(toward),
+            {
+                let orbit = hand.app().session().orbit();
+                let eye = orbit.target + orbit.direction() * orbit.distance;
+                let view = (eye - normal).normalize();
+                view - normal * normal.dot(view)
+            },
+        ]
+        .map(|along| screen_at(&hand, normal + along * 0.09))
+        .to_vec();
+        let nearest = ends.iter().map(|end| end.distance(*to)).fold(f32::MAX, f32::min);
+        assert!(nearest < 3.0, "from {from} to {to}: {ends:?}");
+        pointed += usize::from(ends[0].distance(*to) < 3.0);
+    }
+    assert!(pointed > 5, "{pointed}");
+}

@@ -117,6 +117,32 @@ fn volumes_are_those_of_the_formulas() {
     }
 }
 
+/// The thesis's scenes: a surface of 5,000 triangles with a ball of 400, and a city of 27,860.
+#[test]
+fn the_thesis_scenes_have_their_triangles() {
+    for (name, count) in [("waves", 5_000), ("ball", 400), ("city", 27_860)] {
+        assert_eq!(shape(name).unwrap().triangle_count(), count, "{name}");
+    }
+    assert_eq!(euler(&shape("ball").unwrap(), "ball"), 2);
+    let city = shape("city").unwrap();
+    let mut walls = 0;
+    for quad in city.indices.chunks_exact(6) {
+        // A wall shows whole repeats: its corners lie on whole numbers of texture coordinates.
+        let is_wall = city.normals[quad[0] as usize][1].abs() < 0.5;
+        walls += usize::from(is_wall);
+        for &v in quad {
+            let v = v as usize;
+            let uv = city.uvs[v];
+            assert!(!is_wall || uv.iter().all(|x| *x == x.round()), "{uv:?}");
+            let p = city.positions[v];
+            assert!(p[0].abs() <= 1.0001 && p[2].abs() <= 1.0001 && (0.0..0.9).contains(&p[1]), "{p:?}");
+        }
+        // u goes to the right of who looks at the wall, v up: the tangent frame is right-handed.
+        assert_eq!(city.tangents[quad[0] as usize][3], 1.0);
+    }
+    assert_eq!(walls, 4 * 2_785);
+}
+
 #[test]
 fn every_shape_is_sound() {
     for about in SHAPES {

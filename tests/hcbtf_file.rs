@@ -6,7 +6,9 @@ use std::io::{Cursor, Read as _, Write as _};
 use std::sync::Arc;
 
 use chiaro::diag::Diagnostic;
-use chiaro::document::{Address, Directions, Grid, Hcbtf, HcbtfAngle, Relief, Rule, Tile};
+use chiaro::document::{
+    Address, Bundle, Directions, Grid, Hcbtf, HcbtfAngle, Placement, Relief, Rule, StrokeTones, Strokes, Tile,
+};
 use chiaro::hcbtf::{Picture, Progress, fill::fill, read, sheet, write};
 use support::random::Random;
 use zip::write::SimpleFileOptions;
@@ -33,6 +35,7 @@ fn sample() -> Hcbtf {
         Rule::Specular { from, width: 0.5 },
         Rule::Lock { angles: vec![HcbtfAngle::LightPhi, HcbtfAngle::ViewTheta] },
         Rule::Blend { sharpness: 1.5 },
+        Rule::Morph { sharpness: 2.5 },
         Rule::Copy { from },
         Rule::Color { color: [9; 4] },
         Rule::Lambert { shadow: [1, 0, 2], amount: 1.0 / 3.0 },
@@ -40,6 +43,11 @@ fn sample() -> Hcbtf {
         Rule::Recolor { angle: HcbtfAngle::ViewPhi, from: [255; 3], to: [0, 128, 255] },
         Rule::Relief(Box::new(Relief { depth: 0.1 + 0.2, ..Relief::default() })),
     ];
+    hcbtf.rules.extend(Strokes::PRESETS.map(|name| Rule::Strokes(Box::new(Strokes::preset(name)))));
+    let paths = Placement::Paths(vec![vec![[0.1, 0.2, 0.3], [-1.0 / 3.0, 0.5, 0.0]], Vec::new()]);
+    let tones = Some(StrokeTones { first: 0.1, all: 0.9, growth: 1.0 / 3.0 });
+    let drawn = Bundle { place: paths, tones, curl: -0.1, ..Bundle::default() };
+    hcbtf.rules.push(Rule::Strokes(Box::new(Strokes { bundles: vec![drawn], ..Strokes::default() })));
     hcbtf
 }
 
@@ -148,6 +156,9 @@ fn the_example_in_the_docs_is_read_and_every_rule_is_in_them() {
     for word in Rule::WORDS {
         assert!(text.contains(&format!("\n| `{word}` | ")), "{word}");
     }
+    let strokes = text.split("```jsonc\n").find(|block| block.starts_with("{ \"rule\": \"strokes\"")).unwrap();
+    let strokes: Rule = serde_json::from_str(strokes.split("```").next().unwrap()).unwrap();
+    strokes.check(&GRID).unwrap();
     assert!(sample().rules.iter().map(Rule::word).all(|word| Rule::WORDS.contains(&word)));
 }
 

@@ -2,7 +2,12 @@
 //! at every sample's own direction, and where directions, frames and texture coordinates are hard (hard-cases.md 24
 //! and 25).
 #![cfg(feature = "gpu")]
+#![allow(clippy::print_stdout, reason = "figures are worth reading when a bound is missed")]
 
+#[path = "hcbtf_lookup/pictures.rs"]
+mod pictures;
+#[path = "hcbtf_lookup/places.rs"]
+mod places;
 mod support;
 
 use std::collections::BTreeMap;
@@ -58,7 +63,11 @@ fn file(name: &str, hcbtf: &Hcbtf) -> PathBuf {
 }
 
 fn wearing(path: &Path, lookup: &str, tier: &str) -> SetupLook {
-    let mut values = json!({"sheet": path.display().to_string(), "unlit": BELOW});
+    stored_as("quick", path, lookup, tier)
+}
+
+fn stored_as(storage: &str, path: &Path, lookup: &str, tier: &str) -> SetupLook {
+    let mut values = json!({"sheet": path.display().to_string(), "unlit": BELOW, "storage": storage});
     let kind = if lookup == "nearest" { "hcbtf_nearest" } else { "hcbtf_lookup" };
     if lookup != "nearest" {
         values["lookup"] = json!(lookup);
@@ -276,6 +285,76 @@ fn every_tier_on_the_gpu_is_as_near_as_it_says() {
     }
 }
 
+/// However it is stored, with views that share layers and with palettes, it looks as it was painted.
+#[test]
+fn every_storage_looks_the_same() {
+    let mut random = Random::new(77);
+    let directions = Directions { theta: 3, phi: 5 };
+    let grid = Grid { size: [20, 12], light: directions, view: Directions { theta: 4, phi: 6 } };
+    // Of few colours, of many, and alike for many lights and views.
+    let tiles: Vec<Arc<Tile>> = (0..7)
+        .map(|kind| {
+            let mut texel = || match kind {
+                0..4 => [255, 40 * random.index(6) as u8, 30 * kind, 255],
+                _ => [random.index(256) as u8, random.index(256) as u8, random.index(256) as u8, 255],
+            };
+            Arc::new(Tile::new(grid.size, (0..grid.texels()).flat_map(|_| texel()).collect()).unwrap())
+        })
+        .collect();
+    let alike = |address: Address| {
+        tiles[((address.view.theta + 2 * (address.view.phi / 3) + address.light.theta) % 7) as usize].clone()
+    };
+    let painted = grid.addresses().map(|address| (address, alike(address))).collect();
+    let hcbtf = Hcbtf { painted, ..Hcbtf::new(grid) };
+    let path = file("stored", &hcbtf);
+    let samples = at_random(&hcbtf, 1000);
+    let near = |one: &[[f64; 4]], other: &[[f64; 4]], bound: f64, what: &str| {
+        let mut errors = Errors::new(what.to_owned(), bound);
+        for (index, (got, wanted)) in one.iter().zip(other).enumerate() {
+            note(&mut errors, *got, *wanted, || format!("{:?}", samples[index]));
+        }
+        errors.finish();
+    };
+    for lookup in LOOKUPS {
+        let wanted: Vec<[f64; 4]> = samples.iter().map(|sample| by_hand(&hcbtf, sample, lookup)).collect();
+        for storage in ["quick", "compact"] {
+            let on_gpu = |tier: &str| {
+                let look = stored_as(storage, &path, lookup, tier);
+                eval_with(&look, Library::built_in(), &options(""), &samples)
+            };
+            near(&on_gpu("exact"), &wanted, 4e-5, &format!("{storage}, {lookup}, exact"));
+            near(&on_gpu("balanced"), &wanted, 5e-3, &format!("{storage}, {lookup}, balanced"));
+            let few = &samples[..60];
+            let in_f64 = truth(&stored_as(storage, &path, lookup, "exact"), "", few);
+            near(&in_f64, &wanted[..60], 1e-7, &format!("{storage}, {lookup}, f64"));
+            if lookup != "nearest" {
+                let quick = seen(&path, lookup, "fast", &samples);
+                near(&on_gpu("fast"), &quick, 5e-3, &format!("{storage}, {lookup}, fast"));
+            }
+        }
+    }
+}
+
+/// A compact texture of more than one layer.
+#[test]
+fn what_lies_in_a_second_layer_is_found() {
+    let one = Directions { theta: 1, phi: 1 };
+    let grid = Grid { size: [1024, 840], light: Directions { theta: 5, phi: 1 }, view: one };
+    let tile = |address: Address| {
+        let texel = |at: u32| [at as u8, (at >> 8) as u8, (at >> 16) as u8 + 40 * address.light.theta as u8, 255];
+        Arc::new(Tile::new(grid.size, (0..grid.texels() as u32).flat_map(texel).collect()).unwrap())
+    };
+    let hcbtf =
+        Hcbtf { painted: grid.addresses().map(|address| (address, tile(address))).collect(), ..Hcbtf::new(grid) };
+    let path = file("layers", &hcbtf);
+    let samples = at_random(&hcbtf, 200);
+    let got = eval_with(&stored_as("compact", &path, "nearest", "exact"), Library::built_in(), &options(""), &samples);
+    for (got, sample) in got.iter().zip(&samples) {
+        // f32 knows a texture coordinate of a few repeats to a thousandth of these texels.
+        assert!(got.iter().zip(by_hand(&hcbtf, sample, "nearest")).all(|(a, b)| (a - b).abs() < 1e-6), "{sample:?}");
+    }
+}
+
 #[test]
 fn at_its_own_directions_a_texel_is_what_was_painted() {
     for (name, grid) in grids() {
@@ -442,8 +521,9 @@ fn hard_places_have_a_color() {
     // A tangent along the normal is none.
     samples.push(sample(DVec3::Z, DVec3::Z, true, up, up, DVec2::splat(0.4)));
     for lookup in LOOKUPS {
-        for one in ["exact", "balanced", "fast"] {
-            let values = seen(&path, lookup, one, &samples);
+        for (storage, one) in [("quick", "exact"), ("quick", "balanced"), ("quick", "fast"), ("compact", "balanced")] {
+            let look = stored_as(storage, &path, lookup, one);
+            let values = eval_with(&look, Library::built_in(), &options(""), &samples);
             for (index, value) in values.iter().enumerate() {
                 let is_below = (lit..lit + 3).contains(&index);
                 assert_eq!(*value == BELOW, is_below, "{lookup} {one} {index}: {value:?}");

@@ -83,6 +83,65 @@ fn what_has_nothing_to_let_through_gives_zero() {
     close(color(&look), [0.0; 3]);
 }
 
+/// What stands in a muted node's port by default goes on, wherever the node stands in the file: its value, and what it
+/// reads from its surroundings.
+#[test]
+fn a_muted_node_lets_through_what_its_unwired_port_has() {
+    let shown = |kind: &str, is_first: bool| {
+        let mut nodes = vec![
+            json!({"id": "light", "kind": "light", "values": {"light": "key"}}),
+            json!({"id": "node", "kind": kind, "muted": true}),
+            json!({"id": "output", "kind": "output"}),
+        ];
+        if !is_first {
+            nodes.reverse();
+        }
+        let mut wires = vec![json!({"from": "node", "to": "output.color"})];
+        if kind == "hcbtf_lookup" {
+            wires.push(json!({"from": "light", "to": "node.light"}));
+        }
+        let look = look(&json!({"lights": {"key": {"direction": [0, 0, 1]}}, "nodes": nodes, "wires": wires}));
+        let sample = EvalSample { normal: glam::DVec3::new(0.6, 0.0, 0.8), ..EvalSample::default() };
+        eval(&look, "", &[sample])[0]
+    };
+    for is_first in [true, false] {
+        close(shown("hcbtf_lookup", is_first), [0.0; 3]);
+        close(shown("mix_colors", is_first), [0.0; 3]);
+        close(shown("bump_map", is_first), [0.6, 0.0, 0.8]);
+    }
+}
+
+/// Each kind alone, with nothing but the lights that it must have.
+#[test]
+fn every_kind_that_needs_no_stack_can_be_muted_alone() {
+    use chiaro::library::{Fallback, Type};
+    let mut count = 0;
+    for (kind, def) in &Library::built_in().nodes {
+        let must = |ty: &Type| *ty == Type::Light;
+        let wired: Vec<_> = def.inputs.iter().filter(|input| input.fallback == Fallback::Wire).collect();
+        let gives_color = def.outputs.first().is_some_and(|output| output.ty.convert_to(&Type::Color).is_some());
+        if !gives_color || kind == "output" || wired.iter().any(|input| !must(&input.ty)) {
+            continue;
+        }
+        let mut wires = vec![json!({"from": "node", "to": "output.color"})];
+        wires.extend(wired.iter().map(|input| json!({"from": "light", "to": format!("node.{}", input.name)})));
+        let look = look(&json!({
+            "lights": {"key": {"direction": [0, 0, 1]}},
+            "nodes": [
+                {"id": "light", "kind": "light", "values": {"light": "key"}},
+                {"id": "node", "kind": kind, "muted": true},
+                {"id": "output", "kind": "output"}
+            ],
+            "wires": wires
+        }));
+        if let Err(problems) = compile(&look.look, Library::built_in(), &Options::default()) {
+            panic!("{kind} muted: {problems:?}");
+        }
+        count += 1;
+    }
+    assert!(count > 60, "{count}");
+}
+
 /// Every kind of node may be muted in any look without harm: it compiles as well as before.
 #[test]
 fn every_node_of_every_example_can_be_muted() {

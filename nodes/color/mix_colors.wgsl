@@ -9,7 +9,10 @@ import chiaro::total;
 ///
 /// @choice mode "Mode" default=normal normal="Normal" multiply="Multiply" screen="Screen" overlay="Overlay"
 ///   soft_light="Soft light" hard_light="Hard light" darken="Darken" lighten="Lighten" add="Add" subtract="Subtract"
-///   difference="Difference" divide="Divide" : How B acts on A.
+///   difference="Difference" divide="Divide" exclusion="Exclusion" color_dodge="Color dodge" color_burn="Color burn"
+///   hue="Hue" saturation="Saturation" color="Color" luminosity="Luminosity" :
+///   How B acts on A. The last four take that of B and the rest of A; they and both Color modes are meant for colors from
+///   0 to 1, and count others as the nearest of those.
 /// @param a "A" default=0,0,0,1 : The colour below.
 /// @param b "B" default=1,1,1,1 : The colour on top.
 /// @param factor "Factor" default=0.5 min=0 max=1 : How much of the effect; 0 is A.
@@ -66,4 +69,38 @@ fn mix_colors_difference(a: Color, b: Color, factor: f32) -> Color {
 
 fn mix_colors_divide(a: Color, b: Color, factor: f32) -> Color {
     return color_mixed(a, vec3f(divided(a.x, b.x), divided(a.y, b.y), divided(a.z, b.z)), factor);
+}
+
+fn mix_colors_exclusion(a: Color, b: Color, factor: f32) -> Color {
+    return color_mixed(a, a.xyz + b.xyz - 2.0 * a.xyz * b.xyz, factor);
+}
+
+fn mix_colors_color_dodge(a: Color, b: Color, factor: f32) -> Color {
+    let below = within_unit(a.xyz);
+    let top = within_unit(b.xyz);
+    return color_mixed(a, vec3f(dodged(below.x, top.x), dodged(below.y, top.y), dodged(below.z, top.z)), factor);
+}
+
+fn mix_colors_color_burn(a: Color, b: Color, factor: f32) -> Color {
+    let below = within_unit(a.xyz);
+    let top = within_unit(b.xyz);
+    return color_mixed(a, vec3f(burned(below.x, top.x), burned(below.y, top.y), burned(below.z, top.z)), factor);
+}
+
+fn mix_colors_hue(a: Color, b: Color, factor: f32) -> Color {
+    let below = within_unit(a.xyz);
+    return color_mixed(a, lit_as(saturated_as(within_unit(b.xyz), below), below), factor);
+}
+
+fn mix_colors_saturation(a: Color, b: Color, factor: f32) -> Color {
+    let below = within_unit(a.xyz);
+    return color_mixed(a, lit_as(saturated_as(below, within_unit(b.xyz)), below), factor);
+}
+
+fn mix_colors_color(a: Color, b: Color, factor: f32) -> Color {
+    return color_mixed(a, lit_as(within_unit(b.xyz), within_unit(a.xyz)), factor);
+}
+
+fn mix_colors_luminosity(a: Color, b: Color, factor: f32) -> Color {
+    return color_mixed(a, lit_as(within_unit(a.xyz), within_unit(b.xyz)), factor);
 }

@@ -18,6 +18,9 @@ import chiaro::hcbtf;
 ///   keeps each texel a square.
 /// @choice encoding "Encoding" default=color color="Color" data="Data" :
 ///   Color for what is seen; Data takes numbers as they are.
+/// @choice storage "Storage" default=quick quick="Quick" compact="Compact" :
+///   Quick needs the fewest reads; Compact keeps every tile that differs once, with a palette where that is smaller, and
+///   looks the same with a fraction of the memory. `chiaro hcbtf info` tells what each takes.
 /// @param view from=view hidden
 /// @param tangent from=tangent hidden
 /// @param bitangent from=bitangent hidden
@@ -100,7 +103,7 @@ fn hcbtf_lookup_smooth_fast(
     let above = hcbtf_horizon(light.direction, frame);
     let lights = hcbtf_place(hcbtf_local(light.direction, frame), grid.light);
     let near = hcbtf_near(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
-    let color = hcbtf_tap_at(sheet, sheet_sampler, place, grid, level, lights, near.x * grid.view.y + near.y);
+    let color = hcbtf_tap_at(sheet, sheet_sampler, place, grid, level, lights, near);
     return hcbtf_finished(color, above, unlit, grid);
 }
 
@@ -121,8 +124,7 @@ fn hcbtf_lookup_texels(
     let above = hcbtf_horizon(light.direction, frame);
     let lights = hcbtf_around(hcbtf_place(hcbtf_local(light.direction, frame), grid.light), grid.light);
     let views = hcbtf_views(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
-    let block = hcbtf_block(hcbtf_texel(uv * scale, grid.size), grid.light, vec2i(0));
-    return hcbtf_finished(hcbtf_straight(hcbtf_sixteen(sheet, block, lights, views)), above, unlit, grid);
+    return hcbtf_finished(hcbtf_straight(hcbtf_crisp(sheet, uv * scale, grid, lights, views)), above, unlit, grid);
 }
 
 fn hcbtf_lookup_texels_balanced(
@@ -142,8 +144,7 @@ fn hcbtf_lookup_texels_balanced(
     let above = hcbtf_horizon(light.direction, frame);
     let lights = hcbtf_place(hcbtf_local(light.direction, frame), grid.light);
     let views = hcbtf_views(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
-    let block = hcbtf_block(hcbtf_texel(uv * scale, grid.size), grid.light, vec2i(0));
-    return hcbtf_finished(hcbtf_taps(sheet, sheet_sampler, block, lights, views), above, unlit, grid);
+    return hcbtf_finished(hcbtf_crisp_taps(sheet, sheet_sampler, uv * scale, grid, lights, views), above, unlit, grid);
 }
 
 fn hcbtf_lookup_texels_fast(
@@ -163,7 +164,6 @@ fn hcbtf_lookup_texels_fast(
     let above = hcbtf_horizon(light.direction, frame);
     let lights = hcbtf_place(hcbtf_local(light.direction, frame), grid.light);
     let near = hcbtf_near(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
-    let block = hcbtf_block(hcbtf_texel(uv * scale, grid.size), grid.light, vec2i(0));
-    let color = hcbtf_tap(sheet, sheet_sampler, block, near.x * grid.view.y + near.y, lights);
+    let color = hcbtf_crisp_tap(sheet, sheet_sampler, uv * scale, grid, lights, near);
     return hcbtf_finished(color, above, unlit, grid);
 }

@@ -14,6 +14,9 @@ import chiaro::hcbtf;
 /// @param normal "Normal" from=normal : World space; a bumped one tilts the painting's directions with it.
 /// @choice encoding "Encoding" default=color color="Color" data="Data" :
 ///   Color for what is seen; Data takes numbers as they are.
+/// @choice storage "Storage" default=quick quick="Quick" compact="Compact" :
+///   Quick needs the fewest reads; Compact keeps every tile that differs once, with a palette where that is smaller, and
+///   looks the same with a fraction of the memory. `chiaro hcbtf info` tells what each takes.
 /// @param view from=view hidden
 /// @param tangent from=tangent hidden
 /// @param bitangent from=bitangent hidden
@@ -36,7 +39,5 @@ fn hcbtf_nearest(
     let above = hcbtf_horizon(light.direction, frame);
     let lights = hcbtf_near(hcbtf_place(hcbtf_local(light.direction, frame), grid.light), grid.light);
     let near = hcbtf_near(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
-    let block = hcbtf_block(hcbtf_texel(uv * scale, grid.size), grid.light, vec2i(0));
-    let color = textureLoad(sheet, block + vec2i(lights.x, lights.y + 1), near.x * grid.view.y + near.y, 0);
-    return hcbtf_finished(color, above, unlit, grid);
+    return hcbtf_finished(hcbtf_painted(sheet, uv * scale, grid, lights, near), above, unlit, grid);
 }

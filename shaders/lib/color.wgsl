@@ -65,3 +65,89 @@ fn soft_light(a: f32, b: f32) -> f32 {
 fn color_mixed(a: vec4f, blended: vec3f, factor: f32) -> vec4f {
     return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(blended), factor_of(factor, true)), bounded(a.w));
 }
+
+/// Each component from 0 to 1.
+fn within_unit(rgb: vec3f) -> vec3f {
+    return clamp(bounded_vec3(rgb), vec3f(0.0), vec3f(1.0));
+}
+
+/// a brightened toward white as b nears it (W3C Compositing and Blending 1); both from 0 to 1.
+fn dodged(a: f32, b: f32) -> f32 {
+    return select(select(min(1.0, a / max(1.0 - b, SMALLEST_NORMAL)), 1.0, b >= 1.0), 0.0, a <= 0.0);
+}
+
+/// a darkened toward black as b nears it (W3C Compositing and Blending 1); both from 0 to 1.
+fn burned(a: f32, b: f32) -> f32 {
+    return select(select(1.0 - min(1.0, (1.0 - a) / max(b, SMALLEST_NORMAL)), 0.0, b <= 0.0), 1.0, a >= 1.0);
+}
+
+/// How light a colour counts in the non-separable modes (W3C Compositing and Blending 1).
+fn lightness_of(rgb: vec3f) -> f32 {
+    return dot(rgb, vec3f(0.3, 0.59, 0.11));
+}
+
+/// `rgb` as light as `other`, drawn toward its grey where a component would leave [0, 1] (SetLum, ClipColor).
+fn lit_as(rgb: vec3f, other: vec3f) -> vec3f {
+    let light = lightness_of(other);
+    let moved = rgb + (light - lightness_of(rgb));
+    let least = min(min(moved.x, moved.y), moved.z);
+    let largest = max(max(moved.x, moved.y), moved.z);
+    let raised = select(1.0, light / max(light - least, 1e-6), least < 0.0);
+    let clipped = light + (moved - light) * raised;
+    // Where both ends are passed the second is measured after the first was drawn in.
+    let top = light + (largest - light) * raised;
+    let lowered = select(1.0, (1.0 - light) / max(top - light, 1e-6), top > 1.0);
+    return light + (clipped - light) * lowered;
+}
+
+/// `rgb` with the spread between its largest and smallest component that `other` has (SetSat); grey is black then.
+fn saturated_as(rgb: vec3f, other: vec3f) -> vec3f {
+    let least = min(min(rgb.x, rgb.y), rgb.z);
+    let spread = max(max(rgb.x, rgb.y), rgb.z) - least;
+    let wanted = max(max(other.x, other.y), other.z) - min(min(other.x, other.y), other.z);
+    return select(vec3f(0.0), (rgb - least) * (wanted / max(spread, SMALLEST_NORMAL)), spread > 0.0);
+}
+
+/// The cube root, with the sign of x.
+fn cube_root(x: f32) -> f32 {
+    let root = powered(abs(x), 1.0 / 3.0);
+    return select(root, -root, x < 0.0);
+}
+
+/// Lightness, green to red and blue to yellow of a linear sRGB colour (Ottosson 2020): what eyes judge as even steps.
+fn oklab_of_linear(rgb: vec3f) -> vec3f {
+    let c = clamp(bounded_vec3(rgb), vec3f(-1e9), vec3f(1e9));
+    let l = cube_root(dot(c, vec3f(0.4122214708, 0.5363325363, 0.0514459929)));
+    let m = cube_root(dot(c, vec3f(0.2119034982, 0.6806995451, 0.1073969566)));
+    let s = cube_root(dot(c, vec3f(0.0883024619, 0.2817188376, 0.6299787005)));
+    return vec3f(
+        0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s,
+        1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
+        0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s,
+    );
+}
+
+/// Back from [`oklab_of_linear`].
+fn linear_of_oklab(lab: vec3f) -> vec3f {
+    let c = clamp(bounded_vec3(lab), vec3f(-1e6), vec3f(1e6));
+    let l = c.x + 0.3963377774 * c.y + 0.2158037573 * c.z;
+    let m = c.x - 0.1055613458 * c.y - 0.0638541728 * c.z;
+    let s = c.x - 0.0894841775 * c.y - 1.2914855480 * c.z;
+    let cubes = vec3f(l * l * l, m * m * m, s * s * s);
+    return vec3f(
+        dot(cubes, vec3f(4.0767416621, -3.3077115913, 0.2309699292)),
+        dot(cubes, vec3f(-1.2684380046, 2.6097574011, -0.3413193965)),
+        dot(cubes, vec3f(-0.0041960863, -0.7034186147, 1.7076147010)),
+    );
+}
+
+/// [`oklab_of_linear`] of an sRGB-coded colour.
+fn oklab_of_srgb(coded: vec3f) -> vec3f {
+    return oklab_of_linear(vec3f(linear_of_srgb(coded.x), linear_of_srgb(coded.y), linear_of_srgb(coded.z)));
+}
+
+/// Back from [`oklab_of_srgb`].
+fn srgb_of_oklab(lab: vec3f) -> vec3f {
+    let light = linear_of_oklab(lab);
+    return vec3f(srgb_of_linear(light.x), srgb_of_linear(light.y), srgb_of_linear(light.z));
+}

@@ -3,7 +3,11 @@
 // A layer holds one view. Every texel of the tile is a small block of its lights, thetas along x and phis along y, with
 // the last phi again above the first and the first again below the last, so that one bilinear tap blends four lights.
 // Smaller levels of the tile, where there are any, stand to the right of it, each below the one before. The last layer's
-// first two texels tell the grid.
+// first two texels tell the grid. Where views share layers, the texels after those tell which layer each view has.
+//
+// The compact storage is a row of words instead, a texel each: after those two, where the record of each sample's tile
+// begins; in a record, for each level, where its texels begin and where its palette does, or 0; then palettes, a colour
+// a word, and texels, a colour or four indices a word. It is the same to every function below that is given the grid.
 import chiaro::types;
 import chiaro::numeric;
 import chiaro::total;
@@ -23,6 +27,10 @@ struct HcbtfGrid {
     has_levels: bool,
     /// Whether colours are to be decoded to linear light after the blend.
     is_decoded: bool,
+    /// Whether views share layers.
+    is_shared: bool,
+    /// Whether it is compact.
+    is_compact: bool,
 }
 
 /// A direction among those of a grid: the two rings and the two steps around it, with the weight of the second of each.
@@ -43,7 +51,8 @@ fn hcbtf_grid(sheet: texture_2d_array<f32>) -> HcbtfGrid {
     let first = vec4i(round(255.0 * textureLoad(sheet, vec2i(0, 0), last, 0)));
     let second = vec4i(round(255.0 * textureLoad(sheet, vec2i(1, 0), last, 0)));
     let size = vec2i(first.x + 256 * (first.z % 16), first.y + 256 * (first.z / 16));
-    return HcbtfGrid(size, second.xy, second.zw, first.w % 2 == 1, first.w / 2 % 2 == 1);
+    let flags = vec4i(first.w, first.w / 2, first.w / 4, first.w / 8) % 2 == vec4i(1);
+    return HcbtfGrid(size, second.xy, second.zw, flags.x, flags.y, flags.z, flags.w);
 }
 
 /// A world-space direction beside a surface: x along u, y along v, z along the normal; unit.
@@ -87,6 +96,35 @@ fn hcbtf_views(place: vec2f, directions: vec2i) -> HcbtfViews {
     let w = around.weight;
     let weight = vec4f((1.0 - w.x) * (1.0 - w.y), w.x * (1.0 - w.y), (1.0 - w.x) * w.y, w.x * w.y);
     return HcbtfViews(layer, weight);
+}
+
+/// The number in a word, below 2^31.
+fn hcbtf_number(word: vec4f) -> i32 {
+    let bytes = vec4i(round(255.0 * word));
+    return bytes.x + 256 * bytes.y + 65536 * bytes.z + 16777216 * bytes.w;
+}
+
+/// The layers that views have, which some may share.
+fn hcbtf_stored(sheet: texture_2d_array<f32>, grid: HcbtfGrid, views: HcbtfViews) -> HcbtfViews {
+    if !grid.is_shared {
+        return views;
+    }
+    var layer = views.layer;
+    for (var i = 0; i < 4; i++) {
+        layer[i] = hcbtf_layer(sheet, grid, layer[i]);
+    }
+    return HcbtfViews(layer, views.weight);
+}
+
+/// The layer that a view has.
+fn hcbtf_layer(sheet: texture_2d_array<f32>, grid: HcbtfGrid, view: i32) -> i32 {
+    if !grid.is_shared {
+        return view;
+    }
+    let width = i32(textureDimensions(sheet).x);
+    let last = i32(textureNumLayers(sheet)) - 1;
+    let at = view + 2;
+    return hcbtf_number(textureLoad(sheet, vec2i(at % width, at / width), last, 0));
 }
 
 /// The texel of the tile at a texture coordinate, wherever that is; v points up, rows go down.
@@ -150,6 +188,10 @@ struct HcbtfTexels {
     weight: vec2f,
     /// Where the level begins, in texels of the layer.
     origin: vec2i,
+    /// Texels of a row of the level.
+    width: i32,
+    /// How many times it was halved.
+    level: i32,
 }
 
 /// The blocks of four texels.
@@ -182,12 +224,83 @@ fn hcbtf_texels(uv: vec2f, grid: HcbtfGrid, level: i32) -> HcbtfTexels {
     let place = (p - floor(p)) * vec2f(size) - 0.5;
     let low = vec2i(floor(place));
     let first = (low + size) % size;
-    return HcbtfTexels(vec4i(first, (first + 1) % size), place - floor(place), origin);
+    return HcbtfTexels(vec4i(first, (first + 1) % size), place - floor(place), origin, size.x, level);
+}
+
+/// The one texel at a texture coordinate, as if it were between texels.
+fn hcbtf_crisp_texel(uv: vec2f, grid: HcbtfGrid) -> HcbtfTexels {
+    let texel = hcbtf_texel(uv, grid.size);
+    return HcbtfTexels(vec4i(texel, texel), vec2f(0.0), vec2i(0), grid.size.x, 0);
+}
+
+/// A word of the compact storage: 2048 a row, 2048 rows a layer, the last layer first.
+fn hcbtf_word(sheet: texture_2d_array<f32>, index: i32) -> vec4f {
+    let last = i32(textureNumLayers(sheet)) - 1;
+    return textureLoad(sheet, vec2i(index & 2047, (index >> 11u) & 2047), last - (index >> 22u), 0);
+}
+
+/// Where the texels of a sample's tile begin and where its palette does, 0 for none; compact storage.
+fn hcbtf_piece(sheet: texture_2d_array<f32>, grid: HcbtfGrid, view: i32, light: i32, level: i32) -> vec2i {
+    let record = hcbtf_number(hcbtf_word(sheet, 2 + view * grid.light.x * grid.light.y + light)) + 2 * level;
+    return vec2i(hcbtf_number(hcbtf_word(sheet, record)), hcbtf_number(hcbtf_word(sheet, record + 1)));
+}
+
+/// A texel of such a tile, counted row after row; straight.
+fn hcbtf_piece_texel(sheet: texture_2d_array<f32>, piece: vec2i, index: i32) -> vec4f {
+    if piece.y == 0 {
+        return hcbtf_word(sheet, piece.x + index);
+    }
+    let four = hcbtf_word(sheet, piece.x + (index >> 2u));
+    return hcbtf_word(sheet, piece.y + i32(round(255.0 * four[index & 3])));
+}
+
+/// Four texels of such a tile, blended; premultiplied. Those that do not count are not read.
+fn hcbtf_piece_blend(sheet: texture_2d_array<f32>, piece: vec2i, texels: HcbtfTexels) -> vec4f {
+    let w = texels.weight;
+    let row = texels.width * texels.at.yw;
+    var sum = hcbtf_add(vec4f(0.0), hcbtf_piece_texel(sheet, piece, row.x + texels.at.x), (1.0 - w.x) * (1.0 - w.y));
+    if w.x > 0.0 {
+        sum = hcbtf_add(sum, hcbtf_piece_texel(sheet, piece, row.x + texels.at.z), w.x * (1.0 - w.y));
+    }
+    if w.y > 0.0 {
+        sum = hcbtf_add(sum, hcbtf_piece_texel(sheet, piece, row.y + texels.at.x), (1.0 - w.x) * w.y);
+    }
+    if w.x > 0.0 && w.y > 0.0 {
+        sum = hcbtf_add(sum, hcbtf_piece_texel(sheet, piece, row.y + texels.at.z), w.x * w.y);
+    }
+    return sum;
+}
+
+/// All samples that count around a light and a view, of the compact storage; premultiplied.
+fn hcbtf_compact(sheet: texture_2d_array<f32>, grid: HcbtfGrid, texels: HcbtfTexels, light: HcbtfPlace, views: HcbtfViews) -> vec4f {
+    let steps = grid.light.y;
+    let theta = vec4i(light.theta.x, light.theta.y, light.theta.x, light.theta.y);
+    let lights = theta * steps + vec4i(light.phi.x, light.phi.x, light.phi.y, light.phi.y);
+    let w = light.weight;
+    let weights = vec4f((1.0 - w.x) * (1.0 - w.y), w.x * (1.0 - w.y), (1.0 - w.x) * w.y, w.x * w.y);
+    var sum = vec4f(0.0);
+    for (var i = 0; i < 16; i++) {
+        let weight = views.weight[i >> 2u] * weights[i & 3];
+        if weight > 0.0 {
+            let piece = hcbtf_piece(sheet, grid, views.layer[i >> 2u], lights[i & 3], texels.level);
+            sum += weight * hcbtf_piece_blend(sheet, piece, texels);
+        }
+    }
+    return sum;
+}
+
+/// The nearest view alone.
+fn hcbtf_one_view(near: vec2i, grid: HcbtfGrid) -> HcbtfViews {
+    return HcbtfViews(vec4i(near.x * grid.view.y + near.y), vec4f(1.0, 0.0, 0.0, 0.0));
 }
 
 /// All sixteen samples, each bilinear between the texels of one level; premultiplied.
-fn hcbtf_sixteen_at(sheet: texture_2d_array<f32>, uv: vec2f, grid: HcbtfGrid, level: i32, light: HcbtfPlace, views: HcbtfViews) -> vec4f {
+fn hcbtf_sixteen_at(sheet: texture_2d_array<f32>, uv: vec2f, grid: HcbtfGrid, level: i32, light: HcbtfPlace, view: HcbtfViews) -> vec4f {
     let texels = hcbtf_texels(uv, grid, level);
+    if grid.is_compact {
+        return hcbtf_compact(sheet, grid, texels, light, view);
+    }
+    let views = hcbtf_stored(sheet, grid, view);
     let w = texels.weight;
     let blocks = hcbtf_blocks(texels, grid.light);
     return (1.0 - w.x) * (1.0 - w.y) * hcbtf_sixteen(sheet, blocks.left_top, light, views)
@@ -197,8 +310,12 @@ fn hcbtf_sixteen_at(sheet: texture_2d_array<f32>, uv: vec2f, grid: HcbtfGrid, le
 }
 
 /// The same by a bilinear tap for each view and texel; straight.
-fn hcbtf_taps_at(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f, grid: HcbtfGrid, level: i32, light: vec2f, views: HcbtfViews) -> vec4f {
+fn hcbtf_taps_at(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f, grid: HcbtfGrid, level: i32, light: vec2f, view: HcbtfViews) -> vec4f {
     let texels = hcbtf_texels(uv, grid, level);
+    if grid.is_compact {
+        return hcbtf_straight(hcbtf_compact(sheet, grid, texels, hcbtf_around(light, grid.light), view));
+    }
+    let views = hcbtf_stored(sheet, grid, view);
     let w = texels.weight;
     let blocks = hcbtf_blocks(texels, grid.light);
     return (1.0 - w.x) * (1.0 - w.y) * hcbtf_taps(sheet, sheet_sampler, blocks.left_top, light, views)
@@ -208,14 +325,61 @@ fn hcbtf_taps_at(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f
 }
 
 /// The same for the nearest view alone; straight.
-fn hcbtf_tap_at(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f, grid: HcbtfGrid, level: i32, light: vec2f, layer: i32) -> vec4f {
+fn hcbtf_tap_at(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f, grid: HcbtfGrid, level: i32, light: vec2f, near: vec2i) -> vec4f {
     let texels = hcbtf_texels(uv, grid, level);
+    if grid.is_compact {
+        let view = hcbtf_one_view(near, grid);
+        return hcbtf_straight(hcbtf_compact(sheet, grid, texels, hcbtf_around(light, grid.light), view));
+    }
+    let layer = hcbtf_layer(sheet, grid, near.x * grid.view.y + near.y);
     let w = texels.weight;
     let blocks = hcbtf_blocks(texels, grid.light);
     return (1.0 - w.x) * (1.0 - w.y) * hcbtf_tap(sheet, sheet_sampler, blocks.left_top, layer, light)
         + w.x * (1.0 - w.y) * hcbtf_tap(sheet, sheet_sampler, blocks.right_top, layer, light)
         + (1.0 - w.x) * w.y * hcbtf_tap(sheet, sheet_sampler, blocks.left_bottom, layer, light)
         + w.x * w.y * hcbtf_tap(sheet, sheet_sampler, blocks.right_bottom, layer, light);
+}
+
+/// All sixteen samples at the texel of a texture coordinate; premultiplied.
+fn hcbtf_crisp(sheet: texture_2d_array<f32>, uv: vec2f, grid: HcbtfGrid, light: HcbtfPlace, views: HcbtfViews) -> vec4f {
+    let texel = hcbtf_crisp_texel(uv, grid);
+    if grid.is_compact {
+        return hcbtf_compact(sheet, grid, texel, light, views);
+    }
+    return hcbtf_sixteen(sheet, hcbtf_block(texel.at.xy, grid.light, vec2i(0)), light, hcbtf_stored(sheet, grid, views));
+}
+
+/// The same by a bilinear tap for each view; straight.
+fn hcbtf_crisp_taps(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f, grid: HcbtfGrid, light: vec2f, views: HcbtfViews) -> vec4f {
+    let texel = hcbtf_crisp_texel(uv, grid);
+    if grid.is_compact {
+        return hcbtf_straight(hcbtf_compact(sheet, grid, texel, hcbtf_around(light, grid.light), views));
+    }
+    let block = hcbtf_block(texel.at.xy, grid.light, vec2i(0));
+    return hcbtf_taps(sheet, sheet_sampler, block, light, hcbtf_stored(sheet, grid, views));
+}
+
+/// The same by one bilinear tap of the nearest view; straight.
+fn hcbtf_crisp_tap(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f, grid: HcbtfGrid, light: vec2f, near: vec2i) -> vec4f {
+    let texel = hcbtf_crisp_texel(uv, grid);
+    if grid.is_compact {
+        let view = hcbtf_one_view(near, grid);
+        return hcbtf_straight(hcbtf_compact(sheet, grid, texel, hcbtf_around(light, grid.light), view));
+    }
+    let block = hcbtf_block(texel.at.xy, grid.light, vec2i(0));
+    return hcbtf_tap(sheet, sheet_sampler, block, hcbtf_layer(sheet, grid, near.x * grid.view.y + near.y), light);
+}
+
+/// The nearest sample at the texel of a texture coordinate, as it was painted; straight.
+fn hcbtf_painted(sheet: texture_2d_array<f32>, uv: vec2f, grid: HcbtfGrid, light: vec2i, near: vec2i) -> vec4f {
+    let texel = hcbtf_texel(uv, grid.size);
+    let view = near.x * grid.view.y + near.y;
+    if grid.is_compact {
+        let piece = hcbtf_piece(sheet, grid, view, light.x * grid.light.y + light.y, 0);
+        return hcbtf_piece_texel(sheet, piece, texel.y * grid.size.x + texel.x);
+    }
+    let at = hcbtf_block(texel, grid.light, vec2i(0)) + vec2i(light.x, light.y + 1);
+    return textureLoad(sheet, at, hcbtf_layer(sheet, grid, view), 0);
 }
 
 /// How many times smaller, as a power of two, the tile is seen than it is painted. Call it in uniform control flow.

@@ -381,6 +381,16 @@ fn light_target_problem(look: &Look, light: &LightId, field: &str) -> Option<Dia
     })
 }
 
+/// The type that a vector's numbers say.
+fn vector_type(value: &Value) -> Option<Type> {
+    let Value::Vector(numbers) = value else { return None };
+    Some(match numbers.len() {
+        2 => Type::Vec2,
+        3 => Type::Vec3,
+        _ => Type::Vec4,
+    })
+}
+
 struct Typer<'a> {
     look: &'a Look,
     flat: &'a FlatGraph,
@@ -475,7 +485,7 @@ impl<'a> Typer<'a> {
         };
         match &flat.inputs[index] {
             FlatInput::Broken => None,
-            FlatInput::Wire { .. } => {
+            FlatInput::Wire { .. } | FlatInput::Context(_) => {
                 let problem = Diagnostic::error("not-wirable", format!("`{}` takes no wire: {}", input.name, input.ty));
                 self.problem(flat, Some(input), problem.hint("remove the wire and set the value on the node"));
                 None
@@ -573,14 +583,8 @@ impl<'a> Typer<'a> {
             FlatInput::Wire { node, output } => {
                 self.variants[*node].map(|variant| output_type(&self.flat.nodes[*node].def, variant, *output))
             }
-            FlatInput::Param(param) => match self.flat.params[*param].value.as_ref()? {
-                Value::Vector(v) => Some(match v.len() {
-                    2 => Type::Vec2,
-                    3 => Type::Vec3,
-                    _ => Type::Vec4,
-                }),
-                _ => None,
-            },
+            FlatInput::Param(param) => vector_type(self.flat.params[*param].value.as_ref()?),
+            FlatInput::Context(context) => Some(Type::from_wgsl(context.wgsl_type())),
             FlatInput::Broken => None,
         }
     }
@@ -589,13 +593,16 @@ impl<'a> Typer<'a> {
         let input = &flat.def.inputs[index];
         let (source, from) = match &flat.inputs[index] {
             FlatInput::Broken => return None,
+            FlatInput::Wire { .. } | FlatInput::Context(_) if ty.is_setting() => {
+                let problem = Diagnostic::error("not-wirable", format!("`{}` takes no wire: {}", input.name, input.ty));
+                self.problem(flat, Some(input), problem.hint("remove the wire and set the value on the node"));
+                return None;
+            }
+            FlatInput::Context(context) => {
+                let context = context.at_tier(flat.tier, false);
+                (TypedSource::Context(context), Type::from_wgsl(context.wgsl_type()))
+            }
             FlatInput::Wire { node, output } => {
-                if ty.is_setting() {
-                    let problem =
-                        Diagnostic::error("not-wirable", format!("`{}` takes no wire: {}", input.name, input.ty));
-                    self.problem(flat, Some(input), problem.hint("remove the wire and set the value on the node"));
-                    return None;
-                }
                 // What feeds it could not be typed, which was reported there.
                 let from = self.source_type(flat, index)?;
                 (TypedSource::Wire { node: *node, output: *output }, from)
@@ -672,6 +679,12 @@ impl<'a> Typer<'a> {
             };
         }
         if let Err(message) = typed_value(&value, ty) {
+            // What a muted node lets through may be of another type, and becomes this one as its wire would.
+            let (path, port) = self.place(flat, input);
+            let own = vector_type(&value).filter(|own| own.convert_to(ty).is_some());
+            if let Some(own) = own.filter(|_| (&path, &port) != (&flat.path, &input.name)) {
+                return Some((TypedSource::Param(param, value), own));
+            }
             self.problem(
                 flat,
                 Some(input),

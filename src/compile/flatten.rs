@@ -10,7 +10,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Definition, Graph, InterfacePort, Look, Node, Tier, Value, Wire};
 use crate::ids::{GROUP_INPUTS, GROUP_OUTPUTS, NodeId, NodePath, PortName};
 use crate::library::{
-    CUSTOM_CODE, CUSTOM_KIND, Fallback, GroupPorts, Input, Library, NodeDef, Output, Special, Type, load_node,
+    CUSTOM_CODE, CUSTOM_KIND, Context, Fallback, GroupPorts, Input, Library, NodeDef, Output, Special, Type, load_node,
 };
 
 /// As many nodes as a look may have once its groups are inlined.
@@ -44,6 +44,8 @@ pub(super) enum FlatInput {
     },
     /// A value, or the port's fallback where the parameter has none.
     Param(ParamId),
+    /// What a muted node lets through of the surroundings, for its own input reads them.
+    Context(Context),
     /// Something that was reported already.
     Broken,
 }
@@ -396,22 +398,22 @@ impl<'a> Flattener<'a> {
     fn resolve(&mut self, scope: usize, id: &'a NodeId, port: &PortName) -> FlatInput {
         let mut at = (scope, id);
         let mut port = port.clone();
-        let mut default: Option<Value> = None;
+        let mut fallback: Option<Fallback> = None;
         // More steps than there are wires means a ring of reroutes or groups.
         let most = 16 + 2 * self.scopes.iter().map(|scope| scope.graph.wires.len()).sum::<usize>();
         for _ in 0..most {
             let (scope, id) = at;
             let Some(&wire) = self.scopes[scope].wires.get(&(id.as_str(), port.as_str())) else {
-                return self.bind_value(scope, id, &port, default.as_ref());
+                return self.bind_fallback(scope, id, &port, fallback.as_ref());
             };
             let Some(next) = self.follow(scope, wire) else { return FlatInput::Broken };
             match next {
                 Source::Output { node, output } => return FlatInput::Wire { node, output },
                 Source::Nothing { scope, id, port, zero } => return self.bind_value(scope, id, &port, Some(&zero)),
-                Source::Input { scope, id, port: next_port, default: interface } => {
+                Source::Input { scope, id, port: next_port, fallback: next_fallback } => {
                     at = (scope, id);
                     port = next_port;
-                    default = interface.or(default);
+                    fallback = next_fallback.or(fallback);
                 }
             }
         }
@@ -430,8 +432,8 @@ impl<'a> Flattener<'a> {
                 (from.node.as_str(), here.definition, here.parent)
             {
                 let interface = definition.inputs.iter().find(|port| port.name == from.port);
-                let default = interface.and_then(|port| port.default.clone());
-                return Some(Source::Input { scope: parent, id, port: from.port.clone(), default });
+                let fallback = interface.and_then(|port| port.default.clone()).map(Fallback::Value);
+                return Some(Source::Input { scope: parent, id, port: from.port.clone(), fallback });
             }
             match here.slots.get(from.node.as_str())? {
                 Slot::Missing => return None,
@@ -443,13 +445,13 @@ impl<'a> Flattener<'a> {
                             scope,
                             id,
                             port: def.inputs.first()?.name.clone(),
-                            default: None,
+                            fallback: None,
                         });
                     }
                     let output = def.output(from.port.as_str())?;
                     let (_, id, document_node) = self.origins[*node];
                     if document_node.muted
-                        && let Some(source) = muted(&def.inputs, &def.outputs[output], scope, id)
+                        && let Some(source) = self.muted(&def.inputs, &def.outputs[output], scope, id)
                     {
                         return Some(source);
                     }
@@ -463,7 +465,7 @@ impl<'a> Flattener<'a> {
                     if node.muted {
                         let ports = GroupPorts::of(definition, &self.look.definitions, self.library);
                         let output = definition.outputs.iter().position(|output| output.name.as_str() == port)?;
-                        if let Some(source) = muted(&ports.inputs, &ports.outputs[output], scope, id) {
+                        if let Some(source) = self.muted(&ports.inputs, &ports.outputs[output], scope, id) {
                             return Some(source);
                         }
                     }
@@ -473,6 +475,44 @@ impl<'a> Flattener<'a> {
             }
         }
         None
+    }
+
+    /// What stands for an output of a muted node: the input of the same name, else the first that could be its value,
+    /// else a zero. Lights and angles have no zero, so the node that makes one stays.
+    fn muted(&self, inputs: &[Input], output: &Output, scope: usize, id: &'a NodeId) -> Option<Source<'a>> {
+        let Some(mut input) = let_through(inputs, output) else {
+            return Some(Source::Nothing { scope, id, port: output.name.clone(), zero: zero_of(&output.ty)? });
+        };
+        // An input that is the same as another is followed to it, each at most once.
+        for _ in inputs {
+            let other = match &input.fallback {
+                Fallback::Same(other) if !self.is_set(scope, id, &input.name) => other,
+                _ => break,
+            };
+            input = inputs.iter().find(|input| input.name == *other).unwrap_or(input);
+        }
+        Some(Source::Input { scope, id, port: input.name.clone(), fallback: Some(input.fallback.clone()) })
+    }
+
+    /// Whether an input is wired or has a value in the document.
+    fn is_set(&self, scope: usize, id: &NodeId, port: &PortName) -> bool {
+        let here = &self.scopes[scope];
+        here.wires.contains_key(&(id.as_str(), port.as_str()))
+            || here.graph.nodes.get(id).is_some_and(|node| node.values.contains_key(port))
+    }
+
+    fn bind_fallback(
+        &mut self,
+        scope: usize,
+        id: &'a NodeId,
+        port: &PortName,
+        fallback: Option<&Fallback>,
+    ) -> FlatInput {
+        match fallback {
+            Some(Fallback::Value(default)) => self.bind_value(scope, id, port, Some(default)),
+            Some(Fallback::Context(context)) if !self.is_set(scope, id, port) => FlatInput::Context(*context),
+            _ => self.bind_value(scope, id, port, None),
+        }
     }
 
     fn bind_value(&mut self, scope: usize, id: &'a NodeId, port: &PortName, default: Option<&Value>) -> FlatInput {
@@ -490,6 +530,9 @@ impl<'a> Flattener<'a> {
         let index = *self.param_ids.entry((scope, id.as_str(), port.clone())).or_insert(next);
         if index == next {
             self.flat.params.push(param);
+        } else if self.flat.params[index].value.is_none() {
+            // A muted node's own input, which knows its default by its port, is let through to another port.
+            self.flat.params[index] = param;
         }
         FlatInput::Param(index)
     }
@@ -504,7 +547,8 @@ enum Source<'a> {
         scope: usize,
         id: &'a NodeId,
         port: PortName,
-        default: Option<Value>,
+        /// What it has while unwired and without a value, where that is not what it feeds has.
+        fallback: Option<Fallback>,
     },
     /// A muted node with nothing to let through gives a zero, as if it were a value of its output.
     Nothing {
@@ -513,16 +557,6 @@ enum Source<'a> {
         port: PortName,
         zero: Value,
     },
-}
-
-/// What stands for an output of a muted node: the input of the same name, else the first that could be its value, else a
-/// zero. Lights and angles have no zero, so the node that makes one stays.
-fn muted<'a>(inputs: &[Input], output: &Output, scope: usize, id: &'a NodeId) -> Option<Source<'a>> {
-    if let Some(input) = let_through(inputs, output) {
-        let default = if let Fallback::Value(value) = &input.fallback { Some(value.clone()) } else { None };
-        return Some(Source::Input { scope, id, port: input.name.clone(), default });
-    }
-    Some(Source::Nothing { scope, id, port: output.name.clone(), zero: zero_of(&output.ty)? })
 }
 
 /// Whether muting a node with these ports leaves something in the place of each of its outputs.
@@ -539,12 +573,12 @@ fn let_through<'i>(inputs: &'i [Input], output: &Output) -> Option<&'i Input> {
     same.or_else(|| inputs.iter().find(is_subject))
 }
 
+/// A zero that whatever takes the type takes too; as a colour it is opaque.
 fn zero_of(ty: &Type) -> Option<Value> {
     Some(match ty {
-        Type::Float | Type::Int => Value::Number(0.0),
+        Type::Float | Type::Int | Type::Vec2 | Type::Vec3 | Type::Color => Value::Number(0.0),
         Type::Bool => Value::Bool(false),
-        Type::Color => Value::Vector(vec![0.0, 0.0, 0.0, 1.0]),
-        Type::Vec2 | Type::Vec3 | Type::Vec4 | Type::Composite => Value::Vector(vec![0.0; ty.width()?]),
+        Type::Vec4 | Type::Composite => Value::Vector(vec![0.0; ty.width()?]),
         _ => return None,
     })
 }

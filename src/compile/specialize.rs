@@ -17,7 +17,7 @@ use super::removal::{Proof, Removal};
 use super::value::typed_value;
 use super::{Live, Options, Stage};
 use crate::diag::Diagnostic;
-use crate::document::{ColorSpace, Target, Value};
+use crate::document::{ColorSpace, Storage, Target, Value};
 use crate::ids::{LightId, NodePath, PortName};
 use crate::interp;
 use crate::library::{Context, Conversion, LightField, NodeModule, Parameter, Rate, Special, Type};
@@ -77,6 +77,8 @@ pub enum ImageShape {
     Hcbtf {
         /// Whether smaller levels of its tile are read.
         has_levels: bool,
+        /// How it lies in the texture, which tells that itself.
+        storage: Storage,
     },
 }
 
@@ -539,7 +541,10 @@ impl<'a> Builder<'a> {
         let image = ImageUse {
             path,
             shape: match ty {
-                Type::Hcbtf => ImageShape::Hcbtf { has_levels: setting("lookup", "") == "smooth" },
+                Type::Hcbtf => ImageShape::Hcbtf {
+                    has_levels: setting("lookup", "") == "smooth",
+                    storage: Storage::of(&setting("storage", "")).unwrap_or_default(),
+                },
                 _ => ImageShape::Flat,
             },
             wrap: setting("wrap", "clamp"),

@@ -21,6 +21,7 @@ mod rotation;
 mod scene;
 mod shape;
 mod source;
+mod storage;
 mod store;
 mod structure;
 mod value;
@@ -30,14 +31,16 @@ mod write;
 pub use color::{parse_hex, srgb_to_linear};
 pub use edit::{Applied, Edit, Editable, HcbtfEdit, History, Patch, SceneEdit};
 pub use hcbtf::{
-    Address, Angle as HcbtfAngle, Direction, Directions, Grid, Hcbtf, MAX_ANGLE_STEPS, MAX_TILE_SIDE, Relief, Rule,
-    Strokes, Tile, relief,
+    Address, Angle as HcbtfAngle, Bundle, Direction, Directions, Grid, Hcbtf, MAX_ANGLE_STEPS, MAX_TILE_SIDE,
+    Placement, Relief, Rule, StrokeGround, StrokeHighlight, StrokeShadow, StrokeShape, StrokeTones, Strokes, Tile,
+    relief,
 };
 pub use look::*;
 pub use read::Document;
 pub use scene::*;
 pub use shape::{field_tables, look_schema, scene_schema};
 pub use source::{Loaded, SourceMap};
+pub use storage::Storage;
 pub use store::{read_text, remove_abandoned, remove_unfinished, write_atomic};
 pub use structure::{GraphId, InnerNode};
 pub use value::*;

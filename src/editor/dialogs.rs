@@ -5,9 +5,11 @@ use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
+use super::painting::Import;
 use super::viewport::Export;
 use super::worker::start;
 use crate::clock::Clock;
+use crate::hcbtf::exchange::Form;
 use crate::render::block_on;
 
 /// What a file is asked for.
@@ -24,6 +26,10 @@ pub(crate) enum Purpose {
     ObjectLook,
     SaveScene,
     SavePainting,
+    /// Pictures of other programs, or a folder of them.
+    ImportPainting(Import),
+    /// What is painted is written for other programs.
+    ExportPainting(Form),
     /// Shaders of a language, or of all, are written into a folder.
     Shaders(&'static str),
     /// A picture is written.
@@ -54,6 +60,11 @@ impl Purpose {
             Self::SaveScene => ("Chiaro scene", &["json"]),
             Self::SavePainting => ("HCBTF", &[PAINTING]),
             Self::Mesh | Self::AddMesh | Self::ObjectMesh => ("Mesh", &MESHES),
+            Self::ImportPainting(Import { form, .. }) | Self::ExportPainting(form) => match form {
+                Form::Folder => ("Folder", &[]),
+                Form::Contact | Form::Sheet => ("PNG", &["png"]),
+                Form::Ktx2 => ("KTX2", &["ktx2"]),
+            },
             Self::Shaders(_) => ("Folder", &[]),
             Self::Export(_) => ("PNG", &["png"]),
             Self::Reference => ("Image", &IMAGES),
@@ -62,12 +73,21 @@ impl Purpose {
 
     /// Whether the file is written.
     pub(crate) fn writes(self) -> bool {
-        matches!(self, Self::Save | Self::SaveScene | Self::SavePainting | Self::Export(_))
+        let is_file = !self.is_folder();
+        is_file
+            && matches!(
+                self,
+                Self::Save | Self::SaveScene | Self::SavePainting | Self::Export(_) | Self::ExportPainting(_)
+            )
     }
 
-    /// Whether a folder is asked for, which is made where there is none.
+    /// Whether a folder is asked for; one that is written into is made where there is none.
     pub(crate) fn is_folder(self) -> bool {
-        matches!(self, Self::Shaders(_))
+        match self {
+            Self::Shaders(_) | Self::ExportPainting(Form::Folder) => true,
+            Self::ImportPainting(import) => import.form == Form::Folder,
+            _ => false,
+        }
     }
 
     /// The path with an ending, where one is to be written and has none.

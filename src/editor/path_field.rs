@@ -165,6 +165,8 @@ fn title(purpose: Purpose) -> &'static str {
         Purpose::Save => "Save the look",
         Purpose::SaveScene => "Save the scene",
         Purpose::SavePainting => "Save the painting",
+        Purpose::ImportPainting(_) => "Import painted pictures",
+        Purpose::ExportPainting(_) => "Export the painting",
         Purpose::Mesh => "Show the look on a mesh",
         Purpose::AddMesh => "Add an object of a mesh",
         Purpose::ObjectMesh => "Give the object another mesh",

@@ -6,6 +6,7 @@ use eframe::egui::{Key, Modifiers};
 
 use super::painting::{Kind, Preset};
 use crate::export;
+use crate::hcbtf::exchange::Form;
 
 /// Where a key works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -99,10 +100,13 @@ pub(crate) enum Action {
     SelectNext(Way),
     GoTo(u8),
     Remember(u8),
+    Paint,
     NewHcbtf(Preset),
     SaveHcbtf,
     SaveHcbtfAs,
     CloseHcbtf,
+    ImportHcbtf,
+    ExportHcbtf(Form),
     Tool(Kind),
     Brush {
         is_larger: bool,
@@ -193,6 +197,7 @@ pub(crate) static ALL: &[Shortcut] = &[
     row(A::ExportPicture, "Export the picture as PNG...", &[], Window),
     row(A::Commands, "Find a command or a node", &[(CTRL, Key::P), (CTRL, Key::F)], Window),
     row(A::Shortcuts, "Show all shortcuts", &[(NONE, Key::Questionmark), (SHIFT, Key::Questionmark), (NONE, Key::F1)], Window),
+    row(A::Paint, "Paint a surface (HCBTF)", &[], Window),
     row(A::NewHcbtf(Preset::Small), "New HCBTF, small (16 x 16, 3 x 6 directions)", &[], Window),
     row(A::NewHcbtf(Preset::Thesis), "New HCBTF, as the thesis (32 x 32, 6 x 10 directions)", &[], Window),
     row(A::NewHcbtf(Preset::Large), "New HCBTF, large (64 x 64, 6 x 10 directions)", &[], Window),
@@ -200,6 +205,11 @@ pub(crate) static ALL: &[Shortcut] = &[
     row(A::SaveHcbtf, "Save the HCBTF", &[], Window),
     row(A::SaveHcbtfAs, "Save the HCBTF under another name...", &[], Window),
     row(A::CloseHcbtf, "Close the HCBTF", &[], Window),
+    row(A::ImportHcbtf, "Import painted pictures as an HCBTF...", &[], Window),
+    row(A::ExportHcbtf(Form::Folder), "Export the HCBTF as a folder of images...", &[], Window),
+    row(A::ExportHcbtf(Form::Contact), "Export the HCBTF as a contact sheet...", &[], Window),
+    row(A::ExportHcbtf(Form::Sheet), "Export the HCBTF as a sheet of the thesis...", &[], Window),
+    row(A::ExportHcbtf(Form::Ktx2), "Export the HCBTF as a KTX2 texture...", &[], Window),
     row(A::Probe, "Probe a pixel", &[(NONE, Key::I)], Place::Picture),
     row(A::ResetView, "Reset camera and lights", &[(NONE, Key::R)], Place::Picture),
     row(A::FrameObject, "Frame the object", &[(NONE, Key::F)], Place::Picture),

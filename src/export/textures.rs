@@ -24,8 +24,8 @@ pub(super) fn carried(images: &mut [Image], stem: &str, folder: &Path) -> (Vec<F
                     Path::new(&image.path).extension().map_or("png".to_owned(), |it| it.to_string_lossy().into());
                 (image_bytes(folder, &image.path).map_err(|problem| vec![problem]), ending)
             }
-            ImageShape::Hcbtf { has_levels } => {
-                let options = LayerOptions { has_levels, is_decoded: image.used.is_decoded };
+            ImageShape::Hcbtf { has_levels, storage } => {
+                let options = LayerOptions { has_levels, is_decoded: image.used.is_decoded, storage };
                 let baked = assets.hcbtf(folder, &image.path, options).map(|(image, _)| {
                     let layers = Layers { size: image.size, count: image.layers, rgba: image.rgba.clone() };
                     ktx2::write(&layers)

@@ -9,7 +9,7 @@ use std::time::SystemTime;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Directions, Grid, Hcbtf, Tile};
 use crate::geometry::{self, Mesh};
-use crate::hcbtf::{self, Filled, LayerOptions};
+use crate::hcbtf::{self, Filled, LayerOptions, Region};
 
 /// What an object's mesh begins with where it is an own shape.
 pub const SHAPE_PREFIX: &str = "shape:";
@@ -31,6 +31,17 @@ pub struct Image {
     pub rgba: Vec<u8>,
     /// Of the content, for caches.
     pub hash: u64,
+    /// What it was before, where little of it is another now.
+    pub change: Option<Change>,
+}
+
+/// From one image to the next.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Change {
+    /// The hash of the image before.
+    pub from: u64,
+    /// What may be another now.
+    pub regions: Vec<Region>,
 }
 
 impl Image {
@@ -42,7 +53,7 @@ impl Image {
     fn new(size: [u32; 2], layers: u32, rgba: Vec<u8>) -> Self {
         let mut hasher = DefaultHasher::new();
         (size, layers, &rgba).hash(&mut hasher);
-        Self { size, layers, rgba, hash: hasher.finish() }
+        Self { size, layers, rgba, hash: hasher.finish(), change: None }
     }
 }
 
@@ -82,19 +93,59 @@ impl Overlay {
         let grid = self.hcbtf.grid;
         hcbtf::check_layers(&grid, options.has_levels)?;
         let layers = hcbtf::layers(&grid, |address| self.tile(address), options);
-        // While it is painted on it is baked again and again: its number tells it from the last one.
+        let hash = self.hash(options);
+        Ok(Image { size: layers.size, layers: layers.count, rgba: layers.rgba, hash, change: None })
+    }
+
+    /// While it is painted on it is baked again and again: its number tells it from the last one.
+    fn hash(&self, options: LayerOptions) -> u64 {
         let mut hasher = DefaultHasher::new();
         ("overlay", self.version, options).hash(&mut hasher);
-        Ok(Image { size: layers.size, layers: layers.count, rgba: layers.rgba, hash: hasher.finish() })
+        hasher.finish()
+    }
+
+    /// Brings what was baked of the overlay before up to date, where few samples are others now. Returns whether it did.
+    fn rebake(&self, before: &Self, image: &mut Arc<Image>, options: LayerOptions) -> bool {
+        let grid = self.hcbtf.grid;
+        if grid != before.hcbtf.grid {
+            return false;
+        }
+        let most = grid.sample_count() / REBAKED;
+        let empty = Arc::new(Tile::filled(grid.size, [0; 4]));
+        let mut changed = Vec::new();
+        for address in grid.addresses() {
+            let tile = |overlay: &Self| overlay.tile(address).unwrap_or(&empty).clone();
+            let (old, new) = (tile(before), tile(self));
+            if !Arc::ptr_eq(&old, &new)
+                && let Some(part) = new.difference(&old)
+            {
+                changed.push((address, new, part));
+            }
+            if changed.len() as u64 > most {
+                return false;
+            }
+        }
+        // Whoever still draws with the old one keeps it.
+        let image = Arc::make_mut(image);
+        let repaint = |(address, tile, part): (Address, Arc<Tile>, [u32; 4])| {
+            hcbtf::repaint(&mut image.rgba, &grid, options, address, (&tile, part))
+        };
+        let regions = changed.into_iter().flat_map(repaint).collect();
+        image.change = Some(Change { from: image.hash, regions });
+        image.hash = self.hash(options);
+        true
     }
 }
+
+/// Where more than one sample of so many is another, all are baked anew.
+const REBAKED: u64 = 8;
 
 /// Reads meshes and images, each once.
 #[derive(Clone, Debug, Default)]
 pub struct Assets {
     overlay: Option<Overlay>,
-    /// What was baked of it, by its version.
-    baked: HashMap<LayerOptions, (u64, Arc<Image>)>,
+    /// What was baked of it, or of what it was before.
+    baked: HashMap<LayerOptions, (Overlay, Arc<Image>)>,
     meshes: HashMap<String, Kept<Mesh>>,
     images: HashMap<PathBuf, Kept<Image>>,
     hcbtfs: HashMap<(PathBuf, LayerOptions), Kept<Image>>,
@@ -162,14 +213,16 @@ impl Assets {
 
     fn overlaid(&mut self, path: &Path, options: LayerOptions) -> Option<Result<Arc<Image>, Diagnostic>> {
         let overlay = self.overlay.as_ref().filter(|overlay| overlay.is(path))?;
-        if let Some((version, image)) = self.baked.get(&options)
-            && *version == overlay.version
+        if let Some((before, image)) = self.baked.get_mut(&options)
+            && (before.version == overlay.version || overlay.rebake(before, image, options))
         {
+            *before = overlay.clone();
             return Some(Ok(image.clone()));
         }
         let image = overlay.bake(options).map(Arc::new);
-        if let Ok(image) = &image {
-            self.baked.insert(options, (overlay.version, image.clone()));
+        match &image {
+            Ok(image) => drop(self.baked.insert(options, (overlay.clone(), image.clone()))),
+            Err(_) => drop(self.baked.remove(&options)),
         }
         Some(image)
     }
@@ -211,9 +264,8 @@ pub(super) fn plain_hcbtf(color: [u8; 4]) -> Image {
 
 /// The texture of an HCBTF, if it is not larger than one may be.
 fn bake(hcbtf: &Hcbtf, options: LayerOptions) -> Result<Image, Diagnostic> {
-    hcbtf::check_layers(&hcbtf.grid, options.has_levels)?;
     let filled = hcbtf::fill::fill(hcbtf, &hcbtf::Progress::new())?;
-    Ok(of_layers(hcbtf::layers(&hcbtf.grid, |address| filled.tile(address), options)))
+    Ok(of_layers(hcbtf::stored(&hcbtf.grid, |address| filled.tile(address), options)?))
 }
 
 fn of_layers(layers: hcbtf::Layers) -> Image {
@@ -256,4 +308,40 @@ fn read_image(path: &Path) -> Result<Image, Diagnostic> {
     let decoded = reader.decode().map_err(|error| problem(format!("the image `{name}` cannot be decoded: {error}")))?;
     let rgba = decoded.into_rgba8();
     Ok(Image::new([rgba.width(), rgba.height()], 1, rgba.into_raw()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn overlay(version: u64, tiles: &[(Address, [u8; 4])]) -> Overlay {
+        let directions = Directions { theta: 3, phi: 4 };
+        let mut hcbtf = Hcbtf::new(Grid { size: [4, 4], light: directions, view: directions });
+        for (address, color) in tiles {
+            hcbtf.painted.insert(*address, Arc::new(Tile::filled(hcbtf.grid.size, *color)));
+        }
+        Overlay { path: None, version, hcbtf: Arc::new(hcbtf), filled: None }
+    }
+
+    #[test]
+    fn a_stroke_bakes_its_own_sample_alone_and_nobody_sees_a_difference() {
+        let [first, second] = [Address::new([0, 0], [0, 0]), Address::new([2, 1], [1, 3])];
+        let mut assets = Assets::default();
+        let mut baked = |overlay: &Overlay| {
+            assets.overlay(Some(overlay.clone()));
+            assets.hcbtf(Path::new("nowhere"), UNSAVED_HCBTF, LayerOptions::default()).unwrap().0
+        };
+        let one = baked(&overlay(1, &[(first, [9, 9, 9, 255])]));
+        assert_eq!(one.change, None);
+        let painted = overlay(2, &[(first, [9, 9, 9, 255]), (second, [50, 0, 0, 255])]);
+        let two = baked(&painted);
+        assert_eq!(two.rgba, painted.bake(LayerOptions::default()).unwrap().rgba);
+        let change = two.change.as_ref().unwrap();
+        assert_eq!((change.from, change.regions.len()), (one.hash, 1));
+        assert!(one.rgba != two.rgba, "who draws with the old one keeps it");
+        let erased = overlay(3, &[(second, [50, 0, 0, 255])]);
+        assert_eq!(baked(&erased).rgba, erased.bake(LayerOptions::default()).unwrap().rgba);
+        let all: Vec<_> = erased.hcbtf.grid.addresses().map(|address| (address, [7, 7, 7, 255])).collect();
+        assert_eq!(baked(&overlay(4, &all)).change, None, "all of it is baked at once");
+    }
 }

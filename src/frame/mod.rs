@@ -21,7 +21,7 @@ mod visibility;
 pub use crate::compile::{
     Attribute, BindingKind, CompiledShader, ImageShape, ImageUse, SAMPLES_PER_ROW, Stage, Uniform,
 };
-pub use assets::{Assets, Image, MAX_IMAGE_SIDE, Overlay, SHAPE_PREFIX, UNSAVED_HCBTF, image_bytes};
+pub use assets::{Assets, Change, Image, MAX_IMAGE_SIDE, Overlay, SHAPE_PREFIX, UNSAVED_HCBTF, image_bytes};
 pub use camera::View;
 pub use cost::{EffectCost, attribute_bytes};
 pub use effects::{Effect, EffectKind, EffectState, effects};

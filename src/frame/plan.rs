@@ -577,8 +577,8 @@ pub(super) fn images(
             }
             let read = match image.shape {
                 ImageShape::Flat => assets.image(&setup.folder, &image.path).map_err(|problem| vec![problem]),
-                ImageShape::Hcbtf { has_levels } => {
-                    let options = LayerOptions { has_levels, is_decoded: image.is_decoded };
+                ImageShape::Hcbtf { has_levels, storage } => {
+                    let options = LayerOptions { has_levels, is_decoded: image.is_decoded, storage };
                     assets.hcbtf(&setup.folder, &image.path, options).map(|(image, _)| image)
                 }
             };

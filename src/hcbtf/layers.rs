@@ -4,14 +4,20 @@
 //! with a copy of the last phi above the first and of the first below the last, so that one bilinear tap blends four
 //! lights (the inner layout of thesis A.3, with a layer for each view instead of one flat texture, which no GPU could
 //! hold for larger tiles). Smaller levels of the tile stand to the right of it, each below the one before. The first two
-//! texels of one more layer tell the grid, so that a shader needs nothing beside the texture. `shaders/lib/hcbtf.wgsl`
-//! reads this.
+//! texels of one more layer tell the grid, so that a shader needs nothing beside the texture. Views that are equal may
+//! share a layer; the texels after those two then tell whose is whose. `shaders/lib/hcbtf.wgsl` reads this.
+//!
+//! [`compact`](super::compact) is the other way, for less memory.
 
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use super::compact;
+use super::fill::MAX_SAMPLES;
+use super::levels::{level_sizes, levels_of_all};
+use super::share::{shared_size, views, write_shares};
 use crate::diag::Diagnostic;
-use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Tile};
+use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Storage, Tile};
 
 /// What the texture is to hold beside the samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -20,6 +26,8 @@ pub struct LayerOptions {
     pub has_levels: bool,
     /// Whether shaders are to decode blended colours to linear light.
     pub is_decoded: bool,
+    /// How it lies there.
+    pub storage: Storage,
 }
 
 /// The texture: straight RGBA, 8 bits a channel, rows from the top, layer after layer.
@@ -27,7 +35,7 @@ pub struct LayerOptions {
 pub struct Layers {
     /// Texels of a layer.
     pub size: [u32; 2],
-    /// One for each view, and one that tells the grid.
+    /// One for each view that differs, and one that tells the grid; or as many as the compact storage takes.
     pub count: u32,
     /// Four bytes a texel.
     pub rgba: Vec<u8>,
@@ -37,6 +45,12 @@ pub struct Layers {
 pub const MAX_LAYERS_BYTES: u64 = 2 << 30;
 /// The fewest texels along a layer: the last one tells the grid in two.
 const FEWEST: u64 = 2;
+/// As many texels tell the grid.
+pub(super) const TOLD: usize = 2;
+/// Among the flags: views share layers.
+pub(super) const SHARED: u8 = 4;
+/// Among the flags: the storage is compact.
+const COMPACT: u8 = 8;
 
 /// Texels of a layer and the number of layers, before anything is made. They are as large as the grid asks, which may
 /// be more than there is memory, or than a GPU takes.
@@ -63,40 +77,95 @@ pub fn layers_bytes(grid: &Grid, has_levels: bool) -> u64 {
 /// # Errors
 /// `too-large`: it would take more than [`MAX_LAYERS_BYTES`].
 pub fn check_layers(grid: &Grid, has_levels: bool) -> Result<u64, Diagnostic> {
-    let bytes = layers_bytes(grid, has_levels);
+    check_bytes(layers_bytes(grid, has_levels))
+}
+
+fn check_bytes(bytes: u64) -> Result<u64, Diagnostic> {
     if bytes <= MAX_LAYERS_BYTES {
         return Ok(bytes);
     }
     let message = format!("its texture would take {} MiB; it may take {}", bytes >> 20, MAX_LAYERS_BYTES >> 20);
-    Err(Diagnostic::error("too-large", message).hint("divide it into fewer texels, lights or views"))
+    let hint = "divide it into fewer texels, lights or views, or let its nodes store it as `compact`";
+    Err(Diagnostic::error("too-large", message).hint(hint))
 }
 
-/// The sizes of a tile's levels, the tile itself first and one texel last.
-fn level_sizes(grid: &Grid) -> impl Iterator<Item = [u32; 2]> {
-    std::iter::successors(Some(grid.size), |size| (*size != [1, 1]).then(|| size.map(|side| (side / 2).max(1))))
+/// Texels of a layer and the number of layers that [`stored`] gives, without making them.
+pub fn stored_size<'a>(
+    grid: &Grid,
+    tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
+    has_levels: bool,
+    storage: Storage,
+) -> [u64; 3] {
+    match storage {
+        Storage::Quick => shared_size(grid, &views(grid, tile), has_levels),
+        Storage::Compact => compact::size(grid, tile, has_levels),
+    }
 }
 
-/// Makes the texture from the samples' tiles; a sample without one is transparent black. The caller has seen that there
-/// is room ([`check_layers`]).
+/// Makes the texture from the samples' tiles, with what is equal in it once, as far as the storage can; a sample without
+/// a tile is transparent black.
+///
+/// # Errors
+/// `too-large`: it would take more than [`MAX_LAYERS_BYTES`].
+pub fn stored<'a>(
+    grid: &Grid,
+    tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
+    options: LayerOptions,
+) -> Result<Layers, Diagnostic> {
+    match options.storage {
+        Storage::Quick => {
+            let views = views(grid, &tile);
+            let size = shared_size(grid, &views, options.has_levels);
+            check_bytes(size.into_iter().fold(4, u64::saturating_mul))?;
+            let mut made = layers_of(grid, &views.differ, tile, options);
+            if views.differ.len() < grid.view.count() {
+                write_shares(&mut made, &views.layer);
+            }
+            Ok(made)
+        }
+        Storage::Compact => {
+            let plan = compact::Plan::new(grid, tile, options.has_levels);
+            check_bytes(plan.size().into_iter().fold(4, u64::saturating_mul))?;
+            Ok(plan.write(header(grid, options)))
+        }
+    }
+}
+
+/// Makes the texture from the samples' tiles, quick and with a layer for each view, so that a sample is always in the same
+/// place: for what is being painted. The caller has seen that there is room ([`check_layers`]).
 pub fn layers<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Tile>>, options: LayerOptions) -> Layers {
-    let [width, height, count] = layers_size(grid, options.has_levels).map(|n| n as usize);
+    let options = LayerOptions { storage: Storage::Quick, ..options };
+    layers_of(grid, &(0..grid.view.count()).collect::<Vec<_>>(), tile, options)
+}
+
+fn layers_of<'a>(
+    grid: &Grid,
+    views: &[usize],
+    tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
+    options: LayerOptions,
+) -> Layers {
+    let [width, height, _] = layers_size(grid, options.has_levels).map(|n| n as usize);
+    let count = views.len() + 1;
     let mut rgba = vec![0; 4 * width * height * count];
-    // Equal samples share their tile, and so its levels.
-    let mut smaller: HashMap<*const Tile, Vec<Tile>> = HashMap::new();
+    let addresses = |view: usize| {
+        let view = direction(view, grid.view.phi);
+        let lights = (0..grid.light.count()).map(|index| direction(index, grid.light.phi));
+        lights.map(move |light| Address { view, light })
+    };
+    let smaller = match options.has_levels {
+        true => levels_of_all(views.iter().flat_map(|view| addresses(*view)).filter_map(|at| tile(at.canonical()))),
+        false => HashMap::new(),
+    };
     let mut layer = Layer { grid, width, texels: &mut [] };
-    for (index, texels) in rgba.chunks_exact_mut(4 * width * height).take(grid.view.count()).enumerate() {
+    for (index, texels) in views.iter().zip(rgba.chunks_exact_mut(4 * width * height)) {
         layer.texels = texels;
-        let view = direction(index, grid.view.phi);
-        for light in (0..grid.light.count()).map(|index| direction(index, grid.light.phi)) {
-            let Some(tile) = tile(Address { view, light }.canonical()) else { continue };
-            layer.put(tile, light, [0, 0]);
-            if options.has_levels {
-                let levels = smaller.entry(Arc::as_ptr(tile)).or_insert_with(|| levels_of(tile));
-                let mut origin = [grid.size[0] * grid.light.theta, 0];
-                for level in levels {
-                    layer.put(level, light, origin);
-                    origin[1] += level.size()[1] * (grid.light.phi + 2);
-                }
+        for address in addresses(*index) {
+            let Some(tile) = tile(address.canonical()) else { continue };
+            layer.put(tile, address.light, [0, 0]);
+            let mut origin = [grid.size[0] * grid.light.theta, 0];
+            for level in smaller.get(&Arc::as_ptr(tile)).into_iter().flatten() {
+                layer.put(level, address.light, origin);
+                origin[1] += level.size()[1] * (grid.light.phi + 2);
             }
         }
     }
@@ -114,6 +183,9 @@ pub fn from_layers(layers: &Layers) -> Result<Hcbtf, Diagnostic> {
     let wrong = |message: &str| Diagnostic::error("hcbtf-layers", message).hint("export it anew from an .hcbtf file");
     let [width, height] = layers.size.map(|side| side as usize);
     let whole = 4 * width * height * layers.count as usize;
+    if layers.rgba.len() != whole {
+        return Err(wrong("the texture has not the size that it tells"));
+    }
     let told = whole.checked_sub(4 * width * height).and_then(|at| layers.rgba.get(at..at + 8));
     let Some(&[low_x, low_y, high, flags, light_theta, light_phi, view_theta, view_phi]) = told else {
         return Err(wrong("the texture tells no grid"));
@@ -125,13 +197,33 @@ pub fn from_layers(layers: &Layers) -> Result<Hcbtf, Diagnostic> {
         light: directions(light_theta, light_phi),
         view: directions(view_theta, view_phi),
     };
-    let size = [width, height, layers.count as usize].map(|n| n as u64);
-    if grid.check().is_err() || layers_size(&grid, flags & 1 == 1) != size || layers.rgba.len() != whole {
-        return Err(wrong("the texture has not the size of the grid that it tells"));
+    let samples = grid.view.count() as u64 * grid.light.count() as u64;
+    if grid.check().is_err() || flags & (SHARED | COMPACT) != 0 && samples > MAX_SAMPLES {
+        return Err(wrong("the texture tells a grid that cannot be"));
     }
+    if flags & COMPACT != 0 {
+        let texels = layers.rgba.chunks_exact(4 * width * height).rev().collect::<Vec<_>>().concat();
+        return compact::read(&grid, &texels).ok_or_else(|| wrong("the texture does not hold what it tells of"));
+    }
+    let layer_of = |view: usize| match flags & SHARED != 0 {
+        true => {
+            let told = layers.rgba.get(whole - 4 * width * height + 4 * (TOLD + view)..)?.first_chunk()?;
+            Some(u32::from_le_bytes(*told) as usize)
+        }
+        false => Some(view),
+    };
+    let of_views: Option<Vec<usize>> = (0..grid.view.count()).map(layer_of).collect();
+    let of_views = of_views.filter(|layers_of| layers_of.iter().all(|layer| *layer + 1 < layers.count as usize));
+    let most = layers_size(&grid, flags & 1 == 1);
+    let is_whole = flags & SHARED != 0 || most[2] == u64::from(layers.count);
+    let Some(of_views) = of_views.filter(|_| is_whole && most[..2] == [width as u64, height as u64]) else {
+        return Err(wrong("the texture has not the size of the grid that it tells"));
+    };
     let mut hcbtf = Hcbtf::new(grid);
+    // What views share is made once.
+    let mut tiles: HashMap<(usize, Direction), Arc<Tile>> = HashMap::new();
     for address in grid.addresses() {
-        let layer = (address.view.theta * grid.view.phi + address.view.phi) as usize * height;
+        let layer = of_views[(address.view.theta * grid.view.phi + address.view.phi) as usize] * height;
         let texel = |index: usize| {
             let [x, y] = [index % grid.size[0] as usize, index / grid.size[0] as usize];
             let column = x * grid.light.theta as usize + address.light.theta as usize;
@@ -139,40 +231,57 @@ pub fn from_layers(layers: &Layers) -> Result<Hcbtf, Diagnostic> {
             let at = 4 * (row * width + column);
             &layers.rgba[at..at + 4]
         };
-        let rgba: Vec<u8> = (0..grid.texels()).flat_map(texel).copied().collect();
-        if rgba.iter().any(|byte| *byte != 0)
-            && let Some(tile) = Tile::new(grid.size, rgba)
-        {
-            hcbtf.painted.insert(address, Arc::new(tile));
-        }
+        let make = || {
+            let rgba: Vec<u8> = (0..grid.texels()).flat_map(texel).copied().collect();
+            Arc::new(Tile::new(grid.size, rgba).unwrap_or_else(|| Tile::filled(grid.size, [0; 4])))
+        };
+        let tile = tiles.entry((layer, address.light)).or_insert_with(make);
+        paint(&mut hcbtf, address, tile);
     }
     Ok(hcbtf)
+}
+
+/// A sample as painted, but one that is transparent black all over.
+pub(super) fn paint(hcbtf: &mut Hcbtf, address: Address, tile: &Arc<Tile>) {
+    if tile.bytes().iter().any(|byte| *byte != 0) {
+        hcbtf.painted.insert(address, tile.clone());
+    }
 }
 
 /// The two texels that tell the grid: the tile's sides with twelve bits each and the flags; then rings and steps of
 /// lights and of views.
 fn header(grid: &Grid, options: LayerOptions) -> [u8; 8] {
     let [width, height] = grid.size;
-    let flags = u8::from(options.has_levels) | u8::from(options.is_decoded) << 1;
+    let compact = if options.storage == Storage::Compact { COMPACT } else { 0 };
+    let flags = u8::from(options.has_levels) | u8::from(options.is_decoded) << 1 | compact;
     let high = (width >> 8 & 15) | (height >> 8 & 15) << 4;
     let angles = [grid.light.theta, grid.light.phi, grid.view.theta, grid.view.phi].map(|n| n as u8);
     [width as u8, height as u8, high as u8, flags, angles[0], angles[1], angles[2], angles[3]]
 }
 
-fn direction(index: usize, steps: u32) -> Direction {
+/// The direction of that number: ring by ring.
+pub(super) fn direction(index: usize, steps: u32) -> Direction {
     let index = index as u32;
     Direction { theta: index / steps.max(1), phi: index % steps.max(1) }
 }
 
-struct Layer<'a> {
-    grid: &'a Grid,
-    width: usize,
-    texels: &'a mut [u8],
+/// A layer while it is filled.
+pub(super) struct Layer<'a> {
+    pub(super) grid: &'a Grid,
+    pub(super) width: usize,
+    pub(super) texels: &'a mut [u8],
 }
 
 impl Layer<'_> {
     /// Puts each texel of a tile where its block has this light, and where that is copied to.
-    fn put(&mut self, tile: &Tile, light: Direction, origin: [u32; 2]) {
+    pub(super) fn put(&mut self, tile: &Tile, light: Direction, origin: [u32; 2]) {
+        let [width, height] = tile.size();
+        self.put_part(tile, [0, 0, width, height], light, origin);
+    }
+
+    /// The same with a part of it alone: x, y, width and height in texels of the tile.
+    pub(super) fn put_part(&mut self, tile: &Tile, part: [u32; 4], light: Direction, origin: [u32; 2]) {
+        let [left, top, wide, high] = part;
         let lights = self.grid.light;
         let mut rows = vec![light.phi + 1];
         if light.phi == 0 {
@@ -181,65 +290,18 @@ impl Layer<'_> {
         if light.phi + 1 == lights.phi {
             rows.push(0);
         }
-        let [width, height] = tile.size();
-        for y in 0..height {
+        for y in top..top + high {
             for row in &rows {
                 let row = (origin[1] + y * (lights.phi + 2) + row) as usize;
-                for x in 0..width {
+                for x in left..left + wide {
                     let column = (origin[0] + x * lights.theta + light.theta) as usize;
                     let to = 4 * (row * self.width + column);
-                    let from = 4 * (y * width + x) as usize;
+                    let from = 4 * (y * tile.size()[0] + x) as usize;
                     self.texels[to..to + 4].copy_from_slice(&tile.bytes()[from..from + 4]);
                 }
             }
         }
     }
-}
-
-/// The smaller levels of a tile, half as large each, down to one texel.
-fn levels_of(tile: &Tile) -> Vec<Tile> {
-    let halved = |tile: &Tile| (tile.size() != [1, 1]).then(|| halved(tile));
-    std::iter::successors(halved(tile), halved).collect()
-}
-
-/// A tile half as large, each texel the mean of what it covers; what is transparent does not tint.
-fn halved(tile: &Tile) -> Tile {
-    let [width, height] = tile.size();
-    let size = [width, height].map(|side| (side / 2).max(1));
-    let mut rgba = Vec::with_capacity(4 * size[0] as usize * size[1] as usize);
-    for y in 0..size[1] {
-        let rows = covered(y, height, size[1]);
-        for x in 0..size[0] {
-            let mut sum = [0.0; 4];
-            let mut whole = 0.0;
-            for &(row, tall) in &rows {
-                for (column, wide) in covered(x, width, size[0]) {
-                    let [r, g, b, a] = tile.texel(column, row).map(f64::from);
-                    let weight = wide * tall;
-                    whole += weight;
-                    sum[3] += weight * a;
-                    for (sum, channel) in sum.iter_mut().zip([r, g, b]) {
-                        *sum += weight * a * channel;
-                    }
-                }
-            }
-            let opaque = if sum[3] > 0.0 { sum[3] } else { 1.0 };
-            rgba.extend(sum[..3].iter().map(|channel| (channel / opaque).round() as u8));
-            rgba.push((sum[3] / whole).round() as u8);
-        }
-    }
-    Tile::new(size, rgba).unwrap_or_else(|| Tile::filled(size, [0; 4]))
-}
-
-/// Which texels of `many` the texel `index` of `few` covers, and how much of each.
-fn covered(index: u32, many: u32, few: u32) -> Vec<(i64, f64)> {
-    let wide = f64::from(many) / f64::from(few);
-    let (from, to) = (f64::from(index) * wide, f64::from(index + 1) * wide);
-    let texels = from.floor() as i64..to.ceil() as i64;
-    texels
-        .map(|texel| (texel, (to.min(texel as f64 + 1.0) - from.max(texel as f64)).max(0.0)))
-        .filter(|(texel, share)| *share > 0.0 && *texel < i64::from(many))
-        .collect()
 }
 
 #[cfg(test)]
@@ -264,7 +326,8 @@ mod tests {
                 (address, Arc::new(Tile::new(grid.size, texels).unwrap()))
             })
             .collect();
-        let made = layers(&grid, |address| tiles.get(&address), LayerOptions { has_levels: true, is_decoded: false });
+        let made =
+            layers(&grid, |address| tiles.get(&address), LayerOptions { has_levels: true, ..LayerOptions::default() });
         assert_eq!([u64::from(made.size[0]), u64::from(made.size[1]), u64::from(made.count)], layers_size(&grid, true));
         assert_eq!(made.rgba.len() as u64, layers_bytes(&grid, true));
         let texel = |x: u32, y: u32, layer: u32| {
@@ -300,14 +363,25 @@ mod tests {
     }
 
     #[test]
-    fn what_is_transparent_does_not_tint_a_smaller_level() {
-        let tile = Tile::new([2, 1], vec![200, 100, 50, 255, 0, 0, 0, 0]).unwrap();
-        assert_eq!(halved(&tile).bytes(), [200, 100, 50, 128]);
-    }
-
-    #[test]
-    fn odd_sides_lose_nothing() {
-        let tile = Tile::new([3, 1], vec![90, 0, 0, 255, 30, 0, 0, 255, 0, 0, 0, 255]).unwrap();
-        assert_eq!(halved(&tile).bytes(), [40, 0, 0, 255]);
+    fn views_that_are_equal_share_a_layer() {
+        let grid = Grid { size: [4, 4], light: Directions { theta: 2, phi: 3 }, view: Directions { theta: 3, phi: 5 } };
+        let tiles: Vec<Arc<Tile>> = (0..3).map(|n| Arc::new(Tile::filled(grid.size, [n, 2, 3, 255]))).collect();
+        // The same whatever the phi of the view.
+        let of = |address: Address| tiles.get(address.view.theta as usize);
+        let made = stored(&grid, of, LayerOptions { has_levels: true, ..LayerOptions::default() }).unwrap();
+        assert_eq!(made.count, 4);
+        assert_eq!(stored_size(&grid, of, true, Storage::Quick)[2], 4);
+        let back = from_layers(&made).unwrap();
+        assert!(grid.addresses().all(|address| back.painted(address) == of(address)));
+        let told = made.rgba.len() - 4 * (made.size[0] * made.size[1]) as usize;
+        let mut lying = made;
+        lying.rgba[told + 4 * 2] = 3;
+        assert!(from_layers(&lying).is_err(), "the first view's layer is no view's");
+        // Where there is no room to tell of it, each has its own.
+        let small =
+            Grid { size: [1, 1], light: Directions { theta: 1, phi: 1 }, view: Directions { theta: 9, phi: 9 } };
+        let tile = Arc::new(Tile::filled([1, 1], [1; 4]));
+        let made = stored(&small, |_| Some(&tile), LayerOptions::default()).unwrap();
+        assert_eq!((made.count, from_layers(&made).unwrap().painted.len()), (82, 73));
     }
 }

@@ -4,27 +4,34 @@
 //! [`load`] and [`read`] take an `.hcbtf` file, [`write()`] gives its bytes. [`fill`](fill::fill) runs the rules and gives a
 //! [`Filled`]: a tile and its [`Provenance`] for every sample of the grid, which is what shaders look up. [`sheet`],
 //! [`folder`] and [`contact`] exchange samples with other programs: the thesis's flattened texture, a folder of images, and
-//! one picture with all samples side by side. docs/format.md documents all of them. [`paint`] is the brush.
-//! [`layers()`] lays the filled tiles out
-//! as the texture of a shader, [`ktx2`] as a file for other engines.
+//! one picture with all samples side by side; [`exchange`] has all of them by one name each. docs/format.md documents
+//! all of them. [`paint`] is the brush.
+//! [`stored`] lays the filled tiles out as the texture of a shader, [`needs`] tells beforehand what that takes, and [`ktx2`]
+//! writes it as a file for other engines.
 //!
 //! Files are not trusted: sizes are bounded before memory is taken for them ([`MAX_FILE_BYTES`],
 //! [`MAX_PAINTED_BYTES`], [`MAX_PAINTED`]), and every problem is a diagnostic that names the file.
 
 mod archive;
+mod compact;
 pub mod contact;
+pub mod exchange;
 mod file;
 pub mod fill;
 pub mod folder;
 mod generate;
 pub mod ktx2;
 mod layers;
+mod levels;
 mod manifest;
+mod memory;
 mod noise;
 pub mod paint;
 mod picture;
 mod progress;
+mod repaint;
 mod report;
+mod share;
 pub mod sheet;
 mod synthesize;
 
@@ -33,10 +40,13 @@ use crate::document::Hcbtf;
 pub use file::{load, read, read_bytes, write};
 pub use fill::{Estimate, Filled, NotFilled, Provenance, Which, estimate};
 pub use layers::{
-    LayerOptions, Layers, MAX_LAYERS_BYTES, check_layers, from_layers, layers, layers_bytes, layers_size,
+    LayerOptions, Layers, MAX_LAYERS_BYTES, check_layers, from_layers, layers, layers_bytes, layers_size, stored,
+    stored_size,
 };
+pub use memory::{Limits, Need, needs, needs_at_most};
 pub use picture::Picture;
 pub use progress::Progress;
+pub use repaint::{Region, repaint};
 pub use synthesize::{Synthesis, synthesize};
 
 /// The version of `.hcbtf` files that this Chiaro writes, and the newest that it reads.

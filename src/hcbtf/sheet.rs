@@ -57,6 +57,44 @@ pub fn export(filled: &Filled) -> Result<Picture, Box<Diagnostic>> {
     Ok(sheet)
 }
 
+/// What a texel of the sheet holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Held {
+    /// The sample that it is of, as it is kept.
+    pub address: Address,
+    /// Which texel of that tile, from its upper left corner.
+    pub texel: [u32; 2],
+    /// Whether it is a copy: padding, or one of the steps around the normal but the first.
+    pub is_copy: bool,
+}
+
+/// What the sheet of a grid holds at a place, in texels from its upper left corner; `None` outside.
+pub fn held(grid: &Grid, [x, y]: [u32; 2]) -> Option<Held> {
+    let [ix, theta_r, theta_i] = column(grid, x)?;
+    let ([iy, phi_r, phi_i], is_padding) = row(grid, y)?;
+    let direction = |theta, phi| Direction { theta, phi };
+    let written = Address { view: direction(theta_r, phi_r), light: direction(theta_i, phi_i) };
+    let address = written.canonical();
+    Some(Held { address, texel: [ix, iy], is_copy: is_padding || address != written })
+}
+
+/// What a column of the sheet holds: the texel's column in the tile, the ring of the view, and that of the light.
+pub fn column(grid: &Grid, x: u32) -> Option<[u32; 3]> {
+    let across = grid.view.theta * grid.light.theta;
+    let within = x.checked_rem(across)?;
+    (x < size(grid)[0]).then(|| [x / across, within / grid.light.theta, within % grid.light.theta])
+}
+
+/// What a row of the sheet holds: the texel's row in the tile, the step of the view, and that of the light; and whether it
+/// is padding.
+pub fn row(grid: &Grid, y: u32) -> Option<([u32; 3], bool)> {
+    let is_inside = y < size(grid)[1];
+    is_inside.then(|| {
+        let Row { iy, phi_r, phi_i, is_padding } = Row::of(grid, y as usize);
+        ([iy as u32, phi_r, phi_i], is_padding)
+    })
+}
+
 /// What a row of the sheet holds.
 struct Row {
     iy: usize,
@@ -90,7 +128,7 @@ impl Row {
 }
 
 /// Where the texel (ix, iy) of a sample lies in the sheet.
-fn place(grid: &Grid, Address { light, view }: Address, [ix, iy]: [usize; 2]) -> [usize; 2] {
+pub(crate) fn place(grid: &Grid, Address { light, view }: Address, [ix, iy]: [usize; 2]) -> [usize; 2] {
     let padded = grid.light.phi + 2;
     let across = (grid.view.theta * grid.light.theta) as usize;
     let down = (grid.view.phi * padded) as usize;

@@ -13,6 +13,7 @@ use crate::frame::Image;
 #[derive(Debug)]
 struct Uploaded {
     image: Weak<Image>,
+    texture: wgpu::Texture,
     view: wgpu::TextureView,
 }
 
@@ -59,10 +60,13 @@ impl Images {
         if let Some(known) = self.textures.get(&key) {
             return Ok(known.view.clone());
         }
+        if let Some(view) = self.changed(gpu, image, wanted) {
+            return Ok(view);
+        }
         let limits = gpu.device.limits();
         for (what, size, limit) in [
             ("a side of an image in pixels", image.size[0].max(image.size[1]), limits.max_texture_dimension_2d),
-            ("the layers of an HCBTF, one a view", image.layers, limits.max_texture_array_layers),
+            ("the layers of an HCBTF", image.layers, limits.max_texture_array_layers),
         ] {
             if size > limit {
                 let what = what.to_owned();
@@ -95,8 +99,44 @@ impl Images {
             dimension: Some(dimension),
             ..wgpu::TextureViewDescriptor::default()
         });
-        self.textures.insert(key, Uploaded { image: Arc::downgrade(image), view: view.clone() });
+        self.textures.insert(key, Uploaded { image: Arc::downgrade(image), texture, view: view.clone() });
         Ok(view)
+    }
+
+    /// The texture of what the image was before, brought up to date where it is another now; `None` where it is not here, or
+    /// somebody still draws with it. What was handed to the GPU before sees it as it was.
+    fn changed(&mut self, gpu: &Gpu, image: &Arc<Image>, wanted: &ImageUse) -> Option<wgpu::TextureView> {
+        let change = image.change.as_ref()?;
+        let key = (change.from, wanted.is_decoded);
+        let known = self.textures.get(&key)?;
+        let size = known.texture.size();
+        let is_alike = [size.width, size.height] == image.size && size.depth_or_array_layers == image.layers;
+        if !is_alike || known.image.strong_count() > 0 {
+            return None;
+        }
+        let stride = 4 * u64::from(image.size[0]);
+        for region in &change.regions {
+            let row = u64::from(region.layer) * u64::from(image.size[1]) + u64::from(region.at[1]);
+            gpu.queue.write_texture(
+                wgpu::TexelCopyTextureInfo {
+                    texture: &known.texture,
+                    mip_level: 0,
+                    origin: wgpu::Origin3d { x: region.at[0], y: region.at[1], z: region.layer },
+                    aspect: wgpu::TextureAspect::All,
+                },
+                &image.rgba,
+                wgpu::TexelCopyBufferLayout {
+                    offset: row * stride + 4 * u64::from(region.at[0]),
+                    bytes_per_row: Some(4 * image.size[0]),
+                    rows_per_image: Some(image.size[1]),
+                },
+                wgpu::Extent3d { width: region.size[0], height: region.size[1], depth_or_array_layers: 1 },
+            );
+        }
+        let Uploaded { texture, view, .. } = self.textures.remove(&key)?;
+        let uploaded = Uploaded { image: Arc::downgrade(image), texture, view: view.clone() };
+        self.textures.insert((image.hash, wanted.is_decoded), uploaded);
+        Some(view)
     }
 
     /// The sampler that an image node asks for.

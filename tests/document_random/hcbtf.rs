@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use chiaro::document::journal::{About, Found, Journal, Op, Slot, recover, recover_any};
 use chiaro::document::relief::{Channel, PRESETS, Pattern};
-use chiaro::document::{Address, Directions, Grid, Hcbtf, HcbtfAngle, HcbtfEdit, History, Relief, Rule, Tile};
+use chiaro::document::{Address, Directions, Grid, Hcbtf, HcbtfAngle, HcbtfEdit, History, Relief, Rule, Strokes, Tile};
 use chiaro::hcbtf::write;
 use proptest::prelude::*;
 
@@ -46,12 +46,19 @@ impl Random {
     }
 
     fn rule(&mut self, hcbtf: &Hcbtf) -> Rule {
-        match self.below(6) {
+        match self.below(8) {
             0 => Rule::Copy { from: self.address(hcbtf) },
             1 => Rule::Lock { angles: vec![HcbtfAngle::LightPhi] },
             2 => Rule::Blend { sharpness: self.below(70) as f64 },
             3 => Rule::Rotate { turns: 1.0 / 3.0 },
-            4 => Rule::Relief(Box::new(self.relief(hcbtf))),
+            4 => Rule::Morph { sharpness: self.below(70) as f64 },
+            5 => {
+                let mut strokes = Strokes::preset(self.pick(&Strokes::PRESETS).unwrap());
+                // Now and then what no file may hold.
+                strokes.shadow.softness = self.below(12) as f64 / 10.0;
+                Rule::Strokes(Box::new(strokes))
+            }
+            6 => Rule::Relief(Box::new(self.relief(hcbtf))),
             _ => Rule::Color { color: self.bits().to_le_bytes()[..4].try_into().unwrap() },
         }
     }

@@ -7,6 +7,8 @@ pub(crate) mod eval;
 pub(crate) mod files;
 #[cfg(feature = "gpu")]
 pub(crate) mod handwritten;
+#[cfg(feature = "gpu")]
+pub(crate) mod held;
 pub(crate) mod random;
 pub(crate) mod report;
 pub(crate) mod stacks;

@@ -109,6 +109,7 @@ pub const EXCEPTIONS: &[Exception] = &[
     on("rotate_vector", "").within(1e5).steep(PHASE),
     on("power", "").within(1e15).steep(POWER),
     on("gamma", "").within(1e15).steep(POWER),
+    on("color_space", "oklab_to_srgb").within(2.0).of_inputs().bound(2e-5).steep(COLOR),
     on("color_space", "").within(1e3).because(COLOR),
     on("map_range", "").within(1e15).of_inputs().steep(NARROW),
     on("smooth_step_value", "").within(1e15).steep(NARROW),
@@ -141,6 +142,8 @@ pub const EXCEPTIONS: &[Exception] = &[
     on("image", "nearest").within(30.0).together().steps("between texels rounding decides"),
     on("litsphere", "linear").together().bound(1e-2).steep(FILTER),
     on("litsphere", "nearest").together().steep("between texels rounding decides"),
+    on("constant_size", "").from(1e-3).within(1e3).together().steep("at powers of two Even and Odd change places"),
+    on("scatter_uv", "").from(1e-15).within(30.0).together().bound(1e-4).steep(CELLS),
     on("hcbtf_lookup", "smooth").within(30.0).together().bound(1e-4).steep(PLACES),
     on("hcbtf_nearest", "").within(30.0).together().bound(1e-4).steep("between texels and paintings rounding decides"),
     on("hcbtf_lookup", "").within(30.0).together().bound(1e-4).steep("between texels and paintings rounding decides"),
@@ -150,6 +153,28 @@ pub const EXCEPTIONS: &[Exception] = &[
     on("tangent_frame", "").steep(FRAME),
     on("normal_map", "").within(1e15).steep(FRAME),
     on("bump_map", "").within(1e15).because("beyond, the height leaves f32"),
+    on("mix_evenly", "").within(2.0).bound(2e-5).steep(COLOR),
+    on("posterize", "").bound(2e-5).steep(NARROW),
+    on("gooch", "").within(1e3).of_inputs().because(COLOR),
+    on("detail", "orientation").steep(POWER),
+    on("detail", "").steep(NARROW),
+    on("rim", "").steep(NARROW),
+    on("reflectance", "lambert").steep(CANCELS),
+    on("reflectance", "wrap").steep(CANCELS),
+    on("reflectance", "").bound(2e-5).steep(POWER),
+    on("fresnel", "").steep(CANCELS),
+    on("thin_film", "").bound(2e-5).steep(PHASE),
+    on("half_vector", "").steep("where light and eye are opposite, rounding says which side is between them"),
+    on("axes", "").steep(FRAME),
+    on("angle_between_directions", "").steps("a vector that is too short to have a direction counts as +z"),
+    on("shift_direction", "").within(1e3).bound(1e-4).steep(CANCELS),
+    on("stretch_direction", "").within(1e3).bound(1e-4).steep(CANCELS),
+    on("split_direction", "").within(1e3).bound(1e-4).steep(STEPS),
+    on("square_direction", "").within(1e3).bound(2e-5).steep(POWER),
+    on("star_angle", "").within(1e3).bound(5e-4).steep("64 rays turn 64 times as fast, and notches multiply by 100"),
+    on("polar_place", "").steep(POLAR),
+    on("tone_map", "linear").together().bound(1e-2).steep(FILTER),
+    on("tone_map", "nearest").together().steps("between texels rounding decides"),
     on("hsv_adjust", "").within(1e3).of_inputs().steep(COLOR),
     on("brightness_contrast", "").within(1e3).of_inputs().because(COLOR),
     on("negative_color", "").within(1e3).of_inputs().because(COLOR),
@@ -165,7 +190,10 @@ const FRAME: &str = "where normal and tangent are nearly the same, rounding turn
 const PHASE: &str = "beyond 100,000 an f32 holds no phase";
 const CANCELS: &str = "large terms cancel";
 const STEPS: &str = "a step: rounding of the input decides on which side it is";
+const CELLS: &str =
+    "from cell to cell another place is seen; what B counts beside A is nothing where C is all there is";
 const PLACES: &str = "near the normal rounding turns directions, at the horizon it decides whether there is light";
+const POLAR: &str = "in the middle there is no around, and rounding decides";
 const FILTER: &str = "a GPU weighs texels by 8 bits";
 const COLOR: &str = "far beyond any colour, what is left of a small difference is rounding's";
 

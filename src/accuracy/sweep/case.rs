@@ -211,6 +211,11 @@ fn feeder_of(ty: &Type) -> Option<&'static str> {
     })
 }
 
+/// Whether only the direction of an input of this name counts, not its length.
+fn is_direction(name: &str) -> bool {
+    matches!(name, "normal" | "axis" | "onto" | "direction" | "middle" | "up" | "x_axis" | "y_axis" | "tangent")
+}
+
 /// Builds a bench's look from its parts.
 struct Builder<'a> {
     def: &'a NodeDef,
@@ -458,7 +463,7 @@ fn value_slot(input: &Input, ty: &Type, name: &str, most: f64) -> Slot {
         Type::Color => (Kind::Color, 4),
         Type::Composite => (Kind::Composite, 4),
         Type::Angle => (Kind::HalfAngle, 2),
-        _ if matches!(name, "normal" | "axis" | "onto") => (Kind::Direction, 3),
+        Type::Vec3 if is_direction(name) => (Kind::Direction, 3),
         _ => (Kind::Number { min: input.min, max: input.max, is_angle }, ty.width().unwrap_or(1)),
     };
     Slot { name: name.to_owned(), place: Place::Value, kind, width, most }

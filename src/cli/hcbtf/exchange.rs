@@ -1,16 +1,14 @@
 //! `chiaro hcbtf import` and `export`: sheets, folders of images, contact sheets.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::ValueEnum;
 
 use super::{GRID_HELP, GridText, check_free, filled, open, with_ending};
 use crate::cli::output::Output;
 use crate::diag::Diagnostic;
-use crate::document::{Grid, write_atomic};
-use crate::hcbtf::{
-    Filled, LayerOptions, Which, check_layers, contact, folder, from_layers, ktx2, layers, read_bytes, sheet, write,
-};
+use crate::document::{Grid, Storage, write_atomic};
+use crate::hcbtf::{Which, exchange, write};
 
 /// How samples lie in other programs' files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -23,6 +21,17 @@ enum Form {
     Contact,
     /// The texture that shaders look up, as KTX2, filled, with smaller levels for surfaces that are far away
     Ktx2,
+}
+
+impl From<Form> for exchange::Form {
+    fn from(form: Form) -> Self {
+        match form {
+            Form::Sheet => Self::Sheet,
+            Form::Folder => Self::Folder,
+            Form::Contact => Self::Contact,
+            Form::Ktx2 => Self::Ktx2,
+        }
+    }
 }
 
 /// What `chiaro hcbtf import` is given.
@@ -53,24 +62,9 @@ pub(super) fn import(arguments: &ImportArguments, output: &Output) -> Result<(),
     let path = with_ending(&arguments.output);
     check_free(&path, arguments.force)?;
     let from = &arguments.from;
-    let name = from.display().to_string();
     let grid = arguments.grid.map_or(Grid::THESIS, |grid| grid.0);
-    let png = || read_bytes(from).map_err(|problem| vec![*problem]);
-    let is_ktx2 = from.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("ktx2"));
-    let guessed = match is_ktx2 {
-        _ if from.is_dir() => Form::Folder,
-        true => Form::Ktx2,
-        false => Form::Sheet,
-    };
-    let (mut hcbtf, notes) = match arguments.form.unwrap_or(guessed) {
-        Form::Folder => folder::load(from, grid)?,
-        Form::Sheet => sheet::read(&png()?, grid, &name)?,
-        Form::Contact => contact::read(&png()?, grid, arguments.gap, &name)?,
-        Form::Ktx2 => {
-            let layers = ktx2::read(&png()?, &name).map_err(|problem| vec![problem])?;
-            (from_layers(&layers).map_err(|problem| vec![problem.in_file(name)])?, Vec::new())
-        }
-    };
+    let form = arguments.form.map_or_else(|| exchange::Form::guessed(from), exchange::Form::from);
+    let (mut hcbtf, notes) = exchange::import(from, form, grid, arguments.gap)?;
     output.diagnostics(&notes);
     hcbtf.is_tiling = !arguments.no_tiling;
     let bytes = write(&hcbtf).map_err(|problem| vec![problem.in_file(path.display().to_string())])?;
@@ -94,60 +88,35 @@ pub(super) struct ExportArguments {
     /// Contact sheets: texels between tiles
     #[arg(long, default_value_t = 0)]
     gap: u32,
+    /// KTX2: with every tile that differs once, and palettes, as small as it can be
+    #[arg(long)]
+    compact: bool,
     /// Folders and contact sheets: only what is painted, without what the rules fill
     #[arg(long)]
     painted: bool,
 }
 
 pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
-    let alone = |problem: Box<Diagnostic>| vec![*problem];
     if arguments.painted && matches!(arguments.to, Form::Sheet | Form::Ktx2) {
         let problem = Diagnostic::error("bad-argument", "--painted goes with --to folder and --to contact");
         return Err(vec![problem.hint("a sheet and a texture hold every sample")]);
+    }
+    if arguments.compact && arguments.to != Form::Ktx2 {
+        return Err(vec![Diagnostic::error("bad-argument", "--compact goes with --to ktx2")]);
     }
     let hcbtf = open(&arguments.file, output)?;
     let filled = filled(&hcbtf, &arguments.file)?;
     let which = if arguments.painted { Which::Painted } else { Which::All };
     let path = &arguments.output;
-    let picture = match arguments.to {
-        Form::Ktx2 => return export_texture(&filled, path, output),
-        Form::Folder => return export_folder(&filled, which, path, output),
-        Form::Sheet => sheet::export(&filled),
-        Form::Contact => contact::export(&filled, arguments.gap, which),
-    };
-    let png = picture.and_then(|picture| picture.to_png()).map_err(alone)?;
-    write_atomic(path, &png).map_err(alone)?;
-    output.result(&path.display().to_string());
-    Ok(())
-}
-
-fn export_texture(filled: &Filled, path: &Path, output: &Output) -> Result<(), Vec<Diagnostic>> {
-    let grid = filled.grid();
-    let bytes = check_layers(&grid, true).map_err(|problem| vec![problem])?;
-    let options = LayerOptions { has_levels: true, is_decoded: false };
-    let texture = layers(&grid, |address| filled.tile(address), options);
-    write_atomic(path, &ktx2::write(&texture)).map_err(|problem| vec![*problem])?;
-    output.result(&path.display().to_string());
-    let [width, height] = texture.size;
-    output.message(&format!("{width} x {height} texels, {} layers, {} MiB", texture.count, bytes >> 20));
-    Ok(())
-}
-
-fn export_folder(filled: &Filled, which: Which, path: &Path, output: &Output) -> Result<(), Vec<Diagnostic>> {
-    if let Err(error) = std::fs::create_dir_all(path) {
-        let problem = Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
-        return Err(vec![problem.in_file(path.display().to_string()).hint("choose another with -o")]);
-    }
-    let total = filled.grid().sample_count();
-    let mut count = 0;
-    for image in folder::export(filled, which) {
-        let written = image.and_then(|(name, png)| write_atomic(&path.join(name), &png));
-        written.map_err(|problem| vec![*problem])?;
-        count += 1;
+    let storage = if arguments.compact { Storage::Compact } else { Storage::Quick };
+    let manner = exchange::Manner { which, gap: arguments.gap, storage };
+    let told = exchange::export(&filled, arguments.to.into(), manner, path, &mut |count, total| {
         output.progress("writing", count, total);
+    })?;
+    if arguments.to == Form::Folder {
+        output.end_progress();
     }
-    output.end_progress();
     output.result(&path.display().to_string());
-    output.message(&format!("{count} images"));
+    told.into_iter().for_each(|told| output.message(&told));
     Ok(())
 }

@@ -8,7 +8,7 @@ use super::{filled, open};
 use crate::cli::output::Output;
 use crate::diag::Diagnostic;
 use crate::document::Hcbtf;
-use crate::hcbtf::{Filled, Provenance, layers_bytes, layers_size, sheet};
+use crate::hcbtf::{Filled, Limits, Need, Provenance, needs, needs_at_most, sheet};
 
 /// What `chiaro hcbtf info` is given.
 #[derive(Debug, clap::Args)]
@@ -31,9 +31,32 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     Ok(())
 }
 
-/// The texels along a side, and the layers, that every WebGPU device takes.
-const GUARANTEED_SIDE: u64 = 8192;
-const GUARANTEED_LAYERS: u64 = 256;
+/// What textures are made for: the adapter that Chiaro would draw with, else what WebGPU guarantees.
+struct Device {
+    name: String,
+    limits: Limits,
+}
+
+impl Device {
+    fn present() -> Self {
+        #[cfg(feature = "gpu")]
+        if let Ok(gpu) = crate::render::block_on(crate::render::Gpu::headless()) {
+            let limits = gpu.device.limits();
+            let [side, layers] = [limits.max_texture_dimension_2d, limits.max_texture_array_layers].map(u64::from);
+            return Self { name: gpu.name(), limits: Limits { side, layers } };
+        }
+        Self { name: "what WebGPU guarantees".to_owned(), limits: Limits::GUARANTEED }
+    }
+
+    /// Whether it can hold a texture, and whether every GPU can.
+    fn word(&self, need: &Need) -> &'static str {
+        match (need.fits(self.limits), need.fits(Limits::GUARANTEED)) {
+            (true, true) => "fits every GPU",
+            (true, false) => "fits this one, not every GPU",
+            (false, _) => "does not fit",
+        }
+    }
+}
 
 /// How many samples are painted and empty, and how many each rule fills or changes.
 struct Counts {
@@ -82,23 +105,28 @@ fn as_text(hcbtf: &Hcbtf, filled: &Filled) -> String {
     let mib = |bytes: u64| bytes as f64 / f64::from(1 << 20);
     let own = mib(filled.bytes());
     let as_sheet = mib(u64::from(width) * u64::from(height) * 4);
-    let [wide, high, layers] = layers_size(&grid, false);
-    let [texture, with_levels] = [false, true].map(|has_levels| mib(layers_bytes(&grid, has_levels)));
-    let [most_wide, most_high, most_layers] = layers_size(&grid, true);
-    let fits = match most_wide.max(most_high) <= GUARANTEED_SIDE && most_layers <= GUARANTEED_LAYERS {
-        true => "every GPU that WebGPU runs on".to_owned(),
-        false => {
-            format!("GPUs that take more than WebGPU guarantees ({GUARANTEED_SIDE} texels, {GUARANTEED_LAYERS} layers)")
-        }
-    };
-    text + &format!(
+    text += &format!(
         "empty    {empty}\n\
          memory   {} different tiles, {own:.2} MiB\n\
-         sheet    {width} x {height}, {as_sheet:.2} MiB\n\
-         texture  {wide} x {high} in {layers} layers, {texture:.2} MiB; with smaller levels {with_levels:.2} MiB\n\
-         fits     {fits}\n",
+         sheet    {width} x {height}, {as_sheet:.2} MiB\n",
         filled.tiles().len(),
-    )
+    );
+    let device = Device::present();
+    let most = needs_at_most(&grid);
+    for (need, most) in needs(&grid, |address| filled.tile(address)).iter().zip(&most) {
+        let [wide, high, layers] = need.size;
+        text += &format!(
+            "{:<8} {wide} x {high} in {layers} layer{}, {:.2} MiB of at most {:.2}{}: {}\n",
+            need.storage.word(),
+            if layers == 1 { "" } else { "s" },
+            mib(need.bytes()),
+            mib(most.bytes()),
+            if need.has_levels { ", with smaller levels" } else { "" },
+            device.word(need),
+        );
+    }
+    let Limits { side, layers } = device.limits;
+    text + &format!("device   {}: {side} texels a side, {layers} layers\n", device.name)
 }
 
 fn as_json(hcbtf: &Hcbtf, filled: &Filled) -> Json {
@@ -115,7 +143,22 @@ fn as_json(hcbtf: &Hcbtf, filled: &Filled) -> Json {
             }
         }
     });
+    let device = Device::present();
+    let stored = needs(&hcbtf.grid, |address| filled.tile(address)).into_iter().zip(needs_at_most(&hcbtf.grid));
+    let stored = stored.map(|(need, most)| {
+        json!({
+            "storage": need.storage.word(),
+            "smaller_levels": need.has_levels,
+            "size": need.size,
+            "bytes": need.bytes(),
+            "at_most": most.bytes(),
+            "fits": need.fits(device.limits),
+            "fits_every_gpu": need.fits(Limits::GUARANTEED),
+        })
+    });
     json!({
+        "device": { "name": device.name, "side": device.limits.side, "layers": device.limits.layers },
+        "textures": stored.collect::<Vec<_>>(),
         "grid": hcbtf.grid,
         "tiling": hcbtf.is_tiling,
         "painted": painted,

@@ -172,6 +172,22 @@ impl<D: Editable> History<D> {
         self.saved = self.state;
     }
 
+    /// Notes that no file holds the document, neither as it is nor as it was.
+    pub fn mark_unsaved(&mut self) {
+        // A number that no state has: the next edit's is larger.
+        self.revision += 1;
+        self.saved = self.revision;
+    }
+
+    /// Puts another document in place of this one, and changes what is known of its past to suit: as when what all of them
+    /// speak of gets another name. It is no step, and nothing takes it back.
+    pub fn amend(&mut self, document: D, change: impl FnMut(&mut D::Edit)) {
+        self.document = document;
+        self.revision += 1;
+        let steps = self.done.iter_mut().chain(&mut self.undone);
+        steps.flat_map(|step| &mut step.edits).for_each(change);
+    }
+
     /// Whether the document is as it was saved, or as it was in the beginning.
     pub fn is_saved(&self) -> bool {
         self.saved == self.state

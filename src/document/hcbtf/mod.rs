@@ -12,7 +12,7 @@ mod strokes;
 
 pub use relief::Relief;
 pub use rule::Rule;
-pub use strokes::Strokes;
+pub use strokes::{Bundle, Placement, StrokeGround, StrokeHighlight, StrokeShadow, StrokeShape, StrokeTones, Strokes};
 
 /// The most texels along a side of a tile.
 pub const MAX_TILE_SIDE: u32 = 4095;
@@ -233,6 +233,27 @@ impl Tile {
     /// Four bytes a texel, to be painted on.
     pub fn bytes_mut(&mut self) -> &mut [u8] {
         &mut self.rgba
+    }
+
+    /// The smallest rectangle (x, y, width, height) around the texels that another tile has otherwise; `None` where it has
+    /// all of them alike. All of it where that has another size.
+    pub fn difference(&self, other: &Self) -> Option<[u32; 4]> {
+        let [width, height] = self.size;
+        if self.size != other.size {
+            return Some([0, 0, width, height]);
+        }
+        let stride = 4 * width as usize;
+        let rows = || self.rgba.chunks_exact(stride).zip(other.rgba.chunks_exact(stride));
+        let top = rows().position(|(a, b)| a != b)?;
+        let bottom = rows().rposition(|(a, b)| a != b)?;
+        let (mut left, mut right) = (stride, 0);
+        for (a, b) in rows().take(bottom + 1).skip(top).filter(|(a, b)| a != b) {
+            let is_other = |(a, b): (&u8, &u8)| a != b;
+            left = a.iter().zip(b).take(left).position(is_other).unwrap_or(left);
+            right = a.iter().zip(b).skip(right).rposition(is_other).map_or(right, |at| right + at);
+        }
+        let (left, right) = (left / 4, right / 4);
+        Some([left, top, right + 1 - left, bottom + 1 - top].map(|n| n as u32))
     }
 
     /// The texel at x and y, wrapped around the tile.

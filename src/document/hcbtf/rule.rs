@@ -26,6 +26,12 @@ pub enum Rule {
         /// How fast influence falls: 1 is soft, 8 takes nearly the nearest alone.
         sharpness: f64,
     },
+    /// Fills: as [`Rule::Blend`], of the two or three nearest alone, with their strokes moved in place of faded (thesis 12).
+    /// What is alike in them is looked for; where nothing is, they are blended.
+    Morph {
+        /// How fast influence falls, as in [`Rule::Blend`].
+        sharpness: f64,
+    },
     /// Fills: one colour, where the light is near the mirrored direction of the view, fading outward.
     Mirror {
         /// Straight RGBA as bytes; the alpha is that at the mirrored direction itself.
@@ -78,9 +84,11 @@ pub enum Rule {
 
 impl Rule {
     /// Every rule's word in files.
-    pub const WORDS: [&'static str; 11] =
-        ["copy", "lock", "blend", "mirror", "specular", "color", "lambert", "rotate", "recolor", "strokes", "relief"];
-    /// The sharpest [`Rule::Blend`].
+    pub const WORDS: [&'static str; 12] = [
+        "copy", "lock", "blend", "morph", "mirror", "specular", "color", "lambert", "rotate", "recolor", "strokes",
+        "relief",
+    ];
+    /// The sharpest [`Rule::Blend`] and [`Rule::Morph`].
     pub const MAX_SHARPNESS: f64 = 64.0;
     /// The most turns of [`Rule::Rotate`], either way.
     pub const MAX_TURNS: f64 = 1000.0;
@@ -91,6 +99,7 @@ impl Rule {
             Self::Copy { .. } => "copy",
             Self::Lock { .. } => "lock",
             Self::Blend { .. } => "blend",
+            Self::Morph { .. } => "morph",
             Self::Mirror { .. } => "mirror",
             Self::Specular { .. } => "specular",
             Self::Color { .. } => "color",
@@ -122,7 +131,9 @@ impl Rule {
                 Err(format!("`from` names {from}, which is outside the grid"))
             }
             Self::Lock { angles } if angles.is_empty() => Err("`angles` names no angle".to_owned()),
-            Self::Blend { sharpness } => within("sharpness", *sharpness, 0.0, Self::MAX_SHARPNESS),
+            Self::Blend { sharpness } | Self::Morph { sharpness } => {
+                within("sharpness", *sharpness, 0.0, Self::MAX_SHARPNESS)
+            }
             Self::Mirror { width, .. } | Self::Specular { width, .. } => {
                 within("width", *width, 0.0, std::f64::consts::PI)
             }

@@ -149,10 +149,13 @@ impl App {
                 let size = self.viewport.size_in_pixels(ui.pixels_per_point());
                 Command::Export(Export::Picture(size), None)
             }
+            Action::Paint => Command::ShowPanel(dock::Panel::Paint),
             Action::NewHcbtf(preset) => Command::Paint(painting::Wish::New { grid: preset.grid(), keeps_look: false }),
             Action::SaveHcbtf => Command::Paint(painting::Wish::Save),
             Action::SaveHcbtfAs => Command::Paint(painting::Wish::SaveAs),
             Action::CloseHcbtf => Command::Paint(painting::Wish::Close),
+            Action::ImportHcbtf => Command::Paint(painting::Wish::AskImport),
+            Action::ExportHcbtf(form) => Command::Paint(painting::Wish::Export { form, to: None }),
             Action::Tool(_)
             | Action::Brush { .. }
             | Action::SwapColors

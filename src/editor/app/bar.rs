@@ -40,8 +40,8 @@ impl App {
             commands.extend(recent.map(|path| Command::Open(Some(path))));
             ui.menu_button("View", |ui| self.view_menu(ui)).response.on_hover_text("Panels, theme and scale");
             let news = of_kind(|action| {
-                use Action::{CloseHcbtf, NewHcbtf, SaveHcbtf, SaveHcbtfAs};
-                matches!(action, NewHcbtf(_) | SaveHcbtf | SaveHcbtfAs | CloseHcbtf)
+                use Action::{CloseHcbtf, ExportHcbtf, ImportHcbtf, NewHcbtf, SaveHcbtf, SaveHcbtfAs};
+                matches!(action, NewHcbtf(_) | SaveHcbtf | SaveHcbtfAs | CloseHcbtf | ImportHcbtf | ExportHcbtf(_))
             });
             menu(ui, "Paint", "Surfaces that change with the light and the eye, painted by hand", &news, commands);
             let exports = of_kind(|action| matches!(action, Action::Export(_) | Action::ExportPicture));
@@ -105,7 +105,8 @@ impl App {
     }
 
     pub(super) fn status(&self, ui: &mut Ui) -> Option<Command> {
-        let hints = [self.painting.hint(), self.viewport.hint(), self.canvas.hint()];
+        let of_graph = if self.dock.shows(dock::Panel::Graph) { self.canvas.hint() } else { "" };
+        let hints = [self.painting.hint(), self.viewport.hint(), of_graph];
         let hint = hints.into_iter().find(|hint| !hint.is_empty() && self.start.is_none()).unwrap_or_default();
         ui.horizontal(|ui| {
             let command = problems::status(ui, &self.session);

@@ -10,7 +10,7 @@ use crate::document::Grid;
 use crate::editor::command::Command;
 use crate::editor::dialogs::PAINTING;
 use crate::editor::dock::Panel;
-use crate::editor::painting::Work;
+use crate::editor::painting::{Import, Work};
 use crate::editor::panels::{library, problems};
 use crate::editor::stage::{Stage, Wanted};
 
@@ -32,6 +32,11 @@ pub(super) enum Pending {
     OpenPainting {
         path: PathBuf,
         keeps_look: bool,
+    },
+    /// Makes an HCBTF of pictures.
+    ImportPainting {
+        path: PathBuf,
+        import: Import,
     },
     ClosePainting,
     Close,
@@ -124,6 +129,7 @@ impl App {
                 let stays = keeps_look || self.keeps_look();
                 (!stays, !stays)
             }
+            Some(Pending::ImportPainting { .. }) => (!self.keeps_look(), !self.keeps_look()),
             _ => (true, true),
         };
         let is_scene_dirty = self.session.stage().is_some_and(Stage::is_dirty);
@@ -144,7 +150,13 @@ impl App {
     fn is_painting_at_risk(&self) -> bool {
         let is_about = matches!(
             self.pending,
-            Some(Pending::NewPainting { .. } | Pending::OpenPainting { .. } | Pending::ClosePainting | Pending::Close)
+            Some(
+                Pending::NewPainting { .. }
+                    | Pending::OpenPainting { .. }
+                    | Pending::ImportPainting { .. }
+                    | Pending::ClosePainting
+                    | Pending::Close
+            )
         );
         is_about && self.session.is_painting_dirty()
     }
@@ -181,6 +193,7 @@ impl App {
             }
             Some(Pending::NewPainting { grid, keeps_look }) => self.new_painting(grid, keeps_look),
             Some(Pending::OpenPainting { path, keeps_look }) => self.open_painting(&path, keeps_look),
+            Some(Pending::ImportPainting { path, import }) => self.import_painting(&path, import),
             Some(Pending::ClosePainting) => self.close_painting(),
             Some(Pending::Close) => self.closes = true,
             None => {}

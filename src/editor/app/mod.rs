@@ -344,6 +344,7 @@ impl App {
         }
         self.shortcuts(ui, &mut commands);
         self.take_look_exports(ui);
+        self.message = self.painting.exported().or(self.message.take());
         let dropped = ui.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_path_buf()));
         let adds = self.adds_what_is_dropped(ui);
         commands.extend(dropped.map(|path| {
@@ -373,6 +374,7 @@ impl App {
         }
         self.panels(ui, &mut commands);
         self.ask_about_changes(ui, &mut commands);
+        commands.extend(self.painting.ask(ui));
         commands.extend(self.sheet.show(ui, &self.session));
         self.show_tour(ui, &mut commands);
         for command in commands {
@@ -453,9 +455,11 @@ impl App {
             dock::Panel::Profile => self.profile.show(ui, &self.session),
             dock::Panel::Keys => self.keys.show(ui, &self.session),
             dock::Panel::Timeline => self.timeline.show(ui, &self.session),
-            dock::Panel::Paint | dock::Panel::Samples | dock::Panel::Directions | dock::Panel::Rules => {
-                self.painting.show(ui, panel, &mut self.session)
-            }
+            dock::Panel::Paint
+            | dock::Panel::Samples
+            | dock::Panel::Sheet
+            | dock::Panel::Directions
+            | dock::Panel::Rules => self.painting.show(ui, panel, &mut self.session),
             other => {
                 if other == dock::Panel::Objects {
                     self.objects = Some(ui.max_rect());

@@ -9,8 +9,9 @@ use super::files::Pending;
 use crate::document::Grid;
 use crate::editor::dialogs::Purpose;
 use crate::editor::dock::Panel;
-use crate::editor::painting::{Wish, Work, look};
+use crate::editor::painting::{Import, Wish, Work, look};
 use crate::frame::UNSAVED_HCBTF;
+use crate::hcbtf::exchange::Form;
 
 impl App {
     pub(super) fn apply_to_painting(&mut self, ui: &Ui, wish: Wish) {
@@ -27,6 +28,12 @@ impl App {
             }
             Wish::New { grid, keeps_look } => self.do_or_ask(Pending::NewPainting { grid, keeps_look }),
             Wish::Open { path, keeps_look } => self.do_or_ask(Pending::OpenPainting { path, keeps_look }),
+            Wish::AskImport => self.painting.ask_import(),
+            Wish::Import { import, from: None } => {
+                self.dialogs.ask(Purpose::ImportPainting(import), self.session.path());
+            }
+            Wish::Import { import, from: Some(path) } => self.do_or_ask(Pending::ImportPainting { path, import }),
+            Wish::Export { form, to } => self.export_painting(form, to),
             Wish::Save => match self.session.painting().map(|work| work.path().map(Path::to_path_buf)) {
                 Some(Some(path)) => drop(self.save_painting_as(&path)),
                 Some(None) => self.ask_where_to_save_painting(),
@@ -70,6 +77,40 @@ impl App {
                 self.message = Some(format!("{} could not be opened: {why}", path.display()));
             }
         }
+    }
+
+    /// Begins an HCBTF with pictures of other programs; tells where that fails.
+    pub(super) fn import_painting(&mut self, path: &Path, import: Import) {
+        match import.read(path) {
+            Ok((hcbtf, notes)) => {
+                let told = format!("{} of {} samples are painted", hcbtf.painted.len(), hcbtf.grid.sample_count());
+                self.begin_painting(Work::imported(hcbtf, notes), false);
+                self.message = Some(self.message.take().map_or(told.clone(), |note| format!("{told} · {note}")));
+            }
+            Err(problems) => {
+                let why = problems.first().map(|problem| problem.message.as_str()).unwrap_or_default();
+                self.message = Some(format!("{} could not be imported: {why}", path.display()));
+            }
+        }
+    }
+
+    fn export_painting(&mut self, form: Form, to: Option<PathBuf>) {
+        let Some(work) = self.session.painting() else {
+            self.message = Some("Nothing is open to be painted that could be exported".to_owned());
+            return;
+        };
+        let Some(to) = to else {
+            let own = work.path().map_or_else(|| PathBuf::from("surface"), Path::to_path_buf);
+            let stem = own.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            let name = match form {
+                Form::Folder => format!("{stem}-images"),
+                Form::Contact => format!("{stem}-contact.png"),
+                Form::Sheet => format!("{stem}-sheet.png"),
+                Form::Ktx2 => format!("{stem}.ktx2"),
+            };
+            return self.dialogs.ask(Purpose::ExportPainting(form), Some(&own.with_file_name(name)));
+        };
+        self.painting.export(&self.session, form, to);
     }
 
     fn begin_painting(&mut self, work: Work, keeps_look: bool) {

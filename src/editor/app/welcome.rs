@@ -117,6 +117,8 @@ impl App {
                 Command::Stage(Wish::Chosen(purpose, path))
             }
             Purpose::SavePainting => Command::Paint(painting::Wish::SaveTo(path)),
+            Purpose::ImportPainting(import) => Command::Paint(painting::Wish::Import { import, from: Some(path) }),
+            Purpose::ExportPainting(form) => Command::Paint(painting::Wish::Export { form, to: Some(path) }),
             Purpose::Shaders(language) => Command::ExportLook(language, Some(path)),
             Purpose::Export(export) => Command::Export(export, Some(path)),
             Purpose::Reference => Command::ShowReference(Some(path)),

@@ -8,12 +8,19 @@ use eframe::egui::{
     Color32, Rect, Response, Sense, Stroke, TextStyle, Ui, UiBuilder, Vec2, Visuals, WidgetInfo, WidgetText, vec2,
 };
 use egui_tiles::{
-    Behavior, Container, Linear, LinearDir, SimplificationOptions, TabState, Tile, TileId, Tiles, Tree, UiResponse,
+    Behavior, Container, Linear, LinearDir, SimplificationOptions, TabState, Tabs, Tile, TileId, Tiles, Tree,
+    UiResponse,
 };
 use serde::{Deserialize, Serialize};
 
 use super::theme;
 
+/// Beside the name on a tab, in points.
+const TAB_MARGIN: f32 = 20.0;
+/// The width of the arrows that move tabs, in points.
+const ARROW: f32 = 30.0;
+/// For so many frames a tab that came to the front is brought into view.
+const FRAMES: u8 = 3;
 /// Panels are laid out in as much room at least, in points.
 const LEAST: Vec2 = Vec2::splat(48.0);
 
@@ -25,6 +32,7 @@ pub(crate) enum Panel {
     Graph,
     Paint,
     Samples,
+    Sheet,
     Directions,
     Rules,
     Inspector,
@@ -45,11 +53,12 @@ pub(crate) enum Panel {
 
 impl Panel {
     /// All, in the order of menus.
-    pub(crate) const ALL: [Self; 20] = [
+    pub(crate) const ALL: [Self; 21] = [
         Self::Picture,
         Self::Graph,
         Self::Paint,
         Self::Samples,
+        Self::Sheet,
         Self::Directions,
         Self::Rules,
         Self::Layers,
@@ -75,6 +84,7 @@ impl Panel {
             Self::Graph => "Graph",
             Self::Paint => "Paint",
             Self::Samples => "Samples",
+            Self::Sheet => "Sheet",
             Self::Directions => "Light and eye",
             Self::Rules => "Fill rules",
             Self::Inspector => "Inspector",
@@ -103,6 +113,9 @@ impl Panel {
             Self::Samples => {
                 "All lights and views of what is painted at a glance: go from one to another, copy, delete"
             }
+            Self::Sheet => {
+                "All of what is painted and filled in one picture, as the thesis lays it out; tells what lies where"
+            }
             Self::Directions => "Where the light and the eye are that you paint for, and what is painted already",
             Self::Rules => "The rules that fill the lights and views that nobody painted",
             Self::Inspector => "The values of what is selected",
@@ -127,6 +140,7 @@ impl Panel {
         match self {
             Self::Picture | Self::Graph | Self::Inspector => &[],
             Self::Paint => &[Self::Graph],
+            Self::Sheet => &[Self::Paint, Self::Graph],
             Self::Rules => &[Self::Inspector],
             Self::Samples => &[Self::Profile, Self::Keys, Self::Code, Self::Effects, Self::Problems],
             Self::Profile | Self::Keys | Self::Timeline => &[Self::Profile, Self::Keys, Self::Code, Self::Effects],
@@ -180,9 +194,13 @@ fn arrangement() -> Tree<Panel> {
 impl Dock {
     /// Shows every panel where it lies; `content` fills one.
     pub(crate) fn show(&mut self, ui: &mut Ui, content: &mut dyn FnMut(&mut Ui, Panel)) {
-        let mut shown = Shown { content, is_changed: false };
+        let mut shown = Shown { content, is_changed: false, wanted: None };
         self.tree.ui(&mut shown, ui);
         self.is_changed |= shown.is_changed;
+        if let Some(wanted) = shown.wanted {
+            self.tree.make_active(|tile, _| tile == wanted);
+            self.is_changed = true;
+        }
     }
 
     /// Whether this panel is seen.
@@ -281,6 +299,8 @@ fn below_graph(tiles: &mut Tiles<Panel>, pane: TileId) -> Option<()> {
 struct Shown<'a> {
     content: &'a mut dyn FnMut(&mut Ui, Panel),
     is_changed: bool,
+    /// The panel that was chosen from the list of those without room for their tabs.
+    wanted: Option<TileId>,
 }
 
 impl Behavior<Panel> for Shown<'_> {
@@ -319,7 +339,7 @@ impl Behavior<Panel> for Shown<'_> {
         let color = if state.active { colors.text } else { colors.dim };
         let font = TextStyle::Body.resolve(ui.style());
         let galley = ui.painter().layout_no_wrap(panel.label().to_owned(), font, color);
-        let (_, rect) = ui.allocate_space(vec2(galley.size().x + 20.0, ui.available_height()));
+        let (_, rect) = ui.allocate_space(vec2(galley.size().x + TAB_MARGIN, ui.available_height()));
         let response = ui.interact(rect, id, Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::selected(egui::Role::Tab, true, state.active, panel.label()));
         if !state.is_being_dragged {
@@ -340,6 +360,48 @@ impl Behavior<Panel> for Shown<'_> {
             self.is_changed = true;
         }
         response.on_hover_text(panel.help())
+    }
+
+    /// Where tabs have no room beside each other: a list of all of them, and the one in front is always seen.
+    fn top_bar_right_ui(&mut self, tiles: &Tiles<Panel>, ui: &mut Ui, stack: TileId, tabs: &Tabs, offset: &mut f32) {
+        let font = TextStyle::Body.resolve(ui.style());
+        let mut end = 0.0;
+        let mut all = Vec::new();
+        for (tile, panel) in tabs.children.iter().filter_map(|tile| Some((*tile, *tiles.get_pane(tile)?))) {
+            let galley = ui.painter().layout_no_wrap(panel.label().to_owned(), font.clone(), Color32::WHITE);
+            let from = end;
+            end += galley.size().x + TAB_MARGIN;
+            all.push((tile, panel, from..=end));
+        }
+        if end <= ui.available_width() {
+            return;
+        }
+        ui.add_space(4.0);
+        let menu = ui.menu_button("...", |ui| {
+            for (tile, panel, _) in &all {
+                let is_it = tabs.active == Some(*tile);
+                let entry = ui.selectable_label(is_it, panel.label()).on_hover_text(panel.help());
+                let label = format!("Show {}", panel.label());
+                entry.widget_info(|| WidgetInfo::selected(egui::Role::MenuItem, true, is_it, &label));
+                if entry.clicked() {
+                    self.wanted = Some(*tile);
+                    ui.close();
+                }
+            }
+        });
+        menu.response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, "All panels of this stack"));
+        menu.response.on_hover_text("Lists all panels that lie here");
+        let known = egui::Id::unique("front tab").with(stack);
+        let (before, frames) = ui.data(|data| data.get_temp::<(Option<TileId>, u8)>(known)).unwrap_or_default();
+        let Some((tile, _, span)) = all.into_iter().find(|(tile, ..)| tabs.active == Some(*tile)) else { return };
+        let frames = if before == Some(tile) { frames.saturating_add(1) } else { 0 };
+        // How wide all tabs are together is known in the frame after.
+        if frames < FRAMES {
+            let room = (ui.available_width() - 2.0 * ARROW).max(0.0);
+            *offset = offset.max(*span.end() - room).min(*span.start());
+            ui.data_mut(|data| data.insert_temp(known, (Some(tile), frames)));
+            ui.ctx().request_repaint();
+        }
     }
 
     fn tab_bar_height(&self, _: &egui::Style) -> f32 {

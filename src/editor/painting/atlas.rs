@@ -14,13 +14,15 @@ const SIDE: usize = 16;
 const COLUMNS: usize = 64;
 /// More samples than these have none.
 const MOST: usize = COLUMNS * 128;
+/// Where more than so many are new, the texture is made anew.
+const MOST_NEW: usize = 64;
 
 /// Small pictures, each tile once.
 #[derive(Default)]
 pub(super) struct Atlas {
     slots: HashMap<*const Tile, usize>,
-    /// What the pointers above lead to, for as long as they are known.
-    tiles: Vec<Arc<Tile>>,
+    /// What the pointers above lead to, for as long as they are known. `None` where a slot is free.
+    tiles: Vec<Option<Arc<Tile>>>,
     texture: Option<TextureHandle>,
     version: u64,
 }
@@ -32,27 +34,55 @@ impl Atlas {
             return;
         }
         self.version = work.version();
+        let mut shown: HashMap<*const Tile, &Arc<Tile>> = HashMap::new();
+        for tile in work.grid().addresses().take(MOST).filter_map(|address| work.tile(address)) {
+            shown.insert(Arc::as_ptr(tile), tile);
+        }
+        self.slots.retain(|tile, slot| {
+            let is_shown = shown.remove(tile).is_some();
+            if !is_shown {
+                self.tiles[*slot] = None;
+            }
+            is_shown
+        });
+        let capacity = self.texture.as_ref().map_or(0, |texture| texture.size()[1] / SIDE * COLUMNS);
+        if shown.len() > MOST_NEW || self.slots.len() + shown.len() > capacity {
+            return self.make(ctx, work);
+        }
+        let mut free = 0;
+        for tile in shown.into_values() {
+            while self.tiles.get(free).is_some_and(Option::is_some) {
+                free += 1;
+            }
+            self.slots.insert(Arc::as_ptr(tile), free);
+            self.tiles.resize(self.tiles.len().max(free + 1), None);
+            self.tiles[free] = Some(tile.clone());
+            if let Some(texture) = &mut self.texture {
+                let at = [free % COLUMNS * SIDE, free / COLUMNS * SIDE];
+                texture.set_partial(at, ColorImage::new([SIDE, SIDE], small(tile)), TextureOptions::LINEAR);
+            }
+        }
+    }
+
+    /// Makes all pictures anew, each where its tile comes first.
+    fn make(&mut self, ctx: &Context, work: &Work) {
         self.slots.clear();
         self.tiles.clear();
         for tile in work.grid().addresses().take(MOST).filter_map(|address| work.tile(address)) {
             let next = self.tiles.len();
             let slot = *self.slots.entry(Arc::as_ptr(tile)).or_insert(next);
             if slot == next {
-                self.tiles.push(tile.clone());
+                self.tiles.push(Some(tile.clone()));
             }
         }
-        if self.tiles.is_empty() {
-            return;
-        }
-        let rows = self.tiles.len().div_ceil(COLUMNS);
+        // One row more leaves room for strokes.
+        let rows = self.tiles.len() / COLUMNS + 1;
         let size = [COLUMNS * SIDE, rows * SIDE];
         let mut pixels = vec![Color32::TRANSPARENT; size[0] * size[1]];
-        for (slot, tile) in self.tiles.iter().enumerate() {
+        for (slot, tile) in self.tiles.iter().enumerate().filter_map(|(slot, tile)| Some((slot, tile.as_ref()?))) {
             let from = (slot / COLUMNS) * SIDE * size[0] + (slot % COLUMNS) * SIDE;
-            for y in 0..SIDE {
-                for x in 0..SIDE {
-                    pixels[from + y * size[0] + x] = sampled(tile, x, y);
-                }
+            for (y, row) in small(tile).chunks_exact(SIDE).enumerate() {
+                pixels[from + y * size[0]..][..SIDE].copy_from_slice(row);
             }
         }
         let image = ColorImage::new(size, pixels);
@@ -77,6 +107,11 @@ impl Atlas {
         painter.image(texture.id(), rect, uv, Color32::WHITE);
         true
     }
+}
+
+/// The small picture of a tile, row by row.
+fn small(tile: &Tile) -> Vec<Color32> {
+    (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| sampled(tile, x, y))).collect()
 }
 
 /// The texel in the middle of a part of a tile.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use eframe::egui::{Event, Key, PointerButton, Pos2, Response, Ui};
+use eframe::egui::{Event, Key, PointerButton, Pos2, Response, TouchPhase, Ui};
 use glam::DVec2;
 
 use super::tilt::Tilt;
@@ -72,7 +72,7 @@ pub(super) fn paint(
         show(session, None);
         return None;
     }
-    let (path, pressure) = path(ui);
+    let (path, pressure) = path(ui, &mut tools.pen);
     let mut out = None;
     if going.is_none() && is_pressed && response.is_pointer_button_down_on() && !space {
         let at = ui.input(|input| input.pointer.press_origin()).map(|at| tilt.texel(at));
@@ -93,21 +93,24 @@ pub(super) fn paint(
     out
 }
 
-/// Where the pointer went in this frame, and how hard the pen was pressed at its end.
-fn path(ui: &Ui) -> (Vec<Pos2>, f64) {
+/// Where the pointer went in this frame, and how hard the pen is pressed at its end: what a tablet told last, until the pen
+/// goes up.
+fn path(ui: &Ui, pen: &mut Option<f64>) -> (Vec<Pos2>, f64) {
+    let (mut path, mut last) = (Vec::new(), *pen);
     ui.input(|input| {
-        let mut path = Vec::new();
-        let mut force = None;
         for event in &input.events {
             match event {
                 Event::PointerMoved(at) => path.push(*at),
-                Event::Touch { force: Some(found), .. } => force = Some(f64::from(*found)),
+                Event::Touch { phase: TouchPhase::End | TouchPhase::Cancel, .. } => *pen = None,
+                Event::Touch { force: Some(force), .. } => {
+                    *pen = Some(f64::from(*force));
+                    last = *pen;
+                }
                 _ => {}
             }
         }
-        let touched = input.multi_touch().map(|touch| f64::from(touch.force)).filter(|force| *force > 0.0);
-        (path, force.or(touched).unwrap_or(1.0))
-    })
+    });
+    (path, last.unwrap_or(1.0))
 }
 
 fn begin(

@@ -9,7 +9,6 @@ use super::work::Work;
 use crate::diag::Diagnostic;
 use crate::document::Hcbtf;
 use crate::document::journal::{About, Recovered, Slot};
-use crate::editor::safety::keeper::Standing;
 
 impl Work {
     /// The one that a journal gave; the journal goes on where it is, once it is kept in a folder.
@@ -22,7 +21,7 @@ impl Work {
     /// Keeps a journal in a folder from now on, in `slot` if it was taken back from there. `wake` is called from another
     /// thread when that fails, or works again.
     pub(crate) fn keep_in(&mut self, folder: &Path, wake: Arc<dyn Fn() + Send + Sync>, slot: Option<Slot>) {
-        self.keeping.keep_in(folder, move || wake());
+        self.kept.keeping.keep_in(folder, move || wake());
         if slot.is_some() || self.is_dirty() {
             self.begin_journal(slot);
         }
@@ -30,10 +29,8 @@ impl Work {
 
     /// Hands what was done to the journal; a gesture that goes on may wait for a moment there.
     pub(crate) fn commit(&mut self, goes_on: bool) {
-        if self.keeping.wants_to_begin(self.is_dirty()) {
+        if self.kept.commit(goes_on) {
             self.begin_journal(None);
-        } else {
-            self.keeping.add(goes_on);
         }
     }
 
@@ -44,14 +41,12 @@ impl Work {
             is_partial: false,
             window: json!({}),
         };
-        self.keeping.begin(Standing { about, source: None, history: self.history().clone(), slot });
+        self.kept.begin_journal(about, None, slot);
     }
 
     /// After a save the journal begins anew: with the same past, and nothing unsaved.
     pub(super) fn saved(&mut self) {
-        if !self.keeping.is_on() || self.history().steps() == (0, 0) {
-            self.keeping.clear();
-        } else {
+        if self.kept.saved() {
             self.begin_journal(None);
         }
     }
@@ -59,22 +54,22 @@ impl Work {
     /// Lets go of the journal: it stays if anything in it is not saved.
     pub(crate) fn leave_journal(&mut self, in_peace: bool) {
         self.commit(false);
-        self.keeping.leave(self.is_dirty(), in_peace);
+        self.kept.leave_journal(false, in_peace);
     }
 
     /// Whether closing it would lose nothing, once all is handed over.
     pub(crate) fn keeps_work(&mut self) -> bool {
         self.commit(false);
-        self.keeping.keeps()
+        self.kept.keeping.keeps()
     }
 
     /// Why unsaved work is not kept, if it should be and is not.
     pub(crate) fn keeping_problem(&self) -> Option<Diagnostic> {
-        self.keeping.problem()
+        self.kept.keeping.problem()
     }
 
     /// Waits until the system has all that was handed over.
     pub(crate) fn wait_for_journal(&self) {
-        self.keeping.wait();
+        self.kept.keeping.wait();
     }
 }

@@ -69,6 +69,19 @@ pub(crate) fn rename(look: &Look, catalog: &Catalog, from: &str, to: &str) -> Ve
     edits
 }
 
+/// Lets an edit of the past name another HCBTF where it names this one.
+pub(crate) fn rename_in(edit: &mut Edit, from: &str, to: &str) {
+    let quoted = |name: &str| serde_json::to_string(name).unwrap_or_default();
+    let text = serde_json::to_string(edit).unwrap_or_default();
+    // Within longer texts quotes are escaped: what is found is a name from its beginning to its end.
+    let from = quoted(from);
+    if text.contains(&from)
+        && let Ok(renamed) = serde_json::from_str(&text.replace(&from, &quoted(to)))
+    {
+        *edit = renamed;
+    }
+}
+
 fn each_sheet(
     look: &Look,
     catalog: &Catalog,

@@ -1,7 +1,8 @@
 //! The painting workspace: an HCBTF is painted on, its samples are gone through, and rules fill the rest.
 //!
-//! A [`Work`] is the document with its past, kept by the session as looks and scenes are. Four panels show it: `easel`
-//! with the tools above it is the tile as the eye sees it, `map` is all of its lights and views at a glance, `dome` with
+//! A [`Work`] is the document with its past, kept by the session as looks and scenes are. Five panels show it: `easel`
+//! with the tools above it is the tile as the eye sees it, `map` is all of its lights and views at a glance, `sheet` is them as one
+//! picture, `dome` with
 //! `list` where the light and the eye are, and `rules` is what fills them. A stroke changes what is shown here and now; once it ends it is an [`HcbtfEdit`], which
 //! [`App`](super::App) applies. What is painted stands in the viewport at once: the session gives it to whoever draws, in
 //! place of the file.
@@ -10,16 +11,18 @@ mod arrows;
 mod atlas;
 mod dome;
 mod easel;
+mod export;
 mod filling;
 mod hand;
 mod icons;
+mod import;
 mod keeping;
 mod list;
 pub(crate) mod look;
 mod map;
 mod moves;
 mod rules;
-mod rules_relief;
+mod sheet;
 mod start;
 mod textures;
 mod tilt;
@@ -38,8 +41,11 @@ use super::session::Session;
 use super::shortcuts::{Action, Way};
 use super::theme;
 use crate::document::{Address, Grid, HcbtfEdit};
+use crate::hcbtf::exchange::Form;
+pub(crate) use import::Import;
 pub(crate) use start::Preset;
 pub(crate) use tools::Kind;
+pub(crate) use work::OnDisk;
 use work::State;
 pub use work::Work;
 
@@ -62,6 +68,18 @@ pub(crate) enum Wish {
         path: PathBuf,
         keeps_look: bool,
     },
+    /// Asks what pictures of other programs are to become an HCBTF.
+    AskImport,
+    /// Makes one of pictures; asks for them where there are none.
+    Import {
+        import: Import,
+        from: Option<PathBuf>,
+    },
+    /// Writes all samples in another program's form; asks where to.
+    Export {
+        form: Form,
+        to: Option<PathBuf>,
+    },
     Save,
     SaveAs,
     /// Saves to this file.
@@ -78,29 +96,58 @@ pub struct Painting {
     tools: tools::Tools,
     easel: easel::Easel,
     map: map::Map,
+    sheet: sheet::Sheet,
     atlas: map::Atlas,
     order: list::Order,
     held: Option<dome::Held>,
     filling: filling::Filling,
+    exports: export::Exports,
+    /// What is to be imported, while that is asked for.
+    import: Option<Import>,
     /// The sample that is only looked at, and the one for the next frame.
     peek: Option<Address>,
     next_peek: Option<Address>,
 }
 
 impl Painting {
-    /// `wake` is called from another thread when rules have filled something.
-    pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
+    /// `wake` is called from another thread when rules have filled something, or something was exported.
+    pub(crate) fn new(wake: impl Fn() + Send + Clone + 'static) -> Self {
         Self {
             tools: tools::Tools::default(),
             easel: easel::Easel::default(),
             map: map::Map::default(),
+            sheet: sheet::Sheet::default(),
             atlas: map::Atlas::default(),
             order: list::Order::default(),
             held: None,
-            filling: filling::Filling::new(wake),
+            filling: filling::Filling::new(wake.clone()),
+            exports: export::Exports::new(wake),
+            import: None,
             peek: None,
             next_peek: None,
         }
+    }
+
+    /// Asks what is to be imported.
+    pub(crate) fn ask_import(&mut self) {
+        self.import = Some(Import::default());
+    }
+
+    /// What is asked for in front of everything else, while it is.
+    pub(crate) fn ask(&mut self, ui: &Ui) -> Option<Command> {
+        import::show(ui, &mut self.import)
+    }
+
+    /// Writes what is painted in another program's form.
+    pub(crate) fn export(&self, session: &Session, form: Form, to: PathBuf) {
+        if let Some(work) = session.painting() {
+            self.exports.write(work.shown().clone(), form, to);
+        }
+    }
+
+    /// What to tell of exports that are done.
+    pub(crate) fn exported(&self) -> Option<String> {
+        self.exports.told()
     }
 
     /// What is due once a frame, whichever panels are seen.
@@ -126,6 +173,11 @@ impl Painting {
         match panel {
             Panel::Paint => self.show_easel(ui, session, &mut out),
             Panel::Samples | Panel::Directions => self.show_samples(ui, panel, session, &mut out),
+            Panel::Sheet => {
+                if let Some(work) = session.painting() {
+                    self.sheet.show(ui, work, self.easel.is_painting(), &mut out);
+                }
+            }
             _ => {
                 let problem = self.filling.problem.as_ref().map(|problem| problem.message.as_str());
                 if let Some(work) = session.painting() {
@@ -256,12 +308,18 @@ impl Painting {
         self.map.cell(address)
     }
 
+    /// Where a texel of a sample is on the sheet of all; for tests.
+    pub fn on_sheet(&self, address: Address, texel: [u32; 2]) -> Option<Pos2> {
+        self.sheet.screen(address, texel)
+    }
+
     pub(crate) fn is_busy(&self) -> bool {
-        self.filling.is_busy()
+        self.filling.is_busy() || self.exports.is_busy()
     }
 
     pub(crate) fn wait(&self) {
         self.filling.wait();
+        self.exports.wait();
     }
 }
 

@@ -82,5 +82,10 @@ pub(super) fn show(ui: &mut Ui, out: &mut Vec<Command>) {
         if ui.add_sized([400.0, 30.0], eframe::egui::Button::new("Open an .hcbtf file...")).clicked() {
             out.push(Command::Open(None));
         }
+        let help = "Images that were painted in other programs: a folder of them, a contact sheet, a sheet of the thesis";
+        let import = ui.add_sized([400.0, 30.0], eframe::egui::Button::new("Import painted pictures..."));
+        if import.on_hover_text(help).clicked() {
+            out.push(command(Wish::AskImport));
+        }
     });
 }

@@ -1,4 +1,4 @@
-//! Tiles as textures of the window: each texel crisp.
+//! Tiles as textures of the window: each texel crisp. Of a stroke only what it changed goes to the GPU.
 
 use std::sync::Arc;
 
@@ -20,7 +20,15 @@ impl Shown {
         match &mut self.handle {
             Some(handle) if is_it => handle.id(),
             Some(handle) => {
-                handle.set(image(tile), options());
+                match self.tile.as_ref().filter(|before| before.size() == tile.size()) {
+                    Some(before) => {
+                        if let Some(changed) = tile.difference(before) {
+                            let [x, y, ..] = changed.map(|side| side as usize);
+                            handle.set_partial([x, y], part(tile, changed), options());
+                        }
+                    }
+                    None => handle.set(image(tile), options()),
+                }
                 self.tile = Some(tile.clone());
                 handle.id()
             }
@@ -37,6 +45,15 @@ impl Shown {
 /// A tile as an image of the window.
 pub(super) fn image(tile: &Tile) -> ColorImage {
     ColorImage::from_rgba_unmultiplied(tile.size().map(|side| side as usize), tile.bytes())
+}
+
+/// A rectangle of a tile as an image of the window.
+fn part(tile: &Tile, [x, y, width, height]: [u32; 4]) -> ColorImage {
+    let [x, y, width, height] = [x, y, width, height].map(|side| side as usize);
+    let stride = 4 * tile.size()[0] as usize;
+    let rows = tile.bytes().chunks_exact(stride).skip(y).take(height);
+    let bytes: Vec<u8> = rows.flat_map(|row| &row[4 * x..4 * (x + width)]).copied().collect();
+    ColorImage::from_rgba_unmultiplied([width, height], &bytes)
 }
 
 /// No blur between texels.

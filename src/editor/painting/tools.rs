@@ -95,6 +95,8 @@ pub(super) struct Tools {
     pub(super) opacity: f64,
     pub(super) flow: f64,
     pub(super) pressure: Pressure,
+    /// How hard a pen is pressed, from 0 to 1, while one is down.
+    pub(super) pen: Option<f64>,
     /// The colour at hand and the other one.
     pub(super) colors: [[u8; 4]; 2],
     pub(super) symmetry: Symmetry,
@@ -114,6 +116,7 @@ impl Default for Tools {
             opacity: 1.0,
             flow: 1.0,
             pressure: Pressure::None,
+            pen: None,
             colors: [[0xb9, 0x6b, 0x3c, 255], [0xf4, 0xf0, 0xe8, 255]],
             symmetry: Symmetry::default(),
             tolerance: 0.1,

@@ -7,15 +7,16 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::SystemTime;
 
 use crate::diag::Diagnostic;
-use crate::document::journal::Op;
 use crate::document::{Address, Grid, Hcbtf, HcbtfEdit, History, Rule, Tile, write_atomic};
-use crate::editor::session::keeping::Keeping;
-use crate::editor::session::times::{Gestures, Times};
+use crate::editor::session::kept::Kept;
 use crate::frame::Overlay;
 use crate::hcbtf::{self, Filled, Provenance};
 
 /// A new one is filled from the first stroke on: what is painted is blended over all lights and views.
 const FIRST_SHARPNESS: f64 = 4.0;
+
+/// With more texels in all samples than these, the rules run once a stroke is done, and not while it goes on.
+const MOST_LIVE: u64 = 1 << 22;
 
 /// Numbers of what is shown, each of something else.
 static VERSIONS: AtomicU64 = AtomicU64::new(1);
@@ -35,11 +36,19 @@ pub(crate) enum State {
     Empty,
 }
 
+/// How the file is compared with what was read from it or written to it last.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum OnDisk {
+    Same,
+    /// Another program wrote it.
+    Changed,
+    /// It was removed or moved away.
+    Gone,
+}
+
 /// An HCBTF that is being painted.
 pub struct Work {
-    history: History<Hcbtf>,
-    pub(crate) times: Times,
-    gestures: Gestures,
+    pub(crate) kept: Kept<Hcbtf>,
     path: Option<PathBuf>,
     /// When the file was written that this was read from or saved to, and how long it was.
     stamp: Option<(SystemTime, u64)>,
@@ -54,11 +63,12 @@ pub struct Work {
     /// Everything as it is shown, the stroke that goes on included.
     shown: Arc<Hcbtf>,
     filled: Option<Arc<Filled>>,
+    /// What the rules made of one sample, ahead of the rest.
+    ahead: Option<(Address, Arc<Tile>)>,
     /// Another number is another picture.
     version: u64,
     /// Another number is another document.
     number: u64,
-    pub(super) keeping: Keeping<Hcbtf>,
 }
 
 impl Work {
@@ -69,12 +79,8 @@ impl Work {
     pub(super) fn of_history(history: History<Hcbtf>, path: Option<PathBuf>) -> Self {
         let shown = Arc::new(history.document().clone());
         let at = shown.painted.keys().next().copied().unwrap_or_default();
-        let mut times = Times::default();
-        times.fit(history.steps());
         Self {
-            history,
-            times,
-            gestures: Gestures::default(),
+            kept: Kept::new(history),
             stamp: path.as_deref().and_then(stamp),
             path,
             load_problems: Vec::new(),
@@ -83,9 +89,9 @@ impl Work {
             live: None,
             shown,
             filled: None,
+            ahead: None,
             version: next_version(),
             number: next_version(),
-            keeping: Keeping::default(),
         }
     }
 
@@ -93,6 +99,14 @@ impl Work {
     pub(crate) fn new(grid: Grid) -> Self {
         let rules = vec![Rule::Blend { sharpness: FIRST_SHARPNESS }];
         Self::with(Hcbtf { rules, ..Hcbtf::new(grid) }, None)
+    }
+
+    /// One that pictures of other programs were made into, with what was odd about them; no file holds it.
+    pub(crate) fn imported(hcbtf: Hcbtf, notes: Vec<Diagnostic>) -> Self {
+        let mut work = Self::with(hcbtf, None);
+        work.kept.history.mark_unsaved();
+        work.load_problems = notes;
+        work
     }
 
     /// The one in a file.
@@ -116,27 +130,63 @@ impl Work {
         if is_own && self.stamp.is_some() && stamp(&path).is_some_and(|now| Some(now) != self.stamp) {
             let message = "another program has changed this file since it was opened, and nothing was written over it";
             let problem = Diagnostic::error("changed-on-disk", message);
-            return Err(Box::new(problem.hint("save under another name, and open the other version beside it")));
+            return Err(Box::new(problem.hint("choose above whose version is kept, or save under another name")));
         }
         let bytes = hcbtf::write(self.hcbtf()).map_err(|problem| problem.in_file(path.display().to_string()))?;
         write_atomic(&path, &bytes)?;
         self.stamp = stamp(&path);
         self.path = Some(path);
         self.load_problems.clear();
-        self.history.mark_saved();
+        self.kept.history.mark_saved();
         self.version = next_version();
         self.saved();
         Ok(())
     }
 
+    /// Compares the file with what it was when it was read or written last.
+    pub(crate) fn on_disk(&self) -> OnDisk {
+        match (self.stamp, self.path.as_deref().map(stamp)) {
+            (Some(was), Some(Some(is))) if was != is => OnDisk::Changed,
+            (Some(_), Some(None)) => OnDisk::Gone,
+            _ => OnDisk::Same,
+        }
+    }
+
+    /// Takes what another program made of the file, as one step that can be undone. `now` is when. Returns whether
+    /// anything is another now.
+    ///
+    /// # Errors
+    /// What keeps the file from being read; everything stays as it is then.
+    pub(crate) fn reload(&mut self, now: u64) -> Result<bool, Vec<Diagnostic>> {
+        let Some(path) = self.path.clone() else { return Ok(false) };
+        // Taken before it is read: what comes in between is noticed the next time.
+        let read = stamp(&path);
+        let (hcbtf, notes) = hcbtf::load(&path)?;
+        let is_other = hcbtf != *self.hcbtf();
+        if is_other {
+            let change = HcbtfEdit::Replace { hcbtf: Box::new(hcbtf) };
+            self.apply(change, None, now).map_err(|problem| vec![*problem])?;
+        }
+        self.stamp = read;
+        self.load_problems = notes;
+        self.kept.history.mark_saved();
+        self.saved();
+        Ok(is_other)
+    }
+
+    /// Lets saving write over what another program made of the file, or write it again where it is gone.
+    pub(crate) fn keep_mine(&mut self) {
+        self.stamp = self.path.as_deref().and_then(stamp);
+    }
+
     /// The document as it is, without a stroke that goes on.
     pub fn hcbtf(&self) -> &Hcbtf {
-        self.history.document()
+        self.kept.history.document()
     }
 
     /// How finely it is divided.
     pub(crate) fn grid(&self) -> &Grid {
-        &self.history.document().grid
+        &self.kept.history.document().grid
     }
 
     /// The file, once there is one.
@@ -152,16 +202,16 @@ impl Work {
 
     /// Whether there are changes that no file holds.
     pub fn is_dirty(&self) -> bool {
-        !self.history.is_saved()
+        !self.kept.history.is_saved()
     }
 
     /// Lets unsaved changes go: they are no longer asked about.
     pub(crate) fn give_up_changes(&mut self) {
-        self.history.mark_saved();
+        self.kept.history.mark_saved();
     }
 
     pub(crate) fn history(&self) -> &History<Hcbtf> {
-        &self.history
+        &self.kept.history
     }
 
     /// The sample at work.
@@ -185,7 +235,8 @@ impl Work {
     /// The tile of a sample as it is shown: painted, being painted, or filled.
     pub(crate) fn tile(&self, address: Address) -> Option<&Arc<Tile>> {
         let filled = || self.filled.as_ref().filter(|_| self.state(address) != State::Empty)?.tile(address);
-        self.shown.painted(address).or_else(filled)
+        let ahead = || self.ahead.as_ref().filter(|(at, _)| *at == address.canonical()).map(|(_, tile)| tile);
+        self.shown.painted(address).or_else(ahead).or_else(filled)
     }
 
     /// How a sample came about.
@@ -211,7 +262,13 @@ impl Work {
 
     /// Takes what the rules made.
     pub(crate) fn set_filled(&mut self, filled: Arc<Filled>) {
-        self.filled = Some(filled);
+        (self.filled, self.ahead) = (Some(filled), None);
+        self.version = next_version();
+    }
+
+    /// Takes what the rules made of one sample, until they have made the rest.
+    pub(crate) fn set_ahead(&mut self, address: Address, tile: Arc<Tile>) {
+        self.ahead = Some((address, tile));
         self.version = next_version();
     }
 
@@ -235,6 +292,17 @@ impl Work {
         }
     }
 
+    /// Whether a stroke goes on.
+    pub(crate) fn is_live(&self) -> bool {
+        self.live.is_some()
+    }
+
+    /// Whether the rules wait until the stroke that goes on is done: they would take all cores from it.
+    pub(crate) fn rules_wait(&self) -> bool {
+        let texels = self.grid().sample_count() * self.grid().texels() as u64;
+        self.is_live() && texels > MOST_LIVE
+    }
+
     /// Shows a stroke that goes on, or none.
     pub(crate) fn set_live(&mut self, live: Option<(Address, Arc<Tile>)>) {
         if self.live.is_some() || live.is_some() {
@@ -248,13 +316,19 @@ impl Work {
         if let Some((address, tile)) = &self.live {
             hcbtf.painted.insert(address.canonical(), tile.clone());
         }
+        if !hcbtf.grid.contains(self.at) {
+            self.at = Address::default();
+        }
+        if self.filled.as_ref().is_some_and(|filled| filled.grid() != hcbtf.grid) {
+            self.filled = None;
+        }
         self.shown = Arc::new(hcbtf);
         self.version = next_version();
     }
 
     /// Breaks a gesture, so that whatever comes next is a step of its own.
     pub(crate) fn end_gesture(&mut self) {
-        self.gestures.end();
+        self.kept.end_gesture();
     }
 
     /// Applies a change. With a `hand`, consecutive changes by it are one step. `now` is when. Returns whether anything
@@ -263,39 +337,23 @@ impl Work {
     /// # Errors
     /// A diagnostic where the change is impossible; nothing is changed then.
     pub(crate) fn apply(&mut self, change: HcbtfEdit, hand: Option<u64>, now: u64) -> Result<bool, Box<Diagnostic>> {
-        let before = self.history.revision();
-        let kept = self.keeping.is_on().then(|| change.clone());
-        let gesture = hand.map(|hand| self.gestures.of(hand, before));
-        match gesture {
-            Some(gesture) => self.history.apply_in(gesture, change)?,
-            None => self.history.apply(change)?,
-        }
-        self.gestures.did(hand, self.history.revision());
-        let is_changed = self.history.revision() != before;
-        if is_changed {
-            self.times.did(self.history.steps(), now);
-            self.keeping.note(kept.map(|edit| Op::Edit { gesture, edit }));
-        }
+        let is_changed = self.kept.apply(change, hand, now)?;
         self.live = None;
         self.show();
         Ok(is_changed)
     }
 
     pub(crate) fn undo(&mut self) -> bool {
-        let did = self.history.undo().is_some();
+        let did = self.kept.undo();
         if did {
-            self.times.undid();
-            self.keeping.note(Some(Op::Undo));
             self.show();
         }
         did
     }
 
     pub(crate) fn redo(&mut self, now: u64) -> bool {
-        let did = self.history.redo().is_some();
+        let did = self.kept.redo(now);
         if did {
-            self.times.redid(now);
-            self.keeping.note(Some(Op::Redo));
             self.show();
         }
         did

@@ -22,7 +22,7 @@ const MARGIN: f32 = 36.0;
 /// Wider the page does not become.
 const WIDEST: f32 = 1380.0;
 /// From this width on, what to begin with stands beside the title.
-const WIDE: f32 = 900.0;
+const WIDE: f32 = 1130.0;
 /// Between cards.
 const GAP: f32 = 14.0;
 /// The least width of a look's picture, in points, and the side that it is drawn with, in pixels.
@@ -59,7 +59,7 @@ struct Tile {
     is_first: bool,
 }
 
-const TILES: [Tile; 3] = [
+const TILES: [Tile; 4] = [
     Tile {
         title: "Take the tour",
         text: "Your first look, from nothing, in two minutes",
@@ -68,8 +68,14 @@ const TILES: [Tile; 3] = [
     },
     Tile { title: "New look", text: "A base and one light to begin with", action: Action::New, is_first: false },
     Tile {
+        title: "Paint a surface",
+        text: "A tile for every light and every side, by hand",
+        action: Action::Paint,
+        is_first: false,
+    },
+    Tile {
         title: "Open a file",
-        text: "A look or a scene that you or others made",
+        text: "A look, a scene or a painting, yours or others'",
         action: Action::Open,
         is_first: false,
     },

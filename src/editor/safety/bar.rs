@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use eframe::egui;
 use eframe::egui::{Panel, RichText, Ui};
 
-use super::disk::Conflict;
+use super::disk::{Conflict, PaintingConflict};
 use super::offers::Offer;
 use super::{Safety, Wish};
 use crate::editor::session::Session;
@@ -20,7 +20,9 @@ impl Safety {
         self.is_problem_read &= problem.is_some();
         let problem = problem.filter(|_| !self.is_problem_read);
         let count = self.offers.shown().count();
-        if problem.is_none() && self.disk.conflict.is_none() && self.disk.scene_conflict.is_none() && count == 0 {
+        let painting = self.disk.painting_conflict.filter(|_| session.painting().is_some());
+        let is_any = self.disk.conflict.is_some() || self.disk.scene_conflict.is_some() || painting.is_some();
+        if problem.is_none() && !is_any && count == 0 {
             return Vec::new();
         }
         let mut wishes = Vec::new();
@@ -43,6 +45,9 @@ impl Safety {
                     let help = "Saving the scene then writes your version over the other one";
                     ask(ui, "Keep mine", help, Wish::KeepMyScene, &mut wishes);
                 });
+            }
+            if let (Some(conflict), Some(work)) = (painting, session.painting()) {
+                of_painting(ui, conflict, &work.name(), &mut wishes);
             }
             for (number, offer) in self.offers.shown().take(MAX_SHOWN) {
                 offered(ui, number, offer, &mut wishes);
@@ -104,6 +109,28 @@ impl Safety {
         });
         menu.response.on_hover_text("Looks that were open, the newest first");
         wanted
+    }
+}
+
+fn of_painting(ui: &mut Ui, conflict: PaintingConflict, name: &str, wishes: &mut Vec<Wish>) {
+    let keep = "Saving then writes your version over the other one";
+    match conflict {
+        PaintingConflict::Changed => {
+            let text = format!("{name} was changed by another program, and painted on by you");
+            row(ui, Tone::Warning, &text, |ui| {
+                let help = "Takes the file as it is now, as one step: Undo brings your version back";
+                ask(ui, "Load the file's version", help, Wish::ReloadPainting, wishes);
+                ask(ui, "Keep mine", keep, Wish::KeepMyPainting, wishes);
+            });
+        }
+        PaintingConflict::Broken => {
+            let text = format!("{name} was changed by another program and cannot be read now; your version stays");
+            row(ui, Tone::Warning, &text, |ui| ask(ui, "Keep mine", keep, Wish::KeepMyPainting, wishes));
+        }
+        PaintingConflict::Gone => {
+            let text = format!("{name} was removed or moved by another program; saving writes it again");
+            row(ui, Tone::Warning, &text, |ui| ask(ui, "Understood", "Hides this", Wish::KeepMyPainting, wishes));
+        }
     }
 }
 

@@ -1,11 +1,12 @@
 //! Files that the look and the scene around it live on, changed by other programs: their own, the project's nodes, the
-//! scene's other looks, meshes and images.
+//! scene's other looks, meshes and images, and what is painted.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, SystemTime};
 
+use super::super::painting::{self, Work};
 use super::super::session::Session;
 use super::super::session::keeping::OnDisk;
 use super::super::stage::Stage;
@@ -31,6 +32,17 @@ pub(crate) enum Conflict {
     Gone,
 }
 
+/// The file of what is painted is not what it was.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum PaintingConflict {
+    /// Both sides have changed it.
+    Changed,
+    /// Another program wrote what cannot be read.
+    Broken,
+    /// It was removed or moved away.
+    Gone,
+}
+
 /// What decides which files there are.
 #[derive(Clone, Default)]
 struct Use {
@@ -39,6 +51,7 @@ struct Use {
     mesh: String,
     stage: Option<u64>,
     shader: Option<Arc<CompiledShader>>,
+    painting: Option<PathBuf>,
 }
 
 impl Use {
@@ -53,6 +66,7 @@ impl Use {
             && self.path.as_deref() == session.path()
             && self.mesh == session.view.mesh
             && self.stage == session.stage_version()
+            && self.painting.as_deref() == session.painting().and_then(Work::path)
     }
 }
 
@@ -72,6 +86,8 @@ pub(crate) struct Disk {
     pub(crate) conflict: Option<Conflict>,
     /// What another program made of the scene's file, which has changes here too.
     pub(crate) scene_conflict: Option<String>,
+    /// What happened to the file of what is painted.
+    pub(crate) painting_conflict: Option<PaintingConflict>,
     /// Whether there was a file, and nobody knows yet that it is gone.
     was_there: bool,
 }
@@ -90,6 +106,7 @@ impl Disk {
             due: None,
             conflict: None,
             scene_conflict: None,
+            painting_conflict: None,
             was_there: false,
         }
     }
@@ -112,6 +129,8 @@ impl Disk {
             self.due = Some(now);
         }
         match self.due {
+            // A stroke is ended first.
+            Some(_) if session.painting().is_some_and(Work::is_live) => (None, Some(Duration::from_secs_f64(CALM))),
             Some(due) if now >= due => {
                 self.due = None;
                 (self.check(session), None)
@@ -132,6 +151,7 @@ impl Disk {
             mesh: session.view.mesh.clone(),
             stage: session.stage_version(),
             shader: session.baked().cloned(),
+            painting: session.painting().and_then(Work::path).map(Path::to_path_buf),
         };
         if is_other {
             self.conflict = None;
@@ -156,7 +176,9 @@ impl Disk {
             paths.map(|path| (path.clone(), known.get(&path).copied().unwrap_or_else(|| stamp(&path)))).collect();
         let links = self.look.iter().filter_map(|path| path.canonicalize().ok());
         let scene = session.stage().and_then(|stage| std::path::absolute(stage.path()?).ok());
-        let files = self.assets.keys().cloned().chain(self.look.clone()).chain(links).chain(scene).collect();
+        let painting = self.of.painting.clone();
+        let files = self.assets.keys().cloned().chain(self.look.clone());
+        let files = files.chain(links).chain(scene).chain(painting).collect();
         self.watch.set(Watched { files, folders: self.nodes.iter().cloned().collect() });
         is_other
     }
@@ -172,6 +194,8 @@ impl Disk {
     /// Looks at all files. Returns what to tell.
     pub(crate) fn check(&mut self, session: &mut Session) -> Option<String> {
         let mut told = self.check_look(session).or_else(|| self.check_scene(session));
+        let of_painting = self.check_painting(session);
+        told = told.or(of_painting);
         let nodes = stamps_below(&self.nodes);
         if nodes != self.node_stamps {
             // The folder may be new, and is watched from now on.
@@ -210,6 +234,26 @@ impl Disk {
         let name = session.stage().map(Stage::name).unwrap_or_default();
         // What cannot be read yet is told where problems are, and looked at again when the file changes.
         session.reload_scene(&text).then(|| format!("{name} was changed by another program and loaded again"))
+    }
+
+    fn check_painting(&mut self, session: &mut Session) -> Option<String> {
+        use painting::OnDisk;
+        let work = session.painting()?;
+        let name = work.name();
+        let mut told = None;
+        self.painting_conflict = match work.on_disk() {
+            OnDisk::Same => None,
+            OnDisk::Gone => Some(PaintingConflict::Gone),
+            OnDisk::Changed if work.is_dirty() => Some(PaintingConflict::Changed),
+            OnDisk::Changed => match session.reload_painting() {
+                Ok(is_other) => {
+                    told = is_other.then(|| format!("{name} was changed by another program and loaded again"));
+                    None
+                }
+                Err(_) => Some(PaintingConflict::Broken),
+            },
+        };
+        told
     }
 
     fn check_look(&mut self, session: &mut Session) -> Option<String> {

@@ -39,6 +39,10 @@ pub(crate) enum Wish {
     ReloadScene,
     /// Lets saving the scene write over it.
     KeepMyScene,
+    /// Takes what is painted as another program left its file.
+    ReloadPainting,
+    /// Lets saving what is painted write over it.
+    KeepMyPainting,
     /// The note was read.
     Hide,
 }
@@ -265,6 +269,23 @@ impl Safety {
                 if let (Some(text), Some(stage)) = (self.disk.scene_conflict.take(), session.stage_mut()) {
                     stage.keep_mine(text);
                     return Some("Saving the scene will write over the other version".to_owned());
+                }
+            }
+            Wish::ReloadPainting => {
+                self.disk.painting_conflict = None;
+                return Some(match session.reload_painting() {
+                    Ok(_) => "What is painted was loaded again; Undo brings your changes back".to_owned(),
+                    Err(problems) => {
+                        let why = problems.first().map(|problem| problem.message.as_str()).unwrap_or_default();
+                        format!("The file cannot be read now, and your version stays: {why}")
+                    }
+                });
+            }
+            Wish::KeepMyPainting => {
+                self.disk.painting_conflict = None;
+                if let Some(work) = session.painting_mut() {
+                    work.keep_mine();
+                    return Some("Saving what is painted will write the file as it is here".to_owned());
                 }
             }
             Wish::Hide => {

@@ -163,7 +163,7 @@ impl Session {
     pub fn keep_in(&mut self, folder: &Path, wake: impl Fn() + Send + Sync + 'static) {
         let wake: Arc<dyn Fn() + Send + Sync> = Arc::new(wake);
         self.keeps = Some((folder.to_owned(), wake.clone()));
-        self.keeping.keep_in(folder, move || wake());
+        self.kept.keeping.keep_in(folder, move || wake());
         self.keep_stage();
         if let (Some(work), Some((folder, wake))) = (&mut self.painting, &self.keeps) {
             work.keep_in(folder, wake.clone(), None);
@@ -175,12 +175,10 @@ impl Session {
 
     /// Hands what was done since the last call to the journals; a gesture that goes on may wait for a moment there.
     pub fn commit(&mut self, goes_on: bool) {
-        if self.keeping.wants_to_begin(self.is_look_dirty()) {
+        if self.kept.commit(goes_on) {
             self.begin_journal(None);
-        } else {
-            self.keeping.add(goes_on);
         }
-        self.keeping.note_view(&self.view);
+        self.kept.keeping.note_view(&self.view);
         if let Some(stage) = &mut self.stage {
             stage.commit(goes_on);
             stage.note_view(&self.view);
@@ -192,7 +190,7 @@ impl Session {
 
     /// Waits until the system has all that was handed over; for tests, and before something is put away.
     pub fn wait_for_journal(&self) {
-        self.keeping.wait();
+        self.kept.keeping.wait();
         if let Some(stage) = &self.stage {
             stage.keeping().wait();
         }
@@ -205,19 +203,19 @@ impl Session {
     pub(crate) fn keeping_problem(&self) -> Option<Diagnostic> {
         let of_scene = || self.stage.as_ref().and_then(|stage| stage.keeping().problem());
         let of_painting = || self.painting.as_ref().and_then(Work::keeping_problem);
-        self.keeping.problem().or_else(of_scene).or_else(of_painting)
+        self.kept.keeping.problem().or_else(of_scene).or_else(of_painting)
     }
 
     /// Whether closing or another document would lose nothing, once all is handed over.
     pub(crate) fn keeps_work(&mut self) -> bool {
         self.commit(false);
-        self.keeping.keeps() && self.stage.as_ref().is_none_or(|stage| stage.keeping().keeps())
+        self.kept.keeping.keeps() && self.stage.as_ref().is_none_or(|stage| stage.keeping().keeps())
     }
 
     /// Begins the journal with the look as it stands.
     pub(super) fn begin_journal(&mut self, slot: Option<Slot>) {
-        if !self.keeping.is_on() {
-            return self.keeping.clear();
+        if !self.kept.keeping.is_on() {
+            return self.kept.keeping.clear();
         }
         let path = self.path().map(|path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned()));
         let file_name = path.as_ref().and_then(|path| path.file_name()).map(|name| name.to_string_lossy().into_owned());
@@ -233,15 +231,12 @@ impl Session {
             }),
         };
         let source = self.path.is_some().then(|| self.source.text().clone());
-        self.keeping.begin(Standing { about, source, history: self.history.clone(), slot });
+        self.kept.begin_journal(about, source, slot);
     }
 
     /// After a save the journal begins anew: with the same past, and nothing unsaved.
     pub(super) fn saved(&mut self) {
-        self.keeping.forget_overridden();
-        if self.history.steps() == (0, 0) {
-            self.keeping.clear();
-        } else {
+        if self.kept.saved() {
             self.begin_journal(None);
         }
     }
@@ -251,13 +246,13 @@ impl Session {
         self.commit(false);
         // What has no file is needed by a scene that is put aside with it, be it as it was in the beginning.
         let is_needed = self.path.is_none() && self.stage.as_ref().is_some_and(|stage| stage.is_dirty());
-        self.keeping.leave(self.is_look_dirty() || is_needed, in_peace);
+        self.kept.leave_journal(is_needed, in_peace);
     }
 
     /// Closes the journals as a window that is closed does; nothing is kept any more after that.
     pub fn close_journal(&mut self, in_peace: bool) {
         self.leave_journal(in_peace);
-        self.keeping.end();
+        self.kept.keeping.end();
         self.leave_stage(in_peace);
         self.leave_painting(in_peace);
         self.keeps = None;
@@ -279,7 +274,7 @@ impl Session {
             mesh.clone_into(&mut self.view.mesh);
         }
         self.replace(found.history.document().clone(), source, path);
-        self.history = found.history;
+        self.kept.history = found.history;
         self.recall_times();
         self.is_partial = found.about.is_partial;
         self.load_problems = found.damage;
@@ -295,7 +290,7 @@ impl Session {
 
     /// Compares the look's file with what it held when it was read or written last.
     pub(crate) fn on_disk(&self) -> OnDisk {
-        self.path.as_deref().map_or(OnDisk::Same, |path| self.keeping.on_disk(path, self.source.text()))
+        self.path.as_deref().map_or(OnDisk::Same, |path| self.kept.keeping.on_disk(path, self.source.text()))
     }
 
     /// Takes what another program made of the file, as one step that can be undone. View and selection stay. Returns
@@ -316,14 +311,14 @@ impl Session {
         self.source = Arc::new(loaded.source);
         self.opened = self.source.clone();
         self.is_partial = false;
-        self.history.mark_saved();
+        self.kept.history.mark_saved();
         self.saved();
         true
     }
 
     /// Lets saving write over what another program wrote.
     pub(crate) fn keep_mine(&mut self, theirs: String) {
-        self.keeping.override_with(theirs);
+        self.kept.keeping.override_with(theirs);
     }
 
     /// Draws again with files that changed: meshes and images are read anew where their files are others.

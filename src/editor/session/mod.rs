@@ -1,6 +1,7 @@
 //! One open look: the document and its past, the file, what is selected, and the shaders made of it.
 
 pub(super) mod keeping;
+pub(super) mod kept;
 mod painting;
 mod place;
 mod project;
@@ -24,21 +25,19 @@ use super::panels::solo::Solo;
 use super::stage::Stage;
 use super::wire::ShownWire;
 use crate::diag::Diagnostic;
-use crate::document::journal::Op;
 use crate::document::{
     DirectionKeys, Document, Edit, GraphId, History, Light, Look, SourceMap, Target, Value, write_atomic,
 };
 use crate::ids::{LightId, NodeId};
 use crate::library::{Fallback, Library};
-use keeping::{Keeping, OnDisk};
+use keeping::OnDisk;
+use kept::Kept;
 pub(crate) use shading::Showing;
 use shading::Shown;
-use times::{Gestures, Times};
 
 /// One open look.
 pub struct Session {
-    history: History<Look>,
-    times: Times,
+    kept: Kept<Look>,
     /// The scene around the look, where there is one.
     stage: Option<Stage>,
     /// The HCBTF that is being painted, where there is one.
@@ -71,7 +70,6 @@ pub struct Session {
     /// What keeps the picture from being drawn, or was odd about it.
     picture_problems: Vec<Diagnostic>,
     problems_number: u64,
-    gestures: Gestures,
     document_number: u64,
     picture: u64,
     good_revision: (u64, u64),
@@ -87,7 +85,6 @@ pub struct Session {
     files: u64,
     /// Whether the first picture is on its way: small ones wait for it.
     pub(crate) awaits_first_picture: bool,
-    keeping: Keeping<Look>,
     /// The view of the work that was taken back last, until somebody wants it.
     kept_view: Option<serde_json::Value>,
     /// Where journals are kept, and who is told when that fails.
@@ -101,8 +98,7 @@ impl Session {
         let catalog = Catalog::new(&library);
         let source = Arc::new(Look::read(NEW_LOOK, "new look").source);
         let mut session = Self {
-            history: History::new(Look::default()),
-            times: Times::default(),
+            kept: Kept::new(History::new(Look::default())),
             stage: None,
             painting: None,
             now: 0,
@@ -124,7 +120,6 @@ impl Session {
             problems: Vec::new(),
             picture_problems: Vec::new(),
             problems_number: 0,
-            gestures: Gestures::default(),
             document_number: 0,
             picture: 0,
             good_revision: (0, 0),
@@ -134,7 +129,6 @@ impl Session {
             meaning: 0,
             files: 0,
             awaits_first_picture: false,
-            keeping: Keeping::default(),
             kept_view: None,
             keeps: None,
             place: Default::default(),
@@ -207,11 +201,13 @@ impl Session {
             let hint = "choose above whose version is kept, or save under another name";
             return Err(Box::new(Diagnostic::error("changed-on-disk", message).hint(hint)));
         }
-        let text = if is_own { self.text() } else { self.look().to_text() };
+        let names = if is_own { None } else { self.names_of_painting(path) };
+        let text = if is_own { self.text() } else { self.look_for(names.as_ref()).to_text() };
         write_atomic(path, text.as_bytes())?;
         self.source = Arc::new(Look::read(&text, &path.display().to_string()).source);
-        self.history.mark_saved();
         self.path = Some(path.to_owned());
+        self.take_names(names);
+        self.kept.history.mark_saved();
         self.is_partial = false;
         self.load_problems.clear();
         self.problems_number += 1;
@@ -235,7 +231,7 @@ impl Session {
     fn replace(&mut self, look: Look, source: SourceMap, path: Option<PathBuf>) {
         self.document_number += 1;
         self.remember_times();
-        self.history = History::new(look);
+        self.kept.history = History::new(look);
         self.source = Arc::new(source);
         self.opened = self.source.clone();
         self.path = path;
@@ -252,7 +248,7 @@ impl Session {
         self.wire = None;
         self.solo.keep_for_scene(self.stage.as_ref().map(Stage::scene));
         self.picture += 1;
-        self.catalog.sync(self.history.document(), &self.library);
+        self.catalog.sync(self.kept.history.document(), &self.library);
         self.place_library_problems();
         self.reset_place();
         self.stage_changed();
@@ -260,7 +256,7 @@ impl Session {
 
     /// The look as it is.
     pub fn look(&self) -> &Look {
-        self.history.document()
+        self.kept.history.document()
     }
 
     /// The file, once there is one.
@@ -275,7 +271,7 @@ impl Session {
 
     /// Whether there are changes of the look that no file holds.
     pub fn is_look_dirty(&self) -> bool {
-        !self.history.is_saved()
+        !self.kept.history.is_saved()
     }
 
     /// Which document is open, as revisions of each begin anew.
@@ -285,7 +281,7 @@ impl Session {
 
     /// Grows with every change.
     pub fn revision(&self) -> u64 {
-        self.history.revision()
+        self.kept.history.revision()
     }
 
     /// Grows with every change of what nodes give; it stays while they are only moved about.
@@ -306,7 +302,7 @@ impl Session {
     /// Lets unsaved changes of the look or of the scene go: they are no longer asked about.
     pub(crate) fn give_up_changes(&mut self, of_look: bool, of_scene: bool) {
         if of_look {
-            self.history.mark_saved();
+            self.kept.history.mark_saved();
         }
         if let Some(stage) = self.stage.as_mut().filter(|_| of_scene) {
             stage.give_up_changes();
@@ -396,18 +392,9 @@ impl Session {
     pub fn apply(&mut self, edit: Edit, hand: Option<u64>) -> Result<(), Box<Diagnostic>> {
         let is_structural = self.is_structural(&edit);
         let means = !is_layout(&edit);
-        let before = self.history.revision();
         self.shaders.touch(&edit);
-        let kept = self.keeping.is_on().then(|| edit.clone());
-        let gesture = hand.map(|hand| self.gestures.of(hand, before));
-        match gesture {
-            Some(gesture) => self.history.apply_in(gesture, edit)?,
-            None => self.history.apply(edit)?,
-        }
-        self.gestures.did(hand, self.history.revision());
-        if self.history.revision() != before {
+        if self.kept.apply(edit, hand, self.now + 1)? {
             self.step_done();
-            self.keeping.note(kept.map(|edit| Op::Edit { gesture, edit }));
             self.meaning += u64::from(means);
             self.changed(is_structural);
         }
@@ -415,10 +402,8 @@ impl Session {
     }
 
     fn undo_look(&mut self) -> bool {
-        let did = self.history.undo().is_some();
+        let did = self.kept.undo();
         if did {
-            self.times.undid();
-            self.keeping.note(Some(Op::Undo));
             self.meaning += 1;
             self.changed(true);
         }
@@ -426,11 +411,9 @@ impl Session {
     }
 
     fn redo_look(&mut self) -> bool {
-        let did = self.history.redo().is_some();
+        let did = self.kept.redo(self.now + 1);
         if did {
             self.now += 1;
-            self.times.redid(self.now);
-            self.keeping.note(Some(Op::Redo));
             self.meaning += 1;
             self.changed(true);
         }
@@ -439,15 +422,15 @@ impl Session {
 
     fn changed(&mut self, is_structural: bool) {
         if is_structural {
-            self.shaders.structure = self.history.revision();
-            self.catalog.sync(self.history.document(), &self.library);
+            self.shaders.structure = self.kept.history.revision();
+            self.catalog.sync(self.kept.history.document(), &self.library);
         }
         self.check_place();
         let mut selection = std::mem::take(&mut self.selection);
         selection.retain(|id| self.is_here(id));
         self.selection = selection;
         self.keep_solo();
-        let nodes = &self.history.document().graph.nodes;
+        let nodes = &self.kept.history.document().graph.nodes;
         self.wire = self.wire.take().filter(|wire| wire.node.outermost().is_some_and(|id| nodes.contains_key(id)));
         self.picture += 1;
     }

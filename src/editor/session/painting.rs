@@ -3,11 +3,11 @@
 use std::path::Path;
 
 use super::super::painting::{Work, look};
-use super::super::stage::real;
+use super::super::stage::{folder_of, real, relative};
 use super::Session;
 use crate::diag::Diagnostic;
 use crate::document::journal::{Recovered, Slot};
-use crate::document::{Edit, Hcbtf, HcbtfEdit};
+use crate::document::{Hcbtf, HcbtfEdit, Look};
 use crate::frame::UNSAVED_HCBTF;
 
 impl Session {
@@ -75,7 +75,7 @@ impl Session {
         let is_changed = work.apply(change, hand, self.now)?;
         self.painting_changed();
         if is_changed {
-            self.gestures.end();
+            self.kept.end_gesture();
             if let Some(stage) = &mut self.stage {
                 stage.end_gesture();
             }
@@ -90,19 +90,87 @@ impl Session {
     /// A diagnostic that says why not; the old file is then as it was.
     pub(crate) fn save_painting_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
         let Some(work) = &mut self.painting else { return Ok(()) };
+        let had_no_file = work.path().is_none();
         work.save_as(path)?;
-        let path = work.path().map(|path| path.to_string_lossy().into_owned()).unwrap_or_default();
-        let edits = look::rename(self.look(), &self.catalog, UNSAVED_HCBTF, &path);
-        if !edits.is_empty() {
-            let is_bare = self.path.is_none() && !self.is_look_dirty();
-            self.apply(Edit::Group { edits }, None)?;
-            if is_bare {
-                // Nobody wants to be asked about a look that only shows the painting.
-                self.history.mark_saved();
+        let file = work.path().map(Path::to_path_buf).filter(|_| had_no_file);
+        if let Some(file) = file {
+            let name = match &self.path {
+                Some(look) => relative(&folder_of(look), &file),
+                None => file.to_string_lossy().into_owned(),
+            };
+            let is_named = self.rename_painting(UNSAVED_HCBTF, &name);
+            if is_named && self.path.is_some() {
+                self.kept.history.mark_unsaved();
+            }
+            match self.is_look_dirty() {
+                true => self.begin_journal(None),
+                false => self.saved(),
             }
         }
         self.painting_changed();
         Ok(())
+    }
+
+    /// Lets the look name what is painted otherwise, now and in all its past: that is no step, since undo would bring a name
+    /// back that means nothing any more. Returns whether the look named it so.
+    fn rename_painting(&mut self, from: &str, to: &str) -> bool {
+        let Some(look) = self.look_naming(from, to) else { return false };
+        let is_renamed = look != *self.look();
+        self.kept.history.amend(look, |edit| look::rename_in(edit, from, to));
+        self.meaning += 1;
+        self.changed(true);
+        is_renamed
+    }
+
+    /// The look with another name for what is painted.
+    fn look_naming(&self, from: &str, to: &str) -> Option<Look> {
+        let mut look = self.look().clone();
+        for edit in look::rename(&look, &self.catalog, from, to) {
+            look.apply(edit).ok()?;
+        }
+        Some(look)
+    }
+
+    /// What the look calls the file of what is painted, where that is its whole path, and what it is called from the folder
+    /// of another file: a look that is saved names its assets by the way to them.
+    pub(super) fn names_of_painting(&self, look: &Path) -> Option<(String, String)> {
+        let file = self.painting.as_ref()?.path()?;
+        let from = file.to_string_lossy().into_owned();
+        let to = relative(&folder_of(look), file);
+        (from != to && look::sheets(self.look(), &self.catalog).contains(&from)).then_some((from, to))
+    }
+
+    /// The look as it is written to a file, with what is painted named from there.
+    pub(super) fn look_for(&self, names: Option<&(String, String)>) -> Look {
+        let named = names.and_then(|(from, to)| self.look_naming(from, to));
+        named.unwrap_or_else(|| self.look().clone())
+    }
+
+    /// Takes on the names that the look was written with.
+    pub(super) fn take_names(&mut self, names: Option<(String, String)>) {
+        if let Some((from, to)) = names {
+            self.rename_painting(&from, &to);
+        }
+    }
+
+    /// Takes what another program made of the painted file, as one step that can be undone. Returns whether anything is
+    /// another now.
+    ///
+    /// # Errors
+    /// What keeps the file from being read; everything stays as it is then.
+    pub(crate) fn reload_painting(&mut self) -> Result<bool, Vec<Diagnostic>> {
+        self.now += 1;
+        let Some(work) = &mut self.painting else { return Ok(false) };
+        let is_other = work.reload(self.now)?;
+        self.problems_number += 1;
+        if is_other {
+            self.painting_changed();
+            self.kept.end_gesture();
+            if let Some(stage) = &mut self.stage {
+                stage.end_gesture();
+            }
+        }
+        Ok(is_other)
     }
 
     /// Whether the look shows the HCBTF of a file.

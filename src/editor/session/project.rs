@@ -56,7 +56,7 @@ impl Session {
             }
         }
         self.catalog = Catalog::new(&self.library);
-        self.catalog.sync(self.history.document(), &self.library);
+        self.catalog.sync(self.kept.history.document(), &self.library);
         self.place_library_problems();
         self.shaders.structure_changed();
         // What was probed or compared was so with the nodes of before.
@@ -65,7 +65,7 @@ impl Session {
 
     /// Tells what is wrong with node files at a node of theirs, where the look has one.
     pub(super) fn place_library_problems(&mut self) {
-        let nodes = &self.history.document().graph.nodes;
+        let nodes = &self.kept.history.document().graph.nodes;
         let placed = self.library.problems.iter().cloned().map(|mut problem| {
             let used = kind_of(&problem).and_then(|kind| nodes.iter().find(|(_, node)| node.kind == kind));
             problem.place.node = used.map(|(id, _)| NodePath::root(id.clone()));

@@ -91,7 +91,7 @@ impl Session {
         for answer in self.compiler.answers() {
             self.take(answer);
         }
-        let revision = self.history.revision();
+        let revision = self.kept.history.revision();
         if self.shaders.seen_revision != revision {
             self.shaders.seen_revision = revision;
             self.shaders.changed_at = now;
@@ -113,7 +113,7 @@ impl Session {
     }
 
     fn request(&mut self, only_baked: bool) {
-        self.shaders.requested = Some(self.history.revision());
+        self.shaders.requested = Some(self.kept.history.revision());
         self.shaders.requested_structure = Some(self.shaders.structure);
         if !only_baked {
             self.shaders.requested_touched = self.shaders.touched.len();
@@ -121,7 +121,7 @@ impl Session {
         let request = Request {
             look: Arc::new(self.solo.alone(self.look(), &self.catalog).into_owned()),
             document: self.document_number,
-            revision: self.history.revision(),
+            revision: self.kept.history.revision(),
             structure: self.shaders.structure,
             touched: self.shaders.touched.clone(),
             wire: self.wire.clone().map(|wire| {
@@ -163,7 +163,7 @@ impl Session {
             // The last good picture stays.
             Err(problems) => self.problems = problems,
         }
-        if self.history.revision() == 0 {
+        if self.kept.history.revision() == 0 {
             self.source.locate_all(&mut self.problems);
         }
     }
@@ -186,7 +186,7 @@ impl Session {
     /// What can be shown: the look as it is, by the baked shader where nothing changed since, else by the live one; or
     /// the last look that could be compiled.
     pub(crate) fn showing(&mut self) -> Option<Showing> {
-        let revision = self.history.revision();
+        let revision = self.kept.history.revision();
         let shaders = &mut self.shaders;
         let is_live = shaders.live_structure == Some(shaders.structure);
         let good = shaders.good.as_mut()?;
@@ -194,7 +194,7 @@ impl Session {
             return Some(Showing { look: self.solo.lit(good), shader: shaders.baked.clone()?, live: Live::Keyed });
         }
         if is_live && self.good_revision != (self.document_number, revision) {
-            *good = Arc::new(self.solo.alone(self.history.document(), &self.catalog).into_owned());
+            *good = Arc::new(self.solo.alone(self.kept.history.document(), &self.catalog).into_owned());
             self.good_revision = (self.document_number, revision);
         }
         Some(Showing { look: self.solo.lit(good), shader: shaders.live.clone()?, live: Live::All })

@@ -151,7 +151,7 @@ impl Session {
 
     /// Forgets solos of what is no longer there.
     pub(super) fn keep_solo(&mut self) {
-        self.solo.keep(self.history.document(), self.stage.as_ref().map(Stage::scene));
+        self.solo.keep(self.kept.history.document(), self.stage.as_ref().map(Stage::scene));
     }
 
     /// Applies an edit of the scene. With a `hand`, consecutive edits by it are one step.
@@ -164,7 +164,7 @@ impl Session {
         };
         self.now += 1;
         if stage.apply(edit, hand, self.now)? {
-            self.gestures.end();
+            self.kept.end_gesture();
             self.stage_changed();
         }
         Ok(())
@@ -258,7 +258,6 @@ impl Session {
     /// Notes that a step of the look was done.
     pub(super) fn step_done(&mut self) {
         self.now += 1;
-        self.times.did(self.history.steps(), self.now);
         if let Some(stage) = &mut self.stage {
             stage.end_gesture();
         }
@@ -269,7 +268,7 @@ impl Session {
 
     /// Remembers when the steps of the look were done, before another look comes.
     pub(super) fn remember_times(&mut self) {
-        let times = std::mem::take(&mut self.times);
+        let times = std::mem::take(&mut self.kept.times);
         if let (Some(stage), Some(path)) = (&mut self.stage, &self.path) {
             stage.left.insert(real(path), times);
         }
@@ -278,16 +277,16 @@ impl Session {
     /// Takes on what is remembered of a look that a journal brought back.
     pub(super) fn recall_times(&mut self) {
         if let (Some(stage), Some(path)) = (&mut self.stage, &self.path) {
-            self.times = stage.left.remove(&real(path)).unwrap_or_default();
+            self.kept.times = stage.left.remove(&real(path)).unwrap_or_default();
         }
-        self.times.fit(self.history.steps());
+        self.kept.times.fit(self.kept.history.steps());
     }
 
     /// Where the step was done that undo would take back.
     fn last(&self) -> Of {
-        let of_look = self.history.undo_label().and(self.times.last());
-        let of_scene = self.stage.as_ref().and_then(|stage| stage.times.last());
-        let of_painting = self.painting.as_ref().and_then(|work| work.times.last());
+        let of_look = self.kept.history.undo_label().and(self.kept.times.last());
+        let of_scene = self.stage.as_ref().and_then(|stage| stage.kept.times.last());
+        let of_painting = self.painting.as_ref().and_then(|work| work.kept.times.last());
         // Of what journals brought back, the look's comes first.
         if of_painting.is_some() && of_painting > of_look.max(of_scene) {
             Of::Painting
@@ -300,9 +299,9 @@ impl Session {
 
     /// Where the step was done that redo would repeat.
     fn next(&self) -> Of {
-        let of_scene = self.stage.as_ref().and_then(|stage| stage.times.next());
-        let of_look = self.history.redo_label().and(self.times.next());
-        let of_painting = self.painting.as_ref().and_then(|work| work.times.next());
+        let of_scene = self.stage.as_ref().and_then(|stage| stage.kept.times.next());
+        let of_look = self.kept.history.redo_label().and(self.kept.times.next());
+        let of_painting = self.painting.as_ref().and_then(|work| work.kept.times.next());
         let all = [(of_look, Of::Look), (of_scene, Of::Scene), (of_painting, Of::Painting)];
         let there = all.into_iter().filter_map(|(time, of)| Some((time?, of)));
         there.min_by_key(|(time, _)| *time).map_or(Of::Look, |(_, of)| of)
@@ -313,7 +312,7 @@ impl Session {
         match (self.last(), &self.stage, &self.painting) {
             (Of::Scene, Some(stage), _) => stage.history().undo_label(),
             (Of::Painting, _, Some(work)) => work.history().undo_label(),
-            _ => self.history.undo_label(),
+            _ => self.kept.history.undo_label(),
         }
     }
 
@@ -322,7 +321,7 @@ impl Session {
         match (self.next(), &self.stage, &self.painting) {
             (Of::Scene, Some(stage), _) => stage.history().redo_label(),
             (Of::Painting, _, Some(work)) => work.history().redo_label(),
-            _ => self.history.redo_label(),
+            _ => self.kept.history.redo_label(),
         }
     }
 
@@ -366,14 +365,14 @@ impl Session {
 
     /// What undo calls every step, the first one first.
     pub fn steps(&self) -> impl Iterator<Item = &str> {
-        let mut steps: Vec<((bool, u64), &str)> = self.times.all().zip(self.history.labels()).collect();
+        let mut steps: Vec<((bool, u64), &str)> = self.kept.times.all().zip(self.kept.history.labels()).collect();
         if let Some(stage) = &self.stage {
             // Steps of the same time are of journals: the scene's are older.
-            let of_scene = stage.times.all().zip(stage.history().labels());
+            let of_scene = stage.kept.times.all().zip(stage.history().labels());
             steps.splice(0..0, of_scene);
         }
         if let Some(work) = &self.painting {
-            steps.splice(0..0, work.times.all().zip(work.history().labels()));
+            steps.splice(0..0, work.kept.times.all().zip(work.history().labels()));
         }
         steps.sort_by_key(|(time, _)| *time);
         steps.into_iter().map(|(_, label)| label)
@@ -382,7 +381,7 @@ impl Session {
     /// How many of the steps are done.
     pub fn place(&self) -> usize {
         let of_scene = self.stage.as_ref().map_or(0, |stage| stage.history().place());
-        self.history.place() + of_scene + self.painting.as_ref().map_or(0, |work| work.history().place())
+        self.kept.history.place() + of_scene + self.painting.as_ref().map_or(0, |work| work.history().place())
     }
 
     /// Takes steps back or repeats them until so many are done.

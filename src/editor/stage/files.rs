@@ -46,11 +46,8 @@ impl Stage {
         self.path = Some(path.to_owned());
         self.is_partial = false;
         self.load_problems.clear();
-        self.history.mark_saved();
-        self.keeping.forget_overridden();
-        if self.history.steps() == (0, 0) {
-            self.keeping.clear();
-        } else {
+        self.kept.history.mark_saved();
+        if self.kept.saved() {
             self.begin_journal(None);
         }
         Ok(())
@@ -64,7 +61,7 @@ impl Stage {
 
     /// Compares the scene's file with what it held when it was read or written last.
     pub(crate) fn on_disk(&self) -> OnDisk {
-        self.path.as_deref().map_or(OnDisk::Same, |path| self.keeping.on_disk(path, self.source.text()))
+        self.path.as_deref().map_or(OnDisk::Same, |path| self.kept.keeping.on_disk(path, self.source.text()))
     }
 
     /// Takes what another program made of the file, as one step that can be undone. `now` is when. Returns whether it
@@ -85,14 +82,14 @@ impl Stage {
         self.source = Arc::new(loaded.source);
         self.opened = self.source.clone();
         self.is_partial = false;
-        self.history.mark_saved();
+        self.kept.history.mark_saved();
         self.begin_journal(None);
         true
     }
 
     /// Lets saving write over what another program wrote.
     pub(crate) fn keep_mine(&mut self, theirs: String) {
-        self.keeping.override_with(theirs);
+        self.kept.keeping.override_with(theirs);
     }
 
     /// The files that the scene lives on, but for its own: meshes, looks that are not open, and the images of those.

@@ -16,16 +16,16 @@ use serde_json::json;
 
 use super::orbit::Orbit;
 use super::reading::Parameter;
-use super::safety::keeper::Standing;
 use super::session::keeping::Keeping;
-use super::session::times::{Gestures, Times};
+use super::session::kept::Kept;
+use super::session::times::Times;
 use crate::diag::Diagnostic;
-use crate::document::journal::{About, Op, Recovered, Slot};
+use crate::document::journal::{About, Recovered, Slot};
 use crate::document::{History, Object, Scene, SceneEdit, SourceMap};
 use crate::ids::ObjectId;
 use crate::library::Library;
 use looks::{Closed, Looks};
-pub(crate) use names::real;
+pub(crate) use names::{folder_of, real, relative};
 pub(crate) use objects::{Placed, file_label, from_degrees, mesh_label, scene_of, stood_up, to_degrees};
 pub(crate) use still::Staged;
 pub(crate) use wish::Wish;
@@ -35,9 +35,7 @@ pub(crate) const OPEN_LOOK: &str = "look:open";
 
 /// A scene around the open look.
 pub struct Stage {
-    history: History<Scene>,
-    pub(crate) times: Times,
-    gestures: Gestures,
+    pub(crate) kept: Kept<Scene>,
     source: Arc<SourceMap>,
     /// As it was opened: what says the same again after a save is written as it was.
     opened: Arc<SourceMap>,
@@ -58,7 +56,6 @@ pub struct Stage {
     pub(crate) placed: Vec<Placed>,
     /// The file of the open look.
     open_file: Option<PathBuf>,
-    keeping: Keeping<Scene>,
     /// When the steps of looks were done that were open before, by their files.
     pub(crate) left: HashMap<PathBuf, Times>,
     /// The object and the material that a file is being chosen for.
@@ -79,9 +76,8 @@ pub(crate) enum Wanted {
 impl Stage {
     fn with(history: History<Scene>, source: SourceMap, path: Option<PathBuf>, base: PathBuf) -> Self {
         let source = Arc::new(source);
-        let mut stage = Self {
-            times: Times::default(),
-            gestures: Gestures::default(),
+        Self {
+            kept: Kept::new(history),
             opened: source.clone(),
             source,
             path,
@@ -94,14 +90,10 @@ impl Stage {
             selected: None,
             placed: Vec::new(),
             open_file: None,
-            keeping: Keeping::default(),
             left: HashMap::new(),
             asked: None,
             wanted: None,
-            history,
-        };
-        stage.times.fit(stage.history.steps());
-        stage
+        }
     }
 
     /// A scene that no file holds; its names are paths that hold wherever it will be saved.
@@ -111,7 +103,7 @@ impl Stage {
 
     /// The scene as it is.
     pub fn scene(&self) -> &Scene {
-        self.history.document()
+        self.kept.history.document()
     }
 
     /// Its file, once there is one.
@@ -127,7 +119,7 @@ impl Stage {
 
     /// Whether there are changes that no file holds.
     pub fn is_dirty(&self) -> bool {
-        !self.history.is_saved()
+        !self.kept.history.is_saved()
     }
 
     /// The object that is selected, which is one of the scene.
@@ -140,17 +132,17 @@ impl Stage {
     }
 
     pub(crate) fn history(&self) -> &History<Scene> {
-        &self.history
+        &self.kept.history
     }
 
     /// Lets unsaved changes go: they are no longer asked about.
     pub(crate) fn give_up_changes(&mut self) {
-        self.history.mark_saved();
+        self.kept.history.mark_saved();
     }
 
     /// Breaks a gesture, so that whatever comes next is a step of its own.
     pub(crate) fn end_gesture(&mut self) {
-        self.gestures.end();
+        self.kept.end_gesture();
     }
 
     /// Applies an edit. With a `hand`, consecutive edits by it are one step. `now` is when.
@@ -158,43 +150,20 @@ impl Stage {
     /// # Errors
     /// A diagnostic where the edit is impossible; nothing is changed then.
     pub(crate) fn apply(&mut self, edit: SceneEdit, hand: Option<u64>, now: u64) -> Result<bool, Box<Diagnostic>> {
-        let before = self.history.revision();
-        let kept = self.keeping.is_on().then(|| edit.clone());
-        let gesture = hand.map(|hand| self.gestures.of(hand, before));
-        match gesture {
-            Some(gesture) => self.history.apply_in(gesture, edit)?,
-            None => self.history.apply(edit)?,
-        }
-        self.gestures.did(hand, self.history.revision());
-        let is_changed = self.history.revision() != before;
-        if is_changed {
-            self.times.did(self.history.steps(), now);
-            self.keeping.note(kept.map(|edit| Op::Edit { gesture, edit }));
-        }
-        Ok(is_changed)
+        self.kept.apply(edit, hand, now)
     }
 
     pub(crate) fn undo(&mut self) -> bool {
-        let did = self.history.undo().is_some();
-        if did {
-            self.times.undid();
-            self.keeping.note(Some(Op::Undo));
-        }
-        did
+        self.kept.undo()
     }
 
     pub(crate) fn redo(&mut self, now: u64) -> bool {
-        let did = self.history.redo().is_some();
-        if did {
-            self.times.redid(now);
-            self.keeping.note(Some(Op::Redo));
-        }
-        did
+        self.kept.redo(now)
     }
 
     /// Finds out anew what the objects wear; `open` is the file of the open look. `version` grows.
     pub(crate) fn sync(&mut self, open: Option<&Path>, library: &Arc<Library>, version: u64) {
-        let scene = self.history.document();
+        let scene = self.kept.history.document();
         self.selected = self.selected.take().filter(|id| scene.objects.contains_key(id));
         self.open_file = open.map(Path::to_path_buf);
         let open = open.map(real);
@@ -215,7 +184,7 @@ impl Stage {
         self.closed = others.into_iter().filter_map(find).collect();
         let setup = |look: &Option<Arc<Closed>>| look.as_ref().map(|closed| closed.look.clone());
         // Of an edited scene nobody knows where what is wrong lies in the file.
-        let source = match self.history.revision() {
+        let source = match self.kept.history.revision() {
             0 => self.source.clone(),
             _ => Arc::new(Scene::read("{}", self.source.file()).source),
         };
@@ -293,24 +262,22 @@ impl Stage {
 
     /// Keeps the journal of unsaved work in a folder from now on.
     pub(crate) fn keep_in(&mut self, folder: &Path, wake: Arc<dyn Fn() + Send + Sync>) {
-        self.keeping.keep_in(folder, move || wake());
+        self.kept.keeping.keep_in(folder, move || wake());
     }
 
     pub(crate) fn keeping(&self) -> &Keeping<Scene> {
-        &self.keeping
+        &self.kept.keeping
     }
 
     /// Tells the journal where the window looks from.
     pub(crate) fn note_view(&mut self, view: &Orbit) {
-        self.keeping.note_view(view);
+        self.kept.keeping.note_view(view);
     }
 
     /// Hands what was done to the journal.
     pub(crate) fn commit(&mut self, goes_on: bool) {
-        if self.keeping.wants_to_begin(self.is_dirty()) {
+        if self.kept.commit(goes_on) {
             self.begin_journal(None);
-        } else {
-            self.keeping.add(goes_on);
         }
     }
 
@@ -326,13 +293,13 @@ impl Stage {
             window: json!({ "base": base, "look": self.open_file.as_deref().and_then(|path| text(absolute(path))) }),
         };
         let source = self.path.is_some().then(|| self.source.text().clone());
-        self.keeping.begin(Standing { about, source, history: self.history.clone(), slot });
+        self.kept.begin_journal(about, source, slot);
     }
 
     /// Lets go of the journal: it stays if anything in it is not saved.
     pub(crate) fn leave_journal(&mut self, in_peace: bool) {
         self.commit(false);
-        self.keeping.leave(self.is_dirty(), in_peace);
+        self.kept.leave_journal(false, in_peace);
     }
 
     /// The stage that a journal gave.

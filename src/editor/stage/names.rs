@@ -32,7 +32,7 @@ fn absolute(path: &Path) -> PathBuf {
 }
 
 /// The way from a folder to a file, both absolute; the file itself where there is none, as from one drive to another.
-fn relative(folder: &Path, file: &Path) -> String {
+pub(crate) fn relative(folder: &Path, file: &Path) -> String {
     let (from, to): (Vec<_>, Vec<_>) = (folder.components().collect(), file.components().collect());
     let shared = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
     // Not even the root is the same, or nothing else is.
@@ -45,7 +45,7 @@ fn relative(folder: &Path, file: &Path) -> String {
 }
 
 /// The folder of a file.
-pub(super) fn folder_of(file: &Path) -> PathBuf {
+pub(crate) fn folder_of(file: &Path) -> PathBuf {
     absolute(file).parent().map(Path::to_path_buf).unwrap_or_default()
 }
 

@@ -65,10 +65,14 @@ impl Viewport {
     fn options(&mut self, ui: &mut Ui, session: &mut Session, out: &mut Vec<Command>) {
         ui.checkbox(&mut self.handles, "Handles on the object")
             .on_hover_text("Lines and handles of the selected layer and its light (H)");
+        let help = "Where eye and lights stand at a place, as an HCBTF looks them up: blue lies toward the eye, the \
+                    others toward lights, each with its trace on the surface; larger under the pointer";
+        ui.checkbox(&mut self.has_arrows, "Arrows toward eye and lights").on_hover_text(help);
         let help = "Turns the object before the camera, until it is switched off again (T)";
         ui.checkbox(&mut self.turns, "Turntable").on_hover_text(help);
         if session.view.mesh.starts_with(SHAPE_PREFIX) {
-            session.view.z_is_up = false;
+            // A painted tile lies flat on the plane, which is how it begins.
+            session.view.z_is_up &= session.view.mesh == crate::editor::orbit::PLANE;
         } else if session.stage().is_none() {
             ui.checkbox(&mut session.view.z_is_up, "Z is up").on_hover_text("Stands up a mesh whose z axis points up");
         }

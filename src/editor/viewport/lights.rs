@@ -71,7 +71,8 @@ impl Held {
     }
 }
 
-fn resolved(light: &Light, orbit: &Orbit) -> LightValues {
+/// A light as it is while the camera stands so.
+pub(super) fn resolved(light: &Light, orbit: &Orbit) -> LightValues {
     let (right, up) = orbit.right_and_up();
     LightValues::new(light, orbit.illumination, DMat3::from_cols(right, up, orbit.direction()).transpose())
 }

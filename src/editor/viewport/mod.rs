@@ -3,6 +3,7 @@
 //! `surface` knows what is seen at each pixel; on it `isocurves` draws the selected layer's lines, which are dragged
 //! there, `lights` the handles of lights, and `strip` the values that have no place on the object.
 
+mod arrows;
 mod bar;
 mod export;
 mod field;
@@ -72,6 +73,9 @@ pub struct Viewport {
     isocurves: Isocurves,
     /// Whether lines and handles are shown.
     handles: bool,
+    /// Whether arrows toward the eye and the lights are shown, and those of the last frame.
+    has_arrows: bool,
+    arrows: Vec<arrows::Arrow>,
     turns: bool,
     /// In stops; for this window only.
     exposure: f32,
@@ -99,6 +103,8 @@ impl Viewport {
             surfaces: Surfaces::new(wake.clone()),
             isocurves: Isocurves::default(),
             handles: true,
+            has_arrows: false,
+            arrows: Vec::new(),
             turns: false,
             exposure: 0.0,
             exports: Exports::new(gpu, wake),
@@ -162,6 +168,9 @@ impl Viewport {
             seen.as_ref().filter(|_| hovered.is_none()).map_or(String::new(), objects::Seen::hint) + &hint
         };
         objects::paint(ui, rect, session, handles.surface.as_deref(), seen.as_ref());
+        let surface = handles.surface.as_deref().filter(|_| self.has_arrows);
+        self.arrows = surface.map(|surface| arrows::of(session, surface, rect, pointer)).unwrap_or_default();
+        arrows::paint(ui, rect, &self.arrows);
         if probe.is_on() {
             response.on_hover_cursor(CursorIcon::Crosshair);
             probe.mark(ui, rect);
@@ -184,7 +193,7 @@ impl Viewport {
         let layer = layer::selected(session).filter(|_| self.handles && !probe.is_on());
         let wants_lines = self.handles && (layer.is_some() || layer::selected_light(session).is_some());
         // Of a scene one wants to know what is where, in any case.
-        if !(wants_lines || session.stage().is_some()) || rect.area() < 16.0 {
+        if !(wants_lines || self.has_arrows || session.stage().is_some()) || rect.area() < 16.0 {
             self.isocurves.clear();
             return Handles { surface: None, layer };
         }
@@ -409,6 +418,11 @@ impl Viewport {
     pub fn curve(&self, port: &str) -> Vec<Pos2> {
         let curve = Curve::ALL.into_iter().find(|curve| curve.port() == port);
         curve.zip(self.rect).map(|(curve, rect)| self.isocurves.points(curve, rect)).unwrap_or_default()
+    }
+
+    /// Where the arrows toward the eye and the lights begin and end on the screen; for tests.
+    pub fn arrows(&self) -> impl Iterator<Item = [Pos2; 2]> {
+        self.arrows.iter().map(|arrow| [arrow.from, arrow.to])
     }
 
     /// Where the middle of what the selected layer's light lights is on the screen; for tests.

@@ -126,7 +126,7 @@ impl Surface {
     }
 
     /// The pixel at a place of the picture, in parts of its size.
-    fn pixel_at(&self, place: [f32; 2]) -> Option<usize> {
+    pub(super) fn pixel_at(&self, place: [f32; 2]) -> Option<usize> {
         let [x, y] = [place[0] * self.size[0] as f32, place[1] * self.size[1] as f32];
         let is_inside = x >= 0.0 && y >= 0.0 && (x as usize) < self.size[0] && (y as usize) < self.size[1];
         is_inside.then(|| y as usize * self.size[0] + x as usize)

@@ -1,9 +1,10 @@
 //! Shapes of our own to judge a look on: each of known curvature or of many kinds of it.
 //!
-//! All but the plane and the waves are closed; all lie within about 1.5 units of the origin, y up, the front towards +z. They are made
+//! All but the plane, the waves and the city are closed; all lie within about 1.5 units of the origin, y up, the front towards +z. They are made
 //! once, at first use, from formulas alone, so they are the same everywhere.
 
 mod blob;
+mod city;
 mod creature;
 mod cube;
 mod curve;
@@ -78,6 +79,18 @@ pub const SHAPES: &[Shape] = &[
         label: "Waves",
         help: "A flat square in waves, for painted surfaces: every tile is lit and seen from somewhere else.",
         make: cube::waves,
+    },
+    Shape {
+        name: "ball",
+        label: "Ball",
+        help: "A sphere of 400 triangles, beside the waves in the thesis's test scene.",
+        make: revolve::ball,
+    },
+    Shape {
+        name: "city",
+        label: "City",
+        help: "2,785 houses between streets, with whole repeats of a tile on every wall: 27,860 triangles.",
+        make: city::city,
     },
 ];
 

@@ -22,25 +22,25 @@ struct Ring {
 }
 
 /// Turns a profile, given from below upwards as seen with the outside to the right. A ring on the axis is one point.
-fn revolve(profile: &[Ring], closed: bool) -> Soup {
+fn revolve(profile: &[Ring], closed: bool, segments: usize) -> Soup {
     let mut soup = Soup::default();
     let material = soup.material(DEFAULT_MATERIAL);
     let rings = if closed { profile.len() - 1 } else { profile.len() };
     for ring in &profile[..rings] {
-        for i in 0..SEGMENTS {
-            let (sin, cos) = (i as f64 / SEGMENTS as f64 * TAU - PI).sin_cos();
+        for i in 0..segments {
+            let (sin, cos) = (i as f64 / segments as f64 * TAU - PI).sin_cos();
             let around = |p: DVec2| [p.x * sin, p.y, p.x * cos].map(|c| c as f32);
             soup.points.push(around(ring.at));
             soup.normals.push(around(ring.normal));
         }
     }
     for (j, pair) in profile.windows(2).enumerate() {
-        for i in 0..SEGMENTS {
+        for i in 0..segments {
             let corner = |soup: &mut Soup, di: usize, dj: usize| {
-                let point = (((j + dj) % rings) * SEGMENTS + (i + di) % SEGMENTS) as u32;
+                let point = (((j + dj) % rings) * segments + (i + di) % segments) as u32;
                 // Towards a point on the axis, u is the middle of the step.
                 let on_axis = pair[dj].at.x == 0.0;
-                let u = (i as f64 + if on_axis { 0.5 } else { di as f64 }) / SEGMENTS as f64;
+                let u = (i as f64 + if on_axis { 0.5 } else { di as f64 }) / segments as f64;
                 soup.uvs.push([u as f32, pair[dj].v as f32]);
                 Corner { point, normal: point, uv: soup.uvs.len() as u32 - 1 }
             };
@@ -67,7 +67,15 @@ fn arc(center: DVec2, radius: f64, from: f64, to: f64, steps: usize) -> impl Ite
 
 /// Radius 1; its poles are points exactly.
 pub(super) fn sphere() -> Soup {
-    let steps = SEGMENTS / 2;
+    ball_of(SEGMENTS / 2, SEGMENTS)
+}
+
+/// The same of 400 triangles, as the thesis's test scene has it.
+pub(super) fn ball() -> Soup {
+    ball_of(11, 20)
+}
+
+fn ball_of(steps: usize, segments: usize) -> Soup {
     let mut profile: Vec<Ring> = arc(DVec2::ZERO, 1.0, -PI / 2.0, PI / 2.0, steps)
         .enumerate()
         .map(|(i, (at, normal))| Ring { at, normal, v: i as f64 / steps as f64 })
@@ -75,7 +83,7 @@ pub(super) fn sphere() -> Soup {
     for (i, y) in [(0, -1.0), (steps, 1.0)] {
         (profile[i].at, profile[i].normal) = (DVec2::new(0.0, y), DVec2::new(0.0, y));
     }
-    revolve(&profile, false)
+    revolve(&profile, false, segments)
 }
 
 /// Radii 0.7 and 0.3; it stands up, so that one sees through it from the front.
@@ -85,7 +93,7 @@ pub(super) fn torus() -> Soup {
         .enumerate()
         .map(|(i, (at, normal))| Ring { at, normal, v: i as f64 / steps as f64 })
         .collect();
-    let mut soup = revolve(&profile, true);
+    let mut soup = revolve(&profile, true, SEGMENTS);
     for p in soup.points.iter_mut().chain(&mut soup.normals) {
         let [x, y, z] = *p;
         *p = [x, -z, y];
@@ -154,7 +162,7 @@ pub(super) fn vase() -> Soup {
             Ring { at, normal, v }
         })
         .collect();
-    revolve(&profile, false)
+    revolve(&profile, false, SEGMENTS)
 }
 
 /// Points and tangents of the natural cubic spline, `steps` to a span. The ends lie on the axis, and the surface is level

@@ -52,6 +52,13 @@ pub(super) fn tile(plan: &Plan<'_>, recipe: &Recipe, progress: &Progress) -> Opt
             }
             rows.turned(plan.is_tiling, |x, y| blended[y * width + x])
         }
+        Source::Morph { address, sharpness } => {
+            let morph = plan.flows.morph(address, sharpness.get(), &plan.grid, plan.is_tiling, &plan.painted);
+            match recipe.turn.get() == 0.0 {
+                true => rows.each(|y, row| row.iter_mut().enumerate().for_each(|(x, color)| *color = morph.at(x, y))),
+                false => rows.turned(plan.is_tiling, |x, y| morph.at(x, y)),
+            }
+        }
         Source::Generated { rule, address } => {
             let drawn = plan.generators.get(rule as usize)?.as_ref()?.tile(address, progress)?;
             let width = size[0] as usize;

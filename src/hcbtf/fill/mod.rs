@@ -11,6 +11,7 @@
 mod bake;
 mod blend;
 mod lock;
+mod morph;
 mod plan;
 mod turn;
 
@@ -216,6 +217,23 @@ pub fn fill(hcbtf: &Hcbtf, progress: &Progress) -> Result<Filled, NotFilled> {
         *tile = place[*tile as usize];
     }
     Ok(Filled { grid: hcbtf.grid, tiles, provenances: plan.provenances, samples })
+}
+
+/// Runs the rules for one sample alone: what [`fill`] would give it, in the time of one tile. For showing it before all
+/// others are done; `None` outside the grid.
+///
+/// # Errors
+/// As [`fill`].
+pub fn sample(hcbtf: &Hcbtf, address: Address, progress: &Progress) -> Result<Option<Arc<Tile>>, NotFilled> {
+    hcbtf.grid.check().map_err(|why| NotFilled::BadGrid { why })?;
+    if !hcbtf.grid.contains(address) {
+        return Ok(None);
+    }
+    let mut plan = Plan::of(hcbtf, vec![address.canonical()], progress).ok_or(NotFilled::Stopped)?;
+    plan.prepare(hcbtf, progress).ok_or(NotFilled::Stopped)?;
+    progress.begin(u64::from(hcbtf.grid.size[1]));
+    let tile = plan.recipes.first().map(|recipe| bake::tile(&plan, recipe, progress).ok_or(NotFilled::Stopped));
+    tile.transpose()
 }
 
 /// Tiles that are equal become one, the first; gives where each went.

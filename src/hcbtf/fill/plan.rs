@@ -9,6 +9,7 @@ use indexmap::{IndexMap, IndexSet};
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
 use super::lock::{Lock, angle};
+use super::morph::Flows;
 use super::{Progress, Provenance};
 use crate::document::{Address, Direction, Directions, Grid, Hcbtf, HcbtfAngle as Angle, Rule, Tile};
 use crate::hcbtf::generate::Generator;
@@ -36,6 +37,8 @@ pub(super) enum Source {
     Painted(u32),
     /// All painted samples, by how near they are to the address.
     Blend { address: Address, sharpness: Bits },
+    /// The nearest painted samples, moved toward each other.
+    Morph { address: Address, sharpness: Bits },
     /// One colour, straight RGBA.
     Uniform([u8; 4]),
     /// What the generator of a rule draws.
@@ -97,15 +100,21 @@ pub(super) struct Plan<'a> {
     pub(super) provenances: Vec<Provenance>,
     /// For each rule, what draws its tiles, where that is needed and ready.
     pub(super) generators: Vec<Option<Generator>>,
-    /// For each sample in the grid's order: its recipe and its provenance.
+    /// Where the texels of painted samples go in others, where that is needed and ready.
+    pub(super) flows: Flows,
+    /// For each sample, in the grid's order where all are walked: its recipe and its provenance.
     pub(super) samples: Vec<[u32; 2]>,
 }
 
 impl<'a> Plan<'a> {
     /// Walks the rules for every sample; `None` where it is stopped.
     pub(super) fn new(hcbtf: &'a Hcbtf, progress: &Progress) -> Option<Self> {
+        Self::of(hcbtf, hcbtf.grid.addresses().collect(), progress)
+    }
+
+    /// Walks the rules for some samples alone, by canonical address.
+    pub(super) fn of(hcbtf: &'a Hcbtf, addresses: Vec<Address>, progress: &Progress) -> Option<Self> {
         let planner = Planner::new(hcbtf);
-        let addresses: Vec<Address> = hcbtf.grid.addresses().collect();
         let walk = |address| (!progress.is_stopped()).then(|| planner.sample(address));
         let walked: Vec<(Recipe, Provenance)> = addresses.into_par_iter().map(walk).collect::<Option<_>>()?;
         let mut recipes: IndexMap<Recipe, ()> = IndexMap::new();
@@ -122,11 +131,12 @@ impl<'a> Plan<'a> {
             recipes: recipes.into_keys().collect(),
             provenances: provenances.into_iter().collect(),
             generators: Vec::new(),
+            flows: Flows::default(),
             samples,
         })
     }
 
-    /// Makes the generators ready that some recipe needs; `None` where it is stopped.
+    /// Makes ready what some recipe needs; `None` where it is stopped.
     pub(super) fn prepare(&mut self, hcbtf: &Hcbtf, progress: &Progress) -> Option<()> {
         let rules = &hcbtf.rules;
         let mut is_needed = vec![false; rules.len()];
@@ -142,6 +152,11 @@ impl<'a> Plan<'a> {
             }
             self.generators.push(ready.flatten());
         }
+        let morphed = self.recipes.iter().filter_map(|recipe| match recipe.source {
+            Source::Morph { address, sharpness } => Some((address, sharpness.get())),
+            _ => None,
+        });
+        self.flows = Flows::new(morphed, &self.grid, self.is_tiling, &self.painted, progress)?;
         Some(())
     }
 }
@@ -210,10 +225,14 @@ impl<'a> Planner<'a> {
                 let lock = self.locks.get(number)?.as_ref()?;
                 lock.nearest(address, &self.grid, &self.painted).map(Source::Painted)
             }
-            Rule::Blend { .. } if self.painted.is_empty() => None,
+            Rule::Blend { .. } | Rule::Morph { .. } if self.painted.is_empty() => None,
             Rule::Blend { sharpness } => {
                 let sharpness = Bits::new(finite(*sharpness).clamp(0.0, Rule::MAX_SHARPNESS));
                 Some(Source::Blend { address, sharpness })
+            }
+            Rule::Morph { sharpness } => {
+                let sharpness = Bits::new(finite(*sharpness).clamp(0.0, Rule::MAX_SHARPNESS));
+                Some(Source::Morph { address, sharpness })
             }
             Rule::Mirror { color: [r, g, b, a], width } => {
                 let off = self.off_mirrored(address);

@@ -10,7 +10,7 @@ use super::Progress;
 use crate::document::{Address, Hcbtf, Rule};
 
 /// Straight RGBA from 0 to 255.
-pub(super) type Color = [f32; 4];
+pub(in crate::hcbtf) type Color = [f32; 4];
 
 /// A generator that is ready to give tiles.
 pub(super) enum Generator {

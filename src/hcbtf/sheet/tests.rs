@@ -137,3 +137,23 @@ fn empty_samples_stay_empty() {
     let sheet = export(&fill(&hcbtf, &Progress::new()).unwrap()).unwrap();
     assert_eq!(import(&sheet, ODD, "a.png").unwrap().0.painted, hcbtf.painted);
 }
+
+#[test]
+fn every_place_of_the_sheet_tells_what_it_holds() {
+    let grid = Grid { size: [3, 2], light: directions(3, 4), view: directions(2, 5) };
+    let [width, height] = size(&grid);
+    let mut own = 0;
+    for [x, y] in (0..height).flat_map(|y| (0..width).map(move |x| [x, y])) {
+        let Held { address, texel, is_copy } = held(&grid, [x, y]).unwrap();
+        assert_eq!(address, address.canonical());
+        let is_own = place(&grid, address, texel.map(|n| n as usize)) == [x as usize, y as usize];
+        assert_eq!(is_own, !is_copy, "{address} at {x}, {y}");
+        own += u64::from(is_own);
+    }
+    assert_eq!(own, grid.sample_count() * 6, "every texel of every sample once");
+    assert_eq!(held(&grid, [width, 0]), None);
+    // By hand from A.3: the third light ring of the second view ring, in the block of the texel to the right; the row of
+    // padding above light step 0 of view step 1 is a copy of light step 3.
+    let found = held(&grid, [6 + 3 + 2, 6]).unwrap();
+    assert_eq!(found, Held { address: Address::new([2, 3], [1, 1]), texel: [1, 0], is_copy: true });
+}

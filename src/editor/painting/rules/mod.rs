@@ -1,5 +1,8 @@
 //! The rules that fill what is not painted, in their order: each with its fields and with what it fills.
 
+mod relief;
+mod strokes;
+
 use std::f64::consts::PI;
 
 use eframe::egui::{
@@ -7,9 +10,9 @@ use eframe::egui::{
 };
 
 use super::work::Work;
-use super::{Wish, command, moves, rules_relief};
+use super::{Wish, command, moves};
 use crate::document::relief::PRESETS;
-use crate::document::{Address, ColorSpace, Directions, HcbtfAngle, HcbtfEdit, Rule};
+use crate::document::{Address, ColorSpace, Directions, HcbtfAngle, HcbtfEdit, Rule, Strokes};
 use crate::editor::command::Command;
 use crate::editor::inspector::color;
 use crate::editor::theme;
@@ -31,6 +34,10 @@ fn about(rule: &Rule) -> (&'static str, &'static str) {
         Rule::Blend { .. } => {
             ("Blend", "Blends the paintings by how near their light and eye are: a few make the whole")
         }
+        Rule::Morph { .. } => (
+            "Morph",
+            "Blends the nearest paintings, and moves their strokes from one to the other in place of fading them",
+        ),
         Rule::Mirror { .. } => ("Highlight", "One color where the light is mirrored to the eye, fading outward"),
         Rule::Specular { .. } => ("Copy near the mirror", "One painting where the light is mirrored to the eye"),
         Rule::Color { .. } => ("Color", "Fills everything that is empty with one color"),
@@ -47,12 +54,14 @@ fn fresh(work: &Work) -> Vec<Rule> {
     let from = work.at();
     vec![
         Rule::Blend { sharpness: 4.0 },
+        Rule::Morph { sharpness: 2.0 },
         Rule::Copy { from },
         Rule::Lock { angles: vec![HcbtfAngle::ViewPhi] },
         Rule::Specular { from, width: PI / 6.0 },
         Rule::Mirror { color: [255, 250, 235, 255], width: PI / 8.0 },
         Rule::Color { color: [128, 128, 128, 255] },
         Rule::Relief(Box::new(PRESETS[0].1())),
+        Rule::Strokes(Box::new(Strokes::preset("Grass"))),
         Rule::Lambert { shadow: [20, 18, 32], amount: 1.0 },
         Rule::Rotate { turns: 1.0 },
         Rule::Recolor { angle: HcbtfAngle::LightTheta, from: [255, 255, 255], to: [255, 170, 110] },
@@ -166,7 +175,7 @@ fn fields(ui: &mut Ui, work: &Work, rule: &mut Rule) -> Option<Id> {
         Rule::Copy { from } => sample(ui, work, from),
         Rule::Specular { from, width } => sample(ui, work, from).or_else(|| degrees(ui, "Width", width)),
         Rule::Lock { angles } => lock(ui, angles),
-        Rule::Blend { sharpness } => {
+        Rule::Blend { sharpness } | Rule::Morph { sharpness } => {
             let help = "1 is soft; at 8 the nearest painting alone is seen, nearly";
             number(ui, "Sharpness", help, sharpness, 0.0..=16.0)
         }
@@ -176,8 +185,8 @@ fn fields(ui: &mut Ui, work: &Work, rule: &mut Rule) -> Option<Id> {
             let help = "0 leaves everything as it is, 1 is Lambert's law";
             rgb(ui, "Shadow", shadow).or_else(|| number(ui, "Amount", help, amount, 0.0..=1.0))
         }
-        Rule::Strokes(_) => None,
-        Rule::Relief(relief) => rules_relief::fields(ui, work, relief),
+        Rule::Strokes(strokes) => strokes::fields(ui, strokes),
+        Rule::Relief(relief) => relief::fields(ui, work, relief),
         Rule::Rotate { turns } => number(ui, "Turns", "How often it turns for one turn of the eye", turns, -4.0..=4.0),
         Rule::Recolor { angle, from, to } => {
             let chosen = along(ui, "Along", angle);

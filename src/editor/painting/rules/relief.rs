@@ -4,8 +4,7 @@ use std::ops::RangeInclusive;
 
 use eframe::egui::{Button, CollapsingHeader, Id, Label, Role, Slider, Ui, WidgetInfo};
 
-use super::rules;
-use super::work::Work;
+use super::Work;
 use crate::document::relief::{Channel, Finish, Glint, Illumination, PRESETS, Pattern};
 use crate::document::{Address, Relief};
 
@@ -104,13 +103,13 @@ impl Fields {
     }
 
     fn color(&mut self, ui: &mut Ui, label: &str, color: &mut [u8; 3]) {
-        let changed = rules::rgb(ui, label, color);
+        let changed = super::rgb(ui, label, color);
         self.changed = self.changed.or(changed);
     }
 
     fn sample(&mut self, ui: &mut Ui, work: &Work, label: &str, from: &mut Address) {
         ui.label(label);
-        let changed = ui.push_id(label, |ui| rules::sample(ui, work, from)).inner;
+        let changed = ui.push_id(label, |ui| super::sample(ui, work, from)).inner;
         self.changed = self.changed.or(changed);
     }
 

@@ -1,0 +1,29 @@
+import chiaro::types;
+import chiaro::numeric;
+import chiaro::total;
+
+/// Rim light
+///
+/// A line of light along the silhouette, on the side of a light: what lifts a figure off its background.
+///
+/// @param light "Light" wire : The side.
+/// @param normal "Normal" from=normal : World space; any length but 0.
+/// @param view from=view hidden
+/// @param width "Width" default=0.35 min=0 max=1 : How far it reaches in from the silhouette: 1 is to the middle.
+/// @param softness "Softness" default=0.5 min=0 max=1 : 0 is flat with a hard edge, 1 fades all the way.
+/// @param follow "Follow the light" default=1 min=0 max=1 : 0 runs all around, 1 only on the light's side.
+/// @return tone "Tone" : From 0 to 1.
+/// @unit
+fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, follow: f32) -> f32 {
+    let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
+    let facing = clamp(dot(n, view), 0.0, 1.0);
+    let reach = factor_of(width, true);
+    let change = vec2f(dpdx(facing), dpdy(facing));
+    // As wide as softness wants, and never narrower than a pixel.
+    let edge = max(reach * factor_of(softness, true), min(bounded(sqrt(dot(change, change))), 1.0));
+    let inside = select(clamp((reach - facing) / max(edge, 1e-6) + select(0.5, 0.0, softness > 0.0), 0.0, 1.0), 0.0, reach <= 0.0);
+    // The light's direction across the eye's: from the far side of the object (-1) to the near one (1).
+    let across = light.direction - dot(light.direction, view) * view;
+    let side = dot(n, normalize_or(across, vec3f(0.0)));
+    return inside * mixed(1.0, eased(side, 0.0, 0.5), factor_of(follow, true));
+}

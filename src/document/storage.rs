@@ -1,0 +1,29 @@
+//! How an HCBTF lies in the texture that shaders look it up in.
+
+/// A choice between speed and memory.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Storage {
+    /// The lights of each texel beside each other, a layer for each view that differs: the fewest reads.
+    #[default]
+    Quick,
+    /// Every tile that differs once, with (x, y) innermost, as indices into a palette where that is smaller: exact, too.
+    Compact,
+}
+
+impl Storage {
+    /// Every one, in the order of menus.
+    pub const ALL: [Self; 2] = [Self::Quick, Self::Compact];
+
+    /// What looks call it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Quick => "quick",
+            Self::Compact => "compact",
+        }
+    }
+
+    /// The one that looks call so.
+    pub fn of(word: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|storage| storage.word() == word)
+    }
+}

@@ -1,0 +1,188 @@
+//! HCBTFs in the forms of other programs: what the command line and the window import and export is the same.
+
+use std::path::Path;
+
+use super::fill::{Filled, Which};
+use super::layers::{LayerOptions, from_layers, stored};
+use super::{contact, folder, ktx2, read_bytes, sheet};
+use crate::diag::Diagnostic;
+use crate::document::{Grid, Hcbtf, Storage, write_atomic};
+
+/// How samples lie in other programs' files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Form {
+    /// The thesis's flattened texture, as a PNG.
+    Sheet,
+    /// A folder of images, one a sample.
+    Folder,
+    /// One PNG: views across, lights down.
+    Contact,
+    /// The texture that shaders look up.
+    Ktx2,
+}
+
+impl Form {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Folder, Self::Contact, Self::Sheet, Self::Ktx2];
+
+    /// What a path is taken for where nobody says: a folder for a folder, a KTX2 file for a texture, all else for a sheet.
+    pub fn guessed(path: &Path) -> Self {
+        let is_ktx2 = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("ktx2"));
+        match is_ktx2 {
+            _ if path.is_dir() => Self::Folder,
+            true => Self::Ktx2,
+            false => Self::Sheet,
+        }
+    }
+}
+
+/// The grid with as many texels a tile as the pictures at `from` have, with `gap` texels between tiles on a contact sheet.
+/// Where that cannot be told it is as it was, and importing tells what is wrong.
+pub fn fitted(from: &Path, form: Form, grid: Grid, gap: u32) -> Grid {
+    let size_of = |path: &Path| image::image_dimensions(path).ok().map(|(width, height)| [width, height]);
+    let per = |side: u32, count: u64| u32::try_from(u64::from(side) / count.max(1)).unwrap_or(u32::MAX);
+    let (light, view) = (grid.light, grid.view);
+    let size = match form {
+        Form::Folder => first_image(from).and_then(|path| size_of(&path)),
+        Form::Contact => size_of(from).map(|[width, height]| {
+            let side = |side: u32, count| per(side.saturating_add(gap), count).saturating_sub(gap);
+            [side(width, view.distinct_count()), side(height, light.distinct_count())]
+        }),
+        Form::Sheet => size_of(from).map(|[width, height]| {
+            let down = u64::from(view.phi) * (u64::from(light.phi) + 2);
+            [per(width, u64::from(view.theta) * u64::from(light.theta)), per(height, down)]
+        }),
+        // It tells its own.
+        Form::Ktx2 => None,
+    };
+    let fitted = size.map(|size| Grid { size, ..grid });
+    fitted.filter(|grid| grid.check().is_ok()).unwrap_or(grid)
+}
+
+/// The PNG of a folder that comes first by its name.
+fn first_image(folder: &Path) -> Option<std::path::PathBuf> {
+    let files = std::fs::read_dir(folder).ok()?.flatten().map(|entry| entry.path());
+    files.filter(|path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"))).min()
+}
+
+/// An HCBTF of what other programs made, with what was odd about it. `gap` is between the tiles of a contact sheet, in
+/// texels. A KTX2 file tells its grid itself.
+///
+/// # Errors
+/// Everything that keeps the files from being used.
+pub fn import(from: &Path, form: Form, grid: Grid, gap: u32) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+    let name = from.display().to_string();
+    let bytes = || read_bytes(from).map_err(|problem| vec![*problem]);
+    match form {
+        Form::Folder => folder::load(from, grid),
+        Form::Sheet => sheet::read(&bytes()?, grid, &name),
+        Form::Contact => contact::read(&bytes()?, grid, gap, &name),
+        Form::Ktx2 => {
+            let texture = ktx2::read(&bytes()?, &name).map_err(|problem| vec![problem])?;
+            Ok((from_layers(&texture).map_err(|problem| vec![problem.in_file(name)])?, Vec::new()))
+        }
+    }
+}
+
+/// How samples are written, where the form leaves a choice.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Manner {
+    /// Which of them; sheets and textures hold every sample, whatever this says.
+    pub which: Which,
+    /// Texels between the tiles of a contact sheet.
+    pub gap: u32,
+    /// How a texture lies.
+    pub storage: Storage,
+}
+
+/// Writes what is filled in a form to `path`: a file, or a folder, which is made where there is none. `told` learns how many images of how many are written. Returns what there is
+/// to say about it.
+///
+/// # Errors
+/// Where it would be too large, or cannot be written.
+pub fn export(
+    filled: &Filled,
+    form: Form,
+    manner: Manner,
+    path: &Path,
+    told: &mut dyn FnMut(u64, u64),
+) -> Result<Option<String>, Vec<Diagnostic>> {
+    let alone = |problem: Box<Diagnostic>| vec![*problem];
+    let picture = match form {
+        Form::Ktx2 => return export_texture(filled, manner.storage, path).map(Some),
+        Form::Folder => return export_folder(filled, manner.which, path, told).map(Some),
+        Form::Sheet => sheet::export(filled),
+        Form::Contact => contact::export(filled, manner.gap, manner.which),
+    };
+    let png = picture.and_then(|picture| picture.to_png()).map_err(alone)?;
+    write_atomic(path, &png).map_err(alone)?;
+    Ok(None)
+}
+
+fn export_texture(filled: &Filled, storage: Storage, path: &Path) -> Result<String, Vec<Diagnostic>> {
+    let options = LayerOptions { has_levels: true, is_decoded: false, storage };
+    let texture = stored(&filled.grid(), |address| filled.tile(address), options).map_err(|problem| vec![problem])?;
+    write_atomic(path, &ktx2::write(&texture)).map_err(|problem| vec![*problem])?;
+    let [width, height] = texture.size;
+    let mib = texture.rgba.len() as f64 / f64::from(1 << 20);
+    Ok(format!("{width} x {height} texels, {} layers, {mib:.2} MiB", texture.count))
+}
+
+fn export_folder(
+    filled: &Filled,
+    which: Which,
+    path: &Path,
+    told: &mut dyn FnMut(u64, u64),
+) -> Result<String, Vec<Diagnostic>> {
+    if let Err(error) = std::fs::create_dir_all(path) {
+        let problem = Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
+        return Err(vec![problem.in_file(path.display().to_string()).hint("choose another one")]);
+    }
+    let total = filled.grid().sample_count();
+    let mut count = 0;
+    for image in folder::export(filled, which) {
+        let written = image.and_then(|(name, png)| write_atomic(&path.join(name), &png));
+        written.map_err(|problem| vec![*problem])?;
+        count += 1;
+        told(count, total);
+    }
+    Ok(format!("{count} images"))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::document::{Address, Directions, Tile};
+    use crate::hcbtf::{Progress, fill::fill};
+
+    #[test]
+    fn every_form_comes_back_and_tells_the_size_of_its_tiles() {
+        let light = Directions { theta: 2, phi: 3 };
+        let grid = Grid { size: [5, 3], light, view: Directions { theta: 3, phi: 2 } };
+        let mut hcbtf = Hcbtf::new(grid);
+        for (index, address) in grid.addresses().enumerate() {
+            let tile = Tile::filled(grid.size, [index as u8 + 1, 7, 200 - index as u8, 255]);
+            hcbtf.painted.insert(address, Arc::new(tile));
+        }
+        let filled = fill(&hcbtf, &Progress::new()).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        for (form, name) in
+            [(Form::Sheet, "a.png"), (Form::Contact, "b.png"), (Form::Folder, "images"), (Form::Ktx2, "c.ktx2")]
+        {
+            let path = folder.path().join(name);
+            let gap = if form == Form::Contact { 2 } else { 0 };
+            export(&filled, form, Manner { gap, ..Manner::default() }, &path, &mut |_, _| {}).unwrap();
+            let unknown = Grid { size: [1, 1], ..grid };
+            let found = fitted(&path, form, unknown, gap);
+            assert_eq!(found.size, if form == Form::Ktx2 { [1, 1] } else { grid.size }, "{form:?}");
+            let (back, notes) = import(&path, form, found, gap).unwrap();
+            assert!(notes.is_empty() && back.painted == hcbtf.painted, "{form:?}");
+            assert_eq!(back.painted(Address::default()), hcbtf.painted(Address::default()));
+        }
+        assert_eq!(Form::guessed(&folder.path().join("c.KTX2")), Form::Ktx2);
+        assert_eq!(Form::guessed(folder.path()), Form::Folder);
+        assert_eq!(fitted(Path::new("nowhere"), Form::Sheet, grid, 0), grid);
+    }
+}

@@ -1,0 +1,164 @@
+//! Strokes as one eye and one light find them: which are there, where they are drawn on the tile, and how they are lit.
+
+use glam::{Vec2, Vec3};
+
+use super::canvas::{Canvas, Corner, Grain};
+use super::scatter::Stroke;
+use crate::document::{Bundle, StrokeShape, Strokes};
+use crate::hcbtf::Progress;
+
+/// Toward the horizon the way that a point moves by its height grows without bound: it counts as no more than this many times
+/// the height, as for a direction 76 degrees from the normal.
+pub(super) const MAX_SLOPE: f32 = 4.0;
+
+/// By how much a point moves on the tile for its height, away from where it is seen from: a point at height h over q is
+/// seen at q - h slope. Along u and v.
+pub(super) fn slope(toward: Vec3) -> Vec2 {
+    let along = toward.truncate();
+    let length = along.length();
+    if length < 1e-6 {
+        return Vec2::ZERO;
+    }
+    along / length * (length / toward.z.max(1e-6)).min(MAX_SLOPE)
+}
+
+/// An eye and a light, unit vectors along u, along v and along the normal.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rays {
+    pub(super) view: Vec3,
+    pub(super) light: Vec3,
+    /// The share of a turn that the eye went around the normal.
+    pub(super) around: f64,
+}
+
+/// A point of a stroke.
+#[derive(Clone, Copy, Debug)]
+struct Node {
+    point: Vec3,
+    /// To its edge, along the surface and up.
+    side: Vec3,
+    /// The cosines between the light, and its face and its side.
+    facing: f32,
+    aside: f32,
+    /// Its highlight.
+    shine: f32,
+}
+
+/// A stroke that is there.
+pub(super) struct Seen<'a> {
+    pub(super) number: u32,
+    pub(super) stroke: &'a Stroke,
+    pub(super) bundle: &'a Bundle,
+    /// Its radius, for a dot.
+    radius: f32,
+    nodes: Vec<Node>,
+}
+
+/// All strokes that are there in a light, by number.
+pub(super) fn seen<'a>(of: &'a Strokes, all: &'a [Stroke], rays: Rays) -> Vec<Option<Seen<'a>>> {
+    all.iter().enumerate().map(|(number, stroke)| one(of, number as u32, stroke, rays)).collect()
+}
+
+fn one<'a>(of: &'a Strokes, number: u32, stroke: &'a Stroke, rays: Rays) -> Option<Seen<'a>> {
+    let bundle = of.bundles.get(stroke.bundle)?;
+    let tone = f64::from(rays.light.z);
+    let share = bundle.tones.map_or(1.0, |tones| tones.share(tone, stroke.rank)) as f32;
+    if share <= 0.0 {
+        return None;
+    }
+    // The area of a dot grows as that of a line does.
+    let grown = if bundle.shape == StrokeShape::Dot { share.sqrt() } else { share };
+    let radius = stroke.half_width * grown;
+    let points = stroke.turned(bundle.turns * rays.around);
+    let last = (points.len() - 1).max(1) as f32;
+    let node = |index: usize| {
+        let (before, after) = (points[index.saturating_sub(1)], points[(index + 1).min(points.len() - 1)]);
+        let tangent = (after - before).normalize_or(Vec3::Z);
+        let part = index as f32 / last;
+        let [root, tip] = bundle.taper.map(|taper| taper as f32);
+        let width = (1.0 - root * (1.0 - part).powi(2)) * (1.0 - tip * part.powi(2));
+        lit(bundle, points[index], tangent, radius * width, rays)
+    };
+    Some(Seen { number, stroke, bundle, radius, nodes: (0..points.len()).map(node).collect() })
+}
+
+/// How a point of a stroke is lit, and where its side is.
+fn lit(bundle: &Bundle, point: Vec3, tangent: Vec3, half_width: f32, rays: Rays) -> Node {
+    let Rays { view, light, .. } = rays;
+    let half = (view + light).normalize_or(Vec3::Z);
+    let sharpness = bundle.highlight.sharpness as f32;
+    if bundle.shape == StrokeShape::Thread {
+        // As a round thread: its side is at a right angle to the eye, its face toward it.
+        let level = Vec3::new(tangent.y, -tangent.x, 0.0).normalize_or(Vec3::X);
+        let side = tangent.cross(view).normalize_or(level);
+        let face = side.cross(tangent);
+        let face = if face.dot(view) < 0.0 { -face } else { face };
+        let sine = (1.0 - tangent.dot(half).powi(2)).max(0.0).sqrt();
+        let shine = sine.powf(sharpness);
+        return Node { point, side: side * half_width, facing: face.dot(light), aside: side.dot(light), shine };
+    }
+    let side = Vec3::new(tangent.y, -tangent.x, 0.0).normalize_or(Vec3::X);
+    let face = side.cross(tangent).normalize_or(Vec3::Z);
+    let face = if face.z < 0.0 || bundle.shape == StrokeShape::Dot { Vec3::Z } else { face };
+    let shine = face.dot(half).max(0.0).powf(sharpness);
+    Node { point, side: side * half_width, facing: face.dot(light), aside: 0.0, shine }
+}
+
+/// Draws strokes as they are found along a slope; `None` where it is stopped. `scale` is cells to a width of the tile, `height`
+/// that of the tile in its widths.
+pub(super) fn draw<'a>(
+    canvas: &mut Canvas,
+    all: impl Iterator<Item = &'a Seen<'a>>,
+    slope: Vec2,
+    scale: f32,
+    height: f32,
+    with_grain: bool,
+    progress: &Progress,
+) -> Option<()> {
+    // v goes up and rows go down.
+    let on_tile = |point: Vec3| {
+        let at = point.truncate() - point.z * slope;
+        Vec2::new(at.x, height - at.y) * scale
+    };
+    for seen in all {
+        if progress.is_stopped() {
+            return None;
+        }
+        let grain = if with_grain { seen.bundle.grain as f32 } else { 0.0 };
+        let grain = Grain { amount: grain, stroke: seen.number };
+        if let [dot] = seen.nodes[..] {
+            let middle = Corner { at: on_tile(dot.point), height: dot.point.z, along: 0.0, across: 0.0 };
+            canvas.disc(middle, seen.radius * scale, seen.number, grain);
+            continue;
+        }
+        for (index, pair) in seen.nodes.windows(2).enumerate() {
+            let corner = |which: usize, across: f32| {
+                let node = &pair[which];
+                let at = on_tile(node.point + across * node.side);
+                Corner { at, height: node.point.z, along: (index + which) as f32, across }
+            };
+            let [a, b, c, d] = [corner(0, -1.0), corner(0, 1.0), corner(1, 1.0), corner(1, -1.0)];
+            canvas.triangle([a, b, c], seen.number, grain);
+            canvas.triangle([a, c, d], seen.number, grain);
+        }
+    }
+    Some(())
+}
+
+impl Seen<'_> {
+    /// How it is lit between two nodes: the cosines between the light, and its face and its side, and its highlight.
+    pub(super) fn lit(&self, along: f32) -> [f32; 3] {
+        let last = self.nodes.len() - 1;
+        let low = (along.max(0.0) as usize).min(last.saturating_sub(1));
+        let (a, b) = (&self.nodes[low], &self.nodes[(low + 1).min(last)]);
+        let part = (along - low as f32).clamp(0.0, 1.0);
+        let mix = |a: f32, b: f32| a + (b - a) * part;
+        [mix(a.facing, b.facing), mix(a.aside, b.aside), mix(a.shine, b.shine)]
+    }
+
+    /// Its own colour along it.
+    pub(super) fn color(&self, along: f32) -> Vec3 {
+        let last = if self.nodes.len() == 1 { 1.0 } else { (self.nodes.len() - 1) as f32 };
+        self.stroke.root.lerp(self.stroke.tip, (along / last).clamp(0.0, 1.0))
+    }
+}

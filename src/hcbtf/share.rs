@@ -1,0 +1,54 @@
+//! Views that look alike share a layer of the texture.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use super::layers::{Layers, SHARED, TOLD, direction, layers_size};
+use crate::document::{Address, Grid, Tile};
+
+/// Which views differ, and which of those each view is like.
+pub(super) struct Views {
+    /// The first of each kind.
+    pub(super) differ: Vec<usize>,
+    /// Of each view, which of those it is like.
+    pub(super) layer: Vec<u32>,
+}
+
+/// Finds the views whose samples have the same tiles. Where the layer that tells the grid has no room for whose is whose,
+/// which is where a layer has hardly a texel, all of them differ.
+pub(super) fn views<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Tile>>) -> Views {
+    let count = grid.view.count();
+    let [width, height, _] = layers_size(grid, false);
+    if width * height < TOLD as u64 + count as u64 {
+        return Views { differ: (0..count).collect(), layer: (0..count as u32).collect() };
+    }
+    let mut known: HashMap<Vec<Option<*const Tile>>, u32> = HashMap::new();
+    let mut views = Views { differ: Vec::new(), layer: Vec::with_capacity(count) };
+    for index in 0..count {
+        let view = direction(index, grid.view.phi);
+        let lights = (0..grid.light.count()).map(|index| direction(index, grid.light.phi));
+        let tiles = lights.map(|light| tile(Address { view, light }.canonical()).map(Arc::as_ptr)).collect();
+        let next = known.len() as u32;
+        let layer = *known.entry(tiles).or_insert(next);
+        if layer == next {
+            views.differ.push(index);
+        }
+        views.layer.push(layer);
+    }
+    views
+}
+
+/// Texels of a layer and the number of layers, where views share.
+pub(super) fn shared_size(grid: &Grid, views: &Views, has_levels: bool) -> [u64; 3] {
+    let [width, height, _] = layers_size(grid, has_levels);
+    [width, height, views.differ.len() as u64 + 1]
+}
+
+/// Writes which layer each view has, and that it is written.
+pub(super) fn write_shares(layers: &mut Layers, layer_of: &[u32]) {
+    let told = 4 * (layers.size[0] * layers.size[1]) as usize * (layers.count as usize - 1);
+    layers.rgba[told + 3] |= SHARED;
+    for (texel, layer) in layers.rgba[told..].chunks_exact_mut(4).skip(TOLD).zip(layer_of) {
+        texel.copy_from_slice(&layer.to_le_bytes());
+    }
+}
