@@ -7,9 +7,9 @@ use std::sync::Arc;
 use crate::diag::Diagnostic;
 use crate::document::Hcbtf;
 use crate::editor::worker::Worker;
+use crate::hcbtf::Progress;
 use crate::hcbtf::exchange::{self, Form};
 use crate::hcbtf::fill::fill;
-use crate::hcbtf::Progress;
 
 /// An HCBTF as it was when it was asked for.
 struct Job {
