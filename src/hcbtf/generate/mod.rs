@@ -17,7 +17,7 @@ pub(super) enum Generator {
     /// Of [`Rule::Strokes`].
     Strokes(strokes::Ready),
     /// Of [`Rule::Relief`].
-    Relief(relief::Ready),
+    Relief(Box<relief::Ready>),
 }
 
 impl Generator {
@@ -27,7 +27,9 @@ impl Generator {
             Rule::Strokes(strokes) => {
                 strokes::Ready::new(strokes, &hcbtf.grid, hcbtf.is_tiling, progress).map(Self::Strokes)
             }
-            Rule::Relief(relief) => relief::Ready::new(relief, hcbtf, progress).map(Self::Relief),
+            Rule::Relief(relief) => {
+                relief::Ready::new(relief, hcbtf, progress).map(|ready| Self::Relief(Box::new(ready)))
+            }
             _ => None,
         }
     }

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 pub use light::{Finish, Glint, Illumination};
 pub use pattern::{Channel, Pattern};
-pub use presets::PRESETS;
+pub use presets::{PRESETS, Preset};
 
 use super::{Address, Grid};
 

@@ -2,8 +2,11 @@
 
 use super::{Finish, Glint, Illumination, Pattern, Relief};
 
-/// Names of reliefs to begin with, and what they are.
-pub const PRESETS: [(&str, fn() -> Relief); 5] =
+/// A name, and what makes the relief.
+pub type Preset = (&'static str, fn() -> Relief);
+
+/// Reliefs to begin with.
+pub const PRESETS: [Preset; 5] =
     [("Bricks", bricks), ("Asphalt", asphalt), ("Facade", facade), ("Arches", arches), ("Sand", sand)];
 
 fn bricks() -> Relief {

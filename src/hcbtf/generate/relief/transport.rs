@@ -26,15 +26,21 @@ pub(super) struct Transport {
     pub(super) sky: Vec<f32>,
     /// Where the seen cells of each cell begin, and where the last one's end.
     starts: Vec<u32>,
-    /// A cell that is seen, and the part of the whole that it fills.
-    seen: Vec<(u32, f32)>,
+    /// For one cell after the other.
+    seen: Vec<Share>,
 }
+
+/// A cell that is seen, and the part of the whole that it fills.
+type Share = (u32, f32);
+
+/// The part that the sky fills, and the cells that are seen.
+type Around = (f32, Vec<Share>);
 
 impl Transport {
     /// `None` where it is stopped.
     pub(super) fn new(field: &Field, progress: &Progress) -> Option<Self> {
         let [width, height] = field.size;
-        let row = |y: usize| -> Option<Vec<(f32, Vec<(u32, f32)>)>> {
+        let row = |y: usize| -> Option<Vec<Around>> {
             let cell = |x: usize| around(field, y * width + x);
             (!progress.is_stopped()).then(|| (0..width).map(cell).collect())
         };
@@ -60,7 +66,7 @@ impl Transport {
 }
 
 /// The sky that a cell sees, and the other cells with their parts.
-fn around(field: &Field, cell: usize) -> (f32, Vec<(u32, f32)>) {
+fn around(field: &Field, cell: usize) -> Around {
     let middle = field.middle(cell);
     let normal = field.normal(cell);
     let (mut sky, mut seen, mut all) = (0.0, Vec::new(), 0.0);
