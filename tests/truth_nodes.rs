@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use chiaro::frame::{EvalSample, SetupLook};
 use chiaro::library::{Fallback, Input, Library, NodeDef, Type};
 use glam::{DMat3, DVec2, DVec3};
-use serde_json::json;
+use serde_json::{Value as Json, json};
 use support::badf::f32_of;
 use support::eval::{eval, look};
 use support::held::{In, library, numeric, run, width, words};
