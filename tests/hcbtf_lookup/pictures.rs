@@ -52,7 +52,7 @@ fn flawless<T>(result: Result<T, Stopped>) -> T {
 }
 
 fn measured(path: &Path, precise: &mut Renderer, far: f64, repeats: f64) -> Vec<(String, ErrorFigures)> {
-    let options = PlanOptions { size: [128, 96], samples: 1, time: 0.0 };
+    let options = PlanOptions { size: [96, 72], samples: 1, time: 0.0 };
     let mut go_on = |_, _| true;
     let truth = Truth::of(
         &setup(path, "quick", "exact", far, repeats),
@@ -74,7 +74,7 @@ fn measured(path: &Path, precise: &mut Renderer, far: f64, repeats: f64) -> Vec<
         .collect()
 }
 
-/// A repeat of 16 texels in 128 pixels and less: at the first place levels 0 and 1 are seen, at the second 2 to 4.
+/// Repeats of 16 texels in 15 pixels and in 2: at the first place levels 0 and 1 are seen, at the second 2 to 4.
 #[test]
 fn smooth_lookups_are_true_at_any_distance() {
     let path = file("moss", &moss());
@@ -91,7 +91,7 @@ fn smooth_lookups_are_true_at_any_distance() {
                 Some("balanced") => 5e-3,
                 _ => 0.55,
             };
-            assert!(figures.broken == 0 && figures.pixels > 10_000, "{what}: {figures:?}");
+            assert!(figures.broken == 0 && figures.pixels > 5_000, "{what}: {figures:?}");
             assert!(figures.max <= most, "{what}: {figures:?}");
         }
     }
