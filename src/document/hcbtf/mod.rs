@@ -81,7 +81,7 @@ impl Directions {
 /// How finely an HCBTF is divided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct Grid {
-    /// Texels of a tile: along u, and along v, downward.
+    /// Texels of a tile: along u and along v; rows go down from where v is largest.
     pub size: [u32; 2],
     /// Directions toward the light.
     pub light: Directions,

@@ -314,17 +314,17 @@ fn quarter_turns_of_a_square_tile_move_texels_and_nothing_else() {
             let texel = |x: i64, y: i64| source.texel(x, y);
             let last = i64::from(side) - 1;
             for (x, y) in (0..=last).flat_map(|y| (0..=last).map(move |x| (x, y))) {
-                // What points down at phi 0 points right after a quarter, up after a half, left after three.
+                // What points up at phi 0 points right after a quarter, down after a half, left after three.
                 assert_eq!(at_step(&filled, 0).texel(x, y), texel(x, y));
-                assert_eq!(at_step(&filled, 3).texel(x, y), texel(last - y, x), "{side}");
+                assert_eq!(at_step(&filled, 3).texel(x, y), texel(y, last - x), "{side}");
                 assert_eq!(at_step(&filled, 6).texel(x, y), texel(last - x, last - y));
-                assert_eq!(at_step(&filled, 9).texel(x, y), texel(y, last - x));
+                assert_eq!(at_step(&filled, 9).texel(x, y), texel(last - y, x));
             }
         }
     }
-    // A mark at the lower edge, where phi 0 looks from, goes to the right edge with the eye.
+    // A mark at the upper edge, where v is largest and phi 0 looks from, goes to the right edge with the eye.
     let mut tile = Tile::filled([5, 5], [0, 0, 0, 255]);
-    tile.bytes_mut()[4 * (4 * 5 + 2)] = 255;
+    tile.bytes_mut()[4 * 2] = 255;
     let (_, filled) = turned(tile, true, 4, &[1.0]);
     assert_eq!(at_step(&filled, 1).texel(4, 2), [255, 0, 0, 255]);
     // Half turns do the same in tiles that are not square.
@@ -342,7 +342,7 @@ fn turns_that_add_up_are_resampled_once() {
     for step in 0..8 {
         assert_eq!(at_step(&at_once, step), at_step(&by_parts, step), "{step}");
     }
-    assert_eq!(at_step(&by_parts, 1).texel(0, 0), source.texel(7, 0));
+    assert_eq!(at_step(&by_parts, 1).texel(0, 0), source.texel(0, 7));
     let (_, there_and_back) = turned((*source).clone(), true, 7, &[1.0, -1.0]);
     assert!(there_and_back.iter().all(|(_, tile, _)| *tile == source));
     // A view along the normal turns nothing, and a whole turn is none: neither is a change.
@@ -365,7 +365,7 @@ fn turning_keeps_flat_colours_and_ramps_and_makes_no_halo() {
         let (sin, cos) = (TAU * f64::from(step) / 10.0).sin_cos();
         for (x, y) in (10..22).flat_map(|y| (10..22).map(move |x| (x, y))) {
             let (dx, dy) = (x as f64 - 15.5, y as f64 - 15.5);
-            let wanted = 4.0 * (15.5 + dx * cos - dy * sin) + 2.0 * (15.5 + dx * sin + dy * cos);
+            let wanted = 4.0 * (15.5 + dx * cos + dy * sin) + 2.0 * (15.5 - dx * sin + dy * cos);
             let got = f64::from(at_step(&filled, step).texel(x, y)[0]);
             assert!((got - wanted).abs() <= 0.51, "{step} {x} {y}: {got} {wanted}");
         }
@@ -390,7 +390,7 @@ fn a_blend_is_turned_before_it_is_rounded() {
     for light in [[0, 0], [1, 2]] {
         let at = Address::new(light, [2, 1]);
         let (tile, source) = (all.tile(at).unwrap(), unturned.tile(at).unwrap());
-        assert_eq!(tile.texel(1, 4), source.texel(5 - 4, 1), "a quarter at step 1 of 4");
+        assert_eq!(tile.texel(1, 4), source.texel(4, 5 - 1), "a quarter at step 1 of 4");
     }
 }
 

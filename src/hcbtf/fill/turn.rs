@@ -1,6 +1,6 @@
 //! Turning a tile's content about its middle.
 //!
-//! What points along v (down) at no turn points along u (right) after a quarter, as phi goes. Each texel is looked up in the
+//! What points along v (up) at no turn points along u (right) after a quarter, as phi goes. Each texel is looked up in the
 //! unturned source by Catmull-Rom's cubic, which is sharper than a linear filter and gives the texels themselves where it
 //! meets them, so that quarter turns of a square tile lose nothing. It is kept within the four nearest texels, so strokes get
 //! no halo, and works on premultiplied colours, so transparent texels do not bleed in.
@@ -40,8 +40,9 @@ impl<F: Fn(usize, usize) -> Color> Turned<F> {
         let middle = [0.5 * (width - 1.0), 0.5 * (height - 1.0)];
         let (dx, dy) = (x as f64 - middle[0], y as f64 - middle[1]);
         let [cos, sin] = self.cos_sin;
-        let (x, fx) = split(middle[0] + dx * cos - dy * sin);
-        let (y, fy) = split(middle[1] + dx * sin + dy * cos);
+        // Rows go down: clockwise is from v toward u, and what is looked up lies the other way.
+        let (x, fx) = split(middle[0] + dx * cos + dy * sin);
+        let (y, fy) = split(middle[1] - dx * sin + dy * cos);
         if fx == 0.0 && fy == 0.0 { self.texel(x, y) } else { self.between(x, y, fx, fy) }
     }
 
