@@ -168,12 +168,6 @@ vec4 straight(vec4 composite) {
     return vec4((composite.xyz / vec3(composite.w)), composite.w);
 }
 
-vec4 output_(vec4 color_1) {
-    vec4 _e1 = straight(color_1);
-    vec4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
 float footprint_of(float x_4) {
     float _e1 = dFdx(x_4);
     float _e2 = dFdy(x_4);
@@ -189,6 +183,12 @@ float step_filtered(float x_5, float edge, float w) {
     }
     float _e13 = bounded((_e4 / w));
     return clamp((0.5 + _e13), 0.0, 1.0);
+}
+
+vec4 output_(vec4 color_1) {
+    vec4 _e1 = straight(color_1);
+    vec4 _e2 = finite_vec4_(_e1);
+    return _e2;
 }
 
 vec4 hermite(vec4 a_4, vec4 b_4, vec4 from_a, vec4 to_b, float t_3) {

@@ -257,13 +257,6 @@ float4 straight(float4 composite)
     return float4((composite.xyz / (composite.w).xxx), composite.w);
 }
 
-float4 output(float4 color_1)
-{
-    const float4 _e1 = straight(color_1);
-    const float4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
 float footprint_of(float x_4)
 {
     float _e1 = ddx(x_4);
@@ -281,6 +274,13 @@ float step_filtered(float x_5, float edge, float w)
     }
     const float _e13 = bounded((_e4 / w));
     return clamp((0.5 + _e13), 0.0, 1.0);
+}
+
+float4 output(float4 color_1)
+{
+    const float4 _e1 = straight(color_1);
+    const float4 _e2 = finite_vec4_(_e1);
+    return _e2;
 }
 
 float4 hermite(float4 a_4, float4 b_4, float4 from_a, float4 to_b, float t_3)

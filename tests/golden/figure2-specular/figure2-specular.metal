@@ -235,14 +235,6 @@ Color straight(
     return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
 }
 
-Color output(
-    Composite color_1
-) {
-    Color _e1 = straight(color_1);
-    metal::float4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
 float footprint_of(
     float x_4
 ) {
@@ -264,6 +256,14 @@ float step_filtered(
     }
     float _e13 = bounded(_e4 / w);
     return metal::clamp(0.5 + _e13, 0.0, 1.0);
+}
+
+Color output(
+    Composite color_1
+) {
+    Color _e1 = straight(color_1);
+    metal::float4 _e2 = finite_vec4_(_e1);
+    return _e2;
 }
 
 metal::float4 hermite(

@@ -192,13 +192,6 @@ fn straight(composite: Composite) -> Color {
     return vec4f(composite.xyz / composite.w, composite.w);
 }
 
-/// Output
-///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number becomes black here.
-fn output(color: Composite) -> Color {
-    return finite_vec4(straight(color));
-}
-
 /// How far x changes over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
@@ -212,6 +205,13 @@ fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
         return select(0.0, 1.0, d >= 0.0);
     }
     return clamp(0.5 + bounded(d / w), 0.0, 1.0);
+}
+
+/// Output
+///
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number becomes black here.
+fn output(color: Composite) -> Color {
+    return finite_vec4(straight(color));
 }
 
 const INTERPOLATION_SMOOTH: u32 = 1u;
