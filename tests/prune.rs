@@ -160,9 +160,24 @@ fn bypassed(def: &NodeDef, index: usize, ty: &Type, random: &mut Random) -> Setu
         json!({"id": "base", "kind": "base", "values": {"color": [0.3, 0.6, 0.9, 0.5]}}),
         json!({"id": "output", "kind": "output"}),
     ];
-    let mut wires = vec![json!({"from": "node", "to": "output.color"})];
+    // An angle comes from a light's parametrization, and is seen through a profile.
+    let mut wires = Vec::new();
+    let uses = |ty: Type| def.visible_inputs().any(|input| input.ty == ty);
+    if uses(Type::Angle) {
+        nodes.push(json!({"id": "light", "kind": "light", "values": {"light": "key"}}));
+        nodes.push(json!({"id": "angle", "kind": "parametrization"}));
+        wires.push(json!({"from": "light", "to": "angle.light"}));
+    }
+    if def.outputs[0].ty == Type::Angle {
+        nodes.push(json!({"id": "tone", "kind": "profile"}));
+        wires.push(json!({"from": "node", "to": "tone.angle"}));
+        wires.push(json!({"from": "tone", "to": "output.color"}));
+    } else {
+        wires.push(json!({"from": "node", "to": "output.color"}));
+    }
     for input in def.visible_inputs().filter(|input| input.fallback == Fallback::Wire) {
-        wires.push(json!({"from": "base", "to": format!("node.{}", input.name)}));
+        let from = if input.ty == Type::Angle { "angle" } else { "base" };
+        wires.push(json!({"from": from, "to": format!("node.{}", input.name)}));
     }
     if let BypassResult::Input(port) = bypass.result {
         // What stands in the node's place is known to nobody before the fragment, where it can be.
@@ -182,7 +197,8 @@ fn bypassed(def: &NodeDef, index: usize, ty: &Type, random: &mut Random) -> Setu
         }
     }
     nodes.push(json!({"id": "node", "kind": def.kind, "values": values}));
-    look(&json!({"nodes": nodes, "wires": wires}))
+    let lights = json!({"key": {"direction": [0.3, 0.5, 0.8]}});
+    look(&json!({"lights": lights, "nodes": nodes, "wires": wires}))
 }
 
 /// Every `@bypass` of every node: with its conditions met the node gives what stands in its place.

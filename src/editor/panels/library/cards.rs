@@ -49,8 +49,13 @@ impl Card {
         let card = |(index, (name, text)): (usize, &(&str, &str))| {
             let look = Look::read(text, name).value?;
             // "figure1-layers" is shown as what the look calls itself, which people search for too.
-            let figure = name.split_once('-').map_or(*name, |(figure, _)| figure).replace("figure", "Figure ");
-            let name = if look.name.is_empty() { (*name).to_owned() } else { format!("{} · {figure}", look.name) };
+            let figure =
+                name.strip_prefix("figure").map(|rest| rest.split_once('-').map_or(rest, |(number, _)| number));
+            let name = match figure {
+                _ if look.name.is_empty() => (*name).to_owned(),
+                Some(figure) => format!("{} · Figure {figure}", look.name),
+                None => look.name.clone(),
+            };
             let key = key_of(&look, Shot::Whole, side);
             Some(Self { origin: Origin::Example(index), name, content: Content::Look(Arc::new(look)), key, side })
         };
