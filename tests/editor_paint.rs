@@ -12,6 +12,7 @@ use chiaro::document::{Address, Directions, Grid, Hcbtf, Rule, Strokes, Tile};
 use chiaro::editor::App;
 use editor_support::Hand;
 use editor_support::home::Home;
+use editor_support::painting::{hcbtf, opened};
 use eframe::egui::{Key, Modifiers, Pos2, Role};
 
 const GRID: Grid = Grid { size: [8, 8], light: Directions { theta: 3, phi: 4 }, view: Directions { theta: 3, phi: 4 } };
@@ -28,17 +29,6 @@ fn file(folder: &Path, rules: Vec<Rule>) -> PathBuf {
 
 fn saved(path: &Path) -> Hcbtf {
     chiaro::hcbtf::load(path).unwrap().0
-}
-
-fn opened(path: &Path) -> Hand {
-    let mut hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
-    hand.app_mut().open(path);
-    hand.settle();
-    hand
-}
-
-fn hcbtf(hand: &Hand) -> &Hcbtf {
-    hand.app().session().painting().unwrap().hcbtf()
 }
 
 /// The middle of a texel on the screen.

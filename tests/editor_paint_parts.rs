@@ -11,6 +11,7 @@ use std::sync::Arc;
 use chiaro::document::{Address, Directions, Edit, GraphId, Grid, Hcbtf, Tile, Value};
 use chiaro::editor::App;
 use editor_support::Hand;
+use editor_support::painting::{hcbtf, opened};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, Pos2, TouchDeviceId, TouchId, TouchPhase, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -32,17 +33,6 @@ fn write(path: &Path, samples: &[([u32; 2], [u32; 2], [u8; 4])]) {
         hcbtf.painted.insert(Address::new(*light, *view), Arc::new(Tile::filled(GRID.size, *color)));
     }
     fs::write(path, chiaro::hcbtf::write(&hcbtf).unwrap()).unwrap();
-}
-
-fn opened(path: &Path) -> Hand {
-    let mut hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
-    hand.app_mut().open(path);
-    hand.settle();
-    hand
-}
-
-fn hcbtf(hand: &Hand) -> &Hcbtf {
-    hand.app().session().painting().unwrap().hcbtf()
 }
 
 fn at_work(hand: &Hand) -> Address {

@@ -9,6 +9,7 @@ use chiaro::frame::{EvalSample, LightOverride};
 use chiaro::library::{Library, NodeDef, Type};
 use glam::{DVec2, DVec3};
 use support::badf::{angle, held, mirrored};
+use support::color::{to_linear, to_srgb};
 use support::held::{In, library, numeric, run_at, width, words};
 use support::random::Random;
 use support::report::Errors;
@@ -78,16 +79,6 @@ fn rgb_of_oklab(lab: [f64; 3]) -> [f64; 3] {
         rgb += step.clamp_length_max(0.2);
     }
     rgb.to_array()
-}
-
-fn to_linear(c: f64) -> f64 {
-    let x = c.abs();
-    c.signum() * if x <= 0.04045 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) }
-}
-
-fn to_srgb(c: f64) -> f64 {
-    let x = c.abs();
-    c.signum() * if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 }
 }
 
 fn three(i: &[f64]) -> [f64; 3] {

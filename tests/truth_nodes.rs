@@ -12,6 +12,7 @@ use chiaro::library::{Fallback, Input, Library, NodeDef, Type};
 use glam::{DMat3, DVec2, DVec3};
 use serde_json::{Value as Json, json};
 use support::badf::f32_of;
+use support::color::{to_linear, to_srgb};
 use support::eval::{eval, look};
 use support::held::{In, library, numeric, run, width, words};
 use support::random::Random;
@@ -76,16 +77,6 @@ fn ease(t: f64) -> f64 {
 
 fn place(x: f64, low: f64, high: f64) -> f64 {
     if low == high { f64::from(u8::from(x >= high)) } else { (x - low) / (high - low) }
-}
-
-fn to_linear(c: f64) -> f64 {
-    let x = c.abs();
-    c.signum() * if x <= 0.04045 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) }
-}
-
-fn to_srgb(c: f64) -> f64 {
-    let x = c.abs();
-    c.signum() * if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 }
 }
 
 fn hsv_of([r, g, b]: [f64; 3]) -> [f64; 3] {

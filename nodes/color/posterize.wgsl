@@ -32,10 +32,3 @@ fn posterize_channel(color: Color, steps: i32, softness: f32) -> Color {
         bounded(color.w),
     );
 }
-
-/// A number from 0 to 1 in so many flat steps, the first 0 and the last 1, seen through a footprint.
-fn stepped_tone(value: f32, footprint: f32, steps: i32, softness: f32) -> f32 {
-    let n = f32(clamp(steps, 2, 1024));
-    let width = edge_width(n * footprint, clamp(bounded(softness), 0.0, 1.0));
-    return clamp(stairs_filtered(n * value, n, width) / (n - 1.0), 0.0, 1.0);
-}

@@ -15,11 +15,7 @@ import chiaro::total;
 /// @error fast 0.51 : tone on the pixels of an edge, in steps between bands, without antialiasing; 0 elsewhere
 /// @source math.md 2.4
 fn bands(value: f32, count: i32, softness: f32) -> f32 {
-    let w = footprint_of(value);
-    let n = f32(clamp(count, 2, 1024));
-    let x = n * clamp(bounded(value), 0.0, 1.0);
-    let width = edge_width(n * w, min(softness, 1.0));
-    return clamp(stairs_filtered(x, n, width) / (n - 1.0), 0.0, 1.0);
+    return stepped_tone(value, footprint_of(value), count, softness);
 }
 
 fn bands_balanced(value: f32, count: i32, softness: f32) -> f32 {

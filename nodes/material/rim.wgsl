@@ -1,6 +1,7 @@
 import chiaro::types;
 import chiaro::numeric;
 import chiaro::total;
+import chiaro::antialias;
 
 /// Rim light
 ///
@@ -18,9 +19,8 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
     let facing = clamp(dot(n, view), 0.0, 1.0);
     let reach = factor_of(width, true);
-    let change = vec2f(dpdx(facing), dpdy(facing));
     // As wide as softness wants, and never narrower than a pixel.
-    let edge = max(reach * factor_of(softness, true), min(bounded(sqrt(dot(change, change))), 1.0));
+    let edge = max(reach * factor_of(softness, true), min(footprint_of(facing), 1.0));
     let inside = select(clamp((reach - facing) / max(edge, 1e-6) + select(0.5, 0.0, softness > 0.0), 0.0, 1.0), 0.0, reach <= 0.0);
     // The light's direction across the eye's: from the far side of the object (-1) to the near one (1).
     let across = light.direction - dot(light.direction, view) * view;

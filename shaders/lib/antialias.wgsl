@@ -50,6 +50,14 @@ fn stairs_filtered(x: f32, count: f32, w: f32) -> f32 {
     return (stairs_integral(x + half, count) - stairs_integral(x - half, count)) / (2.0 * half);
 }
 
+/// A number from 0 to 1 in so many flat steps (at least 2), the first 0 and the last 1, seen through a footprint of `w`;
+/// `softness` is how much of a step its edge takes.
+fn stepped_tone(value: f32, w: f32, count: i32, softness: f32) -> f32 {
+    let n = f32(clamp(count, 2, 1024));
+    let width = edge_width(n * w, min(softness, 1.0));
+    return clamp(stairs_filtered(n * clamp(bounded(value), 0.0, 1.0), n, width) / (n - 1.0), 0.0, 1.0);
+}
+
 /// The integral of the stairs from 0 to x; they are 0 below 0 and `count` - 1 above `count`.
 fn stairs_integral(x: f32, count: f32) -> f32 {
     let inside = clamp(x, 0.0, count);

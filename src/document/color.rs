@@ -21,6 +21,11 @@ pub fn srgb_to_linear(encoded: f64) -> f64 {
     if encoded <= 0.04045 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
 }
 
+/// Linear light as an sRGB-encoded channel (IEC 61966-2-1).
+pub fn linear_to_srgb(linear: f64) -> f64 {
+    if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
+}
+
 impl Value {
     /// The value as a straight RGBA colour: three or four numbers as they stand, or `#rrggbb` or `#rrggbbaa` as shown.
     /// `None` for anything else. In a linear look, [`color_in`](Self::color_in) decodes the latter.

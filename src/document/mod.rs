@@ -28,7 +28,7 @@ mod value;
 mod word;
 mod write;
 
-pub use color::{parse_hex, srgb_to_linear};
+pub use color::{linear_to_srgb, parse_hex, srgb_to_linear};
 pub use edit::{Applied, Edit, Editable, HcbtfEdit, History, Patch, SceneEdit};
 pub use hcbtf::{
     Address, Angle as HcbtfAngle, Bundle, Direction, Directions, Grid, Hcbtf, MAX_ANGLE_STEPS, MAX_TILE_SIDE,

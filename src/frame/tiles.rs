@@ -8,7 +8,7 @@ use super::samples::{EvalBatch, EvalSample, LightOverride, eval_batches};
 use super::setup::SetupLook;
 use crate::compile::Options;
 use crate::diag::Diagnostic;
-use crate::document::{Address, ColorSpace, Direction, Grid, LightKind, LightSpace, Tile};
+use crate::document::{Address, ColorSpace, Direction, Grid, LightKind, LightSpace, Tile, linear_to_srgb};
 use crate::ids::LightId;
 use crate::library::Library;
 
@@ -87,7 +87,7 @@ pub fn tile_batches(
 pub fn tiles_of(setup: &SetupLook, grid: &Grid, view: Direction, values: &[[f64; 4]]) -> Vec<(Address, Tile)> {
     let is_linear = setup.look.color_space == ColorSpace::Linear;
     let byte = |(channel, value): (usize, f64)| {
-        let shown = if is_linear && channel < 3 { encoded(value) } else { value };
+        let shown = if is_linear && channel < 3 { linear_to_srgb(value) } else { value };
         (255.0 * shown.clamp(0.0, 1.0)).round() as u8
     };
     let tile = |(light, texels): (Direction, &[[f64; 4]])| {
@@ -95,9 +95,4 @@ pub fn tiles_of(setup: &SetupLook, grid: &Grid, view: Direction, values: &[[f64;
         Some((Address { view, light }.canonical(), Tile::new(grid.size, rgba)?))
     };
     grid.light.distinct().zip(values.chunks_exact(grid.texels().max(1))).filter_map(tile).collect()
-}
-
-/// Linear light as sRGB encodes it (IEC 61966-2-1).
-fn encoded(linear: f64) -> f64 {
-    if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
 }

@@ -1,15 +1,17 @@
 //! Numbers that look like chance and are the same on every machine, and noise that repeats with the tile.
 
-/// A well mixed number of a seed and two coordinates (the finalizer of splitmix64).
+/// A well mixed number of another: a step of splitmix64 (Steele, Lea and Flood 2014).
+pub(super) fn mixed(number: u64) -> u64 {
+    let mut mixed = number.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    mixed ^ (mixed >> 31)
+}
+
+/// A well mixed number of a seed and two coordinates.
 pub(super) fn hash(seed: u32, x: i64, y: i64) -> u64 {
-    let mut mixed = u64::from(seed).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    for part in [x as u64, y as u64] {
-        mixed = (mixed ^ part).wrapping_add(0x9e37_79b9_7f4a_7c15);
-        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^= mixed >> 31;
-    }
-    mixed
+    let seed = u64::from(seed).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    [x as u64, y as u64].into_iter().fold(seed, |hash, part| mixed(hash ^ part))
 }
 
 /// A number in [0, 1) of a seed and two coordinates.

@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test file uses its part")]
 
 pub(crate) mod home;
+pub(crate) mod painting;
 mod verbs;
 
 use chiaro::document::Look;

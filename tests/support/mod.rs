@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "every test program uses a part of this")]
 
 pub(crate) mod badf;
+pub(crate) mod color;
 #[cfg(feature = "gpu")]
 pub(crate) mod eval;
 pub(crate) mod files;

@@ -310,6 +310,14 @@ vec4 straight(vec4 composite) {
     return vec4((composite.xyz / vec3(composite.w)), composite.w);
 }
 
+float footprint_of(float x_11) {
+    float _e1 = dFdx(x_11);
+    float _e2 = dFdy(x_11);
+    vec2 d_1 = vec2(_e1, _e2);
+    float _e6 = bounded(sqrt(dot(d_1, d_1)));
+    return _e6;
+}
+
 vec3 any_orthogonal(vec3 n_1) {
     float sign_ = ((n_1.z >= 0.0) ? 1.0 : -1.0);
     float a_3 = (-1.0 / (sign_ + n_1.z));
@@ -375,10 +383,10 @@ vec3 half_vector(Light light, vec3 view) {
     return _e9;
 }
 
-vec3 split_direction(vec3 direction_2, vec3 x_axis_1, vec3 y_axis_1, float x_11, float y_3) {
+vec3 split_direction(vec3 direction_2, vec3 x_axis_1, vec3 y_axis_1, float x_12, float y_3) {
     Bent _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
     vec2 side = mix(vec2(-1.0), vec2(1.0), greaterThanEqual(_e5.place, vec2(0.0)));
-    vec3 _e21 = direction_moved(_e5, (-(max(vec2(x_11, y_3), vec2(0.0))) * side));
+    vec3 _e21 = direction_moved(_e5, (-(max(vec2(x_12, y_3), vec2(0.0))) * side));
     return _e21;
 }
 
@@ -525,20 +533,17 @@ float rim(Light light_2, vec3 normal_3, vec3 view_1, float width, float softness
     vec3 _e10 = normalize_or(normal_3, vec3(0.0, 0.0, 1.0));
     float facing = clamp(dot(_e10, view_1), 0.0, 1.0);
     float _e16 = factor_of(width, true);
-    float _e17 = dFdx(facing);
-    float _e18 = dFdy(facing);
-    vec2 change = vec2(_e17, _e18);
-    float _e21 = factor_of(softness, true);
-    float _e25 = bounded(sqrt(dot(change, change)));
-    float edge = max((_e16 * _e21), min(_e25, 1.0));
+    float _e18 = factor_of(softness, true);
+    float _e20 = footprint_of(facing);
+    float edge = max((_e16 * _e18), min(_e20, 1.0));
     float inside = ((_e16 <= 0.0) ? 0.0 : clamp((((_e16 - facing) / max(edge, 1e-6)) + ((softness > 0.0) ? 0.0 : 0.5)), 0.0, 1.0));
     vec3 across = (light_2.direction - (dot(light_2.direction, view_1) * view_1));
-    vec3 _e53 = normalize_or(across, vec3(0.0));
-    float side_1 = dot(_e10, _e53);
-    float _e58 = eased(side_1, 0.0, 0.5);
-    float _e60 = factor_of(follow, true);
-    float _e61 = mixed(1.0, _e58, _e60);
-    return (inside * _e61);
+    vec3 _e48 = normalize_or(across, vec3(0.0));
+    float side_1 = dot(_e10, _e48);
+    float _e53 = eased(side_1, 0.0, 0.5);
+    float _e55 = factor_of(follow, true);
+    float _e56 = mixed(1.0, _e53, _e55);
+    return (inside * _e56);
 }
 
 float invert(float value) {

@@ -416,6 +416,15 @@ float4 straight(float4 composite)
     return float4((composite.xyz / (composite.w).xxx), composite.w);
 }
 
+float footprint_of(float x_11)
+{
+    float _e1 = ddx(x_11);
+    float _e2 = ddy(x_11);
+    float2 d_1 = float2(_e1, _e2);
+    const float _e6 = bounded(sqrt(dot(d_1, d_1)));
+    return _e6;
+}
+
 float3 any_orthogonal(float3 n_1)
 {
     float sign_ = ((n_1.z >= 0.0) ? 1.0 : -1.0);
@@ -509,11 +518,11 @@ float3 half_vector(Light light, float3 view)
     return _e9;
 }
 
-float3 split_direction(float3 direction_2, float3 x_axis_1, float3 y_axis_1, float x_11, float y_3)
+float3 split_direction(float3 direction_2, float3 x_axis_1, float3 y_axis_1, float x_12, float y_3)
 {
     const Bent _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
     float2 side = ((_e5.place >= (0.0).xx) ? (1.0).xx : (-1.0).xx);
-    const float3 _e21 = direction_moved(_e5, (-(max(float2(x_11, y_3), (0.0).xx)) * side));
+    const float3 _e21 = direction_moved(_e5, (-(max(float2(x_12, y_3), (0.0).xx)) * side));
     return _e21;
 }
 
@@ -678,20 +687,17 @@ float rim(Light light_2, float3 normal_3, float3 view_1, float width, float soft
     const float3 _e10 = normalize_or(normal_3, float3(0.0, 0.0, 1.0));
     float facing = clamp(dot(_e10, view_1), 0.0, 1.0);
     const float _e16 = factor_of(width, true);
-    float _e17 = ddx(facing);
-    float _e18 = ddy(facing);
-    float2 change = float2(_e17, _e18);
-    const float _e21 = factor_of(softness, true);
-    const float _e25 = bounded(sqrt(dot(change, change)));
-    float edge = max((_e16 * _e21), min(_e25, 1.0));
+    const float _e18 = factor_of(softness, true);
+    const float _e20 = footprint_of(facing);
+    float edge = max((_e16 * _e18), min(_e20, 1.0));
     float inside = ((_e16 <= 0.0) ? 0.0 : clamp((((_e16 - facing) / max(edge, 1e-6)) + ((softness > 0.0) ? 0.0 : 0.5)), 0.0, 1.0));
     float3 across = (light_2.direction - (dot(light_2.direction, view_1) * view_1));
-    const float3 _e53 = normalize_or(across, (0.0).xxx);
-    float side_1 = dot(_e10, _e53);
-    const float _e58 = eased(side_1, 0.0, 0.5);
-    const float _e60 = factor_of(follow, true);
-    const float _e61 = mixed(1.0, _e58, _e60);
-    return (inside * _e61);
+    const float3 _e48 = normalize_or(across, (0.0).xxx);
+    float side_1 = dot(_e10, _e48);
+    const float _e53 = eased(side_1, 0.0, 0.5);
+    const float _e55 = factor_of(follow, true);
+    const float _e56 = mixed(1.0, _e53, _e55);
+    return (inside * _e56);
 }
 
 float invert(float value)

@@ -398,6 +398,16 @@ Color straight(
     return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
 }
 
+float footprint_of(
+    float x_11
+) {
+    float _e1 = metal::dfdx(x_11);
+    float _e2 = metal::dfdy(x_11);
+    metal::float2 d_1 = metal::float2(_e1, _e2);
+    float _e6 = bounded(metal::sqrt(metal::dot(d_1, d_1)));
+    return _e6;
+}
+
 metal::float3 any_orthogonal(
     metal::float3 n_1
 ) {
@@ -495,12 +505,12 @@ metal::float3 split_direction(
     metal::float3 direction_2,
     metal::float3 x_axis_1,
     metal::float3 y_axis_1,
-    float x_11,
+    float x_12,
     float y_3
 ) {
     Bent _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
     metal::float2 side = metal::select(metal::float2(-1.0), metal::float2(1.0), _e5.place >= metal::float2(0.0));
-    metal::float3 _e21 = direction_moved(_e5, -(metal::max(metal::float2(x_11, y_3), metal::float2(0.0))) * side);
+    metal::float3 _e21 = direction_moved(_e5, -(metal::max(metal::float2(x_12, y_3), metal::float2(0.0))) * side);
     return _e21;
 }
 
@@ -712,20 +722,17 @@ float rim(
     metal::float3 _e10 = normalize_or(normal_3, metal::float3(0.0, 0.0, 1.0));
     float facing = metal::clamp(metal::dot(_e10, view_1), 0.0, 1.0);
     float _e16 = factor_of(width, true);
-    float _e17 = metal::dfdx(facing);
-    float _e18 = metal::dfdy(facing);
-    metal::float2 change = metal::float2(_e17, _e18);
-    float _e21 = factor_of(softness, true);
-    float _e25 = bounded(metal::sqrt(metal::dot(change, change)));
-    float edge = metal::max(_e16 * _e21, metal::min(_e25, 1.0));
+    float _e18 = factor_of(softness, true);
+    float _e20 = footprint_of(facing);
+    float edge = metal::max(_e16 * _e18, metal::min(_e20, 1.0));
     float inside = (_e16 <= 0.0) ? 0.0 : metal::clamp(((_e16 - facing) / metal::max(edge, 0.000001)) + ((softness > 0.0) ? 0.0 : 0.5), 0.0, 1.0);
     metal::float3 across = light_2.direction - (metal::dot(light_2.direction, view_1) * view_1);
-    metal::float3 _e53 = normalize_or(across, metal::float3(0.0));
-    float side_1 = metal::dot(_e10, _e53);
-    float _e58 = eased(side_1, 0.0, 0.5);
-    float _e60 = factor_of(follow, true);
-    float _e61 = mixed(1.0, _e58, _e60);
-    return inside * _e61;
+    metal::float3 _e48 = normalize_or(across, metal::float3(0.0));
+    float side_1 = metal::dot(_e10, _e48);
+    float _e53 = eased(side_1, 0.0, 0.5);
+    float _e55 = factor_of(follow, true);
+    float _e56 = mixed(1.0, _e53, _e55);
+    return inside * _e56;
 }
 
 float invert(

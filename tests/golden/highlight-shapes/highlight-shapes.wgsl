@@ -298,6 +298,12 @@ fn straight(composite: Composite) -> Color {
     return vec4f(composite.xyz / composite.w, composite.w);
 }
 
+/// How far x changes over one pixel: |grad x|, finite. Call it in uniform control flow.
+fn footprint_of(x: f32) -> f32 {
+    let d = vec2f(dpdx(x), dpdy(x));
+    return bounded(sqrt(dot(d, d)));
+}
+
 /// A unit vector at right angles to the unit vector n, smooth but at one pole (Duff et al. 2017).
 fn any_orthogonal(n: vec3f) -> vec3f {
     let sign = select(-1.0, 1.0, n.z >= 0.0);
@@ -573,9 +579,8 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
     let facing = clamp(dot(n, view), 0.0, 1.0);
     let reach = factor_of(width, true);
-    let change = vec2f(dpdx(facing), dpdy(facing));
     // As wide as softness wants, and never narrower than a pixel.
-    let edge = max(reach * factor_of(softness, true), min(bounded(sqrt(dot(change, change))), 1.0));
+    let edge = max(reach * factor_of(softness, true), min(footprint_of(facing), 1.0));
     let inside = select(clamp((reach - facing) / max(edge, 1e-6) + select(0.5, 0.0, softness > 0.0), 0.0, 1.0), 0.0, reach <= 0.0);
     // The light's direction across the eye's: from the far side of the object (-1) to the near one (1).
     let across = light.direction - dot(light.direction, view) * view;

@@ -8,6 +8,7 @@ use gltf::{Primitive, Semantic};
 
 use super::{Skipped, accessor};
 use crate::diag::Diagnostic;
+use crate::document::linear_to_srgb;
 use crate::geometry::import::report::Problem;
 use crate::geometry::import::{MAX_TRIANGLES, MAX_VERTICES};
 use crate::geometry::mesh::DEFAULT_MATERIAL;
@@ -176,9 +177,6 @@ fn attributes(primitive: &Primitive, world: &DMat4, buffers: &[Vec<u8>], soup: &
 /// Linear to the sRGB curve (IEC 61966-2-1), clamped to 0..1; NaN becomes 0.
 fn display(r: f64, g: f64, b: f64, a: f64) -> [f32; 4] {
     let unit = |x: f64| if x > 0.0 { x.min(1.0) } else { 0.0 };
-    let encode = |x: f64| {
-        let x = unit(x);
-        (if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 }) as f32
-    };
+    let encode = |x: f64| linear_to_srgb(unit(x)) as f32;
     [encode(r), encode(g), encode(b), unit(a) as f32]
 }

@@ -6,6 +6,7 @@ use glam::{Vec2, Vec3};
 
 use crate::document::{Bundle, Placement, StrokeShape, Strokes};
 use crate::hcbtf::Progress;
+use crate::hcbtf::noise::mixed;
 
 /// Pieces of a stroke that is no path.
 const SEGMENTS: usize = 8;
@@ -44,14 +45,6 @@ impl Dice {
     fn between(self, what: u64, index: u64, [from, to]: [f64; 2]) -> f32 {
         from as f32 + (to - from) as f32 * self.roll(what, index)
     }
-}
-
-/// The finalizer of splitmix64.
-pub(super) fn mixed(mut x: u64) -> u64 {
-    x = x.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    x ^ (x >> 31)
 }
 
 /// All strokes of a tile that is so many of its widths high; `None` where it is stopped.
