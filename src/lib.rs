@@ -25,8 +25,10 @@ pub mod interp;
 pub mod library;
 
 // Floor 3: from documents to shaders and frame plans.
+pub mod catalog;
 pub mod compile;
 pub mod directions;
+pub mod drawing;
 pub mod frame;
 pub mod geometry;
 pub mod hcbtf;
@@ -40,6 +42,10 @@ pub mod render;
 // Floor 5: what accuracy costs in time.
 #[cfg(feature = "gpu")]
 pub mod accuracy;
+
+// Floor 5½: what is shown of both.
+#[cfg(feature = "gpu")]
+pub mod gallery;
 
 // Floor 6: who people talk to.
 pub mod cli;

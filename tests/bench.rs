@@ -4,7 +4,7 @@
 mod support;
 
 use chiaro::accuracy::tune::{Goal, TuneOptions, tune};
-use chiaro::accuracy::{BenchOptions, Measure, Progress, Stopped, Subject, Variant, bench};
+use chiaro::accuracy::{BenchOptions, Measure, MeasuredNodes, Progress, Stopped, Subject, Variant, bench};
 use chiaro::document::Tier;
 use chiaro::frame::{Assets, PlanOptions, Setup, default_setup};
 use chiaro::library::Library;
@@ -39,7 +39,7 @@ const PLAN: PlanOptions = PlanOptions { size: [96, 96], samples: 1, time: 0.0 };
 
 #[test]
 fn a_report_has_the_look_and_its_nodes_in_each_tier_with_errors_and_sizes() {
-    let options = BenchOptions { plan: PLAN, rounds: 3, every_node: false, truth: true };
+    let options = BenchOptions { plan: PLAN, rounds: 3, nodes: MeasuredNodes::Tiered, truth: true };
     let mut steps = 0;
     let mut told = |_, _| {
         steps += 1;
@@ -83,7 +83,7 @@ fn a_report_has_the_look_and_its_nodes_in_each_tier_with_errors_and_sizes() {
 
 #[test]
 fn measuring_can_be_stopped() {
-    let options = BenchOptions { plan: PLAN, rounds: 50, every_node: true, truth: false };
+    let options = BenchOptions { plan: PLAN, rounds: 50, nodes: MeasuredNodes::Every, truth: false };
     let mut steps = 0;
     let mut told = |_, _| {
         steps += 1;

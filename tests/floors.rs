@@ -17,17 +17,19 @@ use scan::Reference;
 /// itself; never from its own line or a line below.
 ///
 /// The half floors hold what stands on a neighbour of the same floor: a diagnostic names nodes by their ids, a milestone
-/// has a time, a group that the library ships is a document, and a frame plan joins what the rest of floor 3 makes.
+/// has a time, a group that the library ships is a document, a drawing shows what the catalog knows, and a frame plan
+/// joins what the rest of floor 3 makes.
 const FLOORS: &[(&str, &[&str])] = &[
     ("0", &["base64", "clock", "ids", "math"]),
     ("0½", &["diag", "milestones"]),
     ("1", &["wgsl"]),
     ("2", &["document", "interp"]),
     ("2½", &["library"]),
-    ("3", &["compile", "directions", "geometry", "hcbtf"]),
-    ("3½", &["frame"]),
+    ("3", &["catalog", "compile", "directions", "geometry", "hcbtf"]),
+    ("3½", &["drawing", "frame"]),
     ("4", &["export", "reference", "render"]),
     ("5", &["accuracy"]),
+    ("5½", &["gallery"]),
     ("6", &["cli", "editor"]),
 ];
 

@@ -20,10 +20,21 @@ pub struct BenchOptions {
     pub plan: PlanOptions,
     /// How often each variant is drawn.
     pub rounds: usize,
-    /// Whether nodes are measured that have one tier only.
-    pub every_node: bool,
+    /// Which nodes are measured beside the whole.
+    pub nodes: MeasuredNodes,
     /// Whether the picture is compared with the reference's.
     pub truth: bool,
+}
+
+/// Which nodes a report has rows of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MeasuredNodes {
+    /// None: the whole and its passes only.
+    None,
+    /// Those that have more than one tier.
+    Tiered,
+    /// Those that have one tier only, too.
+    Every,
 }
 
 /// Measures `setup` on `renderer`'s GPU.
@@ -37,7 +48,7 @@ pub fn bench(
     options: &BenchOptions,
     progress: &mut Progress<'_>,
 ) -> Result<Report, Stopped> {
-    let nodes = nodes(setup, library, options.every_node);
+    let nodes = nodes(setup, library, options.nodes);
     let tiers = look_tiers(setup, library);
     progress.expect(((options.rounds + 2) * (1 + nodes.len())) as u64);
     let precise = Renderer::new(renderer.gpu().precise());
@@ -68,7 +79,7 @@ struct Measured {
     can_be_left_out: bool,
 }
 
-fn nodes(setup: &Setup, library: &Library, every_node: bool) -> Vec<Measured> {
+fn nodes(setup: &Setup, library: &Library, wanted: MeasuredNodes) -> Vec<Measured> {
     let of_look = |(index, look): (usize, &crate::frame::SetupLook)| {
         let look = &look.look;
         let measured = look.graph.nodes.iter().map(move |(id, node)| Measured {
@@ -82,7 +93,12 @@ fn nodes(setup: &Setup, library: &Library, every_node: bool) -> Vec<Measured> {
         measured.collect::<Vec<_>>()
     };
     let all = setup.looks.iter().enumerate().flat_map(of_look);
-    all.filter(|node| node.tiers.len() > 1 || (every_node && node.can_be_left_out)).collect()
+    let is_wanted = |node: &Measured| match wanted {
+        MeasuredNodes::None => false,
+        MeasuredNodes::Tiered => node.tiers.len() > 1,
+        MeasuredNodes::Every => node.tiers.len() > 1 || node.can_be_left_out,
+    };
+    all.filter(is_wanted).collect()
 }
 
 fn look_tiers(setup: &Setup, library: &Library) -> Vec<Tier> {

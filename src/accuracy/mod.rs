@@ -21,7 +21,7 @@ pub mod variant;
 use crate::diag::Diagnostic;
 use crate::render::RenderError;
 
-pub use bench::{BenchOptions, bench};
+pub use bench::{BenchOptions, MeasuredNodes, bench};
 pub use cost::{Estimate, Series};
 pub use error::{Colors, ErrorFigures, compare};
 pub use measure::Measure;

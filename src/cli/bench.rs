@@ -6,7 +6,7 @@ use super::open::{check_nodes_folder, library_for};
 use super::output::Output;
 use super::render::{Size, parse_samples, parse_time};
 use crate::accuracy::error::VISIBLE;
-use crate::accuracy::{BenchOptions, Measure, Progress, Report, Subject, bench, plot};
+use crate::accuracy::{BenchOptions, Measure, MeasuredNodes, Progress, Report, Subject, bench, plot};
 use crate::diag::Diagnostic;
 use crate::document::write_atomic;
 use crate::frame::{Assets, PlanOptions, open};
@@ -74,7 +74,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let options = BenchOptions {
         plan: PlanOptions { size: arguments.size.0, samples: arguments.samples, time: arguments.time },
         rounds: arguments.rounds as usize,
-        every_node: arguments.every_node,
+        nodes: if arguments.every_node { MeasuredNodes::Every } else { MeasuredNodes::Tiered },
         truth: !arguments.no_truth,
     };
     let mut told = |done, total| {

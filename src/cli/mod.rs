@@ -13,6 +13,8 @@ mod desktop;
 mod eval;
 mod explain;
 mod export;
+#[cfg(feature = "gpu")]
+mod gallery;
 mod hcbtf;
 mod interrupt;
 mod new;
@@ -95,6 +97,9 @@ enum Command {
     /// Measure how far every node and every example look is from the truth, and write it down
     #[cfg(feature = "gpu")]
     Accuracy(accuracy::Arguments),
+    /// Show looks and scenes as a web page, with their graphs, shaders and costs
+    #[cfg(feature = "gpu")]
+    Gallery(gallery::Arguments),
     /// Write a look as shaders for other programs
     Export(export::Arguments),
     /// Tell what a hand-painted 6D texture (.hcbtf) holds, make one, exchange its samples with other programs
@@ -156,6 +161,8 @@ pub fn run() -> Outcome {
         Command::Probe(arguments) => probe::run(arguments, &output),
         #[cfg(feature = "gpu")]
         Command::Accuracy(arguments) => accuracy::run(arguments, &output),
+        #[cfg(feature = "gpu")]
+        Command::Gallery(arguments) => gallery::run(arguments, &output),
         Command::Export(arguments) => export::run(arguments, &output),
         Command::Hcbtf(arguments) => hcbtf::run(arguments, &output),
         Command::Desktop(arguments) => desktop::run(arguments, &output),

@@ -21,6 +21,9 @@ use crate::ids::{DefinitionId, LightId, ObjectId};
 #[serde(remote = "Look")]
 pub(super) struct LookImage {
     name: String,
+    // Journals of earlier versions do without.
+    #[serde(default)]
+    about: String,
     color_space: ColorSpace,
     tier: Tier,
     tuned: String,
@@ -38,6 +41,8 @@ pub(super) struct LookImage {
 #[serde(remote = "Scene")]
 pub(super) struct SceneImage {
     name: String,
+    #[serde(default)]
+    about: String,
     objects: IndexMap<ObjectId, Object>,
     lights: IndexMap<LightId, Light>,
     illumination: [f64; 4],

@@ -18,6 +18,8 @@ pub type Unknown = serde_json::Map<String, serde_json::Value>;
 pub struct Look {
     /// What the artist calls it.
     pub name: String,
+    /// What it shows and how it is built: a paragraph for who finds it.
+    pub about: String,
     /// What the colours mean.
     pub color_space: ColorSpace,
     /// Which implementation is asked for of nodes that do not say their own.

@@ -13,6 +13,8 @@ use crate::ids::{LightId, ObjectId};
 pub struct Scene {
     /// What the artist calls it.
     pub name: String,
+    /// What it shows and how it is built: a paragraph for who finds it.
+    pub about: String,
     /// In document order.
     pub objects: IndexMap<ObjectId, Object>,
     /// Lights that replace those of the same id in every look of the scene.
@@ -33,6 +35,7 @@ impl Default for Scene {
     fn default() -> Self {
         Self {
             name: String::new(),
+            about: String::new(),
             objects: IndexMap::new(),
             lights: IndexMap::new(),
             illumination: [0.0, 0.0, 0.0, 1.0],

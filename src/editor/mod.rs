@@ -5,7 +5,6 @@
 
 mod app;
 pub mod canvas;
-mod catalog;
 mod code;
 mod command;
 mod compiling;
@@ -35,7 +34,6 @@ pub mod stage;
 mod still;
 mod theme;
 mod tour;
-mod values;
 mod viewport;
 mod wipe;
 mod wire;
@@ -58,6 +56,7 @@ pub use stage::Stage;
 pub use viewport::Viewport;
 pub use wipe::Wipe;
 
+use crate::catalog::{self, values};
 use panels::problems;
 
 use crate::diag::Diagnostic;

@@ -352,6 +352,7 @@ impl Random {
     pub(crate) fn look(&mut self) -> Look {
         let mut look = Look { name: self.text(), unknown: self.unknown(), ..Look::default() };
         look.color_space = self.choose(&[ColorSpace::Display, ColorSpace::Linear]);
+        look.about = self.text();
         look.tuned = self.text();
         look.tier = self.choose(&[Tier::Exact, Tier::Balanced, Tier::Fast]);
         for _ in 0..self.below(4) {
@@ -428,6 +429,7 @@ impl Random {
     pub(crate) fn scene(&mut self) -> Scene {
         let mut scene = Scene {
             name: self.text(),
+            about: self.text(),
             objects: (0..self.count()).map(|_| (self.slug().into(), self.object())).collect(),
             lights: (0..self.below(4)).map(|_| (self.slug().into(), self.light())).collect(),
             illumination: self.rotation(),

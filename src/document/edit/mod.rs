@@ -50,6 +50,8 @@ pub enum Edit {
     },
     /// Names the look.
     SetLookName { name: String },
+    /// Says what the look shows and how it is built.
+    SetLookAbout { about: String },
     /// Says what colours mean.
     SetColorSpace { color_space: ColorSpace },
     /// Asks for another implementation of nodes that do not say their own.
@@ -146,6 +148,7 @@ impl Edit {
             Self::Group { edits } => edits.first().map_or_else(|| "nothing".to_owned(), Self::label),
             Self::Replace { .. } => "load the file again".to_owned(),
             Self::SetLookName { .. } => "rename the look".to_owned(),
+            Self::SetLookAbout { .. } => "describe the look".to_owned(),
             Self::SetColorSpace { .. } => "change the colour space".to_owned(),
             Self::SetLookTier { .. } => "change the look's tier".to_owned(),
             Self::AddNode { id, .. } => format!("add {id}"),
@@ -220,7 +223,8 @@ impl Editable for Look {
                 Edit::SetValue { graph: g, id: i, port: p, index: None, .. },
                 Edit::SetValue { graph, id, port, index: None, .. },
             ) => (g, i, p) == (graph, id, port),
-            (Edit::SetLookName { .. }, Edit::SetLookName { .. }) => true,
+            (Edit::SetLookName { .. }, Edit::SetLookName { .. })
+            | (Edit::SetLookAbout { .. }, Edit::SetLookAbout { .. }) => true,
             (Edit::SetLight { id: i, .. }, Edit::SetLight { id, .. }) => i == id,
             (Edit::MoveNodes { graph: g, positions: p }, Edit::MoveNodes { graph, positions }) => {
                 g == graph && p.len() == positions.len() && positions.keys().all(|id| p.contains_key(id))
@@ -245,6 +249,7 @@ fn apply(look: &mut Look, edit: Edit, is_known_good: bool) -> Applied<Edit> {
         Edit::Group { edits } => group(look, edits, is_known_good),
         Edit::Replace { look: new } => Ok(Edit::Replace { look: Box::new(std::mem::replace(look, *new)) }),
         Edit::SetLookName { name } => Ok(Edit::SetLookName { name: std::mem::replace(&mut look.name, name) }),
+        Edit::SetLookAbout { about } => Ok(Edit::SetLookAbout { about: std::mem::replace(&mut look.about, about) }),
         Edit::SetColorSpace { color_space } => {
             let color_space = std::mem::replace(&mut look.color_space, color_space);
             Ok(Edit::SetColorSpace { color_space })

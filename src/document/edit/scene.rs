@@ -23,6 +23,8 @@ pub enum SceneEdit {
     },
     /// Names the scene.
     SetSceneName { name: String },
+    /// Says what the scene shows and how it is built.
+    SetSceneAbout { about: String },
     /// Adds an object under a new id.
     AddObject { id: ObjectId, object: Object, index: Option<usize> },
     /// Changes an object.
@@ -67,6 +69,7 @@ impl Editable for Scene {
             SceneEdit::Group { edits } => SceneEdit::Group { edits: all_or_none(self, edits, is_known_good)? },
             SceneEdit::Replace { scene } => SceneEdit::Replace { scene: Box::new(replace(self, *scene)) },
             SceneEdit::SetSceneName { name } => SceneEdit::SetSceneName { name: replace(&mut self.name, name) },
+            SceneEdit::SetSceneAbout { about } => SceneEdit::SetSceneAbout { about: replace(&mut self.about, about) },
             SceneEdit::AddObject { id, object, index } => {
                 insert(&mut self.objects, "object", id.clone(), object, index)?;
                 SceneEdit::RemoveObject { id }
@@ -105,6 +108,7 @@ impl Editable for Scene {
             SceneEdit::Group { edits } => edits.first().map_or_else(|| "nothing".to_owned(), Self::label),
             SceneEdit::Replace { .. } => "load the file again".to_owned(),
             SceneEdit::SetSceneName { .. } => "rename the scene".to_owned(),
+            SceneEdit::SetSceneAbout { .. } => "describe the scene".to_owned(),
             SceneEdit::AddObject { id, .. } => format!("add {id}"),
             SceneEdit::SetObject { id, .. } => format!("change {id}"),
             SceneEdit::RemoveObject { id } => format!("remove {id}"),

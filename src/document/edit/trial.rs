@@ -19,6 +19,7 @@ type Check = Result<(), Box<Diagnostic>>;
 pub(super) fn check(look: &Look, edit: &Edit) -> Check {
     match edit {
         Edit::SetLookName { name } => readable(|trial| trial.name = name.clone()),
+        Edit::SetLookAbout { about } => readable(|trial| trial.about = about.clone()),
         Edit::AddNode { graph, id, node, .. } => {
             slug(id.as_str())?;
             if *graph != GraphId::Look && matches!(id.as_str(), GROUP_INPUTS | GROUP_OUTPUTS) {
@@ -77,6 +78,7 @@ pub(super) fn check_scene(edit: &SceneEdit) -> Check {
     let mut trial = Scene::default();
     match edit {
         SceneEdit::SetSceneName { name } => trial.name.clone_from(name),
+        SceneEdit::SetSceneAbout { about } => trial.about.clone_from(about),
         SceneEdit::AddObject { id, object, .. } | SceneEdit::SetObject { id, object } => {
             slug(id.as_str())?;
             trial.objects.insert(id.clone(), Object::clone(object));

@@ -22,6 +22,7 @@ pub(super) fn look(r: &mut Reader<'_>, at: At) -> Option<Look> {
     r.color_space = r.word(&fields, "color_space").unwrap_or_default();
     Some(Look {
         name: r.text(&fields, "name").unwrap_or_default(),
+        about: r.text(&fields, "about").unwrap_or_default(),
         color_space: r.color_space,
         tier: r.word(&fields, "tier").unwrap_or_default(),
         tuned: r.text(&fields, "tuned").unwrap_or_default(),

@@ -19,6 +19,7 @@ pub(super) fn scene(r: &mut Reader<'_>, at: At) -> Option<Scene> {
     let normal = Scene::default();
     Some(Scene {
         name: r.text(&fields, "name").unwrap_or_default(),
+        about: r.text(&fields, "about").unwrap_or_default(),
         objects: objects(r, &mut fields),
         lights: r.map(&mut fields, "lights", light),
         illumination: r.rotation(&mut fields, "illumination").unwrap_or(normal.illumination),

@@ -12,6 +12,8 @@ use crate::document::word::Word as _;
 use crate::document::{ColorSpace, Curve, Interpolation, KeyScheme, LightKind, LightSpace, Ramp, Tier};
 
 const NAME: Field = field("name", Text(LINE), Json("\"\""), "What the artist calls it.");
+pub(super) const ABOUT: Field =
+    field("about", Text(LONG), Json("\"\""), "What it shows and how it is built: a paragraph for who finds it.");
 const A_NODE: &Kind = &Object(&NODE);
 const A_WIRE: &Kind = &Object(&WIRE);
 const A_FRAME: &Kind = &Object(&FRAME);
@@ -44,6 +46,7 @@ pub(in crate::document) static LOOK: Shape = Shape {
         super::scene::VERSION,
         super::scene::SCHEMA,
         NAME,
+        ABOUT,
         field("color_space", Word(ColorSpace::WORDS), Json("\"display\""), "What the numbers of colours mean."),
         field(
             "tier",

@@ -24,6 +24,7 @@ pub(in crate::document) static SCENE: Shape = Shape {
         VERSION,
         SCHEMA,
         field("name", Text(LINE), Json("\"\""), "What the artist calls it."),
+        super::look::ABOUT,
         field("objects", List(&Object(&OBJECT), 100_000), Json("[]"), "What is in the picture."),
         field(
             "lights",

@@ -19,6 +19,7 @@ pub(super) fn look(w: &mut Writer, look: &Look) {
     w.shaped(Layout::Lines, &LOOK, Some(unknown), |w| {
         top(w, "look", unknown);
         w.text_unless_empty("name", &look.name);
+        w.text_unless_empty("about", &look.about);
         w.word_unless("color_space", look.color_space, Default::default());
         w.word_unless("tier", look.tier, Tier::default());
         w.text_unless_empty("tuned", &look.tuned);

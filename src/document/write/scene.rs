@@ -13,6 +13,7 @@ pub(super) fn scene(w: &mut Writer, scene: &Scene) {
     w.shaped(Layout::Lines, &SCENE, Some(unknown), |w| {
         top(w, "scene", unknown);
         w.text_unless_empty("name", &scene.name);
+        w.text_unless_empty("about", &scene.about);
         if !scene.objects.is_empty() {
             w.member("objects", |w| w.list(Layout::Lines, &scene.objects, |w, (id, of_id)| object(w, id, of_id)));
         }

@@ -10,7 +10,7 @@ use eframe::egui::epaint::Mesh;
 use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Ui, pos2, vec2};
 
 use super::super::session::Session;
-use super::super::theme::{self, Colors, ROW_HEIGHT, TITLE_HEIGHT, type_shape};
+use super::super::theme::{self, Colors, ROW_HEIGHT, TITLE_HEIGHT};
 use super::mesh::{glyphs, plain, ribbon, rounded, socket};
 use super::table::{Hit, Socket, curve_between};
 use super::text::lay_out;
@@ -220,9 +220,9 @@ impl Canvas {
                 _ => pen.colors.of_type(ty),
             };
             if pen.zoom > ALL_TEXT {
-                socket(mesh, type_shape(ty), center, radius + 1.5, pen.colors.node_edge);
+                socket(mesh, theme::SocketShape::of(ty), center, radius + 1.5, pen.colors.node_edge);
             }
-            socket(mesh, type_shape(ty), center, radius, color);
+            socket(mesh, theme::SocketShape::of(ty), center, radius, color);
         }
     }
 

@@ -10,8 +10,9 @@ use super::draw::{Pen, SOCKETS, mixed};
 use super::inplace::Item;
 use super::mesh::{glyphs, plain, ribbon, rounded, socket};
 use super::overlay::color;
-use super::table::{FRAME_TITLE, curve_between, point_at};
+use super::table::{curve_between, point_at};
 use super::{Canvas, Gesture};
+use crate::drawing::FRAME_TITLE;
 use crate::library::Type;
 
 /// Between a note's edge and its text.
@@ -98,7 +99,7 @@ impl Canvas {
     pub(super) fn draw_conversion(&self, mesh: &mut Mesh, pen: &Pen<'_>, c: &[Pos2; 4], (from, to): (&Type, &Type)) {
         let at = point_at(c, 0.5);
         let radius = theme::SOCKET * pen.zoom;
-        let shape = theme::type_shape(to);
+        let shape = theme::SocketShape::of(to);
         socket(mesh, shape, at, radius + 2.0, pen.colors.of_type(from));
         socket(mesh, shape, at, radius + 0.5, pen.colors.canvas);
         socket(mesh, shape, at, radius - 1.0 * pen.zoom, pen.colors.of_type(to));

@@ -69,35 +69,9 @@ pub(crate) fn convex(mesh: &mut Mesh, outline: &[Pos2], center: Pos2, color: Col
     }
 }
 
-const H: f32 = 0.866_025_4;
-const CIRCLE: [(f32, f32); 12] = [
-    (0.0, 1.0),
-    (0.5, H),
-    (H, 0.5),
-    (1.0, 0.0),
-    (H, -0.5),
-    (0.5, -H),
-    (0.0, -1.0),
-    (-0.5, -H),
-    (-H, -0.5),
-    (-1.0, 0.0),
-    (-H, 0.5),
-    (-0.5, H),
-];
-const DIAMOND: [(f32, f32); 4] = [(0.0, 1.2), (1.2, 0.0), (0.0, -1.2), (-1.2, 0.0)];
-const SQUARE: [(f32, f32); 4] = [(0.88, 0.88), (0.88, -0.88), (-0.88, -0.88), (-0.88, 0.88)];
-const TRIANGLE: [(f32, f32); 3] = [(-0.9, -1.1), (1.2, 0.0), (-0.9, 1.1)];
-const HEXAGON: [(f32, f32); 6] = [(1.1, 0.0), (0.55, 0.95), (-0.55, 0.95), (-1.1, 0.0), (-0.55, -0.95), (0.55, -0.95)];
-
 /// A socket's shape around its centre.
 pub(crate) fn socket(mesh: &mut Mesh, shape: SocketShape, center: Pos2, radius: f32, color: Color32) {
-    let points: &[(f32, f32)] = match shape {
-        SocketShape::Circle => &CIRCLE,
-        SocketShape::Diamond => &DIAMOND,
-        SocketShape::Square => &SQUARE,
-        SocketShape::Triangle => &TRIANGLE,
-        SocketShape::Hexagon => &HEXAGON,
-    };
+    let points = shape.outline();
     let mut outline = [Pos2::ZERO; 12];
     for (place, &(x, y)) in outline.iter_mut().zip(points) {
         *place = center + vec2(x, y) * radius;

@@ -9,18 +9,14 @@ use std::sync::Arc;
 use eframe::egui::{Galley, Pos2, Rect, Vec2, pos2, vec2};
 
 use super::super::catalog::{Catalog, Kind};
-use super::super::theme::{NODE_FOOT, NODE_WIDTH, ROW_HEIGHT, TITLE_HEIGHT};
 use super::text::NodeText;
 use crate::document::Graph;
-use crate::ids::{FrameId, NodeId, NoteId, PortName};
+use crate::drawing::{FRAME_MARGIN, FRAME_TITLE, NODE_WIDTH, TITLE_HEIGHT, node_height, row_center, wire_reach};
+use crate::ids::{FrameId, NodeId, NoteId};
 use crate::library::Type;
 
 /// Between the nodes of a group and its ends.
 const END_GAP: f32 = 70.0;
-/// Between a frame and its nodes.
-const FRAME_MARGIN: f32 = 16.0;
-/// The height of a frame's title.
-pub(crate) const FRAME_TITLE: f32 = 28.0;
 /// Reroutes are followed this far for their type.
 const MAX_REROUTES: usize = 64;
 
@@ -127,7 +123,7 @@ impl Table {
         }
         self.key = Some(key);
         self.nodes.clear();
-        let missing = missing_kinds(graph, catalog);
+        let missing = catalog.missing_in(graph);
         for (id, node) in &graph.nodes {
             let kind = missing.get(id).or_else(|| catalog.of(node)).cloned();
             let Some(kind) = kind else { continue };
@@ -442,53 +438,14 @@ impl Table {
     }
 }
 
-/// Kinds that do not exist, with the ports that wires and values name.
-fn missing_kinds(graph: &Graph, catalog: &Catalog) -> HashMap<NodeId, Arc<Kind>> {
-    let is_missing =
-        |(_, node): &(&NodeId, &crate::document::Node)| catalog.of(node).is_none_or(|kind| kind.is_missing);
-    let mut ports: HashMap<&NodeId, (Vec<PortName>, Vec<PortName>)> = HashMap::new();
-    for (id, node) in graph.nodes.iter().filter(is_missing) {
-        ports.insert(id, (node.values.keys().cloned().collect(), Vec::new()));
-    }
-    if ports.is_empty() {
-        return HashMap::new();
-    }
-    for wire in &graph.wires {
-        if let Some((inputs, _)) = ports.get_mut(&wire.to.node)
-            && !inputs.contains(&wire.to.port)
-        {
-            inputs.push(wire.to.port.clone());
-        }
-        if let Some((_, outputs)) = ports.get_mut(&wire.from.node)
-            && !outputs.contains(&wire.from.port)
-        {
-            outputs.push(wire.from.port.clone());
-        }
-    }
-    let kind = |id: &NodeId| graph.nodes.get(id).map_or("", |node| node.kind.as_str());
-    let stand_in = |(id, (inputs, outputs)): (&NodeId, (Vec<PortName>, Vec<PortName>))| {
-        let mut stand_in = Catalog::stand_in(kind(id), &inputs, &outputs);
-        if let Some(known) = graph.nodes.get(id).and_then(|node| catalog.of(node)) {
-            stand_in.label.clone_from(&known.label);
-        }
-        (id.clone(), Arc::new(stand_in))
-    };
-    ports.into_iter().map(stand_in).collect()
-}
-
 /// How high a node of a kind is.
 pub(crate) fn height(kind: &Kind) -> f32 {
-    TITLE_HEIGHT + ROW_HEIGHT * (kind.inputs.len() + kind.outputs.len()) as f32 + NODE_FOOT
-}
-
-/// The middle of a row below a node's top.
-pub(crate) fn row_center(row: usize) -> f32 {
-    TITLE_HEIGHT + ROW_HEIGHT * (row as f32 + 0.5) + 1.0
+    node_height(kind.inputs.len() + kind.outputs.len())
 }
 
 /// From an output to an input, leaving and arriving level.
 pub(crate) fn curve_between(from: Pos2, to: Pos2) -> [Pos2; 4] {
-    let reach = vec2(((to.x - from.x).abs() * 0.5).clamp(30.0, 200.0), 0.0);
+    let reach = vec2(wire_reach(to.x - from.x), 0.0);
     [from, from + reach, to - reach, to]
 }
 

@@ -5,12 +5,11 @@ use std::sync::Arc;
 use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{Color32, FontId, Galley, Painter, Vec2, vec2};
 
-use super::super::catalog::Port;
 use super::super::theme::{self, Colors, NODE_WIDTH, TITLE_HEIGHT};
-use super::super::values;
-use super::table::{NodeRow, row_center};
-use crate::document::{Look, Node, Value};
-use crate::library::{Fallback, Type};
+use super::table::NodeRow;
+use crate::catalog::values::{self, Shown};
+use crate::document::{Look, Node};
+use crate::drawing::row_center;
 
 /// Everything of a node's text that depends on the font's size.
 #[derive(Default)]
@@ -75,15 +74,16 @@ pub(crate) fn lay_out(
     for (index, port) in row.kind.inputs.iter().enumerate() {
         let y = row_center(row.kind.outputs.len() + index);
         let is_wired = row.is_wired[index];
-        let shown = if is_wired { Shown::Nothing } else { shown_value(port, node, look, colors) };
+        let shown = if is_wired { Shown::Nothing } else { values::shown(port, node, look) };
         let mut room = NODE_WIDTH - 24.0;
+        let color = if matches!(shown, Shown::Source(_)) { colors.dim.gamma_multiply(0.7) } else { colors.text };
         match shown {
             Shown::Nothing => {}
             Shown::Color(color) => {
                 text.swatches.push((vec2(NODE_WIDTH - 26.0, y), color));
                 room -= 34.0;
             }
-            Shown::Text(value, color) => {
+            Shown::Source(value) | Shown::Text(value) => {
                 let value = line(&value, NODE_WIDTH * 0.5, color);
                 let width = value.size().x / zoom;
                 text.lines.push((vec2(NODE_WIDTH - 12.0 - width, centered(&value, y)), value));
@@ -94,40 +94,6 @@ pub(crate) fn lay_out(
         text.lines.push((vec2(12.0, centered(&label, y)), label));
     }
     row.text = text;
-}
-
-enum Shown {
-    Nothing,
-    Text(String, Color32),
-    Color([f64; 4]),
-}
-
-/// What a row shows of an unwired input.
-fn shown_value(port: &Port, node: &Node, look: &Look, colors: &Colors) -> Shown {
-    let value = match (node.values.get(&port.name), &port.fallback) {
-        (Some(value), _) | (None, Fallback::Value(value)) => value,
-        (None, Fallback::Same(other)) => {
-            return Shown::Text(format!("as {}", values::words(other.as_str())), colors.dim.gamma_multiply(0.7));
-        }
-        (None, Fallback::Context(context)) => {
-            return Shown::Text(values::context_words(*context), colors.dim.gamma_multiply(0.7));
-        }
-        (None, Fallback::Wire) => return Shown::Nothing,
-    };
-    if matches!(port.ty, Type::Color | Type::Composite)
-        && let Some(color) = value.color()
-    {
-        return Shown::Color(color);
-    }
-    let text = match (&port.ty, value) {
-        (Type::LightName, Value::Text(id)) => {
-            let light = look.lights.get(id.as_str());
-            light.map(|light| &light.name).filter(|name| !name.is_empty()).unwrap_or(id).clone()
-        }
-        (Type::Text, _) => return Shown::Nothing,
-        _ => values::short(port, value),
-    };
-    Shown::Text(text, colors.text)
 }
 
 /// One line, cut off with an ellipsis where it is longer than `width`.

@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use super::session::Session;
 use super::still::Still;
 use super::worker::Worker;
-use crate::accuracy::{BenchOptions, Progress, Report, Row, Subject, bench};
+use crate::accuracy::{BenchOptions, MeasuredNodes, Progress, Report, Row, Subject, bench};
 use crate::diag::Diagnostic;
 use crate::document::{Edit, GraphId, Look, Tier};
 use crate::frame::{Assets, PlanOptions};
@@ -180,7 +180,7 @@ fn measure(renderer: &mut Option<Renderer>, window: &Gpu, wake: &impl Fn(), job:
     let mut run = || {
         let (setup, _) = job.still.setup(&mut Assets::default())?;
         let plan = PlanOptions { size: job.size, samples: 1, time: job.still.time };
-        let options = BenchOptions { plan, rounds: ROUNDS, every_node: false, truth: true };
+        let options = BenchOptions { plan, rounds: ROUNDS, nodes: MeasuredNodes::Tiered, truth: true };
         let mut told = |done, total| {
             job.progress.done.store(done, Ordering::Relaxed);
             job.progress.total.store(total, Ordering::Relaxed);

@@ -291,6 +291,14 @@ fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
             out.push(Command::EditHeld(response.id, Edit::SetLookName { name }));
         }
     });
+    row::labelled(ui, "About", "What it shows and how it is built, for who finds it", |ui, label| {
+        let mut about = look.about.clone();
+        let field = TextEdit::multiline(&mut about).desired_width(f32::INFINITY).desired_rows(2);
+        let response = ui.add(field.hint_text("What it shows, how it is built")).labelled_by(label);
+        if response.changed() {
+            out.push(Command::EditHeld(response.id, Edit::SetLookAbout { about }));
+        }
+    });
     row::labelled(ui, "Colors", "What the numbers of a color mean", |ui, label| {
         let name = |space| match space {
             ColorSpace::Display => "As shown",

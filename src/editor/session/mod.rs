@@ -500,7 +500,8 @@ fn is_layout(edit: &Edit) -> bool {
         | Edit::SetNote { .. }
         | Edit::RemoveNote { .. }
         | Edit::SetBookmarks { .. }
-        | Edit::SetLookName { .. } => true,
+        | Edit::SetLookName { .. }
+        | Edit::SetLookAbout { .. } => true,
         _ => false,
     }
 }

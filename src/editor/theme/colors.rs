@@ -3,6 +3,7 @@
 use eframe::egui::Color32;
 
 use crate::document::Tier;
+use crate::drawing::palette::{self, Palette};
 use crate::library::Type;
 
 /// All colours of the window but those of pictures.
@@ -48,8 +49,7 @@ pub(crate) struct Colors {
     pub(crate) well: Color32,
     /// Keys, types, numbers, comments, functions and attributes of code.
     pub(crate) code: CodeColors,
-    types: TypeColors,
-    categories: [Color32; 9],
+    graph: &'static Palette,
     hues: [Color32; 8],
 }
 
@@ -64,45 +64,15 @@ pub(crate) struct CodeColors {
     pub(crate) attribute: Color32,
 }
 
-#[derive(Debug)]
-struct TypeColors {
-    float: Color32,
-    int: Color32,
-    bool: Color32,
-    vector: Color32,
-    color: Color32,
-    composite: Color32,
-    angle: Color32,
-    light: Color32,
-    curve: Color32,
-    other: Color32,
-}
-
-/// In the order of [`Colors::categories`]; what is none of them comes last.
-const CATEGORIES: [&str; 8] = ["layer", "light", "curvature", "geometry", "color", "vector", "math", "input"];
-
 impl Colors {
     /// The colour of a type's sockets and wires.
     pub(crate) fn of_type(&self, ty: &Type) -> Color32 {
-        let types = &self.types;
-        match ty {
-            Type::Float => types.float,
-            Type::Int => types.int,
-            Type::Bool => types.bool,
-            Type::Vec2 | Type::Vec3 | Type::Vec4 | Type::Mat3 => types.vector,
-            Type::Color => types.color,
-            Type::Composite => types.composite,
-            Type::Angle => types.angle,
-            Type::Light => types.light,
-            Type::Curve | Type::Ramp => types.curve,
-            _ => types.other,
-        }
+        rgb(self.graph.of_type(ty))
     }
 
     /// The colour of a category's titles.
     pub(crate) fn of_category(&self, category: &str) -> Color32 {
-        let index = CATEGORIES.iter().position(|name| *name == category).unwrap_or(CATEGORIES.len());
-        self.categories[index]
+        rgb(self.graph.of_category(category))
     }
 
     /// One of a row of colours that are told apart: of a key, by its place.
@@ -144,13 +114,13 @@ pub(super) static DARK: Colors = Colors {
     panel: rgb(0x222327),
     window: rgb(0x27282d),
     window_edge: rgb(0x3e4046),
-    canvas: rgb(0x18191c),
+    canvas: rgb(palette::DARK.canvas),
     grid: rgb(0x2d2f34),
-    node: rgb(0x2c2e33),
-    node_edge: rgb(0x101113),
-    swatch_edge: rgb(0x5c5e64),
-    text: rgb(0xdeddd9),
-    dim: rgb(0x919296),
+    node: rgb(palette::DARK.node),
+    node_edge: rgb(palette::DARK.node_edge),
+    swatch_edge: rgb(palette::DARK.swatch_edge),
+    text: rgb(palette::DARK.text),
+    dim: rgb(palette::DARK.dim),
     accent: rgb(0xeca454),
     accent_dim: rgb(0x5c442a),
     second: rgb(0x7c92e8),
@@ -168,29 +138,7 @@ pub(super) static DARK: Colors = Colors {
         function: rgb(0xe8c484),
         attribute: rgb(0xa096d2),
     },
-    types: TypeColors {
-        float: rgb(0xb0b4bc),
-        int: rgb(0x7eb296),
-        bool: rgb(0xd68cac),
-        vector: rgb(0x7c92e8),
-        color: rgb(0xe8c854),
-        composite: rgb(0xee9242),
-        angle: rgb(0x5cc2b6),
-        light: rgb(0xfaeec4),
-        curve: rgb(0xbe8ce0),
-        other: rgb(0x968a7e),
-    },
-    categories: [
-        rgb(0x744c2c),
-        rgb(0x6e6032),
-        rgb(0x3e5c3e),
-        rgb(0x30585c),
-        rgb(0x684252),
-        rgb(0x424874),
-        rgb(0x444c5a),
-        rgb(0x5c4040),
-        rgb(0x4a4a4e),
-    ],
+    graph: &palette::DARK,
     hues: [
         rgb(0xeca454),
         rgb(0x6fa8ec),
@@ -208,13 +156,13 @@ pub(super) static LIGHT: Colors = Colors {
     panel: rgb(0xf0eeea),
     window: rgb(0xf8f7f4),
     window_edge: rgb(0xc6c1b8),
-    canvas: rgb(0xe2dfd9),
+    canvas: rgb(palette::LIGHT.canvas),
     grid: rgb(0xcfcbc3),
-    node: rgb(0xfaf9f7),
-    node_edge: rgb(0xb3aea4),
-    swatch_edge: rgb(0x9d988e),
-    text: rgb(0x24231f),
-    dim: rgb(0x66635c),
+    node: rgb(palette::LIGHT.node),
+    node_edge: rgb(palette::LIGHT.node_edge),
+    swatch_edge: rgb(palette::LIGHT.swatch_edge),
+    text: rgb(palette::LIGHT.text),
+    dim: rgb(palette::LIGHT.dim),
     accent: rgb(0xa9530c),
     accent_dim: rgb(0xf3d2ae),
     second: rgb(0x3a53b8),
@@ -232,29 +180,7 @@ pub(super) static LIGHT: Colors = Colors {
         function: rgb(0x87560a),
         attribute: rgb(0x5a4aa6),
     },
-    types: TypeColors {
-        float: rgb(0x6d717a),
-        int: rgb(0x3a8560),
-        bool: rgb(0xb0507c),
-        vector: rgb(0x4760cc),
-        color: rgb(0xa67f00),
-        composite: rgb(0xd06a10),
-        angle: rgb(0x16897c),
-        light: rgb(0x9c8128),
-        curve: rgb(0x8e4fbe),
-        other: rgb(0x857868),
-    },
-    categories: [
-        rgb(0xe9c3a0),
-        rgb(0xe4d79f),
-        rgb(0xbcd8b8),
-        rgb(0xb0d6d9),
-        rgb(0xe6c1cf),
-        rgb(0xc5caec),
-        rgb(0xc9d0da),
-        rgb(0xe3c4c2),
-        rgb(0xd2cfca),
-    ],
+    graph: &palette::LIGHT,
     hues: [
         rgb(0xb45c0c),
         rgb(0x2464b4),
@@ -297,27 +223,14 @@ mod tests {
             for (index, ground) in [colors.node, colors.field, colors.accent_dim, colors.well].into_iter().enumerate() {
                 assert!(contrast(colors.text, ground) >= 4.5, "{name}, text on ground {index}");
             }
-            for ground in colors.categories {
+            for ground in colors.graph.categories().iter().copied().map(rgb) {
                 assert!(contrast(colors.text, ground) >= 4.5, "{name}, a title on {ground:?}");
             }
             for (index, hue) in colors.hues.into_iter().enumerate() {
                 let found = contrast(hue, colors.canvas).min(contrast(hue, colors.panel));
                 assert!(found >= 3.0, "{name}, hue {index}: {found:.2}");
             }
-            let types = &colors.types;
-            let types = [
-                types.float,
-                types.int,
-                types.bool,
-                types.vector,
-                types.color,
-                types.composite,
-                types.angle,
-                types.light,
-                types.curve,
-                types.other,
-            ];
-            for (index, ink) in types.into_iter().enumerate() {
+            for (index, ink) in colors.graph.types().into_iter().map(rgb).enumerate() {
                 let found = contrast(ink, colors.node).min(contrast(ink, colors.canvas));
                 assert!(found >= 2.6, "{name}, type {index}: {found:.2}");
             }

@@ -8,7 +8,7 @@ mod colors;
 use eframe::egui;
 use eframe::egui::{CornerRadius, FontFamily, FontId, Margin, Stroke, TextStyle, Visuals};
 
-use crate::library::Type;
+pub(crate) use crate::drawing::{NODE_WIDTH, ROW_HEIGHT, SOCKET, SocketShape, TEXT_SIZE, TITLE_HEIGHT};
 pub(crate) use colors::{Colors, HALO, PLATE, SUN, curve};
 
 /// The colours of the theme that is shown.
@@ -16,47 +16,8 @@ pub(crate) fn of(ui: &egui::Ui) -> &'static Colors {
     if ui.visuals().dark_mode { &colors::DARK } else { &colors::LIGHT }
 }
 
-/// The size of plain text, in points.
-pub(crate) const TEXT_SIZE: f32 = 13.0;
 /// The size of small text, in points: heads of tables, marks of plots.
 pub(crate) const SMALL_TEXT: f32 = 11.0;
-/// The width of a node, in points at zoom 1.
-pub(crate) const NODE_WIDTH: f32 = 184.0;
-/// The height of a node's title.
-pub(crate) const TITLE_HEIGHT: f32 = 26.0;
-/// The height of a port's row.
-pub(crate) const ROW_HEIGHT: f32 = 20.0;
-/// What a node has below its last row.
-pub(crate) const NODE_FOOT: f32 = 6.0;
-/// A socket's radius.
-pub(crate) const SOCKET: f32 = 5.0;
-
-/// How a socket is drawn, so that types are told apart without colour too.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum SocketShape {
-    /// Numbers.
-    Circle,
-    /// Vectors.
-    Diamond,
-    /// Colours and stacks.
-    Square,
-    /// Angles.
-    Triangle,
-    /// Lights.
-    Hexagon,
-}
-
-/// The shape of a type's sockets.
-pub(crate) fn type_shape(ty: &Type) -> SocketShape {
-    match ty {
-        Type::Vec2 | Type::Vec3 | Type::Vec4 | Type::Mat3 => SocketShape::Diamond,
-        Type::Color | Type::Composite => SocketShape::Square,
-        Type::Angle => SocketShape::Triangle,
-        Type::Light => SocketShape::Hexagon,
-        _ => SocketShape::Circle,
-    }
-}
-
 /// Sets colours, fonts and spacings for the whole window, in both themes.
 pub(crate) fn apply(ctx: &egui::Context) {
     for (theme, colors) in [(egui::Theme::Dark, &colors::DARK), (egui::Theme::Light, &colors::LIGHT)] {

@@ -1,12 +1,12 @@
 //! Values as people read them: degrees in place of radians, labels in place of words.
 
-use crate::document::Value;
+use crate::document::{Look, Node, Value};
 use crate::library::{Context, Fallback, Type};
 
-use super::catalog::Port;
+use super::Port;
 
 /// A value in a few characters.
-pub(crate) fn short(port: &Port, value: &Value) -> String {
+pub fn short(port: &Port, value: &Value) -> String {
     match value {
         Value::Bool(on) => if *on { "on" } else { "off" }.to_owned(),
         Value::Number(number) if port.ty == Type::Bool => if *number > 0.5 { "on" } else { "off" }.to_owned(),
@@ -23,7 +23,7 @@ pub(crate) fn short(port: &Port, value: &Value) -> String {
 }
 
 /// A number with at most so many decimals, and none that say nothing.
-pub(crate) fn number_text(number: f64, decimals: usize) -> String {
+pub fn number_text(number: f64, decimals: usize) -> String {
     if number != 0.0 && (number.abs() >= 1e6 || number.abs() < 0.5 * 0.1f64.powi(decimals as i32)) {
         return format!("{number:.1e}");
     }
@@ -36,12 +36,12 @@ pub(crate) fn number_text(number: f64, decimals: usize) -> String {
 }
 
 /// A name of code as words.
-pub(crate) fn words(name: &str) -> String {
+pub fn words(name: &str) -> String {
     name.replace(['_', '.'], " ")
 }
 
 /// What the surface gives to an input, as people say it: the papers' kappa is a curvature.
-pub(crate) fn context_words(context: Context) -> String {
+pub fn context_words(context: Context) -> String {
     match context {
         Context::KappaDetail | Context::KappaDetailSparse => "detail curvature".to_owned(),
         context if context.is_curvature() => "curvature".to_owned(),
@@ -49,8 +49,44 @@ pub(crate) fn context_words(context: Context) -> String {
     }
 }
 
+/// What a node's row shows of an unwired input.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shown {
+    /// Only its name.
+    Nothing,
+    /// Where the value comes from, in quiet words.
+    Source(String),
+    /// The value.
+    Text(String),
+    /// Straight RGBA.
+    Color([f64; 4]),
+}
+
+/// What a node's row shows of an unwired input of `node` in `look`.
+pub fn shown(port: &Port, node: &Node, look: &Look) -> Shown {
+    let value = match (node.values.get(&port.name), &port.fallback) {
+        (Some(value), _) | (None, Fallback::Value(value)) => value,
+        (None, Fallback::Same(other)) => return Shown::Source(format!("as {}", words(other.as_str()))),
+        (None, Fallback::Context(context)) => return Shown::Source(context_words(*context)),
+        (None, Fallback::Wire) => return Shown::Nothing,
+    };
+    if matches!(port.ty, Type::Color | Type::Composite)
+        && let Some(color) = value.color()
+    {
+        return Shown::Color(color);
+    }
+    match (&port.ty, value) {
+        (Type::LightName, Value::Text(id)) => {
+            let light = look.lights.get(id.as_str());
+            Shown::Text(light.map(|light| &light.name).filter(|name| !name.is_empty()).unwrap_or(id).clone())
+        }
+        (Type::Text, _) => Shown::Nothing,
+        _ => Shown::Text(short(port, value)),
+    }
+}
+
 /// What an unwired input has: its own value, or its kind's.
-pub(crate) fn current<'a>(port: &'a Port, own: Option<&'a Value>) -> Option<&'a Value> {
+pub fn current<'a>(port: &'a Port, own: Option<&'a Value>) -> Option<&'a Value> {
     match (own, &port.fallback) {
         (Some(value), _) | (None, Fallback::Value(value)) => Some(value),
         (None, _) => None,
@@ -58,7 +94,7 @@ pub(crate) fn current<'a>(port: &'a Port, own: Option<&'a Value>) -> Option<&'a 
 }
 
 /// A value as a number.
-pub(crate) fn number(value: Option<&Value>) -> f64 {
+pub fn number(value: Option<&Value>) -> f64 {
     match value {
         Some(Value::Number(number)) => *number,
         Some(Value::Bool(on)) => f64::from(u8::from(*on)),
@@ -68,7 +104,7 @@ pub(crate) fn number(value: Option<&Value>) -> f64 {
 }
 
 /// A value as so many numbers; one number stands for all.
-pub(crate) fn vector(value: Option<&Value>, width: usize) -> Vec<f64> {
+pub fn vector(value: Option<&Value>, width: usize) -> Vec<f64> {
     let mut numbers = match value {
         Some(Value::Vector(numbers)) => numbers.clone(),
         other => vec![number(other); width],
@@ -78,7 +114,7 @@ pub(crate) fn vector(value: Option<&Value>, width: usize) -> Vec<f64> {
 }
 
 /// `#rrggbb`, or `#rrggbbaa` where it is not opaque.
-pub(crate) fn hex(color: [f64; 4]) -> String {
+pub fn hex(color: [f64; 4]) -> String {
     let [r, g, b, a] = color.map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
     if a == 255 { format!("#{r:02x}{g:02x}{b:02x}") } else { format!("#{r:02x}{g:02x}{b:02x}{a:02x}") }
 }

@@ -1,4 +1,6 @@
-//! What the window knows of kinds of nodes: nodes of the library, groups and custom WGSL nodes, all alike.
+//! What people see of kinds of nodes: nodes of the library, groups and custom WGSL nodes, all alike.
+
+pub mod values;
 
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
@@ -8,11 +10,11 @@ use crate::ids::{GROUP_INPUTS, GROUP_OUTPUTS, NodeId, PortName};
 use crate::library::{Fallback, Library, NodeDef, Preset, Special, Type, load_node};
 
 /// The kind of a node whose WGSL is a value of its own.
-pub(crate) const CUSTOM_KIND: &str = "wgsl";
+pub const CUSTOM_KIND: &str = "wgsl";
 /// The value that holds it.
-pub(crate) const CODE: &str = "code";
+pub const CODE: &str = "code";
 /// What a new custom node begins with.
-pub(crate) const CUSTOM_CODE: &str = "\
+pub const CUSTOM_CODE: &str = "\
 /// My node
 ///
 /// @param value \"Value\" default=0.5 min=0 max=1 : What comes in.
@@ -26,32 +28,42 @@ const MAX_DEPTH: usize = 16;
 
 /// A port as people see it.
 #[derive(Clone, Debug)]
-pub(crate) struct Port {
-    pub(crate) name: PortName,
-    pub(crate) label: Arc<str>,
-    pub(crate) help: String,
-    pub(crate) ty: Type,
+pub struct Port {
+    /// What wires and files call it.
+    pub name: PortName,
+    /// What people call it.
+    pub label: Arc<str>,
+    /// What it is for.
+    pub help: String,
+    /// The type of its socket or its setting.
+    pub ty: Type,
     /// Inputs: every type that one of the node's functions takes here.
-    pub(crate) accepts: Vec<Type>,
-    pub(crate) fallback: Fallback,
-    pub(crate) min: Option<f64>,
-    pub(crate) max: Option<f64>,
-    pub(crate) unit: String,
-    pub(crate) options: Vec<(String, String)>,
+    pub accepts: Vec<Type>,
+    /// Inputs: what it has while nothing is wired to it.
+    pub fallback: Fallback,
+    /// The least value of numbers.
+    pub min: Option<f64>,
+    /// The greatest value of numbers.
+    pub max: Option<f64>,
+    /// `rad` and the like; empty where there is none.
+    pub unit: String,
+    /// The words of a choice, each with its label.
+    pub options: Vec<(String, String)>,
 }
 
 impl Port {
     /// Whether it has a socket.
-    pub(crate) fn is_wirable(&self) -> bool {
+    pub fn is_wirable(&self) -> bool {
         !self.ty.is_setting()
     }
 
     /// Whether an output of type `from` may be wired to this input.
-    pub(crate) fn takes(&self, from: &Type) -> bool {
+    pub fn takes(&self, from: &Type) -> bool {
         self.is_wirable() && self.accepts.iter().any(|to| from.convert_to(to).is_some())
     }
 
-    pub(crate) fn named(name: &str) -> Self {
+    /// One of which only the name is known.
+    pub fn named(name: &str) -> Self {
         Self {
             name: name.into(),
             label: name.into(),
@@ -69,28 +81,39 @@ impl Port {
 
 /// A kind of node as people see it.
 #[derive(Clone, Debug)]
-pub(crate) struct Kind {
-    pub(crate) id: String,
-    pub(crate) label: Arc<str>,
-    pub(crate) category: String,
-    pub(crate) help: String,
-    pub(crate) sources: Vec<String>,
-    pub(crate) inputs: Vec<Port>,
-    pub(crate) outputs: Vec<Port>,
-    pub(crate) presets: Vec<Preset>,
-    pub(crate) tiers: Vec<Tier>,
-    pub(crate) is_reroute: bool,
+pub struct Kind {
+    /// The library's name of it, a group's id, or [`CUSTOM_KIND`].
+    pub id: String,
+    /// What people call it.
+    pub label: Arc<str>,
+    /// Where it lies in the palette; its title is coloured by it.
+    pub category: String,
+    /// What it is for.
+    pub help: String,
+    /// Papers.
+    pub sources: Vec<String>,
+    /// In the order of their rows.
+    pub inputs: Vec<Port>,
+    /// In the order of their rows, above the inputs.
+    pub outputs: Vec<Port>,
+    /// Named sets of values.
+    pub presets: Vec<Preset>,
+    /// Its implementations, exact first.
+    pub tiers: Vec<Tier>,
+    /// Whether it passes on whatever it is given.
+    pub is_reroute: bool,
     /// Whether it could not be found, or has errors.
-    pub(crate) is_missing: bool,
+    pub is_missing: bool,
 }
 
 impl Kind {
-    pub(crate) fn input(&self, name: &str) -> Option<usize> {
+    /// An input's index by name.
+    pub fn input(&self, name: &str) -> Option<usize> {
         self.inputs.iter().position(|port| port.name.as_str() == name)
     }
 
     /// An output's index by name; an empty name is the first.
-    pub(crate) fn output(&self, name: &str) -> Option<usize> {
+    pub fn output(&self, name: &str) -> Option<usize> {
         if name.is_empty() {
             return (!self.outputs.is_empty()).then_some(0);
         }
@@ -157,8 +180,8 @@ fn input_port(def: &NodeDef, index: usize) -> Port {
 }
 
 /// Every kind that a look's nodes may have.
-#[derive(Default)]
-pub(crate) struct Catalog {
+#[derive(Debug, Default)]
+pub struct Catalog {
     library: HashMap<String, Arc<Kind>>,
     /// Kinds of the library in its order, for the palette.
     order: Vec<Arc<Kind>>,
@@ -169,7 +192,7 @@ pub(crate) struct Catalog {
 
 impl Catalog {
     /// The kinds of a library.
-    pub(crate) fn new(library: &Library) -> Self {
+    pub fn new(library: &Library) -> Self {
         let mut catalog = Self::default();
         for def in library.nodes.values() {
             let mut kind = Kind::of_node(def);
@@ -196,7 +219,7 @@ impl Catalog {
     }
 
     /// Learns the groups and custom nodes of a look.
-    pub(crate) fn sync(&mut self, look: &Look, library: &Library) {
+    pub fn sync(&mut self, look: &Look, library: &Library) {
         let find = |kind: &str| {
             let own = look.definitions.get(kind);
             own.or_else(|| library.groups.get(kind).map(|group| &group.definition))
@@ -218,7 +241,7 @@ impl Catalog {
     }
 
     /// The kind of a node; `None` where there is none of that name.
-    pub(crate) fn of(&self, node: &Node) -> Option<&Arc<Kind>> {
+    pub fn of(&self, node: &Node) -> Option<&Arc<Kind>> {
         match custom_code(node) {
             Some(code) => self.custom.get(code),
             None => self.get(&node.kind),
@@ -226,17 +249,17 @@ impl Catalog {
     }
 
     /// A kind by its id.
-    pub(crate) fn get(&self, id: &str) -> Option<&Arc<Kind>> {
+    pub fn get(&self, id: &str) -> Option<&Arc<Kind>> {
         self.definitions.get(id).or_else(|| self.library.get(id))
     }
 
     /// What can be added: the look's own groups first, then the library.
-    pub(crate) fn all(&self) -> impl Iterator<Item = &Arc<Kind>> {
+    pub fn all(&self) -> impl Iterator<Item = &Arc<Kind>> {
         self.definitions.values().chain(&self.order)
     }
 
     /// The two ends of a group, seen from inside: what its inputs give and what its outputs take.
-    pub(crate) fn ends(&self, group: &str) -> Option<[Kind; 2]> {
+    pub fn ends(&self, group: &str) -> Option<[Kind; 2]> {
         let kind = self.get(group)?;
         let end = |id: &str, label: &str, help: &str, inputs: Vec<Port>, outputs: Vec<Port>| {
             let known = Self::stand_in(id, &[], &[]);
@@ -254,8 +277,41 @@ impl Catalog {
         ])
     }
 
+    /// Kinds of a graph's nodes that do not exist, with the ports that wires and values name.
+    pub fn missing_in(&self, graph: &Graph) -> HashMap<NodeId, Arc<Kind>> {
+        let is_missing = |(_, node): &(&NodeId, &Node)| self.of(node).is_none_or(|kind| kind.is_missing);
+        let mut ports: HashMap<&NodeId, (Vec<PortName>, Vec<PortName>)> = HashMap::new();
+        for (id, node) in graph.nodes.iter().filter(is_missing) {
+            ports.insert(id, (node.values.keys().cloned().collect(), Vec::new()));
+        }
+        if ports.is_empty() {
+            return HashMap::new();
+        }
+        for wire in &graph.wires {
+            if let Some((inputs, _)) = ports.get_mut(&wire.to.node)
+                && !inputs.contains(&wire.to.port)
+            {
+                inputs.push(wire.to.port.clone());
+            }
+            if let Some((_, outputs)) = ports.get_mut(&wire.from.node)
+                && !outputs.contains(&wire.from.port)
+            {
+                outputs.push(wire.from.port.clone());
+            }
+        }
+        let kind = |id: &NodeId| graph.nodes.get(id).map_or("", |node| node.kind.as_str());
+        let stand_in = |(id, (inputs, outputs)): (&NodeId, (Vec<PortName>, Vec<PortName>))| {
+            let mut stand_in = Self::stand_in(kind(id), &inputs, &outputs);
+            if let Some(known) = graph.nodes.get(id).and_then(|node| self.of(node)) {
+                stand_in.label.clone_from(&known.label);
+            }
+            (id.clone(), Arc::new(stand_in))
+        };
+        ports.into_iter().map(stand_in).collect()
+    }
+
     /// Stands in for a kind that does not exist, with the ports that the look names.
-    pub(crate) fn stand_in(id: &str, inputs: &[PortName], outputs: &[PortName]) -> Kind {
+    pub fn stand_in(id: &str, inputs: &[PortName], outputs: &[PortName]) -> Kind {
         let ports = |names: &[PortName]| names.iter().map(|name| Port::named(name.as_str())).collect();
         Kind {
             id: id.to_owned(),

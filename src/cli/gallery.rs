@@ -1,0 +1,86 @@
+//! `chiaro gallery`: looks and scenes as a web page.
+
+use std::path::{Path, PathBuf};
+
+use super::open::{check_nodes_folder, library_for};
+use super::output::{Output, once};
+use super::render::{Size, parse_samples};
+use crate::accuracy::Progress;
+use crate::diag::{Diagnostic, has_errors};
+use crate::gallery::{Options, build, list};
+use crate::render::{Gpu, block_on};
+
+const EXAMPLES: &str = "\
+Examples:
+  chiaro gallery examples -o gallery/
+  chiaro gallery my-looks/ -o out/ --mesh bunny.obj --size 800x800
+  chiaro gallery a.json b.json -o out/ --rounds 0
+
+A folder's gallery.json says what is shown and in which order:
+  {\"title\": \"...\", \"about\": \"...\", \"sections\": [{\"title\": \"...\", \"entries\": [\"look.json\"]}]}
+Without one everything in the folder is, with a section for each folder in it. A look's paragraph is its `about`.";
+
+/// What `chiaro gallery` is given.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// Looks, scenes, and folders that hold some
+    #[arg(default_value = "examples")]
+    documents: Vec<PathBuf>,
+    /// The folder to write the pages into
+    #[arg(short, long)]
+    output: PathBuf,
+    /// Width and height of the pictures in pixels
+    #[arg(short, long, default_value = "512x512")]
+    size: Size,
+    /// Samples a pixel: 1, or 4 for smooth edges
+    #[arg(long, default_value_t = 4, value_parser = parse_samples)]
+    samples: u32,
+    /// How often each tier is drawn to measure its time, up to 10000; 0 measures neither times nor errors
+    #[arg(short, long, default_value_t = 7, value_parser = parse_rounds)]
+    rounds: u32,
+    /// A mesh or an own shape (shape:creature) in place of the documents' own
+    #[arg(short, long)]
+    mesh: Option<String>,
+    /// A folder of a project's own nodes; `nodes/` beside a document is found without it
+    #[arg(long)]
+    nodes: Option<PathBuf>,
+    /// Where the nodes' documentation lies from the pages, to link them: a path or an address
+    #[arg(long)]
+    link_nodes: Option<String>,
+}
+
+fn parse_rounds(text: &str) -> Result<u32, String> {
+    let rounds = text.parse().ok().filter(|rounds| *rounds == 0 || (3..=10_000).contains(rounds));
+    rounds.ok_or_else(|| "it is 0, or from 3 to 10000".to_owned())
+}
+
+pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+    check_nodes_folder(arguments.nodes.as_deref())?;
+    let list = list::list(&arguments.documents)?;
+    let gpu = block_on(Gpu::headless()).map_err(|error| vec![error.into()])?;
+    let options = Options {
+        size: arguments.size.0,
+        samples: arguments.samples,
+        rounds: arguments.rounds as usize,
+        mesh: arguments.mesh.clone(),
+        nodes: arguments.link_nodes.clone(),
+    };
+    let find = |document: &Path| library_for(document, arguments.nodes.as_deref());
+    let mut told = |done, total| {
+        output.progress("drawing", done, total);
+        true
+    };
+    let made = build(&list, &arguments.output, &gpu, &find, &options, &mut Progress::new(&mut told));
+    output.end_progress();
+    let made = made?;
+    let problems = once(made.problems);
+    let page = arguments.output.join("index.html");
+    let plural = if made.pages == 1 { "page" } else { "pages" };
+    output.message(&format!("{}: {} {plural}", page.display(), made.pages));
+    if has_errors(&problems) {
+        return Err(problems);
+    }
+    output.diagnostics(&problems);
+    Ok(())
+}

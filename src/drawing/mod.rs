@@ -1,0 +1,106 @@
+//! Graphs as pictures: their measures, their colours, and SVG of them.
+//!
+//! The window's canvas takes the same measures and colours, so that a graph in a document or on a web page is the one
+//! that artists know.
+
+mod graph;
+pub mod palette;
+mod svg;
+
+pub use graph::{graph_svg, node_svg};
+pub use palette::Palette;
+
+use crate::library::Type;
+
+/// The size of plain text, in points.
+pub const TEXT_SIZE: f32 = 13.0;
+/// The width of a node, in points.
+pub const NODE_WIDTH: f32 = 184.0;
+/// The height of a node's title.
+pub const TITLE_HEIGHT: f32 = 26.0;
+/// The height of a port's row.
+pub const ROW_HEIGHT: f32 = 20.0;
+/// What a node has below its last row.
+pub const NODE_FOOT: f32 = 6.0;
+/// A socket's radius.
+pub const SOCKET: f32 = 5.0;
+/// Between a frame and its nodes.
+pub const FRAME_MARGIN: f32 = 16.0;
+/// The height of a frame's title.
+pub const FRAME_TITLE: f32 = 28.0;
+/// Between a note's edge and its text.
+pub const NOTE_PADDING: f32 = 9.0;
+
+/// How high a node with so many rows is.
+pub fn node_height(rows: usize) -> f32 {
+    TITLE_HEIGHT + ROW_HEIGHT * rows as f32 + NODE_FOOT
+}
+
+/// The middle of a row below a node's top; outputs come first.
+pub fn row_center(row: usize) -> f32 {
+    TITLE_HEIGHT + ROW_HEIGHT * (row as f32 + 0.5) + 1.0
+}
+
+/// How far a wire runs level before it bends, from one end to another `run` points to the right.
+pub fn wire_reach(run: f32) -> f32 {
+    (run.abs() * 0.5).clamp(30.0, 200.0)
+}
+
+/// How a socket is drawn, so that types are told apart without colour too.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SocketShape {
+    /// Numbers.
+    Circle,
+    /// Vectors.
+    Diamond,
+    /// Colours and stacks.
+    Square,
+    /// Angles.
+    Triangle,
+    /// Lights.
+    Hexagon,
+}
+
+const H: f32 = 0.866_025_4;
+const CIRCLE: [(f32, f32); 12] = [
+    (0.0, 1.0),
+    (0.5, H),
+    (H, 0.5),
+    (1.0, 0.0),
+    (H, -0.5),
+    (0.5, -H),
+    (0.0, -1.0),
+    (-0.5, -H),
+    (-H, -0.5),
+    (-1.0, 0.0),
+    (-H, 0.5),
+    (-0.5, H),
+];
+const DIAMOND: [(f32, f32); 4] = [(0.0, 1.2), (1.2, 0.0), (0.0, -1.2), (-1.2, 0.0)];
+const SQUARE: [(f32, f32); 4] = [(0.88, 0.88), (0.88, -0.88), (-0.88, -0.88), (-0.88, 0.88)];
+const TRIANGLE: [(f32, f32); 3] = [(-0.9, -1.1), (1.2, 0.0), (-0.9, 1.1)];
+const HEXAGON: [(f32, f32); 6] = [(1.1, 0.0), (0.55, 0.95), (-0.55, 0.95), (-1.1, 0.0), (-0.55, -0.95), (0.55, -0.95)];
+
+impl SocketShape {
+    /// The shape of a type's sockets.
+    pub fn of(ty: &Type) -> Self {
+        match ty {
+            Type::Vec2 | Type::Vec3 | Type::Vec4 | Type::Mat3 => Self::Diamond,
+            Type::Color | Type::Composite => Self::Square,
+            Type::Angle => Self::Triangle,
+            Type::Light => Self::Hexagon,
+            _ => Self::Circle,
+        }
+    }
+
+    /// Its corners around the middle, at radius 1; no more than twelve.
+    pub fn outline(self) -> &'static [(f32, f32)] {
+        match self {
+            Self::Circle => &CIRCLE,
+            Self::Diamond => &DIAMOND,
+            Self::Square => &SQUARE,
+            Self::Triangle => &TRIANGLE,
+            Self::Hexagon => &HEXAGON,
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! One document of a gallery: drawn, measured, taken apart.
+
+use std::collections::BTreeMap;
+use std::collections::HashSet;
+use std::sync::Arc;
+
+use super::{Options, Shown};
+use crate::accuracy::{BenchOptions, MeasuredNodes, Progress, Report, bench};
+use crate::compile::Live;
+use crate::diag::Diagnostic;
+use crate::document::Look;
+use crate::frame::{Assets, Pass, PlanOptions, Planner, Setup, open};
+use crate::library::Library;
+use crate::render::{Renderer, block_on};
+
+/// Everything that a page tells.
+pub(super) struct Entry {
+    /// What the artist calls it.
+    pub(super) name: String,
+    /// What it shows and how it is built.
+    pub(super) about: String,
+    /// Its file's name.
+    pub(super) file: String,
+    /// The picture.
+    pub(super) png: Vec<u8>,
+    pub(super) size: [u32; 2],
+    /// Every look that is worn, once.
+    pub(super) looks: Vec<Look>,
+    /// A module a look, by the look's name.
+    pub(super) shaders: Vec<(String, String)>,
+    pub(super) passes: Vec<Pass>,
+    /// How often the looks use each kind of node.
+    pub(super) kinds: BTreeMap<String, usize>,
+    /// Costs and errors, where they were asked for.
+    pub(super) report: Option<Report>,
+    pub(super) triangles: usize,
+}
+
+impl Entry {
+    /// Draws and measures a document.
+    pub(super) fn make(
+        shown: &Shown,
+        library: &Library,
+        renderer: &mut Renderer,
+        options: &Options,
+    ) -> Result<(Self, Vec<Diagnostic>), Vec<Diagnostic>> {
+        let mut assets = Assets::default();
+        let mesh = options.mesh.as_deref().or(shown.mesh.as_deref());
+        let (setup, mut warnings) = open(&shown.file, mesh, &mut assets)?;
+        let plan_options = PlanOptions { size: options.size, samples: options.samples, time: setup.scene.time.start };
+        let mut planner = Planner::new(assets);
+        let plan = planner.plan(&setup, library, &Live::Keyed, &plan_options)?;
+        warnings.append(&mut planner.warnings);
+        let picture = block_on(renderer.picture(&plan)).map_err(|error| vec![error.into()])?;
+        let png = picture.to_png().map_err(|problem| vec![problem])?;
+        let mut seen = HashSet::new();
+        let modules = plan.draws.iter().filter(|draw| seen.insert(Arc::as_ptr(&draw.look)));
+        let shaders = modules.map(|draw| (draw.look_name.clone(), draw.look.wgsl.clone())).collect();
+        let report = match options.rounds {
+            0 => None,
+            rounds => Some(measure(&setup, library, renderer, &plan_options, rounds)?),
+        };
+        let looks = looks(&setup);
+        let (name, about) = told(shown, &setup);
+        let entry = Self {
+            name,
+            about,
+            file: shown.file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default(),
+            png,
+            size: picture.size,
+            kinds: kinds(&looks),
+            looks,
+            shaders,
+            passes: plan.passes.clone(),
+            report,
+            triangles: setup.objects.iter().map(|object| object.mesh.triangle_count()).sum(),
+        };
+        Ok((entry, warnings))
+    }
+}
+
+fn measure(
+    setup: &Setup,
+    library: &Library,
+    renderer: &mut Renderer,
+    plan: &PlanOptions,
+    rounds: usize,
+) -> Result<Report, Vec<Diagnostic>> {
+    let options = BenchOptions {
+        plan: PlanOptions { samples: 1, ..plan.clone() },
+        rounds,
+        nodes: MeasuredNodes::None,
+        truth: true,
+    };
+    let mut untold = |_, _| true;
+    Ok(bench(setup, library, renderer, &options, &mut Progress::new(&mut untold))?)
+}
+
+/// Looks that differ, in the order in which they are worn.
+fn looks(setup: &Setup) -> Vec<Look> {
+    let mut looks: Vec<Look> = Vec::new();
+    for worn in &setup.looks {
+        if !looks.contains(&worn.look) {
+            looks.push(worn.look.clone());
+        }
+    }
+    looks
+}
+
+fn kinds(looks: &[Look]) -> BTreeMap<String, usize> {
+    let mut kinds = BTreeMap::new();
+    for look in looks {
+        let inner = look.definitions.values().map(|definition| &definition.graph);
+        for node in std::iter::once(&look.graph).chain(inner).flat_map(|graph| graph.nodes.values()) {
+            if !look.definitions.contains_key(node.kind.as_str()) {
+                *kinds.entry(node.kind.clone()).or_default() += 1;
+            }
+        }
+    }
+    kinds
+}
+
+/// The document's name and paragraph: a scene's own, or those of the one look that was opened.
+fn told(shown: &Shown, setup: &Setup) -> (String, String) {
+    let (mut name, mut about) = (setup.scene.name.clone(), setup.scene.about.clone());
+    if let [only] = setup.looks.as_slice() {
+        if name.is_empty() {
+            name.clone_from(&only.look.name);
+        }
+        if about.is_empty() {
+            about.clone_from(&only.look.about);
+        }
+    }
+    if name.is_empty() {
+        name = shown.file.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    }
+    (name, about)
+}

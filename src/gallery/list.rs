@@ -1,0 +1,238 @@
+//! What a gallery shows, in which order: a `gallery.json`, or what lies in folders.
+
+use std::path::{Path, PathBuf};
+
+use serde::Deserialize;
+
+use crate::diag::Diagnostic;
+use crate::document::read_text;
+
+/// The file of a folder that says what its gallery shows.
+pub const LIST_FILE: &str = "gallery.json";
+/// More entries than this are not read.
+const MOST: usize = 2000;
+
+/// What a gallery shows.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct List {
+    /// Above everything.
+    pub title: String,
+    /// A paragraph below it.
+    pub about: String,
+    /// In order.
+    pub sections: Vec<Section>,
+}
+
+/// A row of pictures under a title.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Section {
+    /// Its title.
+    pub title: String,
+    /// A paragraph below it.
+    pub about: String,
+    /// In order.
+    pub shown: Vec<Shown>,
+}
+
+/// A document, and on what it is shown.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Shown {
+    /// A look or a scene.
+    pub file: PathBuf,
+    /// A mesh or an own shape for a look; the default one without.
+    pub mesh: Option<String>,
+}
+
+/// `gallery.json`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ListText {
+    #[serde(default)]
+    title: String,
+    #[serde(default)]
+    about: String,
+    sections: Vec<SectionText>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SectionText {
+    #[serde(default)]
+    title: String,
+    #[serde(default)]
+    about: String,
+    entries: Vec<EntryText>,
+}
+
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum EntryText {
+    File(PathBuf),
+    With(WithText),
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct WithText {
+    file: PathBuf,
+    mesh: Option<String>,
+}
+
+/// What is shown of files and folders: a folder's `gallery.json` where it has one, else its looks and scenes by name,
+/// and those of the folders in it, a section a folder.
+///
+/// # Errors
+/// Paths that are not there, a `gallery.json` that cannot be read, and where nothing is found.
+pub fn list(paths: &[PathBuf]) -> Result<List, Vec<Diagnostic>> {
+    let mut all = List { title: "Gallery".to_owned(), ..List::default() };
+    let mut own = Section::default();
+    let mut problems = Vec::new();
+    for path in paths {
+        if !path.is_dir() {
+            own.shown.push(Shown { file: path.clone(), mesh: None });
+            continue;
+        }
+        match of_folder(path) {
+            Ok(found) => {
+                if paths.len() == 1 {
+                    (all.title, all.about) = (found.title, found.about);
+                }
+                all.sections.extend(found.sections);
+            }
+            Err(problem) => problems.push(problem),
+        }
+    }
+    if !own.shown.is_empty() {
+        all.sections.insert(0, own);
+    }
+    let missing = all.sections.iter().flat_map(|section| &section.shown).filter(|shown| !shown.file.is_file());
+    problems.extend(missing.map(|shown| {
+        let problem = Diagnostic::error("missing-file", "there is no such file");
+        problem.in_file(shown.file.display().to_string())
+    }));
+    let count: usize = all.sections.iter().map(|section| section.shown.len()).sum();
+    if count > MOST {
+        problems.push(
+            Diagnostic::error("too-many", format!("a gallery shows {MOST} documents at most, and these are {count}"))
+                .hint("make several galleries of them"),
+        );
+    }
+    if count == 0 && problems.is_empty() {
+        problems.push(
+            Diagnostic::error("nothing-to-show", "there is neither a look nor a scene")
+                .hint("name looks, scenes, or a folder that holds some"),
+        );
+    }
+    if problems.is_empty() { Ok(all) } else { Err(problems) }
+}
+
+fn of_folder(folder: &Path) -> Result<List, Diagnostic> {
+    let file = folder.join(LIST_FILE);
+    if file.is_file() {
+        return read(&file);
+    }
+    let title = name_of(folder);
+    let mut sections = Vec::new();
+    let shown = documents(folder)?;
+    if !shown.is_empty() {
+        sections.push(Section { shown, ..Section::default() });
+    }
+    for inner in entries(folder)?.into_iter().filter(|path| path.is_dir()) {
+        let shown = documents(&inner)?;
+        if !shown.is_empty() {
+            sections.push(Section { title: name_of(&inner), shown, ..Section::default() });
+        }
+    }
+    Ok(List { title, sections, ..List::default() })
+}
+
+fn read(file: &Path) -> Result<List, Diagnostic> {
+    let text = read_text(file).map_err(|problem| *problem)?;
+    let list: ListText = serde_json::from_str(&text).map_err(|error| {
+        Diagnostic::error("bad-gallery", error.to_string())
+            .in_file(file.display().to_string())
+            .hint("write {\"title\", \"about\", \"sections\": [{\"title\", \"about\", \"entries\": [\"look.json\"]}]}")
+    })?;
+    let folder = file.parent().unwrap_or(Path::new(""));
+    let shown = |entry| match entry {
+        EntryText::File(file) => Shown { file: folder.join(file), mesh: None },
+        EntryText::With(with) => Shown { file: folder.join(with.file), mesh: with.mesh },
+    };
+    let section = |section: SectionText| Section {
+        title: section.title,
+        about: section.about,
+        shown: section.entries.into_iter().map(shown).collect(),
+    };
+    let title = if list.title.is_empty() { name_of(folder) } else { list.title };
+    Ok(List { title, about: list.about, sections: list.sections.into_iter().map(section).collect() })
+}
+
+/// The documents right in a folder, by name.
+fn documents(folder: &Path) -> Result<Vec<Shown>, Diagnostic> {
+    let is_document = |path: &PathBuf| {
+        let is_json = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"));
+        is_json && path.file_name().is_some_and(|name| name != LIST_FILE)
+    };
+    let found = entries(folder)?.into_iter().filter(is_document);
+    Ok(found.map(|file| Shown { file, mesh: None }).collect())
+}
+
+fn entries(folder: &Path) -> Result<Vec<PathBuf>, Diagnostic> {
+    let told = |error: std::io::Error| {
+        let problem = Diagnostic::error("cannot-read", format!("the folder cannot be read: {error}"));
+        problem.in_file(folder.display().to_string())
+    };
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(told)?.take(10 * MOST) {
+        found.push(entry.map_err(told)?.path());
+    }
+    found.sort();
+    Ok(found)
+}
+
+/// A folder's name as a title.
+fn name_of(folder: &Path) -> String {
+    let whole = folder.canonicalize().unwrap_or_else(|_| folder.to_path_buf());
+    let name = whole.file_name().map(|name| name.to_string_lossy().replace(['-', '_'], " ")).unwrap_or_default();
+    let mut letters = name.chars();
+    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn folders_become_sections() {
+        let folder = tempfile::tempdir().unwrap();
+        let write = |name: &str| {
+            let path = folder.path().join(name);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, "{}").unwrap();
+        };
+        ["b.json", "a.json", "more-looks/c.json", "more-looks/c.png", "empty/nothing.txt"].into_iter().for_each(write);
+        let found = list(&[folder.path().to_path_buf()]).unwrap();
+        let titles: Vec<&str> = found.sections.iter().map(|section| section.title.as_str()).collect();
+        assert_eq!(titles, ["", "More looks"]);
+        let names: Vec<_> = found.sections[0].shown.iter().map(|shown| shown.file.file_name().unwrap()).collect();
+        assert_eq!(names, ["a.json", "b.json"]);
+    }
+
+    #[test]
+    fn a_list_says_what_and_on_what() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("a.json"), "{}").unwrap();
+        let path = folder.path().join(LIST_FILE);
+        let text = r#"{"title": "T", "sections": [{"title": "S", "entries": ["a.json", {"file": "a.json", "mesh": "shape:knot"}]}]}"#;
+        std::fs::write(&path, text).unwrap();
+        let found = list(&[folder.path().to_path_buf()]).unwrap();
+        assert_eq!((found.title.as_str(), found.sections[0].shown[1].mesh.as_deref()), ("T", Some("shape:knot")));
+
+        std::fs::write(&path, text.replace("entries", "entrys")).unwrap();
+        let problems = list(&[folder.path().to_path_buf()]).unwrap_err();
+        assert!(problems[0].message.contains("entrys") && problems[0].to_string().contains(LIST_FILE), "{problems:?}");
+        std::fs::write(&path, text.replace("\"a.json\", ", "\"b.json\", ")).unwrap();
+        assert_eq!(list(&[folder.path().to_path_buf()]).unwrap_err()[0].code, "missing-file");
+        assert_eq!(list(&[]).unwrap_err()[0].code, "nothing-to-show");
+    }
+}
