@@ -6,7 +6,9 @@
 
 mod entry;
 pub mod list;
+pub mod nodes;
 mod page;
+mod sample;
 
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};

@@ -44,6 +44,11 @@ fn section(entry: &Entry) -> String {
     if !entry.help.is_empty() {
         text += &format!("\n{}\n", entry.help);
     }
+    let picture = |ending: &str| format!("<img src=\"nodes/{}.{ending}\" alt=\"\">", entry.kind);
+    text += &match entry.kind.as_str() {
+        crate::catalog::CUSTOM_KIND => String::new(),
+        _ => format!("\n{} {}\n", picture("svg"), picture("png")),
+    };
     if !entry.inputs.is_empty() {
         text += "\n| input | type | default | range | what it is |\n| --- | --- | --- | --- | --- |\n";
         entry.inputs.iter().for_each(|input| text += &input_row(input));

@@ -8,8 +8,14 @@ mod text;
 use std::path::PathBuf;
 
 use super::output::Output;
+#[cfg(feature = "gpu")]
+use crate::accuracy::Progress;
 use crate::diag::Diagnostic;
+#[cfg(feature = "gpu")]
+use crate::gallery::nodes::write_nodes;
 use crate::library::Library;
+#[cfg(feature = "gpu")]
+use crate::render::{Gpu, block_on};
 use entry::Entry;
 
 const EXAMPLES: &str = "\
@@ -18,7 +24,8 @@ Examples:
   chiaro nodes profile              everything about one
   chiaro nodes light_layer --json   the same for a script
   chiaro nodes --nodes my/nodes     with a project's own nodes
-  chiaro nodes --markdown           docs/nodes.md";
+  chiaro nodes --markdown           docs/nodes.md
+  chiaro nodes --pictures docs/nodes/   the pictures in it";
 
 /// What `chiaro nodes` is given.
 #[derive(Debug, clap::Args)]
@@ -35,6 +42,10 @@ pub(super) struct Arguments {
     /// Print the whole documentation as Markdown
     #[arg(long, conflicts_with = "kind")]
     markdown: bool,
+    /// Draw every node into a folder: the node itself as SVG, and what it gives on a sphere as PNG
+    #[cfg(feature = "gpu")]
+    #[arg(long, value_name = "FOLDER", conflicts_with_all = ["kind", "json", "markdown"])]
+    pictures: Option<PathBuf>,
 }
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
@@ -42,6 +53,10 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         Some(folder) => Library::built_in().with_project(folder),
         None => Library::built_in().clone(),
     };
+    #[cfg(feature = "gpu")]
+    if let Some(folder) = &arguments.pictures {
+        return draw(&library, folder, output);
+    }
     let entries = entry::entries(&library);
     if arguments.markdown {
         output.result(markdown::document(&entries).trim_end());
@@ -54,6 +69,21 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     } else {
         output.result(&text::table(&entries));
     }
+    output.diagnostics(&library.problems);
+    Ok(())
+}
+
+#[cfg(feature = "gpu")]
+fn draw(library: &Library, folder: &std::path::Path, output: &Output) -> Result<(), Vec<Diagnostic>> {
+    let gpu = block_on(Gpu::headless()).map_err(|error| vec![error.into()])?;
+    let mut told = |done, total| {
+        output.progress("drawing", done, total);
+        true
+    };
+    let drawn = write_nodes(library, folder, &gpu, &mut Progress::new(&mut told));
+    output.end_progress();
+    drawn?;
+    output.message(&format!("{}: pictures of every node", folder.display()));
     output.diagnostics(&library.problems);
     Ok(())
 }
