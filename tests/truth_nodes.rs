@@ -832,6 +832,58 @@ fn noises_are_their_lattices() {
     }
 }
 
+/// Border, number and distance of the cell around a point, of all points up to three cells away.
+fn cell(p: DVec3, seed: u32) -> [f64; 3] {
+    let home = p.floor().to_array().map(|x| x as i64);
+    let steps = || -3..4_i64;
+    let all = steps().flat_map(|i| steps().flat_map(move |j| steps().map(move |k| [i, j, k])));
+    let point = |at: [i64; 3]| {
+        let cell: [i64; 3] = std::array::from_fn(|i| home[i] + at[i]);
+        let hash = lattice(cell, seed);
+        let place = DVec3::from_array(cell.map(|x| x as f64)) + 0.25 + 0.5 * unit3(hash);
+        (place, unit3(pcg3d(hash)).x)
+    };
+    let points: Vec<(DVec3, f64)> = all.map(point).collect();
+    let of = |q: DVec3| points.iter().map(move |point| (point.0.distance(q), point)).min_by(|a, b| a.0.total_cmp(&b.0));
+    let (distance, (own, random)) = of(p).unwrap();
+    // The plane half-way to another point is where both are equally far.
+    let plane = |other: &DVec3| (p.distance_squared(*other) - distance * distance) / (2.0 * own.distance(*other));
+    let others = points.iter().map(|point| &point.0).filter(|other| *other != own);
+    let border = others.map(plane).fold(f64::INFINITY, f64::min);
+    [border.min(0.5 * (1.25 - distance)), *random, distance]
+}
+
+#[test]
+fn cells_are_around_their_points() {
+    let mut random = Random::new(85);
+    let samples: Vec<EvalSample> = (0..800)
+        .map(|_| EvalSample {
+            position: DVec3::from_array((random.direction() * random.between(0.0, 20.0)).to_array().map(f32_of)),
+            ..EvalSample::default()
+        })
+        .collect();
+    for seed in [0, 31] {
+        let look = look(&json!({
+            "nodes": [
+                {"id": "node", "kind": "cells", "values": {"scale": 2, "seed": seed}},
+                {"id": "output", "kind": "output"}
+            ],
+            "wires": [{"from": "node.border", "to": "output.color"}]
+        }));
+        for (index, output) in ["border", "random", "distance"].into_iter().enumerate() {
+            let mut errors = Errors::new(format!("cells {output}"), 1e-5);
+            for (got, s) in eval(&look, &format!("node.{output}"), &samples).iter().zip(&samples) {
+                let expected = cell(2.0 * s.position, seed);
+                // At a border either neighbour's number is right.
+                if index != 1 || expected[0] > 1e-4 {
+                    errors.note(got[0], expected[index], || format!("{}", s.position));
+                }
+            }
+            errors.finish();
+        }
+    }
+}
+
 // Pictures
 
 /// A PNG of 4 x 4 texels, each of its own colour, and one of 64 x 64 with its place as colour.
@@ -1019,6 +1071,7 @@ fn every_kind_is_held() {
         "tone_map",
         "bands",
         "bump_map",
+        "cells",
         "curve",
         "image",
         "litsphere",

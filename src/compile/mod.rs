@@ -123,6 +123,8 @@ pub struct CompiledShader {
     /// Which values are really uniforms: less than was asked for where the uniform would grow past
     /// [`MAX_UNIFORM_BYTES`].
     pub live: Live,
+    /// Whether the look cuts parts of the surface away, by its Output's alpha cut-off: what is behind is seen then.
+    pub cuts: bool,
     /// The type of what the module shows.
     pub root_type: crate::library::Type,
 }
@@ -176,6 +178,8 @@ pub fn compile_typed(
         removed: specialized.removed,
         warnings,
         live: options.live.clone(),
+        // A material's mask says by itself whether its other side is to be drawn.
+        cuts: specialized.cutoff.is_some() && !options.cutout,
         root_type: emitted.root_type,
     })
 }

@@ -476,8 +476,8 @@ impl Planner {
                 look_uniforms,
                 images: drawn,
                 normals_images,
-                // From within, a solid is seen from behind.
-                two_sided: part.two_sided || view.eye.distance(center) < object.radius(),
+                // From within, a solid is seen from behind, and so it is through what a look cuts away.
+                two_sided: part.two_sided || shaders.draw.cuts || view.eye.distance(center) < object.radius(),
                 is_mirrored: object.world_from_object.determinant() < 0.0,
                 distance: view.backward.dot(view.eye - center),
             });

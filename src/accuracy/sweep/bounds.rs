@@ -138,6 +138,7 @@ pub const EXCEPTIONS: &[Exception] = &[
     on("checker", "").from(1e-15).within(1e5).together().steps(STEPS),
     on("gradient", "").from(1e-15).within(1e15).together().steps("around its start it leaps from 1 to 0"),
     on("noise", "").within(8.0).bound(2e-5).steep("octaves are finer than the position's last digits"),
+    on("cells", "").within(8.0).together().bound(2e-5).steps("from cell to cell the number is another"),
     on("image", "linear").within(30.0).together().bound(1e-2).steep(FILTER),
     on("image", "nearest").within(30.0).together().steps("between texels rounding decides"),
     on("litsphere", "linear").together().bound(1e-2).steep(FILTER),
