@@ -102,6 +102,12 @@ fn shots() {
     save(&mut hand, "paint-start-page");
     hand.press("Paint a surface");
     save(&mut hand, "paint-0-start");
+    hand.press("Another grid...");
+    save(&mut hand, "paint-0-grid");
+    let views = hand.place_of(Role::SpinButton, "Views: rings");
+    hand.type_over(views, "255");
+    save(&mut hand, "paint-0-grid-refused");
+    hand.press("Cancel");
     hand.press("Import painted pictures...");
     hand.choose("Kind of pictures", "A contact sheet");
     save(&mut hand, "paint-0-import");
@@ -128,6 +134,9 @@ fn shots() {
     hand.app_mut().session_mut().painting_mut().unwrap().go_to(Address::new([2, 1], [5, 2]));
     hand.tab("Fill rules");
     save(&mut hand, "paint-5-grazing");
+    let memory = hand.place_like("Memory:").center();
+    hand.click(memory);
+    save(&mut hand, "paint-5-memory");
     hand.press("View");
     hand.press_a(Role::CheckBox, "Sheet");
     hand.key(Key::Escape);

@@ -9,7 +9,7 @@ use std::time::SystemTime;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Directions, Grid, Hcbtf, Tile};
 use crate::geometry::{self, Mesh};
-use crate::hcbtf::{self, Filled, LayerOptions, Region};
+use crate::hcbtf::{self, Filled, LayerOptions, Progress, Region};
 
 /// What an object's mesh begins with where it is an own shape.
 pub const SHAPE_PREFIX: &str = "shape:";
@@ -144,6 +144,8 @@ const REBAKED: u64 = 8;
 #[derive(Clone, Debug, Default)]
 pub struct Assets {
     overlay: Option<Overlay>,
+    /// Who watches HCBTFs being filled.
+    progress: Option<Arc<Progress>>,
     /// What was baked of it, or of what it was before.
     baked: HashMap<LayerOptions, (Overlay, Arc<Image>)>,
     meshes: HashMap<String, Kept<Mesh>>,
@@ -211,6 +213,11 @@ impl Assets {
         self.overlay = overlay;
     }
 
+    /// Lets somebody watch, and stop, the filling of HCBTFs from now on; each begins the progress anew.
+    pub fn watch(&mut self, progress: Option<Arc<Progress>>) {
+        self.progress = progress;
+    }
+
     fn overlaid(&mut self, path: &Path, options: LayerOptions) -> Option<Result<Arc<Image>, Diagnostic>> {
         let overlay = self.overlay.as_ref().filter(|overlay| overlay.is(path))?;
         if let Some((before, image)) = self.baked.get_mut(&options)
@@ -247,7 +254,9 @@ impl Assets {
             return Ok((kept.value.clone(), kept.notes.clone()));
         }
         let (hcbtf, notes) = hcbtf::load(&key.0)?;
-        let value = bake(&hcbtf, options).map_err(|problem| vec![problem.in_file(key.0.display().to_string())])?;
+        let progress = self.progress.clone().unwrap_or_default();
+        let value =
+            bake(&hcbtf, options, &progress).map_err(|problem| vec![problem.in_file(key.0.display().to_string())])?;
         let value = Arc::new(value);
         self.hcbtfs.insert(key, Kept { stamp, value: value.clone(), notes: notes.clone() });
         Ok((value, notes))
@@ -263,8 +272,8 @@ pub(super) fn plain_hcbtf(color: [u8; 4]) -> Image {
 }
 
 /// The texture of an HCBTF, if it is not larger than one may be.
-fn bake(hcbtf: &Hcbtf, options: LayerOptions) -> Result<Image, Diagnostic> {
-    let filled = hcbtf::fill::fill(hcbtf, &hcbtf::Progress::new())?;
+fn bake(hcbtf: &Hcbtf, options: LayerOptions, progress: &Progress) -> Result<Image, Diagnostic> {
+    let filled = hcbtf::fill::fill(hcbtf, progress)?;
     Ok(of_layers(hcbtf::stored(&hcbtf.grid, |address| filled.tile(address), options)?))
 }
 

@@ -38,12 +38,12 @@ mod synthesize;
 use crate::document::Hcbtf;
 
 pub use file::{load, read, read_bytes, write};
-pub use fill::{Estimate, Filled, NotFilled, Provenance, Which, estimate};
+pub use fill::{Estimate, Filled, NotFilled, Provenance, Which, estimate, filled_at_most};
 pub use layers::{
     LayerOptions, Layers, MAX_LAYERS_BYTES, check_layers, from_layers, layers, layers_bytes, layers_size, stored,
     stored_size,
 };
-pub use memory::{Limits, Need, needs, needs_at_most};
+pub use memory::{Device, Limits, Need, needs, needs_at_most};
 pub use picture::Picture;
 pub use progress::Progress;
 pub use repaint::{Region, repaint};

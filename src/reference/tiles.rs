@@ -14,7 +14,8 @@ use crate::interp::Precision;
 use crate::library::Library;
 
 /// Paints every sample of a grid with what a look shows on a flat tile, its light at the sample's direction, on all cores.
-/// The result is the same on every machine. `progress` counts views.
+/// The result is the same on every machine. `assets` has what the look names, best read before
+/// ([`tile_assets`](crate::frame::tile_assets)). `progress` counts views.
 ///
 /// # Errors
 /// Where it is stopped, where the grid is too large for a file, and everything that is wrong with the look.
@@ -23,6 +24,7 @@ pub fn bake_look(
     library: &Library,
     grid: Grid,
     light: &LightId,
+    assets: &Assets,
     progress: &Progress,
 ) -> Result<Hcbtf, Vec<Diagnostic>> {
     let one = |problem: Diagnostic| vec![problem];
@@ -38,7 +40,7 @@ pub fn bake_look(
         if progress.is_stopped() {
             return Err(one(NotFilled::Stopped.into()));
         }
-        let batches = tile_batches(setup, library, &grid, light, *view, &mut Assets::default())?;
+        let batches = tile_batches(setup, library, &grid, light, *view, &mut assets.clone())?;
         let mut values = vec![[0.0; 4]; batches.iter().map(|batch| batch.indices.len()).sum()];
         for batch in &batches {
             for (index, value) in batch.indices.iter().zip(evaluate(batch, Precision::F64).map_err(one)?) {

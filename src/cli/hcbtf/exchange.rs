@@ -105,7 +105,7 @@ pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(),
         return Err(vec![Diagnostic::error("bad-argument", "--compact goes with --to ktx2")]);
     }
     let hcbtf = open(&arguments.file, output)?;
-    let filled = filled(&hcbtf, &arguments.file)?;
+    let filled = filled(&hcbtf, &arguments.file, output)?;
     let which = if arguments.painted { Which::Painted } else { Which::All };
     let path = &arguments.output;
     let storage = if arguments.compact { Storage::Compact } else { Storage::Quick };

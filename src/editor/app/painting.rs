@@ -10,6 +10,7 @@ use crate::document::Grid;
 use crate::editor::dialogs::Purpose;
 use crate::editor::dock::Panel;
 use crate::editor::painting::{Import, Wish, Work, look};
+use crate::editor::panels::problems::sentence;
 use crate::frame::UNSAVED_HCBTF;
 use crate::hcbtf::exchange::Form;
 
@@ -28,6 +29,7 @@ impl App {
             }
             Wish::New { grid, keeps_look } => self.do_or_ask(Pending::NewPainting { grid, keeps_look }),
             Wish::Open { path, keeps_look } => self.do_or_ask(Pending::OpenPainting { path, keeps_look }),
+            Wish::AskGrid { changes } => self.painting.ask_grid(&self.session, changes),
             Wish::AskImport => self.painting.ask_import(),
             Wish::Import { import, from: None } => {
                 self.dialogs.ask(Purpose::ImportPainting(import), self.session.path());
@@ -69,8 +71,9 @@ impl App {
         match Work::open(path) {
             Ok(work) => {
                 let stays = keeps_look || self.session.shows_painting(path);
-                self.begin_painting(work, stays);
-                self.safety.opened(path);
+                if self.begin_painting(work, stays) {
+                    self.safety.opened(path);
+                }
             }
             Err(problems) => {
                 let why = problems.first().map(|problem| problem.message.as_str()).unwrap_or_default();
@@ -84,8 +87,9 @@ impl App {
         match import.read(path) {
             Ok((hcbtf, notes)) => {
                 let told = format!("{} of {} samples are painted", hcbtf.painted.len(), hcbtf.grid.sample_count());
-                self.begin_painting(Work::imported(hcbtf, notes), false);
-                self.message = Some(self.message.take().map_or(told.clone(), |note| format!("{told} · {note}")));
+                if self.begin_painting(Work::imported(hcbtf, notes), false) {
+                    self.message = Some(self.message.take().map_or(told.clone(), |note| format!("{told} · {note}")));
+                }
             }
             Err(problems) => {
                 let why = problems.first().map(|problem| problem.message.as_str()).unwrap_or_default();
@@ -113,7 +117,14 @@ impl App {
         self.painting.export(&self.session, form, to);
     }
 
-    fn begin_painting(&mut self, work: Work, keeps_look: bool) {
+    /// Begins to paint, where the device can hold it; tells why not otherwise.
+    /// Returns whether it did.
+    fn begin_painting(&mut self, work: Work, keeps_look: bool) -> bool {
+        if let Err(problem) = self.painting.check(work.grid()) {
+            let why = sentence(&problem).replace('\n', ": ");
+            self.message = Some(format!("{} cannot be painted here: {why}", work.name()));
+            return false;
+        }
         let told = work.load_problems.first().map(|problem| problem.message.clone());
         self.session.set_painting(Some(work));
         if !keeps_look {
@@ -122,6 +133,7 @@ impl App {
         self.safety.look();
         self.show_painting_panels();
         self.message = told;
+        true
     }
 
     /// Begins a look that shows what is painted, and nothing else.

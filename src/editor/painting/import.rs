@@ -4,6 +4,7 @@ use std::path::Path;
 
 use eframe::egui::{self, Button, ComboBox, DragValue, Id, Modal, RichText, Ui, WidgetInfo};
 
+use super::grid::directions;
 use super::{Wish, command};
 use crate::diag::Diagnostic;
 use crate::document::{Directions, Grid, Hcbtf};
@@ -105,23 +106,4 @@ pub(super) fn show(ui: &Ui, asked: &mut Option<Import>) -> Option<Command> {
     is_over |= modal.should_close();
     *asked = (!is_over).then_some(import);
     out
-}
-
-/// How many rings and steps there are.
-fn directions(ui: &mut Ui, name: &str, directions: &mut Directions) {
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 6.0;
-        ui.add_sized([48.0, 20.0], egui::Label::new(name));
-        let rings = ui.add(DragValue::new(&mut directions.theta).range(1..=255).speed(0.05).suffix(" rings"));
-        rings.widget_info(|| named(&format!("{name}: rings"), directions.theta));
-        ui.label("x");
-        let steps = ui.add(DragValue::new(&mut directions.phi).range(1..=255).speed(0.05).suffix(" steps"));
-        steps.widget_info(|| named(&format!("{name}: steps"), directions.phi));
-        let text = format!("{} directions", directions.distinct_count());
-        ui.label(RichText::new(text).color(theme::of(ui).dim));
-    });
-}
-
-fn named(name: &str, value: u32) -> WidgetInfo {
-    WidgetInfo { label: Some(name.to_owned()), ..WidgetInfo::drag_value(true, f64::from(value)) }
 }

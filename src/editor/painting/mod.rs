@@ -13,6 +13,7 @@ mod dome;
 mod easel;
 mod export;
 mod filling;
+mod grid;
 mod hand;
 mod icons;
 mod import;
@@ -20,6 +21,7 @@ mod keeping;
 mod list;
 pub(crate) mod look;
 mod map;
+mod memory;
 mod moves;
 mod rules;
 mod sheet;
@@ -37,10 +39,13 @@ use eframe::egui::{Button, Key, Pos2, Rect, RichText, Slider, Ui, WidgetInfo};
 
 use super::command::Command;
 use super::dock::{self, Panel};
+use super::panels::problems::sentence;
 use super::session::Session;
 use super::shortcuts::{Action, Way};
 use super::theme;
+use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, HcbtfEdit};
+use crate::hcbtf::Device;
 use crate::hcbtf::exchange::Form;
 pub(crate) use import::Import;
 pub(crate) use start::Preset;
@@ -67,6 +72,10 @@ pub(crate) enum Wish {
     Open {
         path: PathBuf,
         keeps_look: bool,
+    },
+    /// Asks how finely a new one is divided, or how the open one is to be from now on.
+    AskGrid {
+        changes: bool,
     },
     /// Asks what pictures of other programs are to become an HCBTF.
     AskImport,
@@ -102,6 +111,9 @@ pub struct Painting {
     held: Option<dome::Held>,
     filling: filling::Filling,
     exports: export::Exports,
+    memory: memory::Memory,
+    /// Which grid, while that is asked for.
+    grid: Option<grid::Asked>,
     /// What is to be imported, while that is asked for.
     import: Option<Import>,
     /// The sample that is only looked at, and the one for the next frame.
@@ -110,8 +122,9 @@ pub struct Painting {
 }
 
 impl Painting {
-    /// `wake` is called from another thread when rules have filled something, or something was exported.
-    pub(crate) fn new(wake: impl Fn() + Send + Clone + 'static) -> Self {
+    /// `wake` is called from another thread when rules have filled something, or something was exported. `device` is what
+    /// it is drawn with.
+    pub(crate) fn new(device: Device, wake: impl Fn() + Send + Clone + 'static) -> Self {
         Self {
             tools: tools::Tools::default(),
             easel: easel::Easel::default(),
@@ -121,7 +134,9 @@ impl Painting {
             order: list::Order::default(),
             held: None,
             filling: filling::Filling::new(wake.clone()),
-            exports: export::Exports::new(wake),
+            exports: export::Exports::new(wake.clone()),
+            memory: memory::Memory::new(device, wake),
+            grid: None,
             import: None,
             peek: None,
             next_peek: None,
@@ -133,9 +148,23 @@ impl Painting {
         self.import = Some(Import::default());
     }
 
+    /// Asks how finely something new is divided, or how what is open is to be.
+    pub(crate) fn ask_grid(&mut self, session: &Session, changes: bool) {
+        self.grid = Some(grid::Asked::of(session.painting(), changes));
+    }
+
+    /// Whether one of this grid can be painted here.
+    ///
+    /// # Errors
+    /// What the device cannot hold, and what to take less of.
+    pub(crate) fn check(&self, grid: &Grid) -> Result<(), Diagnostic> {
+        self.memory.device.check_painted(grid)
+    }
+
     /// What is asked for in front of everything else, while it is.
-    pub(crate) fn ask(&mut self, ui: &Ui) -> Option<Command> {
-        import::show(ui, &mut self.import)
+    pub(crate) fn ask(&mut self, ui: &Ui, session: &Session) -> Option<Command> {
+        let asked = import::show(ui, &mut self.import);
+        asked.or_else(|| grid::show(ui, &mut self.grid, session.painting(), &self.memory.device))
     }
 
     /// Writes what is painted in another program's form.
@@ -154,7 +183,7 @@ impl Painting {
     pub(crate) fn tick(&mut self, session: &mut Session) {
         self.peek = self.next_peek.take();
         if let Some(work) = session.painting_mut()
-            && self.filling.tick(work)
+            && self.filling.tick(work, &self.memory.device)
         {
             session.painting_changed();
         }
@@ -179,9 +208,9 @@ impl Painting {
                 }
             }
             _ => {
-                let problem = self.filling.problem.as_ref().map(|problem| problem.message.as_str());
+                let problem = self.filling.problem.as_ref().map(sentence);
                 if let Some(work) = session.painting() {
-                    rules::show(ui, work, self.filling.share(), problem, &mut out);
+                    rules::show(ui, work, self.filling.share(), problem.as_deref(), &mut self.memory, &mut out);
                 }
             }
         }
@@ -314,12 +343,13 @@ impl Painting {
     }
 
     pub(crate) fn is_busy(&self) -> bool {
-        self.filling.is_busy() || self.exports.is_busy()
+        self.filling.is_busy() || self.exports.is_busy() || self.memory.is_busy()
     }
 
     pub(crate) fn wait(&self) {
         self.filling.wait();
         self.exports.wait();
+        self.memory.wait();
     }
 }
 

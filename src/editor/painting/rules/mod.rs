@@ -9,6 +9,7 @@ use eframe::egui::{
     Checkbox, ComboBox, DragValue, Id, ProgressBar, RichText, Role, ScrollArea, Slider, Ui, WidgetInfo,
 };
 
+use super::memory::Memory;
 use super::work::Work;
 use super::{Wish, command, moves};
 use crate::document::relief::PRESETS;
@@ -69,7 +70,14 @@ fn fresh(work: &Work) -> Vec<Rule> {
 }
 
 /// Shows the rules. `share` is how much is filled while that goes on.
-pub(super) fn show(ui: &mut Ui, work: &Work, share: Option<f64>, problem: Option<&str>, out: &mut Vec<Command>) {
+pub(super) fn show(
+    ui: &mut Ui,
+    work: &Work,
+    share: Option<f64>,
+    problem: Option<&str>,
+    memory: &mut Memory,
+    out: &mut Vec<Command>,
+) {
     let hcbtf = work.hcbtf();
     let mut tiling = hcbtf.is_tiling;
     ui.horizontal(|ui| {
@@ -89,7 +97,12 @@ pub(super) fn show(ui: &mut Ui, work: &Work, share: Option<f64>, problem: Option
         if ui.checkbox(&mut tiling, "The tile repeats").on_hover_text("Strokes go across its edges").changed() {
             out.push(command(Wish::Edit(HcbtfEdit::SetTiling { is_tiling: tiling })));
         }
+        let help = "Divides it into other texels, lights or views, once it is told what that takes";
+        if ui.button("Grid...").on_hover_text(help).clicked() {
+            out.push(command(Wish::AskGrid { changes: true }));
+        }
     });
+    memory.show(ui, work);
     if let Some(problem) = problem {
         ui.label(RichText::new(problem).color(theme::of(ui).error));
     }
