@@ -8,7 +8,7 @@ use super::evaluate;
 use crate::diag::Diagnostic;
 use crate::document::{Direction, Grid, Hcbtf};
 use crate::frame::{Assets, SetupLook, tile_batches, tiles_of};
-use crate::hcbtf::{MAX_PAINTED, MAX_PAINTED_BYTES, NotFilled, Progress};
+use crate::hcbtf::{NotFilled, Progress, check_all_painted};
 use crate::ids::LightId;
 use crate::interp::Precision;
 use crate::library::Library;
@@ -29,11 +29,7 @@ pub fn bake_look(
 ) -> Result<Hcbtf, Vec<Diagnostic>> {
     let one = |problem: Diagnostic| vec![problem];
     grid.check().map_err(|why| one(Diagnostic::error("hcbtf-grid", why)))?;
-    let count = grid.sample_count();
-    if count > MAX_PAINTED as u64 || count * grid.texels() as u64 * 4 > MAX_PAINTED_BYTES {
-        let message = format!("{count} painted samples of {} x {} texels are too much", grid.size[0], grid.size[1]);
-        return Err(one(Diagnostic::error("too-large", message).hint("take a coarser grid")));
-    }
+    check_all_painted(&grid).map_err(one)?;
     let views: Vec<Direction> = grid.view.distinct().collect();
     progress.begin(views.len() as u64);
     let painted = views.par_iter().map(|view| {

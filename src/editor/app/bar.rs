@@ -41,9 +41,10 @@ impl App {
             ui.menu_button("View", |ui| self.view_menu(ui)).response.on_hover_text("Panels, theme and scale");
             let news = of_kind(|action| {
                 use Action::{
-                    CloseHcbtf, ExportHcbtf, GridOfHcbtf, ImportHcbtf, NewHcbtf, NewHcbtfOf, SaveHcbtf, SaveHcbtfAs,
+                    BakeLook, CloseHcbtf, ExportHcbtf, GridOfHcbtf, ImportHcbtf, NewHcbtf, NewHcbtfOf, SaveHcbtf,
+                    SaveHcbtfAs, TileOfHcbtf,
                 };
-                let is_new = matches!(action, NewHcbtf(_) | NewHcbtfOf | ImportHcbtf);
+                let is_new = matches!(action, NewHcbtf(_) | NewHcbtfOf | ImportHcbtf | TileOfHcbtf | BakeLook);
                 let is_of_open = matches!(action, GridOfHcbtf | SaveHcbtf | SaveHcbtfAs | CloseHcbtf | ExportHcbtf(_));
                 is_new || is_of_open
             });

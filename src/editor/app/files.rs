@@ -1,12 +1,13 @@
 //! Opening, saving and closing: nothing is lost on the way.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use eframe::egui::{self, RichText, Ui, ViewportCommand};
 
 use super::App;
 use crate::diag::{Diagnostic, Severity};
-use crate::document::Grid;
+use crate::document::{Grid, Hcbtf};
 use crate::editor::command::Command;
 use crate::editor::dialogs::PAINTING;
 use crate::editor::dock::Panel;
@@ -37,6 +38,10 @@ pub(super) enum Pending {
     ImportPainting {
         path: PathBuf,
         import: Import,
+    },
+    /// Paints on what was made of other things.
+    BeginPainting {
+        hcbtf: Arc<Hcbtf>,
     },
     ClosePainting,
     Close,
@@ -129,7 +134,9 @@ impl App {
                 let stays = keeps_look || self.keeps_look();
                 (!stays, !stays)
             }
-            Some(Pending::ImportPainting { .. }) => (!self.keeps_look(), !self.keeps_look()),
+            Some(Pending::ImportPainting { .. } | Pending::BeginPainting { .. }) => {
+                (!self.keeps_look(), !self.keeps_look())
+            }
             _ => (true, true),
         };
         let is_scene_dirty = self.session.stage().is_some_and(Stage::is_dirty);
@@ -154,6 +161,7 @@ impl App {
                 Pending::NewPainting { .. }
                     | Pending::OpenPainting { .. }
                     | Pending::ImportPainting { .. }
+                    | Pending::BeginPainting { .. }
                     | Pending::ClosePainting
                     | Pending::Close
             )
@@ -193,7 +201,8 @@ impl App {
             }
             Some(Pending::NewPainting { grid, keeps_look }) => self.new_painting(grid, keeps_look),
             Some(Pending::OpenPainting { path, keeps_look }) => self.open_painting(&path, keeps_look),
-            Some(Pending::ImportPainting { path, import }) => self.import_painting(&path, import),
+            Some(Pending::ImportPainting { path, import }) => self.import_painting(path, import),
+            Some(Pending::BeginPainting { hcbtf }) => self.begin_made(&hcbtf),
             Some(Pending::ClosePainting) => self.close_painting(),
             Some(Pending::Close) => self.closes = true,
             None => {}

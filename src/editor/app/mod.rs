@@ -347,6 +347,7 @@ impl App {
         self.shortcuts(ui, &mut commands);
         self.take_look_exports(ui);
         self.message = self.painting.exported().or(self.message.take());
+        self.take_made();
         let dropped = ui.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_path_buf()));
         let adds = self.adds_what_is_dropped(ui);
         commands.extend(dropped.map(|path| {

@@ -7,7 +7,7 @@ use super::work::Work;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Hcbtf, Tile};
 use crate::editor::worker::Worker;
-use crate::hcbtf::fill::{fill, sample};
+use crate::hcbtf::fill::{fill, refill, sample};
 use crate::hcbtf::{Device, Filled, NotFilled, Progress};
 
 struct Wish {
@@ -50,8 +50,17 @@ pub(super) struct Filling {
 impl Filling {
     /// `wake` is called from another thread when something is filled.
     pub(super) fn new(wake: impl Fn() + Clone + Send + 'static) -> Self {
-        let work = |wish: Wish| {
-            let filled = fill(&wish.hcbtf, &wish.progress).map(Arc::new);
+        // A stroke changes little of what was filled before.
+        let mut before: Option<(Arc<Hcbtf>, Arc<Filled>)> = None;
+        let work = move |wish: Wish| {
+            let filled = match &before {
+                Some((of, filled)) => refill(&wish.hcbtf, (of, filled), &wish.progress),
+                None => fill(&wish.hcbtf, &wish.progress),
+            };
+            let filled = filled.map(Arc::new);
+            if let Ok(filled) = &filled {
+                before = Some((wish.hcbtf.clone(), filled.clone()));
+            }
             Done { of: wish.hcbtf, number: wish.number, filled }
         };
         let ahead = |(wish, address): (Wish, Address)| {
@@ -136,6 +145,12 @@ impl Filling {
             }
         }
         is_new
+    }
+
+    /// What the rules have made of all that is shown now, if they have.
+    pub(super) fn of(&self, work: &Work) -> Option<Arc<Filled>> {
+        let is_it = self.has.as_ref().is_some_and(|has| Arc::ptr_eq(has, work.shown()));
+        work.filled().filter(|_| is_it).cloned()
     }
 
     /// The share that is filled, while that goes on.

@@ -80,18 +80,23 @@ fn what_stays(work: &Work, grid: &Grid) -> String {
 
 /// The fields of a grid.
 pub(super) fn fields(ui: &mut Ui, grid: &mut Grid) {
+    size(ui, &mut grid.size);
+    directions(ui, "Lights", &mut grid.light);
+    directions(ui, "Views", &mut grid.view);
+}
+
+/// The fields of a tile's size.
+pub(super) fn size(ui: &mut Ui, size: &mut [u32; 2]) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
         ui.add_sized([48.0, 20.0], Label::new("Tile"));
-        let [width, height] = &mut grid.size;
+        let [width, height] = size;
         for (value, name, between) in [(width, "Texels across", "x"), (height, "Texels down", "texels")] {
             let drag = ui.add(DragValue::new(value).range(1..=MAX_TILE_SIDE).speed(0.2));
             drag.widget_info(|| named(name, *value));
             ui.label(between);
         }
     });
-    directions(ui, "Lights", &mut grid.light);
-    directions(ui, "Views", &mut grid.view);
 }
 
 /// How many rings and steps there are.

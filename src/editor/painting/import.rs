@@ -10,6 +10,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Directions, Grid, Hcbtf};
 use crate::editor::command::Command;
 use crate::editor::theme;
+use crate::hcbtf::Progress;
 use crate::hcbtf::contact::MAX_GAP;
 use crate::hcbtf::exchange::{self, Form};
 
@@ -35,11 +36,11 @@ impl Import {
     /// The HCBTF of the pictures there, with what was odd about them.
     ///
     /// # Errors
-    /// Everything that keeps them from being used.
-    pub(crate) fn read(self, from: &Path) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+    /// Everything that keeps them from being used, and where it is stopped.
+    pub(super) fn read(self, from: &Path, progress: &Progress) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
         let Self { form, light, view, gap, is_tiling } = self;
         let grid = exchange::fitted(from, form, Grid { size: Grid::THESIS.size, light, view }, gap);
-        let (hcbtf, notes) = exchange::import(from, form, grid, gap)?;
+        let (hcbtf, notes) = exchange::import(from, form, grid, gap, progress)?;
         Ok((Hcbtf { is_tiling, ..hcbtf }, notes))
     }
 }

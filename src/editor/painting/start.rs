@@ -90,5 +90,10 @@ pub(super) fn show(ui: &mut Ui, out: &mut Vec<Command>) {
         if import.on_hover_text(help).clicked() {
             out.push(command(Wish::AskImport));
         }
+        let help = "Paints every sample as the open look shows it: a dear look becomes a quick one, or one to paint on";
+        let bake = ui.add_sized([400.0, 30.0], eframe::egui::Button::new("Bake this look onto a tile..."));
+        if bake.on_hover_text(help).clicked() {
+            out.push(command(Wish::AskBake));
+        }
     });
 }

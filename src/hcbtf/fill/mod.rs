@@ -8,6 +8,7 @@
 //!
 //! Every tile depends on its recipe alone, so the result is the same on any number of threads.
 
+mod again;
 mod bake;
 mod blend;
 mod lock;
@@ -22,6 +23,7 @@ use std::sync::Arc;
 use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
 use thiserror::Error;
 
+pub use self::again::refill;
 use self::plan::Plan;
 use super::Progress;
 use crate::diag::Diagnostic;

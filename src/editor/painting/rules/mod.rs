@@ -19,6 +19,9 @@ use crate::editor::inspector::color;
 use crate::editor::theme;
 use crate::hcbtf::Provenance;
 
+/// While rules are at work the window looks again after so many seconds.
+const AGAIN: f32 = 0.1;
+
 /// The angles, in the order of the boxes.
 pub(super) const ANGLES: [(HcbtfAngle, &str); 4] = [
     (HcbtfAngle::LightTheta, "Light's height"),
@@ -107,7 +110,10 @@ pub(super) fn show(
         ui.label(RichText::new(problem).color(theme::of(ui).error));
     }
     match share {
-        Some(share) => drop(ui.add(ProgressBar::new(share as f32).desired_height(3.0))),
+        Some(share) => {
+            ui.add(ProgressBar::new(share as f32).desired_height(3.0));
+            ui.ctx().request_repaint_after_secs(AGAIN);
+        }
         None => ui.add_space(3.0 + ui.spacing().item_spacing.y),
     }
     let counts = counts(work);
