@@ -19,7 +19,7 @@ use scan::Reference;
 /// The half floors hold what stands on a neighbour of the same floor: a diagnostic names nodes by their ids, a milestone
 /// has a time, a group that the library ships is a document, and a frame plan joins what the rest of floor 3 makes.
 const FLOORS: &[(&str, &[&str])] = &[
-    ("0", &["base64", "clock", "ids", "math"]),
+    ("0", &["base64", "clock", "examples", "ids", "math"]),
     ("0½", &["diag", "milestones"]),
     ("1", &["wgsl"]),
     ("2", &["document", "interp"]),

@@ -142,6 +142,9 @@ impl Overlay {
     }
 }
 
+/// Directions of lights, and of views, in a draft, at most.
+const DRAFT: Directions = Directions { theta: 3, phi: 4 };
+
 /// Where more than one texel of so many is another, all are baked anew.
 const REBAKED: u64 = 8;
 
@@ -173,6 +176,8 @@ fn around(one: &Region, other: &Region) -> Region {
 #[derive(Clone, Debug, Default)]
 pub struct Assets {
     overlay: Option<Overlay>,
+    /// Whether what rules make is made for few directions alone.
+    drafts: bool,
     /// Who watches HCBTFs being filled.
     progress: Option<Arc<Progress>>,
     /// What was baked of it, or of what it was before.
@@ -242,6 +247,12 @@ impl Assets {
         self.overlay = overlay;
     }
 
+    /// Fills HCBTFs of which nothing is painted for few lights and views alone, from now on: small pictures show no more, and
+    /// drawing strokes or reliefs takes as much less time.
+    pub fn draft(&mut self) {
+        self.drafts = true;
+    }
+
     /// Lets somebody watch, and stop, the filling of HCBTFs from now on; each begins the progress anew.
     pub fn watch(&mut self, progress: Option<Arc<Progress>>) {
         self.progress = progress;
@@ -282,7 +293,10 @@ impl Assets {
         if let Some(kept) = self.hcbtfs.get(&key).filter(|kept| kept.stamp == stamp) {
             return Ok((kept.value.clone(), kept.notes.clone()));
         }
-        let (hcbtf, notes) = hcbtf::load(&key.0)?;
+        let (mut hcbtf, notes) = hcbtf::load(&key.0)?;
+        if self.drafts && hcbtf.painted.is_empty() {
+            hcbtf.grid = drafted(hcbtf.grid);
+        }
         let progress = self.progress.clone().unwrap_or_default();
         let value =
             bake(&hcbtf, options, &progress).map_err(|problem| vec![problem.in_file(key.0.display().to_string())])?;
@@ -298,6 +312,13 @@ pub(super) fn plain_hcbtf(color: [u8; 4]) -> Image {
     let grid = Grid { size: [1, 1], light: one, view: one };
     let tile = Arc::new(Tile::filled(grid.size, color));
     of_layers(hcbtf::layers(&grid, |_| Some(&tile), LayerOptions::default()))
+}
+
+/// A grid with few directions.
+fn drafted(grid: Grid) -> Grid {
+    let few =
+        |Directions { theta, phi }: Directions| Directions { theta: theta.min(DRAFT.theta), phi: phi.min(DRAFT.phi) };
+    Grid { light: few(grid.light), view: few(grid.view), ..grid }
 }
 
 /// The texture of an HCBTF, if it is not larger than one may be.

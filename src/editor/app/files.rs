@@ -14,6 +14,7 @@ use crate::editor::dock::Panel;
 use crate::editor::painting::{Import, Work};
 use crate::editor::panels::{library, problems};
 use crate::editor::stage::{Stage, Wanted};
+use crate::examples;
 
 /// What would lose unsaved changes.
 #[derive(Clone, Debug, PartialEq)]
@@ -189,8 +190,7 @@ impl App {
             }
             Some(Pending::Open(path) | Pending::Switch(path)) => self.open(&path),
             Some(Pending::Example(index)) => {
-                let (name, text) = library::EXAMPLES[index];
-                self.session.start_from(text, name);
+                self.open_example(index);
                 self.safety.look();
             }
             Some(Pending::Tour) => self.begin_tour(),
@@ -206,6 +206,20 @@ impl App {
             Some(Pending::ClosePainting) => self.close_painting(),
             Some(Pending::Close) => self.closes = true,
             None => {}
+        }
+    }
+
+    fn open_example(&mut self, index: usize) {
+        let Some(example) = library::example(index) else { return };
+        match example.content {
+            library::Content::Scene(scene) => {
+                self.session.start_scene(scene, example.stem);
+                self.dock.open(Panel::Objects);
+            }
+            library::Content::Look(_) => {
+                let text = examples::text(&example.path).unwrap_or_default();
+                self.session.start_from(&text, example.stem);
+            }
         }
     }
 

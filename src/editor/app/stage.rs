@@ -7,6 +7,7 @@ use eframe::egui::Ui;
 use super::App;
 use super::files::Pending;
 use crate::document::SceneEdit;
+use crate::examples;
 use crate::editor::dialogs::Purpose;
 use crate::editor::dock::Panel;
 use crate::editor::stage::{OPEN_LOOK, Stage, Wish};
@@ -112,6 +113,12 @@ impl App {
             return;
         }
         let path = stage.path_of(name);
+        if examples::file(&path).is_some() {
+            let text =
+                "This object wears an example: open that from the start page to change it, or choose another look";
+            self.message = Some(text.to_owned());
+            return;
+        }
         if name == OPEN_LOOK || !path.is_file() {
             self.message = Some(format!("There is no look {}: choose another for the object", path.display()));
             return;
