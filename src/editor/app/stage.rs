@@ -7,10 +7,10 @@ use eframe::egui::Ui;
 use super::App;
 use super::files::Pending;
 use crate::document::SceneEdit;
-use crate::examples;
 use crate::editor::dialogs::Purpose;
 use crate::editor::dock::Panel;
 use crate::editor::stage::{OPEN_LOOK, Stage, Wish};
+use crate::examples;
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX, look_of};
 use crate::ids::ObjectId;
 

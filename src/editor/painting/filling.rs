@@ -1,11 +1,11 @@
 //! What the rules make of the samples that nobody painted: worked out on a thread of its own, the newest wish first. The
 //! sample at work is worked out beside the others, so that it is seen at once however long they take.
 
-use std::sync::Arc;
+use std::sync::{Arc, Weak};
 
 use super::work::Work;
 use crate::diag::Diagnostic;
-use crate::document::{Address, Hcbtf, Tile};
+use crate::document::{Address, Grid, Hcbtf, Tile};
 use crate::editor::worker::Worker;
 use crate::hcbtf::fill::{fill, refill, sample};
 use crate::hcbtf::{Device, Filled, NotFilled, Progress};
@@ -50,16 +50,16 @@ pub(super) struct Filling {
 impl Filling {
     /// `wake` is called from another thread when something is filled.
     pub(super) fn new(wake: impl Fn() + Clone + Send + 'static) -> Self {
-        // A stroke changes little of what was filled before.
-        let mut before: Option<(Arc<Hcbtf>, Arc<Filled>)> = None;
+        // A stroke changes little of what was filled before, which whoever shows it keeps.
+        let mut before: (Arc<Hcbtf>, Weak<Filled>) = (Arc::new(Hcbtf::new(Grid::THESIS)), Weak::new());
         let work = move |wish: Wish| {
-            let filled = match &before {
-                Some((of, filled)) => refill(&wish.hcbtf, (of, filled), &wish.progress),
+            let filled = match before.1.upgrade() {
+                Some(filled) => refill(&wish.hcbtf, (&before.0, &filled), &wish.progress),
                 None => fill(&wish.hcbtf, &wish.progress),
             };
             let filled = filled.map(Arc::new);
             if let Ok(filled) = &filled {
-                before = Some((wish.hcbtf.clone(), filled.clone()));
+                before = (wish.hcbtf.clone(), Arc::downgrade(filled));
             }
             Done { of: wish.hcbtf, number: wish.number, filled }
         };
@@ -181,7 +181,7 @@ fn wish(work: &Work, progress: &Arc<Progress>) -> Wish {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::{Directions, Grid, HcbtfEdit, History, Rule, Strokes};
+    use crate::document::{Directions, HcbtfEdit, History, Rule, Strokes};
 
     #[test]
     fn the_sample_at_work_is_there_before_all_others_are() {

@@ -47,15 +47,18 @@ pub(super) struct Bake {
     pub(super) to: PathBuf,
 }
 
+/// A new tile, and one sample of it as it will look.
+pub(crate) type Laid = (Arc<Hcbtf>, Option<Arc<Tile>>);
+
 /// What came of it.
 pub(crate) enum Made {
     Imported {
         from: PathBuf,
         made: Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>>,
     },
-    /// Another tile, and one sample of it.
+    /// Another tile.
     Tile {
-        made: Result<(Arc<Hcbtf>, Option<Arc<Tile>>), Diagnostic>,
+        made: Result<Laid, Diagnostic>,
     },
     /// The file has so many samples.
     Baked {
@@ -196,7 +199,7 @@ fn tile(
     how: &Synthesis,
     at: Address,
     [ready, made]: &Stages,
-) -> Result<(Arc<Hcbtf>, Option<Arc<Tile>>), Diagnostic> {
+) -> Result<Laid, Diagnostic> {
     let filled = filled.map_or_else(|| fill(hcbtf, ready).map(Arc::new), Ok)?;
     let made = synthesize_filled(hcbtf, &filled, how, made)?;
     let seen = sample(&made, at, ready)?;

@@ -1,6 +1,6 @@
 //! What an HCBTF takes in memory: told before its rules run, and before one of another grid is made.
 
-use std::sync::Arc;
+use std::sync::{Arc, Weak};
 
 use eframe::egui::{CollapsingHeader, Grid as Table, RichText, Ui};
 
@@ -10,14 +10,15 @@ use crate::editor::theme;
 use crate::editor::worker::Worker;
 use crate::hcbtf::{Device, Filled, Need, filled_at_most, layers_bytes, needs, needs_at_most};
 
-type Measured = (Arc<Filled>, Vec<Need>);
+/// Of which grid, the bytes of all tiles, and what each storage takes.
+type Measured = (Grid, u64, Vec<Need>);
 
 /// What is taken, as far as it is known, and what the device holds.
 pub(super) struct Memory {
     pub(super) device: Device,
     /// To measure the storages all tiles are compared, which takes longer than a frame.
     worker: Worker<Arc<Filled>, Measured>,
-    asked: Option<Arc<Filled>>,
+    asked: Weak<Filled>,
     known: Option<Measured>,
 }
 
@@ -26,9 +27,9 @@ impl Memory {
     pub(super) fn new(device: Device, wake: impl Fn() + Send + 'static) -> Self {
         let measure = |filled: Arc<Filled>| {
             let needs = needs(&filled.grid(), |address| filled.tile(address));
-            (filled, needs)
+            (filled.grid(), filled.bytes(), needs)
         };
-        Self { device, worker: Worker::new("measuring", wake, measure), asked: None, known: None }
+        Self { device, worker: Worker::new("measuring", wake, measure), asked: Weak::new(), known: None }
     }
 
     /// Shows what the samples take, folded to a line.
@@ -38,14 +39,13 @@ impl Memory {
         let title = format!("Memory: up to {} on the GPU", told_bytes(layers_bytes(&grid, false)));
         let section = CollapsingHeader::new(title).id_salt("memory").show(ui, |ui| {
             let filled = work.filled().filter(|_| !work.is_live());
-            let is_asked = |filled: &Arc<Filled>| self.asked.as_ref().is_some_and(|asked| Arc::ptr_eq(asked, filled));
-            if let Some(filled) = filled.filter(|filled| !is_asked(filled)) {
-                self.asked = Some(filled.clone());
+            if let Some(filled) = filled.filter(|filled| self.asked.as_ptr() != Arc::as_ptr(filled)) {
+                self.asked = Arc::downgrade(filled);
                 let filled = filled.clone();
                 self.worker.request(|_| filled);
             }
-            let known = self.known.as_ref().filter(|(filled, _)| filled.grid() == grid);
-            table(ui, &grid, known.map(|(filled, needs)| (filled.bytes(), needs.as_slice())), &self.device);
+            let known = self.known.as_ref().filter(|(of, ..)| *of == grid);
+            table(ui, &grid, known.map(|(_, bytes, needs)| (*bytes, needs.as_slice())), &self.device);
         });
         section.header_response.on_hover_text(format!("When the rules have run: {}", in_short(&grid)));
     }

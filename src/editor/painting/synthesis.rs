@@ -9,12 +9,12 @@ use eframe::egui::{
     WidgetInfo, pos2, vec2,
 };
 
-use super::making::{Job, Making, bar};
+use super::making::{Job, Laid, Making, bar};
 use super::textures::Shown;
 use super::work::Work;
 use super::{Wish, command, grid, memory};
 use crate::diag::Diagnostic;
-use crate::document::{Address, Grid, Hcbtf, Tile};
+use crate::document::{Address, Grid, Hcbtf};
 use crate::editor::command::Command;
 use crate::editor::panels::problems::sentence;
 use crate::editor::theme;
@@ -32,7 +32,7 @@ pub(super) struct Asked {
     at: Address,
     /// What was asked for last.
     asked: Option<Synthesis>,
-    made: Option<Result<(Arc<Hcbtf>, Option<Arc<Tile>>), Diagnostic>>,
+    made: Option<Result<Laid, Diagnostic>>,
     before: Shown,
     after: Shown,
 }
@@ -46,7 +46,7 @@ impl Asked {
     }
 
     /// Takes what was made.
-    pub(super) fn take(&mut self, made: Result<(Arc<Hcbtf>, Option<Arc<Tile>>), Diagnostic>) {
+    pub(super) fn take(&mut self, made: Result<Laid, Diagnostic>) {
         self.made = Some(made);
     }
 }

@@ -103,6 +103,9 @@ impl Card {
         let (rect, response) = ui.allocate_exact_size(vec2(side, side + NAME), Sense::click());
         let what = if matches!(self.content, Content::Scene) { "scene" } else { "look" };
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Open the {what} {}", self.name)));
+        if response.gained_focus() {
+            response.scroll_to_me(None);
+        }
         if !ui.is_rect_visible(rect) {
             return response;
         }
