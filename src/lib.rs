@@ -13,6 +13,7 @@
 mod base64;
 pub mod clock;
 pub mod diag;
+pub mod examples;
 pub mod ids;
 pub mod milestones;
 

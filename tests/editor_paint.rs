@@ -277,6 +277,55 @@ fn a_window_that_is_closed_loses_no_stroke() {
 }
 
 #[test]
+fn what_others_did_to_the_file_of_a_recovered_painting_is_noticed() {
+    let home = Home::new();
+    let path = home.file("surface.hcbtf");
+    fs::rename(file(path.parent().unwrap(), Vec::new()), &path).unwrap();
+    let stroke = |hand: &mut Hand, y: i32| {
+        small_hard_brush(hand);
+        let (from, to) = (texel(hand, 1, y), texel(hand, 5, y));
+        hand.drag(from, to);
+        hand.settle();
+        home.wait_until_written();
+    };
+    let look_at_files = |hand: &mut Hand| {
+        hand.app_mut().look_at_files();
+        hand.settle();
+    };
+    let conflict = "was changed by another program, and painted on by you";
+    let mut hand = home.window(Some(&path));
+    stroke(&mut hand, 2);
+    let mine = hcbtf(&hand).clone();
+    drop(hand);
+    // Nobody else was there: nothing is asked.
+    let mut hand = home.window(None);
+    look_at_files(&mut hand);
+    assert!(hcbtf(&hand) == &mine && !hand.says(conflict));
+    drop(hand);
+    // Another program paints while no window is open.
+    let mut theirs = Hcbtf::new(GRID);
+    theirs.painted.insert(Address::new([1, 0], [0, 0]), Arc::new(Tile::filled(GRID.size, [1, 2, 3, 255])));
+    fs::write(&path, chiaro::hcbtf::write(&theirs).unwrap()).unwrap();
+    let mut hand = home.window(None);
+    look_at_files(&mut hand);
+    assert_eq!(hcbtf(&hand), &mine);
+    assert!(hand.says(conflict));
+    hand.key_with(Modifiers::COMMAND, Key::S);
+    hand.settle();
+    assert_eq!(saved(&path), theirs, "nothing is written over theirs");
+    hand.press("Keep mine");
+    home.wait_until_written();
+    drop(hand);
+    // That was decided, and is remembered.
+    let mut hand = home.window(None);
+    look_at_files(&mut hand);
+    assert!(hcbtf(&hand) == &mine && !hand.says(conflict));
+    hand.key_with(Modifiers::COMMAND, Key::S);
+    hand.settle();
+    assert_eq!(saved(&path), mine);
+}
+
+#[test]
 fn the_inspector_paints_what_a_node_shows() {
     let folder = tempfile::tempdir().unwrap();
     file(folder.path(), Vec::new());

@@ -94,10 +94,13 @@ fn the_start_page_has_every_example_and_leaves_when_one_is_opened() {
     let home = Home::new();
     let mut hand = home.window(None);
     assert!(hand.app().shows_start_page());
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let files = |name: &str| {
+        let files = fs::read_dir(folder.join(name)).unwrap().map(|entry| entry.unwrap().path());
+        files.filter(|path| path.extension().is_some_and(|ending| ending == "json")).collect::<Vec<_>>()
+    };
     let mut count = 0;
-    for entry in fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
+    for path in [files("looks"), files("hcbtf")].concat() {
         let name = Look::load(&path).value.unwrap().name;
         let is_figure = path.file_stem().unwrap().to_string_lossy().starts_with("figure");
         let figure = if is_figure { " · Figure" } else { "" };
@@ -106,6 +109,8 @@ fn the_start_page_has_every_example_and_leaves_when_one_is_opened() {
     }
     let cards = hand.harness.get_all_by_role(Role::Button).filter_map(|node| node.accesskit_node().label());
     assert_eq!(cards.filter(|label| label.starts_with("Open the look ")).count(), count, "and nothing is there twice");
+    let scenes = hand.harness.get_all_by_role(Role::Button).filter_map(|node| node.accesskit_node().label());
+    assert_eq!(scenes.filter(|label| label.starts_with("Open the scene ")).count(), files("scenes").len());
     assert!(!has(&hand, "Recent files") && !says(&hand, "is gone"));
     press(&mut hand, "Open the look Layers · Figure 1");
     assert!(!hand.app().shows_start_page());
@@ -522,4 +527,56 @@ fn the_shader_is_copied_as_wgsl() {
     let is_none = hand.app().session().baked().is_none();
     assert_eq!(copied_by_keys(&mut hand).is_none(), is_none);
     assert!(matches!(hand.look().graph.nodes["base"].values["color"], Value::Vector(_)));
+}
+
+/// Where a card is that may lie below what is seen: it opens by the keyboard as well.
+fn open_card(hand: &mut Hand, label: &str) {
+    let card =
+        hand.harness.get_all_by_role(Role::Button).find(|node| node.accesskit_node().label().as_deref() == Some(label));
+    card.unwrap_or_else(|| panic!("there is no {label}")).focus();
+    hand.settle();
+    hand.key(Key::Enter);
+    hand.settle();
+}
+
+#[test]
+fn an_example_of_an_hcbtf_brings_its_file_along_wherever_it_is_saved() {
+    let home = Home::new();
+    let mut hand = home.window(None);
+    let metal = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/hcbtf/halftone.json");
+    let name = Look::load(&metal).value.unwrap().name;
+    open_card(&mut hand, &format!("Open the look {name}"));
+    assert_eq!((hand.look().name.as_str(), hand.app().session().path()), (name.as_str(), None));
+    assert!(compiles(&hand), "{:?}", hand.app().session().problems());
+    let saved = home.file("mine.json");
+    assert!(hand.app_mut().save_as(&saved));
+    let (setup, problems) = chiaro::frame::open(&saved, None, &mut chiaro::frame::Assets::default()).unwrap();
+    assert!(problems.is_empty() && setup.looks.len() == 1);
+    let mut assets = chiaro::frame::Assets::default();
+    assets.draft();
+    let options = chiaro::hcbtf::LayerOptions::default();
+    let named = chiaro::frame::SetupLook::clone(&setup.looks[0]);
+    let (image, _) = assets.hcbtf(&named.folder, "example:hcbtf/halftone.hcbtf", options).unwrap();
+    // A draft has 1 + 2 x 4 views that differ at most, and the layer that tells the grid.
+    assert!((2..=10).contains(&image.layers), "{}", image.layers);
+}
+
+#[test]
+fn an_example_scene_opens_as_a_new_one_of_ones_own() {
+    let home = Home::new();
+    let mut hand = home.window(None);
+    open_card(&mut hand, "Open the scene Painted surfaces");
+    assert!(!hand.app().shows_start_page());
+    let stage = hand.app().session().stage().expect("a scene");
+    assert_eq!((stage.scene().objects.len(), stage.path(), hand.app().session().path()), (6, None, None));
+    let wrong: Vec<String> = stage.problem_texts().map(str::to_owned).collect();
+    assert!(wrong.is_empty() && compiles(&hand), "{wrong:?} {:?}", hand.app().session().problems());
+    // It is saved with the examples that it wears, and found again.
+    let (look, scene) = (home.file("arch.json"), home.file("scene.json"));
+    assert!(hand.app_mut().save_as(&look));
+    hand.app_mut().session_mut().save_scene_as(&scene).unwrap();
+    let text = fs::read_to_string(&scene).unwrap();
+    assert!(text.contains("\"arch.json\"") && text.contains("\"example:hcbtf/grass.json\""), "{text}");
+    let (setup, _) = chiaro::frame::open(&scene, None, &mut chiaro::frame::Assets::default()).unwrap();
+    assert_eq!((setup.objects.len(), setup.looks.len()), (6, 6));
 }

@@ -4,9 +4,11 @@
 mod support;
 
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
 
-use chiaro::document::{Directions, Grid, Look};
-use chiaro::frame::{EvalSample, LightOverride, SetupLook, moving_light};
+use chiaro::document::relief::PRESETS;
+use chiaro::document::{Directions, Grid, Hcbtf, Look, Rule};
+use chiaro::frame::{Assets, EvalSample, LightOverride, SetupLook, moving_light, tile_assets};
 use chiaro::hcbtf::Progress;
 use chiaro::library::Library;
 use chiaro::reference::bake_look;
@@ -69,7 +71,7 @@ fn a_baked_look_is_the_look_at_the_grids_directions() {
     for name in ["figure6-comics.json", "figure5-directional.json"] {
         let setup = example(name);
         let light = moving_light(&setup, Some("key")).unwrap();
-        let hcbtf = bake_look(&setup, Library::built_in(), GRID, &light, &Progress::new()).unwrap();
+        let hcbtf = bake_look(&setup, Library::built_in(), GRID, &light, &Assets::default(), &Progress::new()).unwrap();
         assert_eq!(hcbtf.painted.len() as u64, GRID.sample_count());
         let path = file(&format!("{name}.hcbtf"));
         std::fs::write(&path, chiaro::hcbtf::write(&hcbtf).unwrap()).unwrap();
@@ -90,17 +92,48 @@ fn baking_is_the_same_on_any_number_of_threads_and_can_be_stopped() {
     let light = moving_light(&setup, None).unwrap();
     let on = |threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| bake_look(&setup, Library::built_in(), GRID, &light, &Progress::new()).unwrap())
+        pool.install(|| {
+            bake_look(&setup, Library::built_in(), GRID, &light, &Assets::default(), &Progress::new()).unwrap()
+        })
     };
     assert_eq!(on(1), on(3));
     let stopped = Progress::new();
     stopped.stop();
-    let told = bake_look(&setup, Library::built_in(), GRID, &light, &stopped).unwrap_err();
+    let told = bake_look(&setup, Library::built_in(), GRID, &light, &Assets::default(), &stopped).unwrap_err();
     assert_eq!(told[0].code, "stopped");
     assert_eq!(moving_light(&setup, Some("kye")).unwrap_err().code, "bad-argument");
     let fine = Grid { size: [512, 512], ..Grid::THESIS };
     assert_eq!(
-        bake_look(&setup, Library::built_in(), fine, &light, &Progress::new()).unwrap_err()[0].code,
+        bake_look(&setup, Library::built_in(), fine, &light, &Assets::default(), &Progress::new()).unwrap_err()[0].code,
         "too-large"
     );
+}
+
+#[test]
+fn what_a_look_shows_is_filled_once_and_its_preparation_is_told() {
+    let directions = Directions { theta: 2, phi: 2 };
+    let grid = Grid { size: [6, 6], light: directions, view: directions };
+    let rules = vec![Rule::Relief(Box::new(PRESETS[0].1()))];
+    let path = file("relief.hcbtf");
+    std::fs::write(&path, chiaro::hcbtf::write(&Hcbtf { rules, ..Hcbtf::new(grid) }).unwrap()).unwrap();
+    let setup = showing(&path);
+    let light = moving_light(&setup, None).unwrap();
+    let told: Arc<Mutex<Vec<[u64; 2]>>> = Arc::default();
+    let listener = told.clone();
+    let filling = Arc::new(Progress::telling(move |steps| listener.lock().unwrap().push(steps)));
+    let assets = tile_assets(&setup, Library::built_in(), &light, Assets::default(), &filling).unwrap();
+    let steps = told.lock().unwrap().clone();
+    let total = steps[0][1];
+    // All that is told before the 3 x 3 tiles of 6 rows is preparation, and there is much of it.
+    let before = steps.iter().take_while(|[done, _]| *done < total - 9 * 6).count();
+    assert!(before >= 12, "{steps:?}");
+    assert!(steps.iter().all(|[_, of]| *of == total) && steps.iter().any(|[done, _]| *done == total), "{steps:?}");
+    // Every view finds it filled.
+    let baked = bake_look(&setup, Library::built_in(), GRID, &light, &assets, &Progress::new()).unwrap();
+    assert_eq!(told.lock().unwrap().len(), steps.len());
+    let alone = bake_look(&setup, Library::built_in(), GRID, &light, &Assets::default(), &Progress::new()).unwrap();
+    assert!(baked == alone);
+    filling.stop();
+    let stopped = tile_assets(&setup, Library::built_in(), &light, Assets::default(), &filling);
+    assert_eq!(stopped.unwrap_err()[0].code, "stopped");
 }

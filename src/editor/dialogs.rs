@@ -28,6 +28,8 @@ pub(crate) enum Purpose {
     SavePainting,
     /// Pictures of other programs, or a folder of them.
     ImportPainting(Import),
+    /// The open look is baked into an HCBTF.
+    BakeLook,
     /// What is painted is written for other programs.
     ExportPainting(Form),
     /// Shaders of a language, or of all, are written into a folder.
@@ -58,7 +60,7 @@ impl Purpose {
             Self::Open => ("Chiaro look, scene or HCBTF", &["json", PAINTING]),
             Self::Save | Self::ObjectLook => ("Chiaro look", &["json"]),
             Self::SaveScene => ("Chiaro scene", &["json"]),
-            Self::SavePainting => ("HCBTF", &[PAINTING]),
+            Self::SavePainting | Self::BakeLook => ("HCBTF", &[PAINTING]),
             Self::Mesh | Self::AddMesh | Self::ObjectMesh => ("Mesh", &MESHES),
             Self::ImportPainting(Import { form, .. }) | Self::ExportPainting(form) => match form {
                 Form::Folder => ("Folder", &[]),
@@ -77,7 +79,12 @@ impl Purpose {
         is_file
             && matches!(
                 self,
-                Self::Save | Self::SaveScene | Self::SavePainting | Self::Export(_) | Self::ExportPainting(_)
+                Self::Save
+                    | Self::SaveScene
+                    | Self::SavePainting
+                    | Self::BakeLook
+                    | Self::Export(_)
+                    | Self::ExportPainting(_)
             )
     }
 

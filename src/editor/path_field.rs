@@ -165,6 +165,7 @@ fn title(purpose: Purpose) -> &'static str {
         Purpose::Save => "Save the look",
         Purpose::SaveScene => "Save the scene",
         Purpose::SavePainting => "Save the painting",
+        Purpose::BakeLook => "Bake the look onto a tile",
         Purpose::ImportPainting(_) => "Import painted pictures",
         Purpose::ExportPainting(_) => "Export the painting",
         Purpose::Mesh => "Show the look on a mesh",

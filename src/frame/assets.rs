@@ -1,6 +1,6 @@
 //! Meshes and images, read once and kept while their files stay the same.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -9,7 +9,7 @@ use std::time::SystemTime;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Directions, Grid, Hcbtf, Tile};
 use crate::geometry::{self, Mesh};
-use crate::hcbtf::{self, Filled, LayerOptions, Region};
+use crate::hcbtf::{self, Filled, LayerOptions, Progress, Region};
 
 /// What an object's mesh begins with where it is an own shape.
 pub const SHAPE_PREFIX: &str = "shape:";
@@ -104,13 +104,17 @@ impl Overlay {
         hasher.finish()
     }
 
-    /// Brings what was baked of the overlay before up to date, where few samples are others now. Returns whether it did.
+    /// Brings what was baked of the overlay before up to date, where few texels are others now. Returns whether it did.
     fn rebake(&self, before: &Self, image: &mut Arc<Image>, options: LayerOptions) -> bool {
         let grid = self.hcbtf.grid;
         if grid != before.hcbtf.grid {
             return false;
         }
-        let most = grid.sample_count() / REBAKED;
+        let texels = grid.texels() as u64;
+        // All smaller levels of a sample are put anew.
+        let levels = if options.has_levels { texels.div_ceil(3) } else { 0 };
+        let most = grid.sample_count() * (texels + levels) / REBAKED;
+        let mut count = 0;
         let empty = Arc::new(Tile::filled(grid.size, [0; 4]));
         let mut changed = Vec::new();
         for address in grid.addresses() {
@@ -119,9 +123,10 @@ impl Overlay {
             if !Arc::ptr_eq(&old, &new)
                 && let Some(part) = new.difference(&old)
             {
+                count += u64::from(part[2]) * u64::from(part[3]) + levels;
                 changed.push((address, new, part));
             }
-            if changed.len() as u64 > most {
+            if count > most {
                 return false;
             }
         }
@@ -130,20 +135,51 @@ impl Overlay {
         let repaint = |(address, tile, part): (Address, Arc<Tile>, [u32; 4])| {
             hcbtf::repaint(&mut image.rgba, &grid, options, address, (&tile, part))
         };
-        let regions = changed.into_iter().flat_map(repaint).collect();
+        let regions = together(changed.into_iter().flat_map(repaint));
         image.change = Some(Change { from: image.hash, regions });
         image.hash = self.hash(options);
         true
     }
 }
 
-/// Where more than one sample of so many is another, all are baked anew.
+/// Directions of lights, and of views, in a draft, at most.
+const DRAFT: Directions = Directions { theta: 3, phi: 4 };
+
+/// Where more than one texel of so many is another, all are baked anew.
 const REBAKED: u64 = 8;
+
+/// Regions of a layer that overlap become one around them: all samples of a view lie in the same one, light by light.
+fn together(regions: impl Iterator<Item = Region>) -> Vec<Region> {
+    let mut layers: BTreeMap<u32, Vec<Region>> = BTreeMap::new();
+    for region in regions {
+        let known = layers.entry(region.layer).or_default();
+        match known.iter_mut().find(|known| overlap(known, &region)) {
+            Some(known) => *known = around(known, &region),
+            None => known.push(region),
+        }
+    }
+    layers.into_values().flatten().collect()
+}
+
+fn overlap(one: &Region, other: &Region) -> bool {
+    (0..2)
+        .all(|axis| one.at[axis] < other.at[axis] + other.size[axis] && other.at[axis] < one.at[axis] + one.size[axis])
+}
+
+fn around(one: &Region, other: &Region) -> Region {
+    let at = [0, 1].map(|axis| one.at[axis].min(other.at[axis]));
+    let end = |axis: usize| (one.at[axis] + one.size[axis]).max(other.at[axis] + other.size[axis]);
+    Region { layer: one.layer, at, size: [0, 1].map(|axis| end(axis) - at[axis]) }
+}
 
 /// Reads meshes and images, each once.
 #[derive(Clone, Debug, Default)]
 pub struct Assets {
     overlay: Option<Overlay>,
+    /// Whether what rules make is made for few directions alone.
+    drafts: bool,
+    /// Who watches HCBTFs being filled.
+    progress: Option<Arc<Progress>>,
     /// What was baked of it, or of what it was before.
     baked: HashMap<LayerOptions, (Overlay, Arc<Image>)>,
     meshes: HashMap<String, Kept<Mesh>>,
@@ -211,6 +247,17 @@ impl Assets {
         self.overlay = overlay;
     }
 
+    /// Fills HCBTFs of which nothing is painted for few lights and views alone, from now on: small pictures show no more, and
+    /// drawing strokes or reliefs takes as much less time.
+    pub fn draft(&mut self) {
+        self.drafts = true;
+    }
+
+    /// Lets somebody watch, and stop, the filling of HCBTFs from now on; each begins the progress anew.
+    pub fn watch(&mut self, progress: Option<Arc<Progress>>) {
+        self.progress = progress;
+    }
+
     fn overlaid(&mut self, path: &Path, options: LayerOptions) -> Option<Result<Arc<Image>, Diagnostic>> {
         let overlay = self.overlay.as_ref().filter(|overlay| overlay.is(path))?;
         if let Some((before, image)) = self.baked.get_mut(&options)
@@ -246,8 +293,13 @@ impl Assets {
         if let Some(kept) = self.hcbtfs.get(&key).filter(|kept| kept.stamp == stamp) {
             return Ok((kept.value.clone(), kept.notes.clone()));
         }
-        let (hcbtf, notes) = hcbtf::load(&key.0)?;
-        let value = bake(&hcbtf, options).map_err(|problem| vec![problem.in_file(key.0.display().to_string())])?;
+        let (mut hcbtf, notes) = hcbtf::load(&key.0)?;
+        if self.drafts && hcbtf.painted.is_empty() {
+            hcbtf.grid = drafted(hcbtf.grid);
+        }
+        let progress = self.progress.clone().unwrap_or_default();
+        let value =
+            bake(&hcbtf, options, &progress).map_err(|problem| vec![problem.in_file(key.0.display().to_string())])?;
         let value = Arc::new(value);
         self.hcbtfs.insert(key, Kept { stamp, value: value.clone(), notes: notes.clone() });
         Ok((value, notes))
@@ -262,9 +314,16 @@ pub(super) fn plain_hcbtf(color: [u8; 4]) -> Image {
     of_layers(hcbtf::layers(&grid, |_| Some(&tile), LayerOptions::default()))
 }
 
+/// A grid with few directions.
+fn drafted(grid: Grid) -> Grid {
+    let few =
+        |Directions { theta, phi }: Directions| Directions { theta: theta.min(DRAFT.theta), phi: phi.min(DRAFT.phi) };
+    Grid { light: few(grid.light), view: few(grid.view), ..grid }
+}
+
 /// The texture of an HCBTF, if it is not larger than one may be.
-fn bake(hcbtf: &Hcbtf, options: LayerOptions) -> Result<Image, Diagnostic> {
-    let filled = hcbtf::fill::fill(hcbtf, &hcbtf::Progress::new())?;
+fn bake(hcbtf: &Hcbtf, options: LayerOptions, progress: &Progress) -> Result<Image, Diagnostic> {
+    let filled = hcbtf::fill::fill(hcbtf, progress)?;
     Ok(of_layers(hcbtf::stored(&hcbtf.grid, |address| filled.tile(address), options)?))
 }
 
@@ -313,6 +372,7 @@ fn read_image(path: &Path) -> Result<Image, Diagnostic> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::Rule;
 
     fn overlay(version: u64, tiles: &[(Address, [u8; 4])]) -> Overlay {
         let directions = Directions { theta: 3, phi: 4 };
@@ -343,5 +403,47 @@ mod tests {
         assert_eq!(baked(&erased).rgba, erased.bake(LayerOptions::default()).unwrap().rgba);
         let all: Vec<_> = erased.hcbtf.grid.addresses().map(|address| (address, [7, 7, 7, 255])).collect();
         assert_eq!(baked(&overlay(4, &all)).change, None, "all of it is baked at once");
+    }
+
+    #[test]
+    fn a_stroke_that_a_rule_blends_into_all_samples_sends_few_texels() {
+        let directions = Directions { theta: 4, phi: 6 };
+        let grid = Grid { size: [16, 16], light: directions, view: directions };
+        let rules = vec![Rule::Blend { sharpness: 2.0 }];
+        let mut hcbtf = Hcbtf { rules, ..Hcbtf::new(grid) };
+        for (light, grey) in [([0, 0], 40), ([3, 2], 200)] {
+            let tile = Tile::filled(grid.size, [grey, grey, grey, 255]);
+            hcbtf.painted.insert(Address::new(light, [0, 0]), Arc::new(tile));
+        }
+        let progress = Progress::new();
+        let filled = hcbtf::fill::fill(&hcbtf, &progress).unwrap();
+        let mut assets = Assets::default();
+        let mut baked = |version: u64, hcbtf: &Hcbtf, filled: &Filled| {
+            let (hcbtf, filled) = (Arc::new(hcbtf.clone()), Some(Arc::new(filled.clone())));
+            let overlay = Overlay { path: None, version, hcbtf, filled };
+            assets.overlay(Some(overlay.clone()));
+            let image = assets.hcbtf(Path::new("nowhere"), UNSAVED_HCBTF, LayerOptions::default()).unwrap().0;
+            assert!(image.rgba == overlay.bake(LayerOptions::default()).unwrap().rgba, "version {version}");
+            image
+        };
+        let first = baked(1, &hcbtf, &filled);
+        let mut stroked = hcbtf.clone();
+        let tile = Arc::make_mut(stroked.painted.get_mut(&Address::default()).unwrap());
+        for at in [5 * 16 + 6, 5 * 16 + 7, 6 * 16 + 6] {
+            tile.bytes_mut()[4 * at..4 * at + 3].copy_from_slice(&[250, 20, 20]);
+        }
+        let again = hcbtf::fill::refill(&stroked, (&hcbtf, &filled), &progress).unwrap();
+        // Two rows of every sample that the rule fills, and the painted one as it is.
+        let [done, all] = progress.steps();
+        assert!(done == all && all <= 2 * grid.sample_count() + 16, "{all}");
+        let second = baked(2, &stroked, &again);
+        let others = grid.addresses().filter(|at| again.tile(*at) != filled.tile(*at)).count() as u64;
+        assert!(others > grid.sample_count() / 2, "the rule spreads it: {others}");
+        let change = second.change.as_ref().unwrap();
+        assert_eq!(change.from, first.hash);
+        // A block of 2 x 2 texels of each view's layer: texels of 4 x 8 lights.
+        assert_eq!(change.regions.len(), grid.view.count());
+        let sent: u32 = change.regions.iter().map(|region| region.size[0] * region.size[1]).sum();
+        assert_eq!(sent, 24 * (2 * 4) * (2 * 8));
     }
 }

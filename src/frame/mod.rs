@@ -36,6 +36,6 @@ pub use setup::{
     ANY_MATERIAL, DEFAULT_MESH, Setup, SetupLook, SetupObject, Wardrobe, default_setup, look_of, object_matrix, open,
     place_objects, scene_setup,
 };
-pub use tiles::{moving_light, tile_batches, tiles_of};
+pub use tiles::{moving_light, tile_assets, tile_batches, tiles_of};
 pub use values::check_exposed_value;
 pub use visibility::Cull;

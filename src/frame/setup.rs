@@ -8,6 +8,7 @@ use glam::{DMat4, DQuat, DVec3};
 use super::assets::Assets;
 use crate::diag::{Diagnostic, has_errors};
 use crate::document::{Document, Look, Object, Scene, SourceMap, Transform, Values};
+use crate::examples;
 use crate::geometry::Mesh;
 use crate::ids::ObjectId;
 
@@ -302,6 +303,11 @@ fn material_problems(
     }
 }
 
+/// Whether a path leads to a file, or means an example.
+fn is_there(path: &Path) -> bool {
+    path.is_file() || examples::file(path).is_some()
+}
+
 /// Looks in files, by paths relative to a folder.
 struct LookFiles<'f> {
     folder: &'f Path,
@@ -310,7 +316,7 @@ struct LookFiles<'f> {
 
 impl Wardrobe for LookFiles<'_> {
     fn has(&self, name: &str) -> bool {
-        self.folder.join(name).is_file()
+        is_there(&self.folder.join(name))
     }
 
     fn find(&mut self, name: &str, problems: &mut Vec<Diagnostic>) -> Option<usize> {
@@ -318,7 +324,7 @@ impl Wardrobe for LookFiles<'_> {
         if let Some(index) = self.found.iter().position(|(known, _)| *known == path) {
             return Some(index);
         }
-        if !path.is_file() {
+        if !is_there(&path) {
             // Told with the object that names it.
             return None;
         }

@@ -1,5 +1,7 @@
 //! A look on a flat tile, as every eye of a grid sees it under every light: the samples to evaluate for an HCBTF of it.
 
+use std::sync::Arc;
+
 use glam::{DMat3, DQuat, DVec2, DVec3};
 use indexmap::IndexMap;
 
@@ -8,7 +10,8 @@ use super::samples::{EvalBatch, EvalSample, LightOverride, eval_batches};
 use super::setup::SetupLook;
 use crate::compile::Options;
 use crate::diag::Diagnostic;
-use crate::document::{Address, ColorSpace, Direction, Grid, LightKind, LightSpace, Tile, linear_to_srgb};
+use crate::document::{Address, ColorSpace, Direction, Directions, Grid, LightKind, LightSpace, Tile, linear_to_srgb};
+use crate::hcbtf::Progress;
 use crate::ids::LightId;
 use crate::library::Library;
 
@@ -37,6 +40,26 @@ pub fn moving_light(setup: &SetupLook, name: Option<&str>) -> Result<LightId, Di
             }
         },
     }
+}
+
+/// Reads and fills whatever a look names, once for all views of a tile. `progress` counts how far its HCBTFs are filled, one
+/// after the other.
+///
+/// # Errors
+/// Everything that is wrong with the look, and where it is stopped.
+pub fn tile_assets(
+    setup: &SetupLook,
+    library: &Library,
+    light: &LightId,
+    mut assets: Assets,
+    progress: &Arc<Progress>,
+) -> Result<Assets, Vec<Diagnostic>> {
+    let one = Directions { theta: 1, phi: 1 };
+    let grid = Grid { size: [1, 1], light: one, view: one };
+    assets.watch(Some(progress.clone()));
+    tile_batches(setup, library, &grid, light, Direction::default(), &mut assets)?;
+    assets.watch(None);
+    Ok(assets)
 }
 
 /// What is to be evaluated for all lights of a view: for each light in the grid's order the texels of a tile, rows from the

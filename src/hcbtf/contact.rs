@@ -3,11 +3,11 @@
 //! Views go across and lights go down, each in the order of [`Directions::distinct`](crate::document::Directions::distinct):
 //! the normal first and once, then ring by ring. Between tiles there may be a gap, which is transparent and not read.
 
-use super::MAX_PAINTED_BYTES;
 use super::fill::{Filled, Which};
 use super::picture::{Picture, decode, reduced};
 use super::report::Report;
 use super::sheet::{gathered, painted};
+use super::{MAX_PAINTED_BYTES, Progress};
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf};
 
@@ -57,11 +57,17 @@ pub fn export(filled: &Filled, gap: u32, which: Which) -> Result<Picture, Box<Di
 }
 
 /// An HCBTF from a PNG of its contact sheet; `name` is what diagnostics call the file. Tiles that are transparent black all
-/// over are left empty.
+/// over are left empty. `progress` counts samples.
 ///
 /// # Errors
-/// Where it is no PNG, or not of the size that the grid and the gap ask for.
-pub fn read(png: &[u8], grid: Grid, gap: u32, name: &str) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+/// Where it is no PNG, or not of the size that the grid and the gap ask for, and where it is stopped.
+pub fn read(
+    png: &[u8],
+    grid: Grid,
+    gap: u32,
+    name: &str,
+    progress: &Progress,
+) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
     let mut report = Report::new(name);
     let accept = |found: [u32; 2], asked: [u32; 2]| {
         let message = || {
@@ -76,7 +82,11 @@ pub fn read(png: &[u8], grid: Grid, gap: u32, name: &str) -> Result<(Hcbtf, Vec<
             if decoded.had_16_bits {
                 report.add(reduced("the contact sheet"));
             }
-            Some(import(&decoded.picture, grid, gap))
+            let hcbtf = import(&decoded.picture, grid, gap, progress);
+            if progress.is_stopped() {
+                report.stop();
+            }
+            Some(hcbtf)
         }
         Err(why) => {
             let problem = Diagnostic::error("hcbtf-contact", format!("the contact sheet cannot be used: {why}"));
@@ -88,12 +98,15 @@ pub fn read(png: &[u8], grid: Grid, gap: u32, name: &str) -> Result<(Hcbtf, Vec<
     report.finish(hcbtf)
 }
 
-fn import(picture: &Picture, grid: Grid, gap: u32) -> Hcbtf {
+fn import(picture: &Picture, grid: Grid, gap: u32, progress: &Progress) -> Hcbtf {
+    progress.begin(grid.sample_count());
     let tile = |address| {
+        progress.add(1);
         let tile = picture.cut(place(&grid, address, gap), grid.size)?;
         Some((address, painted(grid.size, tile.bytes().to_vec())?))
     };
-    gathered(grid, grid.addresses().filter_map(tile).collect())
+    let wanted = grid.addresses().take_while(|_| !progress.is_stopped());
+    gathered(grid, wanted.filter_map(tile).collect())
 }
 
 #[cfg(test)]
@@ -118,7 +131,7 @@ mod tests {
             let picture = export(&filled, gap, Which::All).unwrap();
             // 5 views across, 4 lights down.
             assert_eq!(picture.size, [5 * 3 + 4 * gap, 4 * 2 + 3 * gap]);
-            let back = read(&picture.to_png().unwrap(), grid, gap, "c.png").unwrap();
+            let back = read(&picture.to_png().unwrap(), grid, gap, "c.png", &Progress::new()).unwrap();
             assert_eq!(back.0.painted, hcbtf.painted, "gap {gap}");
             assert!(back.1.is_empty());
         }
@@ -128,7 +141,7 @@ mod tests {
         let address = Address::new([1, 1], [0, 0]);
         let expected = hcbtf.painted(address).map_or([0; 4], |tile| tile.texel(0, 0));
         assert_eq!(picture.texel(0, 2 * (2 + 2)), expected);
-        let problems = read(&picture.to_png().unwrap(), grid, 1, "c.png").unwrap_err();
+        let problems = read(&picture.to_png().unwrap(), grid, 1, "c.png", &Progress::new()).unwrap_err();
         assert!(problems[0].to_string().contains("c.png: error[hcbtf-contact]"), "{problems:?}");
         assert!(size(&grid, MAX_GAP + 1).is_err());
     }

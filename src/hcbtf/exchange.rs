@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::fill::{Filled, Which};
 use super::layers::{LayerOptions, from_layers, stored};
-use super::{contact, folder, ktx2, read_bytes, sheet};
+use super::{NotFilled, Progress, contact, folder, ktx2, read_bytes, sheet};
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Hcbtf, Storage, write_atomic};
 
@@ -66,20 +66,34 @@ fn first_image(folder: &Path) -> Option<std::path::PathBuf> {
 }
 
 /// An HCBTF of what other programs made, with what was odd about it. `gap` is between the tiles of a contact sheet, in
-/// texels. A KTX2 file tells its grid itself.
+/// texels. A KTX2 file tells its grid itself. `progress` counts samples.
 ///
 /// # Errors
-/// Everything that keeps the files from being used.
-pub fn import(from: &Path, form: Form, grid: Grid, gap: u32) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+/// Everything that keeps the files from being used, and where it is stopped.
+pub fn import(
+    from: &Path,
+    form: Form,
+    grid: Grid,
+    gap: u32,
+    progress: &Progress,
+) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
     let name = from.display().to_string();
     let bytes = || read_bytes(from).map_err(|problem| vec![*problem]);
     match form {
-        Form::Folder => folder::load(from, grid),
-        Form::Sheet => sheet::read(&bytes()?, grid, &name),
-        Form::Contact => contact::read(&bytes()?, grid, gap, &name),
+        Form::Folder => folder::load(from, grid, progress),
+        Form::Sheet => sheet::read(&bytes()?, grid, &name, progress),
+        Form::Contact => contact::read(&bytes()?, grid, gap, &name, progress),
         Form::Ktx2 => {
+            // All of its samples come at once.
+            progress.begin(2);
             let texture = ktx2::read(&bytes()?, &name).map_err(|problem| vec![problem])?;
-            Ok((from_layers(&texture).map_err(|problem| vec![problem.in_file(name)])?, Vec::new()))
+            progress.add(1);
+            if progress.is_stopped() {
+                return Err(vec![NotFilled::Stopped.into()]);
+            }
+            let hcbtf = from_layers(&texture).map_err(|problem| vec![problem.in_file(name)])?;
+            progress.add(1);
+            Ok((hcbtf, Vec::new()))
         }
     }
 }
@@ -155,7 +169,7 @@ mod tests {
 
     use super::*;
     use crate::document::{Address, Directions, Tile};
-    use crate::hcbtf::{Progress, fill::fill};
+    use crate::hcbtf::fill::fill;
 
     #[test]
     fn every_form_comes_back_and_tells_the_size_of_its_tiles() {
@@ -177,7 +191,12 @@ mod tests {
             let unknown = Grid { size: [1, 1], ..grid };
             let found = fitted(&path, form, unknown, gap);
             assert_eq!(found.size, if form == Form::Ktx2 { [1, 1] } else { grid.size }, "{form:?}");
-            let (back, notes) = import(&path, form, found, gap).unwrap();
+            let progress = Progress::new();
+            let (back, notes) = import(&path, form, found, gap, &progress).unwrap();
+            assert_eq!(progress.share(), 1.0, "{form:?}");
+            let stopped = Progress::new();
+            stopped.stop();
+            assert_eq!(import(&path, form, found, gap, &stopped).unwrap_err()[0].code, "stopped", "{form:?}");
             assert!(notes.is_empty() && back.painted == hcbtf.painted, "{form:?}");
             assert_eq!(back.painted(Address::default()), hcbtf.painted(Address::default()));
         }

@@ -31,11 +31,15 @@ pub fn load(path: &Path) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
     read(&bytes, &path.display().to_string())
 }
 
-/// The bytes of a file of at most [`MAX_FILE_BYTES`]: an HCBTF, a sheet, or a sample.
+/// The bytes of a file of at most [`MAX_FILE_BYTES`]: an HCBTF, a sheet, or a sample; or those of an
+/// [example](crate::examples).
 ///
 /// # Errors
 /// Why it cannot be read, with its name.
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>, Box<Diagnostic>> {
+    if let Some(bytes) = crate::examples::file(path) {
+        return Ok(bytes.to_vec());
+    }
     let fail = |code, message: String, hint: &str| {
         Box::new(Diagnostic::error(code, message).in_file(path.display().to_string()).hint(hint))
     };

@@ -13,7 +13,7 @@ use super::fill::{Filled, Which};
 use super::picture::encode;
 use super::report::Report;
 use super::sheet::gathered;
-use super::{MAX_PAINTED, MAX_PAINTED_BYTES};
+use super::{MAX_PAINTED, MAX_PAINTED_BYTES, Progress};
 use crate::diag::Diagnostic;
 use crate::document::{Address, Direction, Grid, Hcbtf, Tile};
 
@@ -50,7 +50,7 @@ fn number(name: &str) -> Option<u64> {
 ///
 /// # Errors
 /// As [`import`], and where the folder cannot be read.
-pub fn load(folder: &Path, grid: Grid) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+pub fn load(folder: &Path, grid: Grid, progress: &Progress) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
     let name = folder.display().to_string();
     let entries = std::fs::read_dir(folder).map_err(|error| {
         let problem = Diagnostic::error("cannot-read", format!("the folder cannot be read: {error}"));
@@ -58,21 +58,23 @@ pub fn load(folder: &Path, grid: Grid) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<D
     })?;
     let files = entries.flatten().filter(|entry| entry.path().is_file());
     let names: Vec<String> = files.filter_map(|entry| entry.file_name().into_string().ok()).collect();
-    import(names, &|file| read_bytes(&folder.join(file)).map_err(|problem| problem.message), grid, &name)
+    import(names, &|file| read_bytes(&folder.join(file)).map_err(|problem| problem.message), grid, &name, progress)
 }
 
 /// An HCBTF from images, of which `read` gives the bytes by name; `folder` is what diagnostics call them together.
+/// `progress` counts them.
 ///
 /// # Errors
-/// Everything that keeps them from being used, up to a bound.
+/// Everything that keeps them from being used, up to a bound, and where it is stopped.
 pub fn import(
     names: Vec<String>,
     read: &dyn Fn(&str) -> Result<Vec<u8>, String>,
     grid: Grid,
     folder: &str,
+    progress: &Progress,
 ) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
     let mut report = Report::new(folder);
-    let hcbtf = import_into(names, read, grid, &mut report);
+    let hcbtf = import_into(names, read, grid, &mut report, progress);
     report.finish(hcbtf)
 }
 
@@ -81,6 +83,7 @@ fn import_into(
     read: &dyn Fn(&str) -> Result<Vec<u8>, String>,
     grid: Grid,
     report: &mut Report,
+    progress: &Progress,
 ) -> Option<Hcbtf> {
     if let Err(why) = grid.check() {
         report.add(Diagnostic::error("hcbtf-grid", why));
@@ -96,7 +99,10 @@ fn import_into(
         report.add(Diagnostic::error("too-large", message).hint(hint));
         return None;
     }
-    let painted = placed.into_iter().filter_map(|(address, name)| {
+    progress.begin(placed.len() as u64);
+    let wanted = placed.into_iter().take_while(|_| !progress.is_stopped());
+    let painted = wanted.filter_map(|(address, name)| {
+        progress.add(1);
         let png = read(name).map_err(|why| {
             let problem = Diagnostic::error("cannot-read", format!("`{name}` cannot be read: {why}"));
             report.add(problem.hint("name a folder whose files you may read"));
@@ -105,6 +111,9 @@ fn import_into(
         Some((address, Arc::new(tile)))
     });
     let painted: Vec<(Address, Arc<Tile>)> = painted.collect();
+    if progress.is_stopped() {
+        report.stop();
+    }
     Some(gathered(grid, painted))
 }
 
@@ -176,7 +185,7 @@ mod tests {
 
     fn read(names: &[&str]) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
         let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
-        import(names, &|name| Ok(png(name.len() as u8)), grid(), "folder")
+        import(names, &|name| Ok(png(name.len() as u8)), grid(), "folder", &Progress::new())
     }
 
     #[test]
@@ -203,7 +212,7 @@ mod tests {
         assert_eq!(written.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>(), names);
         let images: std::collections::HashMap<String, Vec<u8>> = written.into_iter().collect();
         let all = images.keys().cloned().collect();
-        let back = import(all, &|name| Ok(images[name].clone()), grid(), "folder").unwrap();
+        let back = import(all, &|name| Ok(images[name].clone()), grid(), "folder", &Progress::new()).unwrap();
         assert_eq!(back.0, hcbtf);
     }
 
@@ -227,10 +236,11 @@ mod tests {
     #[test]
     fn images_of_another_size_are_told() {
         let names = vec!["1.png".to_owned(), "2.png".to_owned()];
-        let wrong = import(names, &|_| encode([3, 2], &[0; 24]), grid(), "folder").unwrap_err();
+        let wrong = import(names, &|_| encode([3, 2], &[0; 24]), grid(), "folder", &Progress::new()).unwrap_err();
         assert_eq!(wrong.len(), 2);
         assert!(wrong[1].message.contains("`2.png` cannot be used: it has 3 x 2 texels"), "{wrong:?}");
-        let unread = import(vec!["1.png".to_owned()], &|_| Err("gone".to_owned()), grid(), "folder").unwrap_err();
+        let unread = import(vec!["1.png".to_owned()], &|_| Err("gone".to_owned()), grid(), "folder", &Progress::new())
+            .unwrap_err();
         assert!(unread[0].message.contains("`1.png` cannot be read: gone"));
     }
 }

@@ -3,7 +3,9 @@
 use std::sync::Arc;
 
 use super::compact;
-use super::layers::{MAX_LAYERS_BYTES, layers_size, stored_size};
+use super::fill::{MAX_FILLED_BYTES, MAX_SAMPLES, NotFilled, filled_at_most};
+use super::layers::{MAX_LAYERS_BYTES, check_layers, layers_size, stored_size};
+use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Storage, Tile};
 
 /// How large a device's textures may be.
@@ -18,6 +20,62 @@ pub struct Limits {
 impl Limits {
     /// What every device has that WebGPU runs on.
     pub const GUARANTEED: Self = Self { side: 8192, layers: 256 };
+}
+
+/// What textures are made for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Device {
+    /// What it is called.
+    pub name: String,
+    /// How large its textures may be.
+    pub limits: Limits,
+}
+
+impl Device {
+    /// Stands in where there is none: what every device has.
+    pub fn guaranteed() -> Self {
+        Self { name: "what WebGPU guarantees".to_owned(), limits: Limits::GUARANTEED }
+    }
+
+    /// Whether it can hold a texture, and whether every GPU can.
+    pub fn word(&self, need: &Need) -> &'static str {
+        match (need.fits(self.limits), need.fits(Limits::GUARANTEED)) {
+            (true, true) => "fits every GPU",
+            (true, false) => "fits this one, not every GPU",
+            (false, _) => "does not fit",
+        }
+    }
+
+    /// Whether all samples of a grid can be filled, and be painted on with this device: what is painted has a layer for
+    /// each view, quick and at least without smaller levels.
+    ///
+    /// # Errors
+    /// What is too large, and what to take less of.
+    pub fn check_painted(&self, grid: &Grid) -> Result<(), Diagnostic> {
+        grid.check().map_err(|why| Diagnostic::error("hcbtf-grid", why))?;
+        let (samples, bytes) = (grid.sample_count(), filled_at_most(grid));
+        if samples > MAX_SAMPLES {
+            return Err(NotFilled::TooMany { samples }.into());
+        }
+        if bytes > MAX_FILLED_BYTES {
+            return Err(NotFilled::TooLarge { bytes }.into());
+        }
+        check_layers(grid, false)?;
+        let [width, height, layers] = layers_size(grid, false);
+        let Limits { side, layers: most } = self.limits;
+        let wrong = |what: String| Diagnostic::error("too-large", format!("{what} ({})", self.name));
+        if width.max(height) > side {
+            let what =
+                format!("its texture would have {width} x {height} texels; the device takes {side} along a side");
+            return Err(wrong(what).hint("take fewer texels, or fewer lights"));
+        }
+        if layers > most {
+            let views = grid.view.count();
+            let what = format!("its texture would have {layers} layers for {views} views; the device takes {most}");
+            return Err(wrong(what).hint(format!("take fewer views: rings times steps may be {}", most.max(1) - 1)));
+        }
+        Ok(())
+    }
 }
 
 /// What one storage takes.
@@ -60,4 +118,33 @@ pub fn needs_at_most(grid: &Grid) -> Vec<Need> {
 fn each(size: impl Fn(Storage, bool) -> [u64; 3]) -> Vec<Need> {
     let all = Storage::ALL.into_iter().flat_map(|storage| [false, true].map(|has_levels| (storage, has_levels)));
     all.map(|(storage, has_levels)| Need { storage, has_levels, size: size(storage, has_levels) }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::Directions;
+
+    #[test]
+    fn what_a_device_cannot_hold_is_told_with_what_to_take_less_of() {
+        let directions = |theta, phi| Directions { theta, phi };
+        let grid = |side, light, view| Grid { size: [side, side], light, view };
+        let few = directions(3, 6);
+        let device = Device::guaranteed();
+        assert_eq!(device.check_painted(&Grid::THESIS), Ok(()));
+        let why = |grid: Grid| device.check_painted(&grid).unwrap_err();
+        // 17 x 15 views and the layer that tells the grid are exactly what every device has.
+        assert_eq!(device.check_painted(&grid(8, few, directions(17, 15))), Ok(()));
+        let views = why(grid(8, few, directions(16, 16)));
+        assert!(views.message.contains("257 layers for 256 views"), "{}", views.message);
+        assert_eq!(views.hints, ["take fewer views: rings times steps may be 255"]);
+        // A texel is a block of 6 x 12 lights: 8,192 / 12 texels fit along the side.
+        let lights = directions(6, 10);
+        assert_eq!(device.check_painted(&grid(682, lights, directions(1, 1))), Ok(()));
+        let wide = why(grid(683, lights, directions(1, 1)));
+        assert!(wide.message.contains("4098 x 8196 texels") && wide.hints == ["take fewer texels, or fewer lights"]);
+        for too_much in [grid(4095, few, few), grid(1, directions(255, 255), directions(6, 10)), grid(0, few, few)] {
+            assert!(!why(too_much).message.is_empty());
+        }
+    }
 }

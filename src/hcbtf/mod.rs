@@ -35,19 +35,20 @@ mod share;
 pub mod sheet;
 mod synthesize;
 
-use crate::document::Hcbtf;
+use crate::diag::Diagnostic;
+use crate::document::{Grid, Hcbtf};
 
 pub use file::{load, read, read_bytes, write};
-pub use fill::{Estimate, Filled, NotFilled, Provenance, Which, estimate};
+pub use fill::{Estimate, Filled, NotFilled, Provenance, Which, estimate, filled_at_most};
 pub use layers::{
     LayerOptions, Layers, MAX_LAYERS_BYTES, check_layers, from_layers, layers, layers_bytes, layers_size, stored,
     stored_size,
 };
-pub use memory::{Limits, Need, needs, needs_at_most};
+pub use memory::{Device, Limits, Need, needs, needs_at_most};
 pub use picture::Picture;
 pub use progress::Progress;
 pub use repaint::{Region, repaint};
-pub use synthesize::{Synthesis, synthesize};
+pub use synthesize::{Synthesis, synthesize, synthesize_filled};
 
 /// The version of `.hcbtf` files that this Chiaro writes, and the newest that it reads.
 pub const VERSION: u32 = 1;
@@ -59,3 +60,24 @@ pub const MAX_PAINTED_BYTES: u64 = Hcbtf::MAX_PAINTED_BYTES;
 pub const MAX_PAINTED: usize = Hcbtf::MAX_PAINTED;
 /// More rules than this are refused in one file.
 pub const MAX_RULES: usize = Hcbtf::MAX_RULES;
+
+/// Whether a file can hold every sample of a grid as painted.
+///
+/// # Errors
+/// `too-large`, with what to take less of.
+pub fn check_all_painted(grid: &Grid) -> Result<(), Diagnostic> {
+    check_painted(grid, grid.sample_count())
+}
+
+/// Whether a file can hold so many painted samples.
+fn check_painted(grid: &Grid, count: u64) -> Result<(), Diagnostic> {
+    if count <= MAX_PAINTED as u64 && count.saturating_mul(grid.texels() as u64 * 4) <= MAX_PAINTED_BYTES {
+        return Ok(());
+    }
+    let message = format!("{count} painted samples of {} x {} texels are too much", grid.size[0], grid.size[1]);
+    let hint = format!(
+        "a file holds {MAX_PAINTED} of them, and {} MiB: take a smaller tile or a coarser grid",
+        MAX_PAINTED_BYTES >> 20
+    );
+    Err(Diagnostic::error("too-large", message).hint(hint))
+}

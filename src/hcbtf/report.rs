@@ -1,5 +1,6 @@
 //! Collects what is to be said of one file, all of it up to a bound.
 
+use super::NotFilled;
 use crate::diag::Diagnostic;
 
 /// How many problems of one file are told; the others are counted.
@@ -27,6 +28,12 @@ impl Report {
         } else {
             self.untold += 1;
         }
+    }
+
+    /// Somebody has stopped it: nothing else is worth telling.
+    pub(super) fn stop(&mut self) {
+        self.told.clear();
+        self.add(NotFilled::Stopped.into());
     }
 
     /// Whether the file cannot be used.

@@ -20,7 +20,7 @@ use rayon::slice::ParallelSliceMut as _;
 use super::fill::{Filled, shared};
 use super::picture::{Picture, decode, reduced};
 use super::report::Report;
-use super::{MAX_PAINTED_BYTES, folder};
+use super::{MAX_PAINTED_BYTES, Progress, folder};
 use crate::diag::Diagnostic;
 use crate::document::{Address, Direction, Grid, Hcbtf, Tile};
 
@@ -141,9 +141,15 @@ pub(crate) fn place(grid: &Grid, Address { light, view }: Address, [ix, iy]: [us
 ///
 /// # Errors
 /// Where it is no PNG, or not of the size that the grid asks for.
-pub fn read(png: &[u8], grid: Grid, name: &str) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+pub fn read(
+    png: &[u8],
+    grid: Grid,
+    name: &str,
+    progress: &Progress,
+) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
     let mut report = Report::new(name);
-    let hcbtf = decode_sheet(png, &grid, &mut report).and_then(|sheet| import_into(&sheet, grid, &mut report));
+    let hcbtf =
+        decode_sheet(png, &grid, &mut report).and_then(|sheet| import_into(&sheet, grid, &mut report, progress));
     report.finish(hcbtf)
 }
 
@@ -182,7 +188,7 @@ pub fn import(sheet: &Picture, grid: Grid, name: &str) -> Result<(Hcbtf, Vec<Dia
     let mut report = Report::new(name);
     let hcbtf = match grid.check().and_then(|()| fits(sheet.size, &grid)) {
         Ok(()) if sheet.rgba.len() as u64 == u64::from(sheet.size[0]) * u64::from(sheet.size[1]) * 4 => {
-            import_into(sheet, grid, &mut report)
+            import_into(sheet, grid, &mut report, &Progress::new())
         }
         Ok(()) => None,
         Err(why) => {
@@ -193,11 +199,16 @@ pub fn import(sheet: &Picture, grid: Grid, name: &str) -> Result<(Hcbtf, Vec<Dia
     report.finish(hcbtf)
 }
 
-fn import_into(sheet: &Picture, grid: Grid, report: &mut Report) -> Option<Hcbtf> {
+fn import_into(sheet: &Picture, grid: Grid, report: &mut Report, progress: &Progress) -> Option<Hcbtf> {
+    progress.begin(grid.sample_count());
     check(sheet, &grid, report);
     let [width, height] = grid.size.map(|side| side as usize);
     let addresses: Vec<Address> = grid.addresses().collect();
     let painted = addresses.into_par_iter().filter_map(|address| {
+        if progress.is_stopped() {
+            return None;
+        }
+        progress.add(1);
         let places = (0..height).flat_map(|iy| (0..width).map(move |ix| [ix, iy]));
         let texels = places.flat_map(|texel| {
             let [x, y] = place(&grid, address, texel);
@@ -207,7 +218,11 @@ fn import_into(sheet: &Picture, grid: Grid, report: &mut Report) -> Option<Hcbtf
         rgba.extend(texels);
         painted(grid.size, rgba).map(|tile| (address, tile))
     });
-    Some(gathered(grid, painted.collect()))
+    let painted = painted.collect();
+    if progress.is_stopped() {
+        report.stop();
+    }
+    Some(gathered(grid, painted))
 }
 
 /// A tile, but for one that is transparent black all over: pictures of many samples have no other way to leave one empty.

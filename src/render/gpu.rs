@@ -4,7 +4,7 @@ use std::sync::{Arc, Mutex};
 
 use super::error::RenderError;
 use super::target::PICTURE;
-use crate::milestones;
+use crate::{hcbtf, milestones};
 
 /// A device, our own or a window's.
 #[derive(Clone, Debug)]
@@ -113,6 +113,13 @@ impl Gpu {
     /// What it is called, for reports.
     pub fn name(&self) -> String {
         format!("{} ({:?})", self.info.name, self.info.backend)
+    }
+
+    /// How large the textures of HCBTFs may be here.
+    pub fn holds(&self) -> hcbtf::Device {
+        let limits = self.device.limits();
+        let [side, layers] = [limits.max_texture_dimension_2d, limits.max_texture_array_layers].map(u64::from);
+        hcbtf::Device { name: self.name(), limits: hcbtf::Limits { side, layers } }
     }
 
     /// Waits until the GPU has done everything that was submitted.

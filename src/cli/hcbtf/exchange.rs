@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::ValueEnum;
 
-use super::{GRID_HELP, GridText, check_free, filled, open, with_ending};
+use super::{GRID_HELP, GridText, check_free, filled, open, telling, with_ending};
 use crate::cli::output::Output;
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Storage, write_atomic};
@@ -64,7 +64,9 @@ pub(super) fn import(arguments: &ImportArguments, output: &Output) -> Result<(),
     let from = &arguments.from;
     let grid = arguments.grid.map_or(Grid::THESIS, |grid| grid.0);
     let form = arguments.form.map_or_else(|| exchange::Form::guessed(from), exchange::Form::from);
-    let (mut hcbtf, notes) = exchange::import(from, form, grid, arguments.gap)?;
+    let made = exchange::import(from, form, grid, arguments.gap, &telling("reading"));
+    output.end_progress();
+    let (mut hcbtf, notes) = made?;
     output.diagnostics(&notes);
     hcbtf.is_tiling = !arguments.no_tiling;
     let bytes = write(&hcbtf).map_err(|problem| vec![problem.in_file(path.display().to_string())])?;
@@ -105,7 +107,7 @@ pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(),
         return Err(vec![Diagnostic::error("bad-argument", "--compact goes with --to ktx2")]);
     }
     let hcbtf = open(&arguments.file, output)?;
-    let filled = filled(&hcbtf, &arguments.file)?;
+    let filled = filled(&hcbtf, &arguments.file, output)?;
     let which = if arguments.painted { Which::Painted } else { Which::All };
     let path = &arguments.output;
     let storage = if arguments.compact { Storage::Compact } else { Storage::Quick };

@@ -8,7 +8,7 @@ use super::{filled, open};
 use crate::cli::output::Output;
 use crate::diag::Diagnostic;
 use crate::document::Hcbtf;
-use crate::hcbtf::{Filled, Limits, Need, Provenance, needs, needs_at_most, sheet};
+use crate::hcbtf::{Device, Filled, Limits, Provenance, needs, needs_at_most, sheet};
 
 /// What `chiaro hcbtf info` is given.
 #[derive(Debug, clap::Args)]
@@ -22,7 +22,7 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let hcbtf = open(&arguments.file, output)?;
-    let filled = filled(&hcbtf, &arguments.file)?;
+    let filled = filled(&hcbtf, &arguments.file, output)?;
     if arguments.json {
         output.json(&as_json(&hcbtf, &filled));
     } else {
@@ -32,30 +32,12 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
 }
 
 /// What textures are made for: the adapter that Chiaro would draw with, else what WebGPU guarantees.
-struct Device {
-    name: String,
-    limits: Limits,
-}
-
-impl Device {
-    fn present() -> Self {
-        #[cfg(feature = "gpu")]
-        if let Ok(gpu) = crate::render::block_on(crate::render::Gpu::headless()) {
-            let limits = gpu.device.limits();
-            let [side, layers] = [limits.max_texture_dimension_2d, limits.max_texture_array_layers].map(u64::from);
-            return Self { name: gpu.name(), limits: Limits { side, layers } };
-        }
-        Self { name: "what WebGPU guarantees".to_owned(), limits: Limits::GUARANTEED }
+fn present() -> Device {
+    #[cfg(feature = "gpu")]
+    if let Ok(gpu) = crate::render::block_on(crate::render::Gpu::headless()) {
+        return gpu.holds();
     }
-
-    /// Whether it can hold a texture, and whether every GPU can.
-    fn word(&self, need: &Need) -> &'static str {
-        match (need.fits(self.limits), need.fits(Limits::GUARANTEED)) {
-            (true, true) => "fits every GPU",
-            (true, false) => "fits this one, not every GPU",
-            (false, _) => "does not fit",
-        }
-    }
+    Device::guaranteed()
 }
 
 /// How many samples are painted and empty, and how many each rule fills or changes.
@@ -111,7 +93,7 @@ fn as_text(hcbtf: &Hcbtf, filled: &Filled) -> String {
          sheet    {width} x {height}, {as_sheet:.2} MiB\n",
         filled.tiles().len(),
     );
-    let device = Device::present();
+    let device = present();
     let most = needs_at_most(&grid);
     for (need, most) in needs(&grid, |address| filled.tile(address)).iter().zip(&most) {
         let [wide, high, layers] = need.size;
@@ -143,7 +125,7 @@ fn as_json(hcbtf: &Hcbtf, filled: &Filled) -> Json {
             }
         }
     });
-    let device = Device::present();
+    let device = present();
     let stored = needs(&hcbtf.grid, |address| filled.tile(address)).into_iter().zip(needs_at_most(&hcbtf.grid));
     let stored = stored.map(|(need, most)| {
         json!({

@@ -1,16 +1,16 @@
 //! `chiaro hcbtf synthesize` and `bake`: new tiles from a painted one, and a look as one.
 
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::Arc;
 
 use super::super::open::{check_nodes_folder, library_for, open_look};
 use super::super::render::Size;
-use super::{GRID_HELP, GridText, check_free, open, with_ending};
+use super::{GRID_HELP, GridText, check_free, open, telling, with_ending};
 use crate::cli::output::Output;
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Hcbtf, write_atomic};
-use crate::frame::moving_light;
-use crate::hcbtf::{Progress, Synthesis, synthesize, write};
+use crate::frame::{Assets, moving_light, tile_assets};
+use crate::hcbtf::{Synthesis, synthesize, write};
 use crate::reference::bake_look;
 
 /// What `chiaro hcbtf synthesize` is given.
@@ -78,20 +78,11 @@ pub(super) fn baked(arguments: &BakeArguments, output: &Output) -> Result<(), Ve
     let named = arguments.look.display().to_string();
     let light = moving_light(&setup, arguments.light.as_deref()).map_err(|problem| vec![problem.in_file(named)])?;
     let grid = arguments.grid.map_or(Grid::THESIS, |grid| grid.0);
-    let made = bake_look(&setup, &library, grid, &light, &telling("baking"));
+    let filling = Arc::new(telling("filling what it shows"));
+    let made = tile_assets(&setup, &library, &light, Assets::default(), &filling)
+        .and_then(|assets| bake_look(&setup, &library, grid, &light, &assets, &telling("baking")));
     output.end_progress();
     save(&made?, &path, output)
-}
-
-/// Tells how far it is whenever another percent is done.
-fn telling(what: &'static str) -> Progress {
-    let last = AtomicU64::new(u64::MAX);
-    Progress::telling(move |[done, total]| {
-        let percent = 100 * done / total.max(1);
-        if last.swap(percent, Ordering::Relaxed) != percent {
-            Output::new().progress(what, done, total);
-        }
-    })
 }
 
 fn save(hcbtf: &Hcbtf, path: &Path, output: &Output) -> Result<(), Vec<Diagnostic>> {

@@ -8,6 +8,7 @@ mod rules;
 
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use clap::Subcommand;
 
@@ -80,9 +81,22 @@ fn open(path: &Path, output: &Output) -> Result<Hcbtf, Vec<Diagnostic>> {
     Ok(hcbtf)
 }
 
-/// Runs the rules.
-fn filled(hcbtf: &Hcbtf, path: &Path) -> Result<Filled, Vec<Diagnostic>> {
-    fill(hcbtf, &Progress::new()).map_err(|why| vec![Diagnostic::from(why).in_file(path.display().to_string())])
+/// Runs the rules, and tells how far they are.
+fn filled(hcbtf: &Hcbtf, path: &Path, output: &Output) -> Result<Filled, Vec<Diagnostic>> {
+    let filled = fill(hcbtf, &telling("filling"));
+    output.end_progress();
+    filled.map_err(|why| vec![Diagnostic::from(why).in_file(path.display().to_string())])
+}
+
+/// Tells how far it is whenever another percent is done.
+fn telling(what: &'static str) -> Progress {
+    let last = AtomicU64::new(u64::MAX);
+    Progress::telling(move |[done, total]| {
+        let percent = 100 * done / total.max(1);
+        if last.swap(percent, Ordering::Relaxed) != percent {
+            Output::new().progress(what, done, total);
+        }
+    })
 }
 
 /// Refuses to replace a file, but with `--force`.

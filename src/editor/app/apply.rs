@@ -151,6 +151,10 @@ impl App {
             }
             Action::Paint => Command::ShowPanel(dock::Panel::Paint),
             Action::NewHcbtf(preset) => Command::Paint(painting::Wish::New { grid: preset.grid(), keeps_look: false }),
+            Action::NewHcbtfOf => Command::Paint(painting::Wish::AskGrid { changes: false }),
+            Action::GridOfHcbtf => Command::Paint(painting::Wish::AskGrid { changes: true }),
+            Action::TileOfHcbtf => Command::Paint(painting::Wish::AskSynthesis),
+            Action::BakeLook => Command::Paint(painting::Wish::AskBake),
             Action::SaveHcbtf => Command::Paint(painting::Wish::Save),
             Action::SaveHcbtfAs => Command::Paint(painting::Wish::SaveAs),
             Action::CloseHcbtf => Command::Paint(painting::Wish::Close),

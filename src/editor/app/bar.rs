@@ -40,8 +40,13 @@ impl App {
             commands.extend(recent.map(|path| Command::Open(Some(path))));
             ui.menu_button("View", |ui| self.view_menu(ui)).response.on_hover_text("Panels, theme and scale");
             let news = of_kind(|action| {
-                use Action::{CloseHcbtf, ExportHcbtf, ImportHcbtf, NewHcbtf, SaveHcbtf, SaveHcbtfAs};
-                matches!(action, NewHcbtf(_) | SaveHcbtf | SaveHcbtfAs | CloseHcbtf | ImportHcbtf | ExportHcbtf(_))
+                use Action::{
+                    BakeLook, CloseHcbtf, ExportHcbtf, GridOfHcbtf, ImportHcbtf, NewHcbtf, NewHcbtfOf, SaveHcbtf,
+                    SaveHcbtfAs, TileOfHcbtf,
+                };
+                let is_new = matches!(action, NewHcbtf(_) | NewHcbtfOf | ImportHcbtf | TileOfHcbtf | BakeLook);
+                let is_of_open = matches!(action, GridOfHcbtf | SaveHcbtf | SaveHcbtfAs | CloseHcbtf | ExportHcbtf(_));
+                is_new || is_of_open
             });
             menu(ui, "Paint", "Surfaces that change with the light and the eye, painted by hand", &news, commands);
             let exports = of_kind(|action| matches!(action, Action::Export(_) | Action::ExportPicture));

@@ -1,18 +1,20 @@
 //! Opening, saving and closing: nothing is lost on the way.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use eframe::egui::{self, RichText, Ui, ViewportCommand};
 
 use super::App;
 use crate::diag::{Diagnostic, Severity};
-use crate::document::Grid;
+use crate::document::{Grid, Hcbtf};
 use crate::editor::command::Command;
 use crate::editor::dialogs::PAINTING;
 use crate::editor::dock::Panel;
 use crate::editor::painting::{Import, Work};
 use crate::editor::panels::{library, problems};
 use crate::editor::stage::{Stage, Wanted};
+use crate::examples;
 
 /// What would lose unsaved changes.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,6 +39,10 @@ pub(super) enum Pending {
     ImportPainting {
         path: PathBuf,
         import: Import,
+    },
+    /// Paints on what was made of other things.
+    BeginPainting {
+        hcbtf: Arc<Hcbtf>,
     },
     ClosePainting,
     Close,
@@ -129,7 +135,9 @@ impl App {
                 let stays = keeps_look || self.keeps_look();
                 (!stays, !stays)
             }
-            Some(Pending::ImportPainting { .. }) => (!self.keeps_look(), !self.keeps_look()),
+            Some(Pending::ImportPainting { .. } | Pending::BeginPainting { .. }) => {
+                (!self.keeps_look(), !self.keeps_look())
+            }
             _ => (true, true),
         };
         let is_scene_dirty = self.session.stage().is_some_and(Stage::is_dirty);
@@ -154,6 +162,7 @@ impl App {
                 Pending::NewPainting { .. }
                     | Pending::OpenPainting { .. }
                     | Pending::ImportPainting { .. }
+                    | Pending::BeginPainting { .. }
                     | Pending::ClosePainting
                     | Pending::Close
             )
@@ -181,8 +190,7 @@ impl App {
             }
             Some(Pending::Open(path) | Pending::Switch(path)) => self.open(&path),
             Some(Pending::Example(index)) => {
-                let (name, text) = library::EXAMPLES[index];
-                self.session.start_from(text, name);
+                self.open_example(index);
                 self.safety.look();
             }
             Some(Pending::Tour) => self.begin_tour(),
@@ -193,10 +201,25 @@ impl App {
             }
             Some(Pending::NewPainting { grid, keeps_look }) => self.new_painting(grid, keeps_look),
             Some(Pending::OpenPainting { path, keeps_look }) => self.open_painting(&path, keeps_look),
-            Some(Pending::ImportPainting { path, import }) => self.import_painting(&path, import),
+            Some(Pending::ImportPainting { path, import }) => self.import_painting(path, import),
+            Some(Pending::BeginPainting { hcbtf }) => self.begin_made(&hcbtf),
             Some(Pending::ClosePainting) => self.close_painting(),
             Some(Pending::Close) => self.closes = true,
             None => {}
+        }
+    }
+
+    fn open_example(&mut self, index: usize) {
+        let Some(example) = library::example(index) else { return };
+        match example.content {
+            library::Content::Scene(scene) => {
+                self.session.start_scene(scene, example.stem);
+                self.dock.open(Panel::Objects);
+            }
+            library::Content::Look(_) => {
+                let text = examples::text(&example.path).unwrap_or_default();
+                self.session.start_from(&text, example.stem);
+            }
         }
     }
 

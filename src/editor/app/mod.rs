@@ -41,6 +41,7 @@ use super::viewport::{Export, Viewport};
 use super::wipe::Wipe;
 use super::{dock, inspector, spots, theme};
 use crate::diag::has_errors;
+use crate::hcbtf::Device;
 use crate::library::Library;
 use crate::milestones;
 use files::Pending;
@@ -100,6 +101,7 @@ impl App {
         let wipe = Wipe::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         let viewport = Viewport::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         let cost = Cost::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
+        let device = picture.as_ref().map_or_else(Device::guaranteed, |picture| picture.gpu().holds());
         let panels = Panels::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         Self {
             session: Session::new(library, waker()),
@@ -117,7 +119,7 @@ impl App {
             keys: Keys::default(),
             timeline: Timeline::default(),
             panels,
-            painting: Painting::new(waker()),
+            painting: Painting::new(device, waker()),
             look_exports: LookExports::new(waker()),
             safety: Safety::new(waker()),
             sheet: Sheet::default(),
@@ -345,6 +347,7 @@ impl App {
         self.shortcuts(ui, &mut commands);
         self.take_look_exports(ui);
         self.message = self.painting.exported().or(self.message.take());
+        self.take_made();
         let dropped = ui.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_path_buf()));
         let adds = self.adds_what_is_dropped(ui);
         commands.extend(dropped.map(|path| {
@@ -374,7 +377,7 @@ impl App {
         }
         self.panels(ui, &mut commands);
         self.ask_about_changes(ui, &mut commands);
-        commands.extend(self.painting.ask(ui));
+        commands.extend(self.painting.ask(ui, &self.session));
         commands.extend(self.sheet.show(ui, &self.session));
         self.show_tour(ui, &mut commands);
         for command in commands {

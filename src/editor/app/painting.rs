@@ -6,10 +6,12 @@ use eframe::egui::Ui;
 
 use super::App;
 use super::files::Pending;
-use crate::document::Grid;
+use crate::diag::Diagnostic;
+use crate::document::{Grid, Hcbtf};
 use crate::editor::dialogs::Purpose;
 use crate::editor::dock::Panel;
-use crate::editor::painting::{Import, Wish, Work, look};
+use crate::editor::painting::{Import, Made, Wish, Work, look};
+use crate::editor::panels::problems::sentence;
 use crate::frame::UNSAVED_HCBTF;
 use crate::hcbtf::exchange::Form;
 
@@ -28,6 +30,24 @@ impl App {
             }
             Wish::New { grid, keeps_look } => self.do_or_ask(Pending::NewPainting { grid, keeps_look }),
             Wish::Open { path, keeps_look } => self.do_or_ask(Pending::OpenPainting { path, keeps_look }),
+            Wish::AskGrid { changes } => self.painting.ask_grid(&self.session, changes),
+            Wish::AskSynthesis if self.session.painting().is_some() => self.painting.ask_synthesis(&self.session),
+            Wish::AskSynthesis => {
+                self.message = Some("Nothing is open to be painted that a tile could be made of".to_owned());
+            }
+            Wish::AskBake => self.painting.ask_bake(),
+            Wish::Bake { to: None } => {
+                self.painting.hold_bake();
+                let near = self.session.path().map(|path| path.with_extension("hcbtf"));
+                self.dialogs.ask(Purpose::BakeLook, Some(&near.unwrap_or_else(|| PathBuf::from("baked.hcbtf"))));
+            }
+            Wish::Bake { to: Some(path) } if self.session.painting().and_then(Work::path) == Some(path.as_path()) => {
+                self.message = Some(format!("{} is open to be painted: bake to another file", path.display()));
+            }
+            Wish::Bake { to: Some(path) } => {
+                self.message = self.painting.bake(&self.session, path).err();
+            }
+            Wish::Begin { hcbtf } => self.do_or_ask(Pending::BeginPainting { hcbtf }),
             Wish::AskImport => self.painting.ask_import(),
             Wish::Import { import, from: None } => {
                 self.dialogs.ask(Purpose::ImportPainting(import), self.session.path());
@@ -69,8 +89,9 @@ impl App {
         match Work::open(path) {
             Ok(work) => {
                 let stays = keeps_look || self.session.shows_painting(path);
-                self.begin_painting(work, stays);
-                self.safety.opened(path);
+                if self.begin_painting(work, stays) {
+                    self.safety.opened(path);
+                }
             }
             Err(problems) => {
                 let why = problems.first().map(|problem| problem.message.as_str()).unwrap_or_default();
@@ -79,13 +100,43 @@ impl App {
         }
     }
 
-    /// Begins an HCBTF with pictures of other programs; tells where that fails.
-    pub(super) fn import_painting(&mut self, path: &Path, import: Import) {
-        match import.read(path) {
+    /// Begins to make an HCBTF of pictures of other programs.
+    pub(super) fn import_painting(&mut self, path: PathBuf, import: Import) {
+        self.painting.import(import, path);
+    }
+
+    /// Takes what was made on another thread; tells where that failed.
+    pub(super) fn take_made(&mut self) {
+        match self.painting.made() {
+            Some(Made::Imported { from, made }) => self.take_import(&from, made),
+            Some(Made::Baked { to, made: Ok(count) }) => {
+                let told = format!("Baked {}: {count} samples", to.display());
+                self.do_or_ask(Pending::OpenPainting { path: to, keeps_look: false });
+                self.message = Some(told);
+            }
+            Some(Made::Baked { to, made: Err(problems) }) => {
+                let why = problems.first().map(|problem| sentence(problem).replace('\n', ": ")).unwrap_or_default();
+                self.message = Some(format!("{} was not baked: {why}", to.display()));
+            }
+            Some(Made::Tile { .. }) | None => {}
+        }
+    }
+
+    /// Begins with what was made of what was painted before.
+    pub(super) fn begin_made(&mut self, hcbtf: &Hcbtf) {
+        let [width, height] = hcbtf.grid.size;
+        if self.begin_painting(Work::imported(hcbtf.clone(), Vec::new()), false) {
+            self.message = Some(format!("A new painting of {width} x {height} texels; save it to keep it"));
+        }
+    }
+
+    fn take_import(&mut self, path: &Path, made: Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>>) {
+        match made {
             Ok((hcbtf, notes)) => {
                 let told = format!("{} of {} samples are painted", hcbtf.painted.len(), hcbtf.grid.sample_count());
-                self.begin_painting(Work::imported(hcbtf, notes), false);
-                self.message = Some(self.message.take().map_or(told.clone(), |note| format!("{told} · {note}")));
+                if self.begin_painting(Work::imported(hcbtf, notes), false) {
+                    self.message = Some(self.message.take().map_or(told.clone(), |note| format!("{told} · {note}")));
+                }
             }
             Err(problems) => {
                 let why = problems.first().map(|problem| problem.message.as_str()).unwrap_or_default();
@@ -113,7 +164,14 @@ impl App {
         self.painting.export(&self.session, form, to);
     }
 
-    fn begin_painting(&mut self, work: Work, keeps_look: bool) {
+    /// Begins to paint, where the device can hold it; tells why not otherwise.
+    /// Returns whether it did.
+    fn begin_painting(&mut self, work: Work, keeps_look: bool) -> bool {
+        if let Err(problem) = self.painting.check(work.grid()) {
+            let why = sentence(&problem).replace('\n', ": ");
+            self.message = Some(format!("{} cannot be painted here: {why}", work.name()));
+            return false;
+        }
         let told = work.load_problems.first().map(|problem| problem.message.clone());
         self.session.set_painting(Some(work));
         if !keeps_look {
@@ -122,6 +180,7 @@ impl App {
         self.safety.look();
         self.show_painting_panels();
         self.message = told;
+        true
     }
 
     /// Begins a look that shows what is painted, and nothing else.

@@ -10,6 +10,7 @@ use crate::document::SceneEdit;
 use crate::editor::dialogs::Purpose;
 use crate::editor::dock::Panel;
 use crate::editor::stage::{OPEN_LOOK, Stage, Wish};
+use crate::examples;
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX, look_of};
 use crate::ids::ObjectId;
 
@@ -112,6 +113,12 @@ impl App {
             return;
         }
         let path = stage.path_of(name);
+        if examples::file(&path).is_some() {
+            let text =
+                "This object wears an example: open that from the start page to change it, or choose another look";
+            self.message = Some(text.to_owned());
+            return;
+        }
         if name == OPEN_LOOK || !path.is_file() {
             self.message = Some(format!("There is no look {}: choose another for the object", path.display()));
             return;

@@ -12,6 +12,7 @@ use super::super::{theme, values};
 use super::marks::{self, Marked};
 use super::{Subject, color, curve, ramp};
 use crate::document::{ColorSpace, Edit, Endpoint, Grid, Node, Value, Wire};
+use crate::examples::PREFIX;
 use crate::frame::UNSAVED_HCBTF;
 use crate::ids::NodeId;
 use crate::library::{Fallback, Type};
@@ -243,6 +244,10 @@ fn paint_button(ui: &mut Ui, subject: &Subject<'_>, port: &Port, own: Option<&Va
     if name.is_empty() {
         out.push(held(subject, port, response.id, Value::Text(UNSAVED_HCBTF.to_owned())));
         out.push(Command::Paint(Wish::New { grid: Grid::THESIS, keeps_look: true }));
+    } else if name.starts_with(PREFIX) {
+        // What is painted is a copy of the example, which has no file yet.
+        out.push(held(subject, port, response.id, Value::Text(UNSAVED_HCBTF.to_owned())));
+        out.push(Command::Paint(Wish::Open { path: name.into(), keeps_look: true }));
     } else if name != UNSAVED_HCBTF {
         out.push(Command::Paint(Wish::Open { path: subject.session.folder().join(name), keeps_look: true }));
     } else {

@@ -1,14 +1,14 @@
 //! What the rules make of the samples that nobody painted: worked out on a thread of its own, the newest wish first. The
 //! sample at work is worked out beside the others, so that it is seen at once however long they take.
 
-use std::sync::Arc;
+use std::sync::{Arc, Weak};
 
 use super::work::Work;
 use crate::diag::Diagnostic;
-use crate::document::{Address, Hcbtf, Tile};
+use crate::document::{Address, Grid, Hcbtf, Tile};
 use crate::editor::worker::Worker;
-use crate::hcbtf::fill::{fill, sample};
-use crate::hcbtf::{Filled, NotFilled, Progress};
+use crate::hcbtf::fill::{fill, refill, sample};
+use crate::hcbtf::{Device, Filled, NotFilled, Progress};
 
 struct Wish {
     hcbtf: Arc<Hcbtf>,
@@ -41,6 +41,8 @@ pub(super) struct Filling {
     /// Which sample was asked for last, ahead of the rest, and of what.
     asked_ahead: Option<(Arc<Hcbtf>, Address)>,
     progress: Arc<Progress>,
+    /// Of the one sample, which is no part of how far the others are.
+    progress_ahead: Arc<Progress>,
     /// Why nothing could be filled.
     pub(super) problem: Option<Diagnostic>,
 }
@@ -48,8 +50,17 @@ pub(super) struct Filling {
 impl Filling {
     /// `wake` is called from another thread when something is filled.
     pub(super) fn new(wake: impl Fn() + Clone + Send + 'static) -> Self {
-        let work = |wish: Wish| {
-            let filled = fill(&wish.hcbtf, &wish.progress).map(Arc::new);
+        // A stroke changes little of what was filled before, which whoever shows it keeps.
+        let mut before: (Arc<Hcbtf>, Weak<Filled>) = (Arc::new(Hcbtf::new(Grid::THESIS)), Weak::new());
+        let work = move |wish: Wish| {
+            let filled = match before.1.upgrade() {
+                Some(filled) => refill(&wish.hcbtf, (&before.0, &filled), &wish.progress),
+                None => fill(&wish.hcbtf, &wish.progress),
+            };
+            let filled = filled.map(Arc::new);
+            if let Ok(filled) = &filled {
+                before = (wish.hcbtf.clone(), Arc::downgrade(filled));
+            }
             Done { of: wish.hcbtf, number: wish.number, filled }
         };
         let ahead = |(wish, address): (Wish, Address)| {
@@ -63,12 +74,14 @@ impl Filling {
             has: None,
             asked_ahead: None,
             progress: Arc::default(),
+            progress_ahead: Arc::default(),
             problem: None,
         }
     }
 
-    /// Takes what was filled, and asks for what is not yet. Returns whether there is something new.
-    pub(super) fn tick(&mut self, work: &mut Work) -> bool {
+    /// Takes what was filled, and asks for what is not yet, where the device can hold it. Returns whether there is something
+    /// new.
+    pub(super) fn tick(&mut self, work: &mut Work, device: &Device) -> bool {
         let mut is_new = self.take_ahead(work);
         let number = work.number();
         for done in self.worker.answers().into_iter().filter(|done| done.number == number) {
@@ -82,23 +95,29 @@ impl Filling {
                 Err(why) => self.problem = Some(why.into()),
             }
         }
+        if let Err(problem) = device.check_painted(work.grid()) {
+            self.stop();
+            self.problem = Some(problem);
+            return is_new;
+        }
         if !work.rules_wait() && !self.asked.as_ref().is_some_and(|asked| Arc::ptr_eq(asked, work.shown())) {
             // Other rules make what is being filled useless; one more texel does not.
             let is_other = self.asked.as_ref().is_none_or(|asked| asked.rules != work.shown().rules);
             if is_other {
-                self.progress.stop();
+                self.stop();
             }
             self.asked = Some(work.shown().clone());
             self.progress = Arc::default();
-            let wish = self.wish(work);
+            let wish = wish(work, &self.progress);
             self.worker.request(|_| wish);
         }
         self.ask_ahead(work);
         is_new
     }
 
-    fn wish(&self, work: &Work) -> Wish {
-        Wish { hcbtf: work.shown().clone(), number: work.number(), progress: self.progress.clone() }
+    fn stop(&self) {
+        self.progress.stop();
+        self.progress_ahead.stop();
     }
 
     /// Asks for the sample at work, while the others are not done.
@@ -110,7 +129,8 @@ impl Filling {
             return;
         }
         self.asked_ahead = Some((shown.clone(), at));
-        let wish = (self.wish(work), at);
+        self.progress_ahead = Arc::default();
+        let wish = (wish(work, &self.progress_ahead), at);
         self.ahead.request(|_| wish);
     }
 
@@ -125,6 +145,12 @@ impl Filling {
             }
         }
         is_new
+    }
+
+    /// What the rules have made of all that is shown now, if they have.
+    pub(super) fn of(&self, work: &Work) -> Option<Arc<Filled>> {
+        let is_it = self.has.as_ref().is_some_and(|has| Arc::ptr_eq(has, work.shown()));
+        work.filled().filter(|_| is_it).cloned()
     }
 
     /// The share that is filled, while that goes on.
@@ -144,14 +170,18 @@ impl Filling {
 
 impl Drop for Filling {
     fn drop(&mut self) {
-        self.progress.stop();
+        self.stop();
     }
+}
+
+fn wish(work: &Work, progress: &Arc<Progress>) -> Wish {
+    Wish { hcbtf: work.shown().clone(), number: work.number(), progress: progress.clone() }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::{Directions, Grid, HcbtfEdit, History, Rule, Strokes};
+    use crate::document::{Directions, HcbtfEdit, History, Rule, Strokes};
 
     #[test]
     fn the_sample_at_work_is_there_before_all_others_are() {
@@ -163,7 +193,7 @@ mod tests {
         let at = Address::new([1, 2], [2, 3]);
         work.go_to(at);
         let alone = |work: &Work| sample(work.hcbtf(), at, &Progress::new()).unwrap();
-        assert!(!filling.tick(&mut work));
+        assert!(!filling.tick(&mut work, &Device::guaranteed()));
         // All that is taken is the one, whether the others are done or not.
         filling.ahead.wait();
         assert!(filling.take_ahead(&mut work) && work.filled().is_none());
@@ -171,17 +201,17 @@ mod tests {
         assert_eq!(work.tile(at).cloned(), alone(&work));
         assert_eq!(work.tile(Address::new([0, 0], [1, 0])), None);
         filling.wait();
-        assert!(filling.tick(&mut work));
+        assert!(filling.tick(&mut work, &Device::guaranteed()));
         assert_eq!(work.tile(at).cloned(), alone(&work));
         assert_eq!(work.tile(at), work.filled().and_then(|filled| filled.tile(at)));
         // Once all are there no more is asked for, wherever one goes.
         work.go_to(Address::default());
-        assert!(!filling.tick(&mut work) && !filling.is_busy());
+        assert!(!filling.tick(&mut work, &Device::guaranteed()) && !filling.is_busy());
         // Another rule is seen at once as well.
         let before = work.tile(Address::default()).cloned();
         let rule = Rule::Strokes(Box::new(Strokes::preset("Pencil")));
         work.apply(HcbtfEdit::SetRule { index: 0, rule }, None, 0).unwrap();
-        filling.tick(&mut work);
+        filling.tick(&mut work, &Device::guaranteed());
         filling.ahead.wait();
         assert!(filling.take_ahead(&mut work));
         assert_ne!(work.tile(Address::default()).cloned(), before);

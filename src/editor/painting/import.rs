@@ -4,11 +4,13 @@ use std::path::Path;
 
 use eframe::egui::{self, Button, ComboBox, DragValue, Id, Modal, RichText, Ui, WidgetInfo};
 
+use super::grid::directions;
 use super::{Wish, command};
 use crate::diag::Diagnostic;
 use crate::document::{Directions, Grid, Hcbtf};
 use crate::editor::command::Command;
 use crate::editor::theme;
+use crate::hcbtf::Progress;
 use crate::hcbtf::contact::MAX_GAP;
 use crate::hcbtf::exchange::{self, Form};
 
@@ -34,11 +36,11 @@ impl Import {
     /// The HCBTF of the pictures there, with what was odd about them.
     ///
     /// # Errors
-    /// Everything that keeps them from being used.
-    pub(crate) fn read(self, from: &Path) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+    /// Everything that keeps them from being used, and where it is stopped.
+    pub(super) fn read(self, from: &Path, progress: &Progress) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
         let Self { form, light, view, gap, is_tiling } = self;
         let grid = exchange::fitted(from, form, Grid { size: Grid::THESIS.size, light, view }, gap);
-        let (hcbtf, notes) = exchange::import(from, form, grid, gap)?;
+        let (hcbtf, notes) = exchange::import(from, form, grid, gap, progress)?;
         Ok((Hcbtf { is_tiling, ..hcbtf }, notes))
     }
 }
@@ -105,23 +107,4 @@ pub(super) fn show(ui: &Ui, asked: &mut Option<Import>) -> Option<Command> {
     is_over |= modal.should_close();
     *asked = (!is_over).then_some(import);
     out
-}
-
-/// How many rings and steps there are.
-fn directions(ui: &mut Ui, name: &str, directions: &mut Directions) {
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 6.0;
-        ui.add_sized([48.0, 20.0], egui::Label::new(name));
-        let rings = ui.add(DragValue::new(&mut directions.theta).range(1..=255).speed(0.05).suffix(" rings"));
-        rings.widget_info(|| named(&format!("{name}: rings"), directions.theta));
-        ui.label("x");
-        let steps = ui.add(DragValue::new(&mut directions.phi).range(1..=255).speed(0.05).suffix(" steps"));
-        steps.widget_info(|| named(&format!("{name}: steps"), directions.phi));
-        let text = format!("{} directions", directions.distinct_count());
-        ui.label(RichText::new(text).color(theme::of(ui).dim));
-    });
-}
-
-fn named(name: &str, value: u32) -> WidgetInfo {
-    WidgetInfo { label: Some(name.to_owned()), ..WidgetInfo::drag_value(true, f64::from(value)) }
 }

@@ -5,15 +5,22 @@ use std::sync::Arc;
 
 use serde_json::json;
 
-use super::work::Work;
+use super::work::{Stamp, Work};
 use crate::diag::Diagnostic;
 use crate::document::Hcbtf;
 use crate::document::journal::{About, Recovered, Slot};
+
+/// What a journal calls the file as it was when it was read or written last.
+const FILE: &str = "file";
 
 impl Work {
     /// The one that a journal gave; the journal goes on where it is, once it is kept in a folder.
     pub(crate) fn taken_back(found: Recovered<Hcbtf>) -> Self {
         let mut work = Self::of_history(found.history, found.about.path.map(PathBuf::from));
+        // What others did to the file since is noticed as if the window had stayed open.
+        if let Some(stamp) = found.about.window.get(FILE).and_then(Stamp::of_json) {
+            work.stamp = Some(stamp);
+        }
         work.load_problems = found.damage;
         work
     }
@@ -39,9 +46,16 @@ impl Work {
             name: self.name(),
             path: self.path().and_then(Path::to_str).map(str::to_owned),
             is_partial: false,
-            window: json!({}),
+            window: self.stamp.and_then(Stamp::to_json).map_or_else(|| json!({}), |stamp| json!({ FILE: stamp })),
         };
         self.kept.begin_journal(about, None, slot);
+    }
+
+    /// Tells the journal that another file counts as the one that was read.
+    pub(super) fn note_file(&mut self) {
+        if let Some(stamp) = self.stamp.and_then(Stamp::to_json) {
+            self.kept.keeping.note_window(FILE, stamp);
+        }
     }
 
     /// After a save the journal begins anew: with the same past, and nothing unsaved.

@@ -1,5 +1,7 @@
 //! The look that a bare HCBTF is seen in: a lookup with one light, over grey where nothing is painted.
 
+use std::path::Path;
+
 use glam::{DQuat, DVec3};
 use serde_json::json;
 
@@ -8,6 +10,7 @@ use crate::document::{Edit, GraphId, Look, Value};
 use crate::editor::catalog::Catalog;
 use crate::editor::orbit::{Orbit, PLANE};
 use crate::editor::session::Session;
+use crate::frame::UNSAVED_HCBTF;
 use crate::library::Type;
 
 /// The default look on an HCBTF of this name.
@@ -48,6 +51,12 @@ pub(super) fn from_here(session: &Session, work: &Work) -> Option<Orbit> {
     let shines_from = DVec3::from(light.direction).try_normalize()?;
     view.illumination = DQuat::from_rotation_arc(shines_from, world(grid.light.vector(at.light)));
     Some(view)
+}
+
+/// Whether the open look shows what is painted.
+pub(super) fn shows(session: &Session) -> bool {
+    let path = session.painting().map(|work| work.path().unwrap_or(Path::new(UNSAVED_HCBTF)));
+    path.is_some_and(|path| session.shows_painting(path))
 }
 
 /// The HCBTFs that a look names, wherever in it.

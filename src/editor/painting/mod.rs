@@ -9,21 +9,26 @@
 
 mod arrows;
 mod atlas;
+mod baking;
 mod dome;
 mod easel;
 mod export;
 mod filling;
+mod grid;
 mod hand;
 mod icons;
 mod import;
 mod keeping;
 mod list;
 pub(crate) mod look;
+mod making;
 mod map;
+mod memory;
 mod moves;
 mod rules;
 mod sheet;
 mod start;
+mod synthesis;
 mod textures;
 mod tilt;
 mod toolbar;
@@ -31,18 +36,23 @@ mod tools;
 mod work;
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use eframe::egui;
 use eframe::egui::{Button, Key, Pos2, Rect, RichText, Slider, Ui, WidgetInfo};
 
 use super::command::Command;
 use super::dock::{self, Panel};
+use super::panels::problems::sentence;
 use super::session::Session;
 use super::shortcuts::{Action, Way};
 use super::theme;
-use crate::document::{Address, Grid, HcbtfEdit};
+use crate::diag::Diagnostic;
+use crate::document::{Address, Grid, Hcbtf, HcbtfEdit};
+use crate::hcbtf::Device;
 use crate::hcbtf::exchange::Form;
 pub(crate) use import::Import;
+pub(crate) use making::Made;
 pub(crate) use start::Preset;
 pub(crate) use tools::Kind;
 pub(crate) use work::OnDisk;
@@ -67,6 +77,22 @@ pub(crate) enum Wish {
     Open {
         path: PathBuf,
         keeps_look: bool,
+    },
+    /// Asks how finely a new one is divided, or how the open one is to be from now on.
+    AskGrid {
+        changes: bool,
+    },
+    /// Asks for a new tile of patches of the open one.
+    AskSynthesis,
+    /// Asks onto which grid the open look is to be baked.
+    AskBake,
+    /// Bakes it as was asked for; asks for the file where there is none.
+    Bake {
+        to: Option<PathBuf>,
+    },
+    /// Begins with what was made, in a look of its own.
+    Begin {
+        hcbtf: Arc<Hcbtf>,
     },
     /// Asks what pictures of other programs are to become an HCBTF.
     AskImport,
@@ -102,16 +128,25 @@ pub struct Painting {
     held: Option<dome::Held>,
     filling: filling::Filling,
     exports: export::Exports,
-    /// What is to be imported, while that is asked for.
+    memory: memory::Memory,
+    /// Which grid, while that is asked for.
+    grid: Option<grid::Asked>,
+    making: making::Making,
+    /// What is to be imported, while that is asked for; the same of a new tile, and of a look that is baked.
     import: Option<Import>,
+    synthesis: Option<synthesis::Asked>,
+    baking: Option<baking::Asked>,
+    /// What is baked once it has a file.
+    bakes: Option<baking::Asked>,
     /// The sample that is only looked at, and the one for the next frame.
     peek: Option<Address>,
     next_peek: Option<Address>,
 }
 
 impl Painting {
-    /// `wake` is called from another thread when rules have filled something, or something was exported.
-    pub(crate) fn new(wake: impl Fn() + Send + Clone + 'static) -> Self {
+    /// `wake` is called from another thread when rules have filled something, or something was exported. `device` is what
+    /// it is drawn with.
+    pub(crate) fn new(device: Device, wake: impl Fn() + Send + Clone + 'static) -> Self {
         Self {
             tools: tools::Tools::default(),
             easel: easel::Easel::default(),
@@ -121,8 +156,14 @@ impl Painting {
             order: list::Order::default(),
             held: None,
             filling: filling::Filling::new(wake.clone()),
-            exports: export::Exports::new(wake),
+            exports: export::Exports::new(wake.clone()),
+            memory: memory::Memory::new(device, wake.clone()),
+            making: making::Making::new(wake),
+            grid: None,
             import: None,
+            synthesis: None,
+            baking: None,
+            bakes: None,
             peek: None,
             next_peek: None,
         }
@@ -133,9 +174,72 @@ impl Painting {
         self.import = Some(Import::default());
     }
 
+    /// Asks how finely something new is divided, or how what is open is to be.
+    pub(crate) fn ask_grid(&mut self, session: &Session, changes: bool) {
+        self.grid = Some(grid::Asked::of(session.painting(), changes));
+    }
+
+    /// Asks for a new tile of patches of what is painted.
+    pub(crate) fn ask_synthesis(&mut self, session: &Session) {
+        let work = session.painting();
+        self.synthesis = work.map(|work| synthesis::Asked::of(work, self.filling.of(work)));
+    }
+
+    /// Asks onto which grid the open look is to be baked.
+    pub(crate) fn ask_bake(&mut self) {
+        self.baking = Some(baking::Asked::default());
+    }
+
+    /// Remembers what is to be baked until there is a file for it.
+    pub(crate) fn hold_bake(&mut self) {
+        self.bakes = self.baking.take();
+    }
+
+    /// Bakes the open look as was asked for.
+    ///
+    /// # Errors
+    /// Why it cannot be.
+    pub(crate) fn bake(&mut self, session: &Session, to: PathBuf) -> Result<(), String> {
+        let Some(asked) = self.bakes.take() else { return Ok(()) };
+        self.making.begin(asked.job(session, to)?);
+        Ok(())
+    }
+
+    /// Makes an HCBTF of pictures.
+    pub(crate) fn import(&mut self, import: Import, from: PathBuf) {
+        self.making.begin(making::Job::Import { import, from });
+    }
+
+    /// What was made since the last call, and is to be opened.
+    pub(crate) fn made(&mut self) -> Option<Made> {
+        match self.making.made()? {
+            Made::Tile { made } => {
+                if let Some(asked) = &mut self.synthesis {
+                    asked.take(made);
+                }
+                None
+            }
+            made => Some(made),
+        }
+    }
+
+    /// Whether one of this grid can be painted here.
+    ///
+    /// # Errors
+    /// What the device cannot hold, and what to take less of.
+    pub(crate) fn check(&self, grid: &Grid) -> Result<(), Diagnostic> {
+        self.memory.device.check_painted(grid)
+    }
+
     /// What is asked for in front of everything else, while it is.
-    pub(crate) fn ask(&mut self, ui: &Ui) -> Option<Command> {
+    pub(crate) fn ask(&mut self, ui: &Ui, session: &Session) -> Option<Command> {
+        self.making.show(ui);
+        let (work, device) = (session.painting(), &self.memory.device);
+        let is_filling = self.filling.is_busy() && look::shows(session);
         import::show(ui, &mut self.import)
+            .or_else(|| grid::show(ui, &mut self.grid, work, device))
+            .or_else(|| synthesis::show(ui, &mut self.synthesis, &mut self.making, work, device))
+            .or_else(|| baking::show(ui, &mut self.baking, session, device, is_filling))
     }
 
     /// Writes what is painted in another program's form.
@@ -154,7 +258,7 @@ impl Painting {
     pub(crate) fn tick(&mut self, session: &mut Session) {
         self.peek = self.next_peek.take();
         if let Some(work) = session.painting_mut()
-            && self.filling.tick(work)
+            && self.filling.tick(work, &self.memory.device)
         {
             session.painting_changed();
         }
@@ -179,9 +283,9 @@ impl Painting {
                 }
             }
             _ => {
-                let problem = self.filling.problem.as_ref().map(|problem| problem.message.as_str());
+                let problem = self.filling.problem.as_ref().map(sentence);
                 if let Some(work) = session.painting() {
-                    rules::show(ui, work, self.filling.share(), problem, &mut out);
+                    rules::show(ui, work, self.filling.share(), problem.as_deref(), &mut self.memory, &mut out);
                 }
             }
         }
@@ -314,12 +418,14 @@ impl Painting {
     }
 
     pub(crate) fn is_busy(&self) -> bool {
-        self.filling.is_busy() || self.exports.is_busy()
+        self.filling.is_busy() || self.exports.is_busy() || self.memory.is_busy() || self.making.is_busy()
     }
 
     pub(crate) fn wait(&self) {
         self.filling.wait();
         self.exports.wait();
+        self.memory.wait();
+        self.making.wait();
     }
 }
 

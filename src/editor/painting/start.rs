@@ -2,11 +2,11 @@
 
 use eframe::egui::{RichText, Ui};
 
+use super::memory::in_short;
 use super::{Wish, command};
 use crate::document::{Directions, Grid};
 use crate::editor::command::Command;
 use crate::editor::theme;
-use crate::hcbtf::layers_bytes;
 
 /// A grid to begin with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -72,11 +72,14 @@ pub(super) fn show(ui: &mut Ui, out: &mut Vec<Command>) {
                 grid.size[1],
                 grid.view.distinct_count()
             );
-            let memory = layers_bytes(&grid, false) as f64 / f64::from(1 << 20);
             let button = ui.add_sized([400.0, 30.0], eframe::egui::Button::new(label));
-            if button.on_hover_text(format!("{}. Its texture takes {memory:.1} MiB", preset.help())).clicked() {
+            if button.on_hover_text(format!("{}: {}", preset.help(), in_short(&grid))).clicked() {
                 out.push(command(Wish::New { grid, keeps_look: false }));
             }
+        }
+        let other = ui.add_sized([400.0, 30.0], eframe::egui::Button::new("Another grid..."));
+        if other.on_hover_text("Any number of texels, lights and views, and what they take in memory").clicked() {
+            out.push(command(Wish::AskGrid { changes: false }));
         }
         ui.add_space(8.0);
         if ui.add_sized([400.0, 30.0], eframe::egui::Button::new("Open an .hcbtf file...")).clicked() {
@@ -86,6 +89,11 @@ pub(super) fn show(ui: &mut Ui, out: &mut Vec<Command>) {
         let import = ui.add_sized([400.0, 30.0], eframe::egui::Button::new("Import painted pictures..."));
         if import.on_hover_text(help).clicked() {
             out.push(command(Wish::AskImport));
+        }
+        let help = "Paints every sample as the open look shows it: a dear look becomes a quick one, or one to paint on";
+        let bake = ui.add_sized([400.0, 30.0], eframe::egui::Button::new("Bake this look onto a tile..."));
+        if bake.on_hover_text(help).clicked() {
+            out.push(command(Wish::AskBake));
         }
     });
 }

@@ -4,7 +4,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::SystemTime;
+use std::time::{Duration, SystemTime};
+
+use serde_json::{Value as Json, json};
 
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf, HcbtfEdit, History, Rule, Tile, write_atomic};
@@ -46,12 +48,38 @@ pub(crate) enum OnDisk {
     Gone,
 }
 
+/// When a file was written, and how long it was.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Stamp {
+    modified: SystemTime,
+    bytes: u64,
+}
+
+impl Stamp {
+    /// Of the file there is now.
+    fn of(path: &Path) -> Option<Self> {
+        let data = std::fs::metadata(path).ok()?;
+        Some(Self { modified: data.modified().ok()?, bytes: data.len() })
+    }
+
+    /// For a journal: nanoseconds since 1970, and bytes.
+    pub(super) fn to_json(self) -> Option<Json> {
+        let since = self.modified.duration_since(SystemTime::UNIX_EPOCH).ok()?;
+        Some(json!({ "modified": u64::try_from(since.as_nanos()).ok()?, "bytes": self.bytes }))
+    }
+
+    pub(super) fn of_json(json: &Json) -> Option<Self> {
+        let since = Duration::from_nanos(json.get("modified")?.as_u64()?);
+        Some(Self { modified: SystemTime::UNIX_EPOCH.checked_add(since)?, bytes: json.get("bytes")?.as_u64()? })
+    }
+}
+
 /// An HCBTF that is being painted.
 pub struct Work {
     pub(crate) kept: Kept<Hcbtf>,
     path: Option<PathBuf>,
-    /// When the file was written that this was read from or saved to, and how long it was.
-    stamp: Option<(SystemTime, u64)>,
+    /// The file as it was when this was read from it or saved to it.
+    pub(super) stamp: Option<Stamp>,
     /// What reading the file told.
     pub(crate) load_problems: Vec<Diagnostic>,
     /// The sample at work.
@@ -81,7 +109,7 @@ impl Work {
         let at = shown.painted.keys().next().copied().unwrap_or_default();
         Self {
             kept: Kept::new(history),
-            stamp: path.as_deref().and_then(stamp),
+            stamp: path.as_deref().and_then(Stamp::of),
             path,
             load_problems: Vec::new(),
             at,
@@ -109,12 +137,15 @@ impl Work {
         work
     }
 
-    /// The one in a file.
+    /// The one in a file; of an example, a copy that no file holds.
     ///
     /// # Errors
     /// Everything that keeps the file from being used.
     pub(crate) fn open(path: &Path) -> Result<Self, Vec<Diagnostic>> {
         let (hcbtf, notes) = hcbtf::load(path)?;
+        if crate::examples::file(path).is_some() {
+            return Ok(Self::imported(hcbtf, notes));
+        }
         let mut work = Self::with(hcbtf, Some(std::path::absolute(path).unwrap_or_else(|_| path.to_owned())));
         work.load_problems = notes;
         Ok(work)
@@ -127,14 +158,14 @@ impl Work {
     pub(crate) fn save_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
         let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
         let is_own = self.path.as_ref() == Some(&path);
-        if is_own && self.stamp.is_some() && stamp(&path).is_some_and(|now| Some(now) != self.stamp) {
+        if is_own && self.stamp.is_some() && Stamp::of(&path).is_some_and(|now| Some(now) != self.stamp) {
             let message = "another program has changed this file since it was opened, and nothing was written over it";
             let problem = Diagnostic::error("changed-on-disk", message);
             return Err(Box::new(problem.hint("choose above whose version is kept, or save under another name")));
         }
         let bytes = hcbtf::write(self.hcbtf()).map_err(|problem| problem.in_file(path.display().to_string()))?;
         write_atomic(&path, &bytes)?;
-        self.stamp = stamp(&path);
+        self.stamp = Stamp::of(&path);
         self.path = Some(path);
         self.load_problems.clear();
         self.kept.history.mark_saved();
@@ -145,7 +176,7 @@ impl Work {
 
     /// Compares the file with what it was when it was read or written last.
     pub(crate) fn on_disk(&self) -> OnDisk {
-        match (self.stamp, self.path.as_deref().map(stamp)) {
+        match (self.stamp, self.path.as_deref().map(Stamp::of)) {
             (Some(was), Some(Some(is))) if was != is => OnDisk::Changed,
             (Some(_), Some(None)) => OnDisk::Gone,
             _ => OnDisk::Same,
@@ -160,7 +191,7 @@ impl Work {
     pub(crate) fn reload(&mut self, now: u64) -> Result<bool, Vec<Diagnostic>> {
         let Some(path) = self.path.clone() else { return Ok(false) };
         // Taken before it is read: what comes in between is noticed the next time.
-        let read = stamp(&path);
+        let read = Stamp::of(&path);
         let (hcbtf, notes) = hcbtf::load(&path)?;
         let is_other = hcbtf != *self.hcbtf();
         if is_other {
@@ -176,7 +207,8 @@ impl Work {
 
     /// Lets saving write over what another program made of the file, or write it again where it is gone.
     pub(crate) fn keep_mine(&mut self) {
-        self.stamp = self.path.as_deref().and_then(stamp);
+        self.stamp = self.path.as_deref().and_then(Stamp::of);
+        self.note_file();
     }
 
     /// The document as it is, without a stroke that goes on.
@@ -358,9 +390,4 @@ impl Work {
         }
         did
     }
-}
-
-fn stamp(path: &Path) -> Option<(SystemTime, u64)> {
-    let data = std::fs::metadata(path).ok()?;
-    Some((data.modified().ok()?, data.len()))
 }

@@ -194,7 +194,7 @@ impl Start {
                 });
             }
         }
-        heading(ui, "Examples", "Each opens as a new look of yours: change whatever you like");
+        heading(ui, "Examples", "Each opens as a new one of your own: change whatever you like");
         for row in self.examples.chunks(columns) {
             in_row(ui, row, |ui, card| drop(card.show(ui, side, session, thumbs, out)));
         }

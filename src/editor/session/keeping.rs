@@ -79,6 +79,13 @@ where
         }
     }
 
+    /// Tells the journal what else the window wants back from now on, if it has begun.
+    pub(crate) fn note_window(&mut self, name: &str, value: serde_json::Value) {
+        if let Some(keeper) = self.keeper.as_mut().filter(|keeper| keeper.has_begun) {
+            keeper.note_window([(name.to_owned(), value)].into_iter().collect());
+        }
+    }
+
     /// Tells the journal where the window looks from, if that is somewhere else now.
     pub(crate) fn note_view(&mut self, view: &Orbit) {
         if let Some(keeper) = self.keeper.as_mut().filter(|_| self.view.as_ref() != Some(view)) {

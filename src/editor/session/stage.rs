@@ -8,6 +8,7 @@ use super::keeping::VIEW;
 use crate::diag::Diagnostic;
 use crate::document::journal::{Recovered, Slot};
 use crate::document::{Light, Loaded, Scene, SceneEdit};
+use crate::examples;
 use crate::ids::{LightId, ObjectId};
 
 /// Which of the documents something is about.
@@ -53,6 +54,22 @@ impl Session {
                 false
             }
         }
+    }
+
+    /// Begins a new scene with an example's, around a new look with what one of its objects wears.
+    pub(crate) fn start_scene(&mut self, mut scene: Scene, name: &str) {
+        let worn = || scene.objects.values().flat_map(|object| object.looks.values());
+        let Some((first, text)) = worn().find_map(|look| Some((look.clone(), examples::text(Path::new(look))?))) else {
+            return;
+        };
+        let wear = scene.objects.values_mut().flat_map(|object| object.looks.values_mut());
+        wear.filter(|look| **look == first).for_each(|look| OPEN_LOOK.clone_into(look));
+        self.start_from(&text, name);
+        self.stage = Some(Stage::unsaved(scene));
+        self.keep_stage();
+        self.stage_changed();
+        self.reset_view();
+        self.time = 0.0;
     }
 
     /// Takes a scene back that a journal gave, in place of what is open. The journal goes on where it is.

@@ -8,6 +8,7 @@ use super::Stage;
 use super::names::folder_of;
 use crate::diag::Diagnostic;
 use crate::document::{History, Loaded, Scene, SceneEdit, Value, write_atomic};
+use crate::examples;
 use crate::frame::SHAPE_PREFIX;
 use crate::ids::PortName;
 use crate::library::Type;
@@ -97,7 +98,8 @@ impl Stage {
         let scene = self.scene();
         let meshes = scene.objects.values().map(|object| object.mesh.as_str());
         let meshes = meshes.filter(|mesh| !mesh.starts_with(SHAPE_PREFIX)).map(|mesh| self.base.join(mesh));
-        let looks = self.closed.keys().map(|name| self.path_of(name));
+        let looks = self.closed.keys().filter(|name| !name.starts_with(examples::PREFIX));
+        let looks = looks.map(|name| self.path_of(name));
         meshes.chain(looks).chain(self.images()).collect()
     }
 

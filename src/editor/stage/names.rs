@@ -5,6 +5,7 @@ use std::path::{Component, Path, PathBuf};
 use super::{OPEN_LOOK, Stage};
 use crate::diag::Diagnostic;
 use crate::document::Scene;
+use crate::examples;
 use crate::frame::SHAPE_PREFIX;
 
 /// A path without `.` and `..`, as far as they can be taken out by reading alone.
@@ -49,13 +50,14 @@ pub(crate) fn folder_of(file: &Path) -> PathBuf {
     absolute(file).parent().map(Path::to_path_buf).unwrap_or_default()
 }
 
-/// Calls every file of a scene by another name, looks that are no files excepted.
+/// Calls every file of a scene by another name, looks that are no files and examples excepted.
 fn rename(scene: &mut Scene, name: &dyn Fn(&str) -> String) {
     for object in scene.objects.values_mut() {
         if !object.mesh.starts_with(SHAPE_PREFIX) {
             object.mesh = name(&object.mesh);
         }
-        object.looks.values_mut().filter(|look| *look != OPEN_LOOK).for_each(|look| *look = name(look));
+        let is_file = |look: &&mut String| **look != OPEN_LOOK && !look.starts_with(examples::PREFIX);
+        object.looks.values_mut().filter(is_file).for_each(|look| *look = name(look));
     }
 }
 

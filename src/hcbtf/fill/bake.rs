@@ -37,12 +37,12 @@ pub(super) fn tile(plan: &Plan<'_>, recipe: &Recipe, progress: &Progress) -> Opt
         }
         Source::Blend { address, sharpness } => {
             let weights = blend::weights(address, sharpness.get(), &plan.grid, &plan.painted);
-            let blend = |y: usize, row: &mut [Color]| blend::row(&weights, &plan.painted, y, row);
+            let width = size[0] as usize;
+            let blend = |y: usize, row: &mut [Color]| blend::row(&weights, &plan.painted, y * width, row);
             if recipe.turn.get() == 0.0 {
                 return rows.each(|y, row| blend(y, row));
             }
             // Turned from the blend itself, before it is rounded.
-            let width = size[0] as usize;
             let mut blended = vec![[0.0; 4]; plan.grid.texels()];
             for (y, row) in blended.chunks_exact_mut(width).enumerate() {
                 if progress.is_stopped() {
@@ -71,21 +71,39 @@ pub(super) fn tile(plan: &Plan<'_>, recipe: &Recipe, progress: &Progress) -> Opt
 }
 
 /// What becomes of straight colours from 0 to 255.
-struct Mapping {
+pub(super) struct Mapping {
     factors: Color,
     offsets: Color,
 }
 
 impl Mapping {
-    fn new(recipe: &Recipe) -> Self {
+    pub(super) fn new(recipe: &Recipe) -> Self {
         let [r, g, b] = recipe.maps.map(|map| map.map(|number| number.get() as f32));
         Self { factors: [r[0], g[0], b[0], 1.0], offsets: [r[1], g[1], b[1], 0.0] }
     }
 
     /// Bytes: the nearest.
-    fn of(&self, color: Color) -> [u8; 4] {
+    pub(super) fn of(&self, color: Color) -> [u8; 4] {
         // A float becomes a byte without wrapping.
         std::array::from_fn(|i| (color[i] * self.factors[i] + self.offsets[i] + 0.5) as u8)
+    }
+}
+
+/// For red, green and blue, what becomes of every byte.
+fn tables(recipe: &Recipe) -> [[u8; 256]; 3] {
+    recipe.maps.map(|map| {
+        let [factor, offset] = map.map(|number| number.get());
+        std::array::from_fn::<u8, 256, _>(|byte| (byte as f64 * factor + offset + 0.5) as u8)
+    })
+}
+
+/// Recolours some texels of what is painted.
+pub(super) fn recolour(recipe: &Recipe, texels: &mut [u8]) {
+    let maps = recipe.maps.map(|map| map.map(|number| number.get()));
+    for texel in texels.chunks_exact_mut(4) {
+        for (channel, [factor, offset]) in texel.iter_mut().zip(maps) {
+            *channel = (f64::from(*channel) * factor + offset + 0.5) as u8;
+        }
     }
 }
 
@@ -121,10 +139,7 @@ impl Rows<'_> {
 
     /// From a tile as it is: a table for each channel does.
     fn of_bytes(&self, tile: &Tile) -> Option<Arc<Tile>> {
-        let tables = self.recipe.maps.map(|map| {
-            let [factor, offset] = map.map(|number| number.get());
-            std::array::from_fn::<u8, 256, _>(|byte| (byte as f64 * factor + offset + 0.5) as u8)
-        });
+        let tables = tables(self.recipe);
         let mut rgba = tile.bytes().to_vec();
         for row in rgba.chunks_exact_mut(4 * self.size[0] as usize) {
             if self.progress.is_stopped() {

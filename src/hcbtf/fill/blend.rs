@@ -31,12 +31,12 @@ pub(super) fn weights(address: Address, sharpness: f64, grid: &Grid, painted: &[
     kept.into_iter().map(|(number, weight)| (number, (weight / sum) as f32)).collect()
 }
 
-/// One row of the blend: straight RGBA from 0 to 255, colours weighted by alpha as well.
-pub(super) fn row(weights: &[(u32, f32)], painted: &[Painted<'_>], y: usize, blended: &mut [[f32; 4]]) {
+/// A row of the blend, or a part of one, from a texel on: straight RGBA from 0 to 255, colours weighted by alpha as well.
+pub(super) fn row(weights: &[(u32, f32)], painted: &[Painted<'_>], from: usize, blended: &mut [[f32; 4]]) {
     blended.fill([0.0; 4]);
-    let width = blended.len();
+    let wide = blended.len();
     let rows = || {
-        let range = 4 * y * width..4 * (y + 1) * width;
+        let range = 4 * from..4 * (from + wide);
         weights.iter().filter_map(move |(number, weight)| {
             let sample = painted.get(*number as usize)?;
             Some((sample.tile.bytes().get(range.clone())?, *weight, sample.is_opaque))

@@ -8,6 +8,7 @@
 //!
 //! Every tile depends on its recipe alone, so the result is the same on any number of threads.
 
+mod again;
 mod bake;
 mod blend;
 mod lock;
@@ -22,6 +23,7 @@ use std::sync::Arc;
 use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
 use thiserror::Error;
 
+pub use self::again::refill;
 use self::plan::Plan;
 use super::Progress;
 use crate::diag::Diagnostic;
@@ -171,7 +173,12 @@ impl Filled {
 /// Memory of a filled grid with this many different tiles.
 fn bytes(grid: Grid, tiles: u64) -> u64 {
     let tile = 4 * grid.texels() as u64 + size_of::<Tile>() as u64 + size_of::<Arc<Tile>>() as u64;
-    tiles * tile + grid.sample_count() * size_of::<[u32; 2]>() as u64
+    tiles.saturating_mul(tile).saturating_add(grid.sample_count().saturating_mul(size_of::<[u32; 2]>() as u64))
+}
+
+/// Memory that a filled grid takes at most, in bytes: no two samples alike.
+pub fn filled_at_most(grid: &Grid) -> u64 {
+    bytes(*grid, grid.sample_count())
 }
 
 /// What [`fill`] would take, without filling.
@@ -200,15 +207,13 @@ fn laid_out<'a>(hcbtf: &'a Hcbtf, progress: &Progress) -> Result<(Plan<'a>, Esti
 /// Runs the rules for every sample. Painted samples always win; samples outside the grid and painted tiles of another size
 /// than the grid's are left out.
 ///
-/// `progress` counts rows of texels.
+/// `progress` counts rows of texels, and what generators make ready before as so many rows as take as long.
 ///
 /// # Errors
 /// Where it was stopped, and where the grid is too large or none at all.
 pub fn fill(hcbtf: &Hcbtf, progress: &Progress) -> Result<Filled, NotFilled> {
     let (mut plan, _) = laid_out(hcbtf, progress)?;
     plan.prepare(hcbtf, progress).ok_or(NotFilled::Stopped)?;
-    let rows = u64::from(hcbtf.grid.size[1]);
-    progress.begin(plan.recipes.len() as u64 * rows);
     let baked = plan.recipes.par_iter().map(|recipe| bake::tile(&plan, recipe, progress).ok_or(NotFilled::Stopped));
     let baked: Vec<Arc<Tile>> = baked.collect::<Result<_, _>>()?;
     let (tiles, place) = shared(baked);
@@ -231,7 +236,6 @@ pub fn sample(hcbtf: &Hcbtf, address: Address, progress: &Progress) -> Result<Op
     }
     let mut plan = Plan::of(hcbtf, vec![address.canonical()], progress).ok_or(NotFilled::Stopped)?;
     plan.prepare(hcbtf, progress).ok_or(NotFilled::Stopped)?;
-    progress.begin(u64::from(hcbtf.grid.size[1]));
     let tile = plan.recipes.first().map(|recipe| bake::tile(&plan, recipe, progress).ok_or(NotFilled::Stopped));
     tile.transpose()
 }

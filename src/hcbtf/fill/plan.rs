@@ -136,27 +136,32 @@ impl<'a> Plan<'a> {
         })
     }
 
-    /// Makes ready what some recipe needs; `None` where it is stopped.
+    /// Makes ready what some recipe needs, once it is laid out how long that and all tiles take; `None` where it is stopped.
     pub(super) fn prepare(&mut self, hcbtf: &Hcbtf, progress: &Progress) -> Option<()> {
         let rules = &hcbtf.rules;
-        let mut is_needed = vec![false; rules.len()];
+        let mut generated: Vec<Vec<Address>> = vec![Vec::new(); rules.len()];
         for recipe in &self.recipes {
-            if let Source::Generated { rule, .. } = recipe.source {
-                is_needed[rule as usize] = true;
+            if let Source::Generated { rule, address } = recipe.source {
+                generated[rule as usize].push(address);
             }
-        }
-        for (rule, is_needed) in rules.iter().zip(is_needed) {
-            let ready = is_needed.then(|| Generator::new(rule, hcbtf, progress));
-            if ready.as_ref().is_some_and(Option::is_none) {
-                return None;
-            }
-            self.generators.push(ready.flatten());
         }
         let morphed = self.recipes.iter().filter_map(|recipe| match recipe.source {
             Source::Morph { address, sharpness } => Some((address, sharpness.get())),
             _ => None,
         });
-        self.flows = Flows::new(morphed, &self.grid, self.is_tiling, &self.painted, progress)?;
+        let pairs = Flows::pairs(morphed, &self.grid, &self.painted, progress)?;
+        let rows = u64::from(self.grid.size[1]);
+        let ahead = rules.iter().zip(&generated).map(|(rule, addresses)| Generator::tiles_ahead(rule, addresses));
+        let ahead = ahead.fold(Flows::TILES_AHEAD * pairs.len() as u64, u64::saturating_add);
+        progress.begin((self.recipes.len() as u64).saturating_add(ahead).saturating_mul(rows));
+        for (rule, addresses) in rules.iter().zip(generated) {
+            let ready = (!addresses.is_empty()).then(|| Generator::new(rule, hcbtf, progress));
+            if ready.as_ref().is_some_and(Option::is_none) {
+                return None;
+            }
+            self.generators.push(ready.flatten());
+        }
+        self.flows = Flows::new(pairs, self.is_tiling, &self.painted, progress)?;
         Some(())
     }
 }

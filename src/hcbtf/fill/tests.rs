@@ -481,3 +481,67 @@ fn how_long_a_blend_of_the_thesis_takes() {
         }
     }
 }
+
+/// A painted sample with other texels in a part of it.
+fn stroked(hcbtf: &Hcbtf, address: Address, [x, y, wide, high]: [u32; 4], color: [u8; 4]) -> Hcbtf {
+    let mut hcbtf = hcbtf.clone();
+    let tile = Arc::make_mut(hcbtf.painted.get_mut(&address).unwrap());
+    let width = tile.size()[0];
+    for (x, y) in (y..y + high).flat_map(|y| (x..x + wide).map(move |x| (x, y))) {
+        let at = 4 * (y * width + x) as usize;
+        tile.bytes_mut()[at..at + 4].copy_from_slice(&color);
+    }
+    hcbtf
+}
+
+#[test]
+fn after_a_stroke_only_what_it_changed_is_made_again() {
+    let first = some_addresses()[0];
+    let shade = Rule::Lambert { shadow: [5, 6, 7], amount: 0.5 };
+    let tint = Rule::Recolor { angle: Angle::ViewPhi, from: [255, 200, 90], to: [20, 255, 255] };
+    let part = [1, 1, 2, 1];
+    for (rules, is_local) in [
+        (vec![Rule::Blend { sharpness: 1.5 }], true),
+        (vec![Rule::Blend { sharpness: 1.5 }, shade.clone(), tint.clone()], true),
+        (vec![Rule::Lock { angles: vec![Angle::ViewPhi] }, Rule::Copy { from: first }, shade.clone()], true),
+        (vec![Rule::Specular { from: first, width: 0.7 }, Rule::Color { color: [9, 8, 7, 255] }, tint], true),
+        (vec![Rule::Blend { sharpness: 2.0 }, Rule::Rotate { turns: 0.3 }], false),
+        (vec![Rule::Morph { sharpness: 2.0 }, shade], false),
+        (Vec::new(), true),
+    ] {
+        let mut hcbtf = painted(GRID, &some_addresses(), rules);
+        hcbtf.painted.values_mut().for_each(make_opaque);
+        let mut before = filled(&hcbtf);
+        for color in [[250, 3, 4, 255], [250, 3, 5, 255], [0, 0, 0, 100]] {
+            let now = stroked(&hcbtf, first, part, color);
+            let (progress, all) = (Progress::new(), Progress::new());
+            let again = refill(&now, (&hcbtf, &before), &progress).unwrap();
+            let anew = fill(&now, &all).unwrap();
+            let tiles = |filled: &Filled| filled.iter().map(|(_, tile, _)| (**tile).clone()).collect::<Vec<_>>();
+            assert!(tiles(&again) == tiles(&anew), "{:?}", hcbtf.rules);
+            assert!(again.iter().zip(anew.iter()).all(|(a, b)| a.0 == b.0 && a.2 == b.2));
+            // What is seen through takes another way, once.
+            if is_local && color[3] == 255 {
+                let [done, total] = progress.steps();
+                let most = GRID.sample_count() * u64::from(part[3]) + u64::from(GRID.size[1]);
+                assert!(done == total && total <= most && total < all.steps()[1], "{:?}: {total}", hcbtf.rules);
+            }
+            for ((_, old, _), (_, new, _)) in before.iter().zip(again.iter()).filter(|(old, _)| old.0 != first) {
+                assert!(Arc::ptr_eq(old, new) || old != new || color[3] != 255 || !is_local, "{:?}", hcbtf.rules);
+            }
+            (hcbtf, before) = (now, again);
+        }
+        // The same again is no work at all.
+        let progress = Progress::new();
+        assert!(refill(&hcbtf.clone(), (&hcbtf, &before), &progress).unwrap() == before);
+        assert_eq!(progress.steps(), [0, 0]);
+        // Other rules, other paintings and another grid are filled as ever.
+        let mut others = [hcbtf.clone(), hcbtf.clone(), hcbtf.clone()];
+        others[0].rules.push(Rule::Color { color: [1, 2, 3, 255] });
+        others[1].painted.remove(&first);
+        others[2].grid.light.phi += 1;
+        for other in others {
+            assert!(refill(&other, (&hcbtf, &before), &Progress::new()).unwrap() == filled(&other));
+        }
+    }
+}

@@ -34,6 +34,16 @@ impl Generator {
         }
     }
 
+    /// Making the generator of a rule ready takes about as long as so many tiles, those of views and lights included that
+    /// samples share.
+    pub(super) fn tiles_ahead(rule: &Rule, samples: &[Address]) -> u64 {
+        match rule {
+            Rule::Relief(_) if !samples.is_empty() => relief::tiles_ahead(samples),
+            // Its strokes are placed in less time than a tile takes.
+            _ => 0,
+        }
+    }
+
     /// The texels of a sample, rows from the top; `None` where it is stopped.
     pub(super) fn tile(&self, address: Address, progress: &Progress) -> Option<Vec<Color>> {
         match self {

@@ -1,6 +1,5 @@
 use super::*;
 use crate::document::Directions;
-use crate::hcbtf::Progress;
 use crate::hcbtf::fill::fill;
 
 const ODD: Grid = Grid { size: [3, 5], light: Directions { theta: 2, phi: 3 }, view: Directions { theta: 4, phi: 1 } };
@@ -56,7 +55,7 @@ fn a_consistent_sheet_comes_back_byte_for_byte() {
         let (back, notes) = there_and_back(&sheet, grid);
         assert!(notes.is_empty(), "{notes:?}");
         assert!(back == sheet, "{grid:?}");
-        let (read, _) = read(&sheet.to_png().unwrap(), grid, "sheet.png").unwrap();
+        let (read, _) = read(&sheet.to_png().unwrap(), grid, "sheet.png", &Progress::new()).unwrap();
         assert_eq!(read, import(&sheet, grid, "sheet.png").unwrap().0);
         assert_eq!(read.painted.len() as u64, grid.sample_count());
     }
@@ -118,16 +117,16 @@ fn other_sizes_and_other_files_are_refused() {
     let sheet = hash_sheet(&ODD);
     let problems = import(&sheet, Grid::THESIS, "a.png").unwrap_err();
     assert!(problems[0].to_string().contains("it has 24 x 25 texels; the grid asks for 1152 x 3840"), "{problems:?}");
-    let problems = read(&sheet.to_png().unwrap(), Grid::THESIS, "a.png").unwrap_err();
+    let problems = read(&sheet.to_png().unwrap(), Grid::THESIS, "a.png", &Progress::new()).unwrap_err();
     assert!(problems[0].hints[0].contains("--grid"), "{problems:?}");
-    assert!(read(b"nothing", ODD, "a.png").unwrap_err()[0].message.contains("it is no PNG"));
+    assert!(read(b"nothing", ODD, "a.png", &Progress::new()).unwrap_err()[0].message.contains("it is no PNG"));
     let lying = Picture { size: sheet.size, rgba: vec![0; 4] };
     assert!(import(&lying, ODD, "a.png").is_err());
     let huge = Grid { size: [4095; 2], light: directions(255, 255), view: directions(255, 255) };
     let mut header = sheet.to_png().unwrap();
     header[16..20].copy_from_slice(&size(&huge)[0].to_be_bytes());
     header[20..24].copy_from_slice(&size(&huge)[1].to_be_bytes());
-    assert!(read(&header, huge, "a.png").unwrap_err()[0].message.contains("MiB"));
+    assert!(read(&header, huge, "a.png", &Progress::new()).unwrap_err()[0].message.contains("MiB"));
 }
 
 #[test]

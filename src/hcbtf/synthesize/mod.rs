@@ -13,7 +13,7 @@ use rayon::iter::{IntoParallelIterator as _, IntoParallelRefIterator as _, Paral
 
 use super::fill::{Filled, fill};
 use super::noise::hash;
-use super::{MAX_PAINTED, MAX_PAINTED_BYTES, Progress};
+use super::{Progress, check_painted};
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Hcbtf, Rule, Tile};
 
@@ -46,6 +46,20 @@ const LEAST_PATCH: u32 = 3;
 /// # Errors
 /// Where it is stopped, where the sizes cannot be, and where the result would be larger than a file may be.
 pub fn synthesize(hcbtf: &Hcbtf, how: &Synthesis, progress: &Progress) -> Result<Hcbtf, Diagnostic> {
+    let filled = fill(hcbtf, progress)?;
+    synthesize_filled(hcbtf, &filled, how, progress)
+}
+
+/// The same where what its rules make is known.
+///
+/// # Errors
+/// As [`synthesize`].
+pub fn synthesize_filled(
+    hcbtf: &Hcbtf,
+    filled: &Filled,
+    how: &Synthesis,
+    progress: &Progress,
+) -> Result<Hcbtf, Diagnostic> {
     let grid = Grid { size: how.size, ..hcbtf.grid };
     grid.check().map_err(|why| Diagnostic::error("hcbtf-grid", why))?;
     let smallest = hcbtf.grid.size.into_iter().chain(how.size).min().unwrap_or_default();
@@ -56,13 +70,8 @@ pub fn synthesize(hcbtf: &Hcbtf, how: &Synthesis, progress: &Progress) -> Result
         return Err(Diagnostic::error("bad-argument", message).hint(hint));
     }
     let keeps_rules = hcbtf.rules.iter().all(is_by_texel);
-    let count = if keeps_rules { hcbtf.painted.len() as u64 } else { grid.sample_count() };
-    if count > MAX_PAINTED as u64 || count * grid.texels() as u64 * 4 > MAX_PAINTED_BYTES {
-        let message = format!("{count} painted samples of {} x {} texels are too much", how.size[0], how.size[1]);
-        return Err(Diagnostic::error("too-large", message).hint("take a smaller tile"));
-    }
-    let filled = fill(hcbtf, progress)?;
-    let quilt = Quilt::new(&filled, hcbtf.is_tiling, how, patch.min(smallest - 1));
+    check_painted(&grid, if keeps_rules { hcbtf.painted.len() as u64 } else { grid.sample_count() })?;
+    let quilt = Quilt::new(filled, hcbtf.is_tiling, how, patch.min(smallest - 1));
     let stopped = || Diagnostic::from(super::NotFilled::Stopped);
     let map = quilt.laid(progress).ok_or_else(stopped)?;
     let mapped = |tile: &Tile| {

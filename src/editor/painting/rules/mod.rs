@@ -9,6 +9,7 @@ use eframe::egui::{
     Checkbox, ComboBox, DragValue, Id, ProgressBar, RichText, Role, ScrollArea, Slider, Ui, WidgetInfo,
 };
 
+use super::memory::Memory;
 use super::work::Work;
 use super::{Wish, command, moves};
 use crate::document::relief::PRESETS;
@@ -17,6 +18,9 @@ use crate::editor::command::Command;
 use crate::editor::inspector::color;
 use crate::editor::theme;
 use crate::hcbtf::Provenance;
+
+/// While rules are at work the window looks again after so many seconds.
+const AGAIN: f32 = 0.1;
 
 /// The angles, in the order of the boxes.
 pub(super) const ANGLES: [(HcbtfAngle, &str); 4] = [
@@ -69,7 +73,14 @@ fn fresh(work: &Work) -> Vec<Rule> {
 }
 
 /// Shows the rules. `share` is how much is filled while that goes on.
-pub(super) fn show(ui: &mut Ui, work: &Work, share: Option<f64>, problem: Option<&str>, out: &mut Vec<Command>) {
+pub(super) fn show(
+    ui: &mut Ui,
+    work: &Work,
+    share: Option<f64>,
+    problem: Option<&str>,
+    memory: &mut Memory,
+    out: &mut Vec<Command>,
+) {
     let hcbtf = work.hcbtf();
     let mut tiling = hcbtf.is_tiling;
     ui.horizontal(|ui| {
@@ -89,12 +100,20 @@ pub(super) fn show(ui: &mut Ui, work: &Work, share: Option<f64>, problem: Option
         if ui.checkbox(&mut tiling, "The tile repeats").on_hover_text("Strokes go across its edges").changed() {
             out.push(command(Wish::Edit(HcbtfEdit::SetTiling { is_tiling: tiling })));
         }
+        let help = "Divides it into other texels, lights or views, once it is told what that takes";
+        if ui.button("Grid...").on_hover_text(help).clicked() {
+            out.push(command(Wish::AskGrid { changes: true }));
+        }
     });
+    memory.show(ui, work);
     if let Some(problem) = problem {
         ui.label(RichText::new(problem).color(theme::of(ui).error));
     }
     match share {
-        Some(share) => drop(ui.add(ProgressBar::new(share as f32).desired_height(3.0))),
+        Some(share) => {
+            ui.add(ProgressBar::new(share as f32).desired_height(3.0));
+            ui.ctx().request_repaint_after_secs(AGAIN);
+        }
         None => ui.add_space(3.0 + ui.spacing().item_spacing.y),
     }
     let counts = counts(work);

@@ -13,7 +13,7 @@ use super::super::super::session::Session;
 use super::super::super::theme;
 use super::super::thumbs::{Shot, Thumbs, key_of, key_of_scene};
 use super::super::widgets::{picture_frame, row_ground, whole};
-use super::EXAMPLES;
+use super::examples::{self, Example, count, example};
 use crate::document::{Document, Loaded, Look};
 
 /// The height of a card's name.
@@ -21,7 +21,8 @@ const NAME: f32 = 20.0;
 
 /// Where a look comes from.
 enum Origin {
-    Example(usize),
+    /// Its number and its name.
+    Example(usize, PathBuf),
     File(PathBuf),
 }
 
@@ -46,20 +47,29 @@ pub(in super::super) struct Card {
 impl Card {
     /// All examples, with pictures so many pixels wide.
     pub(in super::super) fn examples(side: f32) -> Vec<Self> {
-        let card = |(index, (name, text)): (usize, &(&str, &str))| {
-            let look = Look::read(text, name).value?;
+        let card = |index: usize| {
+            let Example { stem, path, content } = example(index)?;
             // "figure1-layers" is shown as what the look calls itself, which people search for too.
             let figure =
-                name.strip_prefix("figure").map(|rest| rest.split_once('-').map_or(rest, |(number, _)| number));
-            let name = match figure {
-                _ if look.name.is_empty() => (*name).to_owned(),
-                Some(figure) => format!("{} · Figure {figure}", look.name),
-                None => look.name.clone(),
+                stem.strip_prefix("figure").map(|rest| rest.split_once('-').map_or(rest, |(number, _)| number));
+            let called = |name: &str| match figure {
+                _ if name.is_empty() => stem.to_owned(),
+                Some(figure) => format!("{name} · Figure {figure}"),
+                None => name.to_owned(),
             };
-            let key = key_of(&look, Shot::Whole, side);
-            Some(Self { origin: Origin::Example(index), name, content: Content::Look(Arc::new(look)), key, side })
+            let (name, content, key) = match content {
+                examples::Content::Look(look) => {
+                    let key = key_of(&look, Shot::Whole, side);
+                    (called(&look.name), Content::Look(Arc::new(look)), key)
+                }
+                examples::Content::Scene(scene) => {
+                    let key = key_of_scene(&path, &scene, side);
+                    (called(&scene.name), Content::Scene, key)
+                }
+            };
+            Some(Self { origin: Origin::Example(index, path), name, content, key, side })
         };
-        EXAMPLES.iter().enumerate().filter_map(card).collect()
+        (0..count()).filter_map(card).collect()
     }
 
     /// What a file holds.
@@ -93,6 +103,9 @@ impl Card {
         let (rect, response) = ui.allocate_exact_size(vec2(side, side + NAME), Sense::click());
         let what = if matches!(self.content, Content::Scene) { "scene" } else { "look" };
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Open the {what} {}", self.name)));
+        if response.gained_focus() {
+            response.scroll_to_me(None);
+        }
         if !ui.is_rect_visible(rect) {
             return response;
         }
@@ -121,8 +134,8 @@ impl Card {
         }
         name_below(ui, rect, picture, &self.name, theme::of(ui).text);
         let (help, command) = match &self.origin {
-            Origin::Example(index) => (
-                format!("{}\nOpens it as a new look; the example itself stays as it is", self.name),
+            Origin::Example(index, _) => (
+                format!("{}\nOpens it as a new {what}; the example itself stays as it is", self.name),
                 Command::OpenExample(*index),
             ),
             Origin::File(path) => (format!("Opens {}", path.display()), Command::Open(Some(path.clone()))),
@@ -139,12 +152,14 @@ impl Card {
             (Content::Look(look), origin) => {
                 let folder = match origin {
                     Origin::File(path) => path.parent().map(Path::to_path_buf).unwrap_or_default(),
-                    Origin::Example(_) => PathBuf::new(),
+                    Origin::Example(..) => PathBuf::new(),
                 };
                 thumbs.ask(self.key, look.clone(), folder, session, Shot::Whole, self.side);
             }
-            (Content::Scene, Origin::File(path)) => thumbs.ask_for_scene(self.key, path, self.side),
-            (Content::Scene, Origin::Example(_)) | (Content::Unreadable, _) => {}
+            (Content::Scene, Origin::File(path) | Origin::Example(_, path)) => {
+                thumbs.ask_for_scene(self.key, path, self.side);
+            }
+            (Content::Unreadable, _) => {}
         }
     }
 }

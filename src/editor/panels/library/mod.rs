@@ -15,7 +15,7 @@ use super::super::dock::hint;
 use super::super::session::Session;
 use super::thumbs::Thumbs;
 use cards::Card;
-pub(crate) use examples::EXAMPLES;
+pub(crate) use examples::{Content, example};
 
 /// A node that is being dragged to the canvas: the payload of egui's drag and drop.
 #[derive(Clone, Debug)]

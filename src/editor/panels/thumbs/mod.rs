@@ -280,6 +280,7 @@ impl Artist {
         let plan = match subject {
             Subject::Look(still, _) => {
                 let planner = self.planner.of(&still.look, &still.library);
+                planner.assets.draft();
                 let (mut setup, _) = still.setup(&mut planner.assets).ok()?;
                 setup.scene.backdrop = None;
                 planner.plan(&setup, &still.library, &Live::Keyed, &options).ok()?

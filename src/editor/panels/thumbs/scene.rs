@@ -43,6 +43,7 @@ pub(super) fn plan(path: &Path, options: &PlanOptions) -> Option<FramePlan> {
         return None;
     }
     let mut planner = Planner::new(Assets::default()).culling(Cull::Objects);
+    planner.assets.draft();
     // What is missing is left out, as in the window.
     let mut setup = scene_setup(scene, &folder, &loaded.source, None, &mut planner.assets, &mut Vec::new());
     let nodes = folder.join("nodes");

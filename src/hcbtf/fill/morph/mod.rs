@@ -42,14 +42,16 @@ pub(super) struct Flows {
 }
 
 impl Flows {
-    /// For all pairs that these samples need, each an address and a sharpness; `None` where it is stopped.
-    pub(super) fn new(
+    /// To find where the texels of a pair go takes about as long as so many tiles.
+    pub(super) const TILES_AHEAD: u64 = 8;
+
+    /// The pairs that these samples need, each an address and a sharpness; `None` where it is stopped.
+    pub(super) fn pairs(
         samples: impl Iterator<Item = (Address, f64)>,
         grid: &Grid,
-        is_tiling: bool,
         painted: &[Painted<'_>],
         progress: &Progress,
-    ) -> Option<Self> {
+    ) -> Option<BTreeSet<[u32; 2]>> {
         let mut pairs = BTreeSet::new();
         for (address, sharpness) in samples {
             if progress.is_stopped() {
@@ -62,9 +64,21 @@ impl Flows {
                 break;
             }
         }
+        Some(pairs)
+    }
+
+    /// For all of these pairs; `None` where it is stopped.
+    pub(super) fn new(
+        pairs: BTreeSet<[u32; 2]>,
+        is_tiling: bool,
+        painted: &[Painted<'_>],
+        progress: &Progress,
+    ) -> Option<Self> {
         let flow = |pair: [u32; 2]| {
             let [from, to] = pair.map(|number| painted.get(number as usize));
-            Some((pair, Flow::new(from?.tile, to?.tile, is_tiling, progress)?))
+            let found = Flow::new(from?.tile, to?.tile, is_tiling, progress)?;
+            progress.add(Self::TILES_AHEAD * u64::from(from?.tile.size()[1]));
+            Some((pair, found))
         };
         let pairs: Vec<[u32; 2]> = pairs.into_iter().collect();
         Some(Self { known: pairs.into_par_iter().map(flow).collect::<Option<_>>()? })

@@ -60,7 +60,15 @@ impl Field {
                 let (corner, middle) = (place(x as f32, y as f32), place(x as f32 + 0.5, y as f32 + 0.5));
                 (sampler.height(corner) * scale, sampler.material(middle))
             };
-            (!progress.is_stopped()).then(|| (0..width).map(cell).collect())
+            if progress.is_stopped() {
+                return None;
+            }
+            let row = (0..width).map(cell).collect();
+            // Several rows of cells are one of texels.
+            if (y as u32).is_multiple_of(per_texel) {
+                progress.add(super::FIELD_TILES);
+            }
+            Some(row)
         };
         let rows: Vec<Vec<(f32, Material)>> = (0..height).into_par_iter().map(row).collect::<Option<_>>()?;
         let (heights, materials) = rows.into_iter().flatten().unzip();

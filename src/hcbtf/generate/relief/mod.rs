@@ -17,6 +17,7 @@ mod shade;
 mod tests;
 mod transport;
 
+use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
 use self::field::Field;
@@ -27,6 +28,19 @@ use self::transport::Transport;
 use super::Color;
 use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Relief};
 use crate::hcbtf::{Progress, noise};
+
+/// How long what is made ahead of the tiles takes, in tiles: as measured for the examples, within a factor of three.
+pub(super) const FIELD_TILES: u64 = 12;
+pub(super) const TRANSPORT_TILES: u64 = 30;
+const SEEN_TILES: u64 = 1;
+const LIT_TILES: u64 = 3;
+
+/// What is made ahead of the tiles of these samples takes as long as so many tiles.
+pub(super) fn tiles_ahead(samples: &[Address]) -> u64 {
+    let views: BTreeSet<Direction> = samples.iter().map(|address| address.view.canonical()).collect();
+    let lights: BTreeSet<Direction> = samples.iter().map(|address| address.light.canonical()).collect();
+    FIELD_TILES + TRANSPORT_TILES + SEEN_TILES * views.len() as u64 + LIT_TILES * lights.len() as u64
+}
 
 /// Ready to give tiles.
 pub(in crate::hcbtf) struct Ready {
@@ -61,9 +75,19 @@ impl Ready {
         let (view, light) = (toward(self.grid.view, address.view), toward(self.grid.light, address.light));
         let of = |directions: Directions, direction: Direction| usize::try_from(directions.index(direction)).ok();
         let seen = self.seen.get(of(self.grid.view, address.view)?)?;
-        let seen = seen.get_or_init(|| Seen::new(&self.relief, &self.field, view, progress)).as_ref()?;
+        let rows = u64::from(self.grid.size[1]);
+        let seen = seen.get_or_init(|| {
+            let seen = Seen::new(&self.relief, &self.field, view, progress);
+            progress.add(SEEN_TILES * rows);
+            seen
+        });
         let lit = self.lit.get(of(self.grid.light, address.light)?)?;
-        let lit = lit.get_or_init(|| Lit::new(&self.relief, &self.field, &self.transport, light, progress)).as_ref()?;
+        let lit = lit.get_or_init(|| {
+            let lit = Lit::new(&self.relief, &self.field, &self.transport, light, progress);
+            progress.add(LIT_TILES * rows);
+            lit
+        });
+        let (seen, lit) = (seen.as_ref()?, lit.as_ref()?);
         shade::tile(self, seen, lit, view, progress)
     }
 }

@@ -389,3 +389,24 @@ fn the_sun_sinks_with_the_tile() {
     assert_eq!((green(&light, 0.0), green(&light, FRAC_PI_2)), (1.0, 0.0));
     assert_eq!((green(&upright, 0.0), green(&upright, FRAC_PI_2)), (0.0, 1.0));
 }
+
+#[test]
+fn how_far_it_is_goes_from_nothing_to_all_while_it_is_prepared_too() {
+    let directions = Directions { theta: 2, phi: 3 };
+    let grid = Grid { size: [8, 5], light: directions, view: directions };
+    let rules = vec![Rule::Relief(Box::default())];
+    let hcbtf = Hcbtf { rules, ..Hcbtf::new(grid) };
+    let told: std::sync::Arc<std::sync::Mutex<Vec<[u64; 2]>>> = Arc::default();
+    let listener = told.clone();
+    let progress = Progress::telling(move |steps| listener.lock().unwrap().push(steps));
+    fill(&hcbtf, &progress).unwrap();
+    let [done, total] = progress.steps();
+    // 4 x 4 samples, 4 views and 4 lights.
+    assert_eq!(total, 5 * (16 + FIELD_TILES + TRANSPORT_TILES + 4 * (SEEN_TILES + LIT_TILES)));
+    assert_eq!(done, total);
+    let steps = told.lock().unwrap();
+    assert!(steps.iter().all(|[_, of]| *of == total), "it is laid out once");
+    // The field and what its cells see come first, row by row.
+    let ready = 5 * (FIELD_TILES + TRANSPORT_TILES);
+    assert_eq!(steps.iter().filter(|[done, _]| *done <= ready).count(), 10);
+}

@@ -42,7 +42,15 @@ impl Transport {
         let [width, height] = field.size;
         let row = |y: usize| -> Option<Vec<Around>> {
             let cell = |x: usize| around(field, y * width + x);
-            (!progress.is_stopped()).then(|| (0..width).map(cell).collect())
+            if progress.is_stopped() {
+                return None;
+            }
+            let row = (0..width).map(cell).collect();
+            // Several rows of cells are one of texels.
+            if y.is_multiple_of(field.per_texel) {
+                progress.add(super::TRANSPORT_TILES);
+            }
+            Some(row)
         };
         let rows: Vec<_> = (0..height).into_par_iter().map(row).collect::<Option<_>>()?;
         let mut transport = Self { sky: Vec::new(), starts: vec![0], seen: Vec::new() };

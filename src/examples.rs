@@ -1,0 +1,127 @@
+//! The examples that every Chiaro brings along: looks, scenes and HCBTFs, as files that are named wherever they lie.
+//!
+//! `example:hcbtf/arch.json` is `examples/hcbtf/arch.json` of the source. Such a name may stand wherever a path may, behind
+//! any folder, so that what names one can be saved anywhere; the meshes of examples are the program's own shapes.
+
+use std::path::{Component, Path};
+
+/// What the names of examples begin with.
+pub const PREFIX: &str = "example:";
+
+macro_rules! files {
+    ($($name:literal,)*) => { [$(($name, include_bytes!(concat!("../examples/", $name)) as &[u8])),*] };
+}
+
+/// Their names and what is in them, in the order in which they are best looked at.
+static FILES: [(&str, &[u8]); 34] = files![
+    "looks/figure1-layers.json",
+    "looks/figure2-diffuse.json",
+    "looks/figure2-specular.json",
+    "looks/figure2-screen-aligned.json",
+    "looks/figure4-color.json",
+    "looks/figure4-extent.json",
+    "looks/figure4-both.json",
+    "looks/figure5-directional.json",
+    "looks/figure6-comics.json",
+    "looks/figure6-minimal.json",
+    "looks/figure7-pastel.json",
+    "looks/highlight-shapes.json",
+    "hcbtf/grass.json",
+    "hcbtf/brick.json",
+    "hcbtf/arch.json",
+    "hcbtf/asphalt.json",
+    "hcbtf/city.json",
+    "hcbtf/pencil.json",
+    "hcbtf/halftone.json",
+    "hcbtf/stripes.json",
+    "scenes/painted.json",
+    "scenes/city.json",
+    "scenes/cast.json",
+    "scenes/figure2-parametrizations.json",
+    "scenes/figure4-curvature.json",
+    "scenes/figure5-from-behind.json",
+    "hcbtf/grass.hcbtf",
+    "hcbtf/brick.hcbtf",
+    "hcbtf/arch.hcbtf",
+    "hcbtf/asphalt.hcbtf",
+    "hcbtf/city.hcbtf",
+    "hcbtf/pencil.hcbtf",
+    "hcbtf/halftone.hcbtf",
+    "hcbtf/stripes.hcbtf",
+];
+
+/// The names of all looks and scenes among them, without [`PREFIX`].
+pub fn documents() -> impl Iterator<Item = &'static str> {
+    FILES.iter().map(|(name, _)| *name).filter(|name| name.ends_with(".json"))
+}
+
+/// What is in the example that a path means, if it means one.
+pub fn file(path: &Path) -> Option<&'static [u8]> {
+    let name = name(path)?;
+    FILES.iter().find(|(known, _)| *known == name).map(|(_, bytes)| *bytes)
+}
+
+/// The text of the look or scene that a path means, if it means one. What it names has names that hold in any folder.
+pub fn text(path: &Path) -> Option<String> {
+    let text = std::str::from_utf8(file(path)?).ok()?;
+    let mut text = text.to_owned();
+    for folder in ["looks", "hcbtf"] {
+        text = text.replace(&format!("\"../{folder}/"), &format!("\"{PREFIX}{folder}/"));
+    }
+    let beside = FILES.iter().filter_map(|(name, _)| name.strip_prefix("hcbtf/"));
+    for name in beside.filter(|name| name.ends_with(".hcbtf")) {
+        text = text.replace(&format!("\"{name}\""), &format!("\"{PREFIX}hcbtf/{name}\""));
+    }
+    Some(text)
+}
+
+/// The name of an example in a path, without [`PREFIX`].
+fn name(path: &Path) -> Option<String> {
+    let mut parts: Option<Vec<&str>> = None;
+    for component in path.components() {
+        match (component, &mut parts) {
+            (Component::Normal(part), parts) => match (part.to_str()?.strip_prefix(PREFIX), parts) {
+                (Some(first), parts) => *parts = Some(vec![first]),
+                (None, Some(parts)) => parts.push(part.to_str()?),
+                (None, None) => {}
+            },
+            (Component::ParentDir, Some(parts)) => drop(parts.pop()),
+            _ => {}
+        }
+    }
+    parts.map(|parts| parts.join("/"))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+
+    #[test]
+    fn every_example_is_there_as_it_lies_in_the_source() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+        let mut found = BTreeSet::new();
+        for folder in ["looks", "hcbtf", "scenes"] {
+            for entry in std::fs::read_dir(root.join(folder)).unwrap() {
+                let name = format!("{folder}/{}", entry.unwrap().file_name().to_str().unwrap());
+                let path = Path::new("somewhere/else").join(format!("{PREFIX}{name}"));
+                assert_eq!(file(&path).unwrap(), std::fs::read(root.join(&name)).unwrap(), "{name}");
+                found.insert(name);
+            }
+        }
+        assert_eq!(found, FILES.iter().map(|(name, _)| (*name).to_owned()).collect());
+    }
+
+    #[test]
+    fn what_examples_name_is_an_example_in_any_folder() {
+        let city = Path::new("/a/example:scenes/../hcbtf/city.json");
+        let text = text(city).unwrap();
+        assert!(text.contains("\"example:hcbtf/city.hcbtf\"") && !text.contains("\"city.hcbtf\""));
+        assert!(file(Path::new("examples/hcbtf/city.json")).is_none() && file(Path::new("example:city")).is_none());
+        for name in documents() {
+            let text = super::text(Path::new(&format!("{PREFIX}{name}"))).unwrap();
+            assert!(!text.contains("\"../"), "{name}");
+        }
+    }
+}
