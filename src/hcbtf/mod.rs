@@ -13,6 +13,7 @@
 //! [`MAX_PAINTED_BYTES`], [`MAX_PAINTED`]), and every problem is a diagnostic that names the file.
 
 mod archive;
+mod blocks;
 mod compact;
 pub mod contact;
 pub mod exchange;
@@ -37,6 +38,7 @@ mod synthesize;
 
 use crate::document::Hcbtf;
 
+pub use blocks::{Coding, Loss, loss};
 pub use file::{load, read, read_bytes, write};
 pub use fill::{Estimate, Filled, NotFilled, Provenance, Which, estimate};
 pub use layers::{

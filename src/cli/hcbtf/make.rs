@@ -84,7 +84,7 @@ pub(super) fn baked(arguments: &BakeArguments, output: &Output) -> Result<(), Ve
 }
 
 /// Tells how far it is whenever another percent is done.
-fn telling(what: &'static str) -> Progress {
+pub(super) fn telling(what: &'static str) -> Progress {
     let last = AtomicU64::new(u64::MAX);
     Progress::telling(move |[done, total]| {
         let percent = 100 * done / total.max(1);
