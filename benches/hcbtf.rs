@@ -152,8 +152,9 @@ fn baking(grid: Grid) {
             for has_levels in [false, true] {
                 let options = LayerOptions { has_levels, is_decoded: false, storage };
                 let of = |address| filled.tile(address);
-                let (layers, time) = seconds(|| hcbtf::stored(&grid, of, options).expect("it fits"));
-                let mib = layers.rgba.len() as f64 / f64::from(1 << 20);
+                let (layers, time) =
+                    seconds(|| hcbtf::stored(&grid, of, options, &hcbtf::Progress::new()).expect("it fits"));
+                let mib = layers.bytes.len() as f64 / f64::from(1 << 20);
                 println!("  {}, levels {has_levels}: {time:.3} s, {mib:.2} MiB", storage.word());
                 black_box(layers);
             }

@@ -52,6 +52,8 @@ static FILES: &[(&str, &[u8])] = &files![
     "hcbtf/pencil.json",
     "hcbtf/halftone.json",
     "hcbtf/stripes.json",
+    "hcbtf/chalk.json",
+    "hcbtf/copper.json",
     "scenes/painted.json",
     "scenes/city.json",
     "scenes/cast.json",
@@ -76,6 +78,8 @@ static FILES: &[(&str, &[u8])] = &files![
     "hcbtf/pencil.hcbtf",
     "hcbtf/halftone.hcbtf",
     "hcbtf/stripes.hcbtf",
+    "hcbtf/chalk.hcbtf",
+    "hcbtf/copper.hcbtf",
 ];
 
 /// The names of all looks and scenes among them, without [`PREFIX`].

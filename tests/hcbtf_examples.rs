@@ -57,3 +57,22 @@ fn the_looks_beside_them_show_them() {
         }
     }
 }
+
+/// Chalk answers to a tone: from ring to ring, as the light sinks, there is less of it.
+#[test]
+fn chalk_is_darker_by_other_strokes_and_not_by_dimmer_ones() {
+    let (hcbtf, _) = load(&folder().join("chalk.hcbtf")).unwrap();
+    let shown = |ring: u32| sample(&hcbtf, Address::new([ring, 0], [0, 0]), &Progress::new()).unwrap().unwrap();
+    let tiles = [0, 4, 7, 10].map(shown);
+    let bright = |least: u8| {
+        let count = |tile: &std::sync::Arc<chiaro::document::Tile>| {
+            tile.bytes().chunks(4).filter(|texel| texel[..3].iter().all(|channel| *channel > least)).count()
+        };
+        tiles.each_ref().map(count)
+    };
+    let [above, high, low, grazing] = bright(150);
+    assert!(above > high && high > low && low > grazing, "{above} {high} {low} {grazing}");
+    // Where chalk is left it is chalk: halfway down its strokes are nearly as bright as under the light.
+    let [above, high, ..] = bright(180);
+    assert!(above > 0 && high > 0, "{above} {high}");
+}

@@ -4,6 +4,8 @@
 #![cfg(feature = "gpu")]
 #![allow(clippy::print_stdout, reason = "figures are worth reading when a bound is missed")]
 
+#[path = "hcbtf_lookup/blocks.rs"]
+mod blocks;
 #[path = "hcbtf_lookup/pictures.rs"]
 mod pictures;
 #[path = "hcbtf_lookup/places.rs"]

@@ -14,9 +14,10 @@ import chiaro::hcbtf;
 /// @param normal "Normal" from=normal : World space; a bumped one tilts the painting's directions with it.
 /// @choice encoding "Encoding" default=color color="Color" data="Data" :
 ///   Color for what is seen; Data takes numbers as they are.
-/// @choice storage "Storage" default=quick quick="Quick" compact="Compact" :
+/// @choice storage "Storage" default=quick quick="Quick" compact="Compact" blocks="Blocks" :
 ///   Quick needs the fewest reads; Compact keeps every tile that differs once, with a palette where that is smaller, and
-///   looks the same with a fraction of the memory. `chiaro hcbtf info` tells what each takes.
+///   looks the same with a fraction of the memory; Blocks compresses them to a byte a texel (BC7), which is off by a few of
+///   255, where the GPU can. `chiaro hcbtf info` tells what each takes.
 /// @param view from=view hidden
 /// @param tangent from=tangent hidden
 /// @param bitangent from=bitangent hidden

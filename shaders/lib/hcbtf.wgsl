@@ -8,6 +8,9 @@
 // The compact storage is a row of words instead, a texel each: after those two, where the record of each sample's tile
 // begins; in a record, for each level, where its texels begin and where its palette does, or 0; then palettes, a colour
 // a word, and texels, a colour or four indices a word. It is the same to every function below that is given the grid.
+//
+// The block storage is a row of compressed blocks of four by four texels: two whose first texels tell the grid, one for
+// each sample whose first texel tells where the blocks of its tile begin, and the tiles, their levels one after the other.
 import chiaro::types;
 import chiaro::numeric;
 import chiaro::total;
@@ -29,8 +32,10 @@ struct HcbtfGrid {
     is_decoded: bool,
     /// Whether views share layers.
     is_shared: bool,
-    /// Whether it is compact.
+    /// Whether it is compact, or of blocks.
     is_compact: bool,
+    /// Whether it is of blocks.
+    has_blocks: bool,
 }
 
 /// A direction among those of a grid: the two rings and the two steps around it, with the weight of the second of each.
@@ -49,10 +54,11 @@ struct HcbtfViews {
 fn hcbtf_grid(sheet: texture_2d_array<f32>) -> HcbtfGrid {
     let last = i32(textureNumLayers(sheet)) - 1;
     let first = vec4i(round(255.0 * textureLoad(sheet, vec2i(0, 0), last, 0)));
-    let second = vec4i(round(255.0 * textureLoad(sheet, vec2i(1, 0), last, 0)));
+    let has_blocks = (first.w & 16) != 0;
+    let second = vec4i(round(255.0 * textureLoad(sheet, vec2i(select(1, 4, has_blocks), 0), last, 0)));
     let size = vec2i(first.x + 256 * (first.z % 16), first.y + 256 * (first.z / 16));
-    let flags = vec4i(first.w, first.w / 2, first.w / 4, first.w / 8) % 2 == vec4i(1);
-    return HcbtfGrid(size, second.xy, second.zw, flags.x, flags.y, flags.z, flags.w);
+    let flags = (vec4i(first.w) & vec4i(1, 2, 4, 8)) != vec4i(0);
+    return HcbtfGrid(size, second.xy, second.zw, flags.x, flags.y, flags.z, flags.w, has_blocks);
 }
 
 /// A world-space direction beside a surface: x along u, y along v, z along the normal; unit.
@@ -192,6 +198,8 @@ struct HcbtfTexels {
     width: i32,
     /// How many times it was halved.
     level: i32,
+    /// Blocks of the levels before it.
+    before: i32,
 }
 
 /// The blocks of four texels.
@@ -215,7 +223,9 @@ fn hcbtf_blocks(texels: HcbtfTexels, light: vec2i) -> HcbtfBlocks {
 fn hcbtf_texels(uv: vec2f, grid: HcbtfGrid, level: i32) -> HcbtfTexels {
     var size = grid.size;
     var origin = vec2i(0);
+    var before = 0;
     for (var i = 0; i < level; i++) {
+        before += hcbtf_blocks_of(size);
         // The first smaller level stands beside the tile, the next ones below each other.
         origin = vec2i(grid.size.x * grid.light.x, select(origin.y + size.y * (grid.light.y + 2), 0, i == 0));
         size = max(size / 2, vec2i(1));
@@ -224,13 +234,13 @@ fn hcbtf_texels(uv: vec2f, grid: HcbtfGrid, level: i32) -> HcbtfTexels {
     let place = (p - floor(p)) * vec2f(size) - 0.5;
     let low = vec2i(floor(place));
     let first = (low + size) % size;
-    return HcbtfTexels(vec4i(first, (first + 1) % size), place - floor(place), origin, size.x, level);
+    return HcbtfTexels(vec4i(first, (first + 1) % size), place - floor(place), origin, size.x, level, before);
 }
 
 /// The one texel at a texture coordinate, as if it were between texels.
 fn hcbtf_crisp_texel(uv: vec2f, grid: HcbtfGrid) -> HcbtfTexels {
     let texel = hcbtf_texel(uv, grid.size);
-    return HcbtfTexels(vec4i(texel, texel), vec2f(0.0), vec2i(0), grid.size.x, 0);
+    return HcbtfTexels(vec4i(texel, texel), vec2f(0.0), vec2i(0), grid.size.x, 0, 0);
 }
 
 /// A word of the compact storage: 2048 a row, 2048 rows a layer, the last layer first.
@@ -239,14 +249,40 @@ fn hcbtf_word(sheet: texture_2d_array<f32>, index: i32) -> vec4f {
     return textureLoad(sheet, vec2i(index & 2047, (index >> 11u) & 2047), last - (index >> 22u), 0);
 }
 
-/// Where the texels of a sample's tile begin and where its palette does, 0 for none; compact storage.
-fn hcbtf_piece(sheet: texture_2d_array<f32>, grid: HcbtfGrid, view: i32, light: i32, level: i32) -> vec2i {
-    let record = hcbtf_number(hcbtf_word(sheet, 2 + view * grid.light.x * grid.light.y + light)) + 2 * level;
+/// A texel of a block of the block storage: 512 blocks a row, 512 rows a layer, the last layer first.
+fn hcbtf_block_texel(sheet: texture_2d_array<f32>, index: i32, texel: vec2i) -> vec4f {
+    let last = i32(textureNumLayers(sheet)) - 1;
+    return textureLoad(sheet, 4 * vec2i(index & 511, (index >> 9u) & 511) + texel, last - (index >> 18u), 0);
+}
+
+/// Blocks along a row of texels.
+fn hcbtf_blocks_along(texels: i32) -> i32 {
+    return (texels + 3) >> 2u;
+}
+
+/// Blocks of a level.
+fn hcbtf_blocks_of(size: vec2i) -> i32 {
+    return hcbtf_blocks_along(size.x) * hcbtf_blocks_along(size.y);
+}
+
+/// Where the texels of a sample's tile begin and where its palette does, 0 for none; compact storage. In blocks there are no
+/// palettes, and `before` of them are those of the levels before.
+fn hcbtf_piece(sheet: texture_2d_array<f32>, grid: HcbtfGrid, view: i32, light: i32, level: i32, before: i32) -> vec2i {
+    let sample = 2 + view * grid.light.x * grid.light.y + light;
+    if grid.has_blocks {
+        return vec2i(hcbtf_number(hcbtf_block_texel(sheet, sample, vec2i(0))) + before, 0);
+    }
+    let record = hcbtf_number(hcbtf_word(sheet, sample)) + 2 * level;
     return vec2i(hcbtf_number(hcbtf_word(sheet, record)), hcbtf_number(hcbtf_word(sheet, record + 1)));
 }
 
-/// A texel of such a tile, counted row after row; straight.
-fn hcbtf_piece_texel(sheet: texture_2d_array<f32>, piece: vec2i, index: i32) -> vec4f {
+/// A texel of such a tile, whose rows have `width`; straight.
+fn hcbtf_piece_texel(sheet: texture_2d_array<f32>, grid: HcbtfGrid, piece: vec2i, at: vec2i, width: i32) -> vec4f {
+    if grid.has_blocks {
+        let block = at >> vec2u(2u);
+        return hcbtf_block_texel(sheet, piece.x + block.y * hcbtf_blocks_along(width) + block.x, at & vec2i(3));
+    }
+    let index = width * at.y + at.x;
     if piece.y == 0 {
         return hcbtf_word(sheet, piece.x + index);
     }
@@ -255,23 +291,24 @@ fn hcbtf_piece_texel(sheet: texture_2d_array<f32>, piece: vec2i, index: i32) -> 
 }
 
 /// Four texels of such a tile, blended; premultiplied. Those that do not count are not read.
-fn hcbtf_piece_blend(sheet: texture_2d_array<f32>, piece: vec2i, texels: HcbtfTexels) -> vec4f {
+fn hcbtf_piece_blend(sheet: texture_2d_array<f32>, grid: HcbtfGrid, piece: vec2i, texels: HcbtfTexels) -> vec4f {
     let w = texels.weight;
-    let row = texels.width * texels.at.yw;
-    var sum = hcbtf_add(vec4f(0.0), hcbtf_piece_texel(sheet, piece, row.x + texels.at.x), (1.0 - w.x) * (1.0 - w.y));
+    let at = texels.at;
+    let width = texels.width;
+    var sum = hcbtf_add(vec4f(0.0), hcbtf_piece_texel(sheet, grid, piece, at.xy, width), (1.0 - w.x) * (1.0 - w.y));
     if w.x > 0.0 {
-        sum = hcbtf_add(sum, hcbtf_piece_texel(sheet, piece, row.x + texels.at.z), w.x * (1.0 - w.y));
+        sum = hcbtf_add(sum, hcbtf_piece_texel(sheet, grid, piece, at.zy, width), w.x * (1.0 - w.y));
     }
     if w.y > 0.0 {
-        sum = hcbtf_add(sum, hcbtf_piece_texel(sheet, piece, row.y + texels.at.x), (1.0 - w.x) * w.y);
+        sum = hcbtf_add(sum, hcbtf_piece_texel(sheet, grid, piece, at.xw, width), (1.0 - w.x) * w.y);
     }
     if w.x > 0.0 && w.y > 0.0 {
-        sum = hcbtf_add(sum, hcbtf_piece_texel(sheet, piece, row.y + texels.at.z), w.x * w.y);
+        sum = hcbtf_add(sum, hcbtf_piece_texel(sheet, grid, piece, at.zw, width), w.x * w.y);
     }
     return sum;
 }
 
-/// All samples that count around a light and a view, of the compact storage; premultiplied.
+/// All samples that count around a light and a view, of the compact storage or of blocks; premultiplied.
 fn hcbtf_compact(sheet: texture_2d_array<f32>, grid: HcbtfGrid, texels: HcbtfTexels, light: HcbtfPlace, views: HcbtfViews) -> vec4f {
     let steps = grid.light.y;
     let theta = vec4i(light.theta.x, light.theta.y, light.theta.x, light.theta.y);
@@ -282,8 +319,8 @@ fn hcbtf_compact(sheet: texture_2d_array<f32>, grid: HcbtfGrid, texels: HcbtfTex
     for (var i = 0; i < 16; i++) {
         let weight = views.weight[i >> 2u] * weights[i & 3];
         if weight > 0.0 {
-            let piece = hcbtf_piece(sheet, grid, views.layer[i >> 2u], lights[i & 3], texels.level);
-            sum += weight * hcbtf_piece_blend(sheet, piece, texels);
+            let piece = hcbtf_piece(sheet, grid, views.layer[i >> 2u], lights[i & 3], texels.level, texels.before);
+            sum += weight * hcbtf_piece_blend(sheet, grid, piece, texels);
         }
     }
     return sum;
@@ -375,8 +412,8 @@ fn hcbtf_painted(sheet: texture_2d_array<f32>, uv: vec2f, grid: HcbtfGrid, light
     let texel = hcbtf_texel(uv, grid.size);
     let view = near.x * grid.view.y + near.y;
     if grid.is_compact {
-        let piece = hcbtf_piece(sheet, grid, view, light.x * grid.light.y + light.y, 0);
-        return hcbtf_piece_texel(sheet, piece, texel.y * grid.size.x + texel.x);
+        let piece = hcbtf_piece(sheet, grid, view, light.x * grid.light.y + light.y, 0, 0);
+        return hcbtf_piece_texel(sheet, grid, piece, texel, grid.size.x);
     }
     let at = hcbtf_block(texel, grid.light, vec2i(0)) + vec2i(light.x, light.y + 1);
     return textureLoad(sheet, at, hcbtf_layer(sheet, grid, view), 0);

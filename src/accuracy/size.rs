@@ -48,7 +48,7 @@ impl Sizes {
             }
             for image in &draw.images {
                 if images.insert(image.hash) {
-                    let bytes = image.rgba.len() as u64;
+                    let bytes = image.bytes.len() as u64;
                     sizes.memory += bytes;
                     sizes.traffic += bytes;
                 }

@@ -135,7 +135,9 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     milestones::reached("first shaders");
     warnings.extend(planner.warnings);
     output.diagnostics(&warnings);
-    let Drawn { picture, passes, adapter } = draw(&plan, arguments.on, output).map_err(one)?;
+    let Drawn { picture, passes, adapter, warnings: of_device } = draw(&plan, arguments.on, output).map_err(one)?;
+    output.diagnostics(&of_device);
+    warnings.extend(of_device);
     let png = picture.to_png().map_err(one)?;
     write_atomic(&arguments.output, &png).map_err(|problem| one(*problem))?;
     let [width, height] = picture.size;
@@ -156,6 +158,8 @@ struct Drawn {
     picture: Picture,
     passes: Vec<PassKind>,
     adapter: String,
+    /// What the device could not do as it was asked to.
+    warnings: Vec<Diagnostic>,
 }
 
 fn draw(plan: &FramePlan, on: Option<On>, output: &Output) -> Result<Drawn, Diagnostic> {
@@ -163,12 +167,13 @@ fn draw(plan: &FramePlan, on: Option<On>, output: &Output) -> Result<Drawn, Diag
     if on != Some(On::Reference) {
         match block_on(Gpu::headless()) {
             Ok(gpu) => {
+                let warnings = gpu.warnings(plan);
                 let mut renderer = Renderer::new(gpu);
                 let passes = block_on(renderer.draw(plan))?;
                 // Nothing is drawn again: every pass has what it would draw.
                 let picture = block_on(renderer.picture(plan))?;
                 milestones::reached("first picture");
-                return Ok(Drawn { picture, passes, adapter: renderer.gpu().name() });
+                return Ok(Drawn { picture, passes, adapter: renderer.gpu().name(), warnings });
             }
             Err(error) if on.is_none() => {
                 output.message(&format!("{error}: drawing on the reference, in software, which takes seconds"));
@@ -188,7 +193,7 @@ fn draw(plan: &FramePlan, on: Option<On>, output: &Output) -> Result<Drawn, Diag
     output.end_progress();
     let picture = drawn?.to_picture();
     let passes = plan.passes.iter().map(|pass| pass.kind.clone()).collect();
-    Ok(Drawn { picture, passes, adapter: "the reference, in f64".to_owned() })
+    Ok(Drawn { picture, passes, adapter: "the reference, in f64".to_owned(), warnings: Vec::new() })
 }
 
 pub(super) fn parse_time(text: &str) -> Result<f64, String> {

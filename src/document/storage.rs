@@ -8,17 +8,20 @@ pub enum Storage {
     Quick,
     /// Every tile that differs once, with (x, y) innermost, as indices into a palette where that is smaller: exact, too.
     Compact,
+    /// Every tile that differs once, with (x, y) innermost, in compressed blocks of a byte a texel: with a small loss.
+    Blocks,
 }
 
 impl Storage {
     /// Every one, in the order of menus.
-    pub const ALL: [Self; 2] = [Self::Quick, Self::Compact];
+    pub const ALL: [Self; 3] = [Self::Quick, Self::Compact, Self::Blocks];
 
     /// What looks call it.
     pub fn word(self) -> &'static str {
         match self {
             Self::Quick => "quick",
             Self::Compact => "compact",
+            Self::Blocks => "blocks",
         }
     }
 

@@ -329,6 +329,7 @@ impl Artist {
         let options = PlanOptions { size: wish.size, samples: 4, time: wish.still.time };
         let plan = self.planner.plan(&setup, &wish.still.library, &showing.live, &options)?;
         self.planner.warnings.extend(notes);
+        self.planner.warnings.extend(self.renderer.gpu().warnings(&plan));
         let is_told = wish.tells_effects && showing.live == Live::Keyed;
         let mut effects = is_told.then(|| effects(&plan, self.renderer.done()));
         block_on(self.renderer.draw(&plan)).map_err(|error| vec![error.into()])?;

@@ -27,7 +27,8 @@ pub(super) fn carried(images: &mut [Image], stem: &str, folder: &Path) -> (Vec<F
             ImageShape::Hcbtf { has_levels, storage } => {
                 let options = LayerOptions { has_levels, is_decoded: image.used.is_decoded, storage };
                 let baked = assets.hcbtf(folder, &image.path, options).map(|(image, _)| {
-                    let layers = Layers { size: image.size, count: image.layers, rgba: image.rgba.clone() };
+                    let (coding, bytes) = (image.coding, image.bytes.clone());
+                    let layers = Layers { size: image.size, count: image.layers, coding, bytes };
                     ktx2::write(&layers)
                 });
                 (baked, "ktx2".to_owned())

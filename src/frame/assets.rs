@@ -1,5 +1,6 @@
 //! Meshes and images, read once and kept while their files stay the same.
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
@@ -9,7 +10,7 @@ use std::time::SystemTime;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Directions, Grid, Hcbtf, Tile};
 use crate::geometry::{self, Mesh};
-use crate::hcbtf::{self, Filled, LayerOptions, Progress, Region};
+use crate::hcbtf::{self, Coding, Filled, LayerOptions, Layers, Progress, Region};
 
 /// What an object's mesh begins with where it is an own shape.
 pub const SHAPE_PREFIX: &str = "shape:";
@@ -27,8 +28,10 @@ pub struct Image {
     pub size: [u32; 2],
     /// 1 for a flat image.
     pub layers: u32,
-    /// Four bytes a pixel.
-    pub rgba: Vec<u8>,
+    /// How pixels are put down.
+    pub coding: Coding,
+    /// Pixels, or blocks of them.
+    pub bytes: Vec<u8>,
     /// Of the content, for caches.
     pub hash: u64,
     /// What it was before, where little of it is another now.
@@ -47,13 +50,23 @@ pub struct Change {
 impl Image {
     /// One pixel, standing in for an image that could not be read.
     pub fn single(rgba: [u8; 4]) -> Self {
-        Self::new([1, 1], 1, rgba.to_vec())
+        Self::flat([1, 1], rgba.to_vec())
     }
 
-    fn new(size: [u32; 2], layers: u32, rgba: Vec<u8>) -> Self {
+    fn flat(size: [u32; 2], rgba: Vec<u8>) -> Self {
+        Self::new(Layers { size, count: 1, coding: Coding::Rgba8, bytes: rgba })
+    }
+
+    fn new(layers: Layers) -> Self {
+        let Layers { size, count, coding, bytes } = layers;
         let mut hasher = DefaultHasher::new();
-        (size, layers, &rgba).hash(&mut hasher);
-        Self { size, layers, rgba, hash: hasher.finish(), change: None }
+        (size, count, coding, &bytes).hash(&mut hasher);
+        Self { size, layers: count, coding, bytes, hash: hasher.finish(), change: None }
+    }
+
+    /// Four bytes a pixel.
+    pub fn rgba(&self) -> Cow<'_, [u8]> {
+        self.coding.rgba(self.size, &self.bytes)
     }
 }
 
@@ -94,7 +107,7 @@ impl Overlay {
         hcbtf::check_layers(&grid, options.has_levels)?;
         let layers = hcbtf::layers(&grid, |address| self.tile(address), options);
         let hash = self.hash(options);
-        Ok(Image { size: layers.size, layers: layers.count, rgba: layers.rgba, hash, change: None })
+        Ok(Image { hash, ..Image::new(layers) })
     }
 
     /// While it is painted on it is baked again and again: its number tells it from the last one.
@@ -133,7 +146,7 @@ impl Overlay {
         // Whoever still draws with the old one keeps it.
         let image = Arc::make_mut(image);
         let repaint = |(address, tile, part): (Address, Arc<Tile>, [u32; 4])| {
-            hcbtf::repaint(&mut image.rgba, &grid, options, address, (&tile, part))
+            hcbtf::repaint(&mut image.bytes, &grid, options, address, (&tile, part))
         };
         let regions = together(changed.into_iter().flat_map(repaint));
         image.change = Some(Change { from: image.hash, regions });
@@ -311,7 +324,7 @@ pub(super) fn plain_hcbtf(color: [u8; 4]) -> Image {
     let one = Directions { theta: 1, phi: 1 };
     let grid = Grid { size: [1, 1], light: one, view: one };
     let tile = Arc::new(Tile::filled(grid.size, color));
-    of_layers(hcbtf::layers(&grid, |_| Some(&tile), LayerOptions::default()))
+    Image::new(hcbtf::layers(&grid, |_| Some(&tile), LayerOptions::default()))
 }
 
 /// A grid with few directions.
@@ -324,11 +337,7 @@ fn drafted(grid: Grid) -> Grid {
 /// The texture of an HCBTF, if it is not larger than one may be.
 fn bake(hcbtf: &Hcbtf, options: LayerOptions, progress: &Progress) -> Result<Image, Diagnostic> {
     let filled = hcbtf::fill::fill(hcbtf, progress)?;
-    Ok(of_layers(hcbtf::stored(&hcbtf.grid, |address| filled.tile(address), options)?))
-}
-
-fn of_layers(layers: hcbtf::Layers) -> Image {
-    Image::new(layers.size, layers.count, layers.rgba)
+    Ok(Image::new(hcbtf::stored(&hcbtf.grid, |address| filled.tile(address), options, progress)?))
 }
 
 fn stamp(path: &Path) -> Option<(SystemTime, u64)> {
@@ -366,7 +375,7 @@ fn read_image(path: &Path) -> Result<Image, Diagnostic> {
     reader.limits(limits);
     let decoded = reader.decode().map_err(|error| problem(format!("the image `{name}` cannot be decoded: {error}")))?;
     let rgba = decoded.into_rgba8();
-    Ok(Image::new([rgba.width(), rgba.height()], 1, rgba.into_raw()))
+    Ok(Image::flat([rgba.width(), rgba.height()], rgba.into_raw()))
 }
 
 #[cfg(test)]
@@ -395,12 +404,12 @@ mod tests {
         assert_eq!(one.change, None);
         let painted = overlay(2, &[(first, [9, 9, 9, 255]), (second, [50, 0, 0, 255])]);
         let two = baked(&painted);
-        assert_eq!(two.rgba, painted.bake(LayerOptions::default()).unwrap().rgba);
+        assert_eq!(two.bytes, painted.bake(LayerOptions::default()).unwrap().bytes);
         let change = two.change.as_ref().unwrap();
         assert_eq!((change.from, change.regions.len()), (one.hash, 1));
-        assert!(one.rgba != two.rgba, "who draws with the old one keeps it");
+        assert!(one.bytes != two.bytes, "who draws with the old one keeps it");
         let erased = overlay(3, &[(second, [50, 0, 0, 255])]);
-        assert_eq!(baked(&erased).rgba, erased.bake(LayerOptions::default()).unwrap().rgba);
+        assert_eq!(baked(&erased).bytes, erased.bake(LayerOptions::default()).unwrap().bytes);
         let all: Vec<_> = erased.hcbtf.grid.addresses().map(|address| (address, [7, 7, 7, 255])).collect();
         assert_eq!(baked(&overlay(4, &all)).change, None, "all of it is baked at once");
     }
@@ -423,7 +432,7 @@ mod tests {
             let overlay = Overlay { path: None, version, hcbtf, filled };
             assets.overlay(Some(overlay.clone()));
             let image = assets.hcbtf(Path::new("nowhere"), UNSAVED_HCBTF, LayerOptions::default()).unwrap().0;
-            assert!(image.rgba == overlay.bake(LayerOptions::default()).unwrap().rgba, "version {version}");
+            assert!(image.rgba() == overlay.bake(LayerOptions::default()).unwrap().rgba(), "version {version}");
             image
         };
         let first = baked(1, &hcbtf, &filled);

@@ -164,7 +164,7 @@ fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
     for (index, image) in shader.named_images.iter().enumerate() {
         let what = if image.path.is_empty() { "an image that is not chosen" } else { &image.path };
         let mut effect = if is_bound(index) {
-            let read = draw.images.get(index).map_or(0, |image| image.rgba.len() as u64);
+            let read = draw.images.get(index).map_or(0, |image| image.bytes.len() as u64);
             let reason = format!("`{}` reads it", image.node);
             Effect::runs(what, EffectKind::Texture, reason).costs(EffectCost::bytes(read))
         } else {

@@ -18,8 +18,9 @@ use std::sync::Arc;
 use indexmap::IndexSet;
 use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
 
+use super::blocks::Coding;
 use super::fill::{MAX_SAMPLES, shared};
-use super::layers::{Layers, TOLD, direction, paint};
+use super::layers::{Layers, TOLD, direction, direction_index, paint};
 use super::levels::{level_sizes, levels_of};
 use crate::document::{Address, Grid, Hcbtf, Tile};
 
@@ -74,25 +75,32 @@ fn folded(words: u64) -> [u64; 3] {
     [words.min(side), rows.min(side), rows.div_ceil(side)]
 }
 
+/// For each sample, view after view, which of the tiles that differ it has; and those. A sample without a tile is
+/// transparent black.
+pub(super) fn distinct<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Tile>>) -> (Vec<u32>, Vec<Arc<Tile>>) {
+    let empty = Arc::new(Tile::filled(grid.size, [0; 4]));
+    let mut known: HashMap<*const Tile, u32> = HashMap::new();
+    let mut tiles: Vec<Arc<Tile>> = Vec::new();
+    let mut samples = Vec::with_capacity(grid.view.count() * grid.light.count());
+    for view in (0..grid.view.count()).map(|index| direction(index, grid.view.phi)) {
+        for light in (0..grid.light.count()).map(|index| direction(index, grid.light.phi)) {
+            let tile = tile(Address { view, light }.canonical()).unwrap_or(&empty);
+            let next = tiles.len() as u32;
+            let index = *known.entry(Arc::as_ptr(tile)).or_insert(next);
+            if index == next {
+                tiles.push(tile.clone());
+            }
+            samples.push(index);
+        }
+    }
+    let (tiles, place) = shared(tiles);
+    samples.iter_mut().for_each(|sample| *sample = place[*sample as usize]);
+    (samples, tiles)
+}
+
 impl Plan {
     pub(super) fn new<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Tile>>, has_levels: bool) -> Self {
-        let empty = Arc::new(Tile::filled(grid.size, [0; 4]));
-        let mut known: HashMap<*const Tile, u32> = HashMap::new();
-        let mut tiles: Vec<Arc<Tile>> = Vec::new();
-        let mut samples = Vec::with_capacity(grid.view.count() * grid.light.count());
-        for view in (0..grid.view.count()).map(|index| direction(index, grid.view.phi)) {
-            for light in (0..grid.light.count()).map(|index| direction(index, grid.light.phi)) {
-                let tile = tile(Address { view, light }.canonical()).unwrap_or(&empty);
-                let next = tiles.len() as u32;
-                let index = *known.entry(Arc::as_ptr(tile)).or_insert(next);
-                if index == next {
-                    tiles.push(tile.clone());
-                }
-                samples.push(index);
-            }
-        }
-        let (tiles, place) = shared(tiles);
-        samples.iter_mut().for_each(|sample| *sample = place[*sample as usize]);
+        let (samples, tiles) = distinct(grid, tile);
         let count = if has_levels { level_sizes(grid).count() } else { 1 };
         let smaller = |tile: &Arc<Tile>| if has_levels { levels_of(tile) } else { Vec::new() };
         let smaller: Vec<Vec<Tile>> = tiles.par_iter().map(smaller).collect();
@@ -169,7 +177,7 @@ impl Plan {
             1 => bytes,
             _ => bytes.chunks_exact(layer).rev().collect::<Vec<_>>().concat(),
         };
-        Layers { size: [width as u32, height as u32], count: count as u32, rgba }
+        Layers { size: [width as u32, height as u32], count: count as u32, coding: Coding::Rgba8, bytes: rgba }
     }
 }
 
@@ -225,9 +233,7 @@ pub(super) fn read(grid: &Grid, words: &[u8]) -> Option<Hcbtf> {
     // As much as a texture holds that has each of them by itself.
     let mut room = super::MAX_LAYERS_BYTES;
     for address in grid.addresses() {
-        let of = |steps: u32, at: crate::document::Direction| (at.theta * steps + at.phi) as usize;
-        let sample = of(grid.view.phi, address.view) * grid.light.count() + of(grid.light.phi, address.light);
-        let record = number(TOLD + sample)?;
+        let record = number(TOLD + direction_index(grid, address))?;
         if let std::collections::hash_map::Entry::Vacant(entry) = tiles.entry(record) {
             room = room.checked_sub(4 * grid.texels() as u64)?;
             let (texels, palette) = (number(record)?, number(record + 1)?);
@@ -249,7 +255,7 @@ pub(super) fn read(grid: &Grid, words: &[u8]) -> Option<Hcbtf> {
 mod tests {
     use super::*;
     use crate::document::{Directions, Storage};
-    use crate::hcbtf::{LayerOptions, from_layers, ktx2, stored};
+    use crate::hcbtf::{LayerOptions, Progress, from_layers, ktx2, stored};
 
     /// Five large tiles of many colours, one of two colours for all that is left: more than one layer.
     #[test]
@@ -265,11 +271,11 @@ mod tests {
             grid.addresses().enumerate().map(|(index, address)| (address, &tiles[index.min(5)])).collect();
         let of = |address: Address| all.get(&address).copied();
         let options = LayerOptions { storage: Storage::Compact, ..LayerOptions::default() };
-        let made = stored(&grid, of, options).unwrap();
+        let made = stored(&grid, of, options, &Progress::new()).unwrap();
         assert_eq!((made.size, made.count), ([2048, 2048], 2));
         let words = 2 + 8 * 4 + 6 * 2 + 2 + 5 * 856_064 + 214_016;
         assert_eq!(folded(words), size(&grid, of, false));
-        assert_eq!(made.rgba.len() as u64, 4 * size(&grid, of, false).iter().product::<u64>());
+        assert_eq!(made.bytes.len() as u64, 4 * size(&grid, of, false).iter().product::<u64>());
         let back = from_layers(&ktx2::read(&ktx2::write(&made), "a.ktx2").unwrap()).unwrap();
         assert!(grid.addresses().all(|address| back.painted(address) == of(address)));
     }
@@ -301,16 +307,16 @@ mod tests {
         let grid = Grid { size: [4, 3], light: directions, view: directions };
         let tile = Arc::new(Tile::filled(grid.size, [9, 8, 7, 255]));
         let options = LayerOptions { storage: Storage::Compact, ..LayerOptions::default() };
-        let made = stored(&grid, |_| Some(&tile), options).unwrap();
+        let made = stored(&grid, |_| Some(&tile), options, &Progress::new()).unwrap();
         assert_eq!(from_layers(&made).unwrap().painted.len() as u64, grid.sample_count());
         // Where a sample's record begins, and where its texels and its palette do.
         for word in [2, 2 + 36, 2 + 36 + 1] {
             let mut lying = made.clone();
-            lying.rgba[4 * word..4 * word + 4].copy_from_slice(&u32::MAX.to_le_bytes());
+            lying.bytes[4 * word..4 * word + 4].copy_from_slice(&u32::MAX.to_le_bytes());
             assert!(from_layers(&lying).is_err(), "word {word}");
         }
         let mut short = made;
-        short.rgba.truncate(8);
+        short.bytes.truncate(8);
         assert!(from_layers(&short).is_err());
     }
 }

@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
-use super::fill::{Filled, Which};
+use super::blocks::{Loss, loss};
+use super::fill::{Filled, NotFilled, Which};
 use super::layers::{LayerOptions, from_layers, stored};
-use super::{NotFilled, Progress, contact, folder, ktx2, read_bytes, sheet};
+use super::{Progress, contact, folder, ktx2, read_bytes, sheet};
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Hcbtf, Storage, write_atomic};
 
@@ -109,22 +110,22 @@ pub struct Manner {
     pub storage: Storage,
 }
 
-/// Writes what is filled in a form to `path`: a file, or a folder, which is made where there is none. `told` learns how many images of how many are written. Returns what there is
-/// to say about it.
+/// Writes what is filled in a form to `path`: a file, or a folder, which is made where there is none. `progress` counts the
+/// images of a folder, and the tiles that are compressed. Returns what there is to say about it.
 ///
 /// # Errors
-/// Where it would be too large, or cannot be written.
+/// Where it would be too large, cannot be written, or is stopped.
 pub fn export(
     filled: &Filled,
     form: Form,
     manner: Manner,
     path: &Path,
-    told: &mut dyn FnMut(u64, u64),
+    progress: &Progress,
 ) -> Result<Option<String>, Vec<Diagnostic>> {
     let alone = |problem: Box<Diagnostic>| vec![*problem];
     let picture = match form {
-        Form::Ktx2 => return export_texture(filled, manner.storage, path).map(Some),
-        Form::Folder => return export_folder(filled, manner.which, path, told).map(Some),
+        Form::Ktx2 => return export_texture(filled, manner.storage, path, progress).map(Some),
+        Form::Folder => return export_folder(filled, manner.which, path, progress).map(Some),
         Form::Sheet => sheet::export(filled),
         Form::Contact => contact::export(filled, manner.gap, manner.which),
     };
@@ -133,32 +134,41 @@ pub fn export(
     Ok(None)
 }
 
-fn export_texture(filled: &Filled, storage: Storage, path: &Path) -> Result<String, Vec<Diagnostic>> {
+fn export_texture(
+    filled: &Filled,
+    storage: Storage,
+    path: &Path,
+    progress: &Progress,
+) -> Result<String, Vec<Diagnostic>> {
     let options = LayerOptions { has_levels: true, is_decoded: false, storage };
-    let texture = stored(&filled.grid(), |address| filled.tile(address), options).map_err(|problem| vec![problem])?;
+    let (grid, tile) = (filled.grid(), |address| filled.tile(address));
+    let texture = stored(&grid, tile, options, progress).map_err(|problem| vec![problem])?;
     write_atomic(path, &ktx2::write(&texture)).map_err(|problem| vec![*problem])?;
     let [width, height] = texture.size;
-    let mib = texture.rgba.len() as f64 / f64::from(1 << 20);
-    Ok(format!("{width} x {height} texels, {} layers, {mib:.2} MiB", texture.count))
+    let mib = texture.bytes.len() as f64 / f64::from(1 << 20);
+    let mut said = format!("{width} x {height} texels, {} layers, {mib:.2} MiB", texture.count);
+    if storage == Storage::Blocks {
+        let Loss { rms, largest } = loss(&grid, tile, &texture);
+        said += &format!("; of 255, the blocks are off by {rms:.2} (rms), {largest:.0} at most");
+    }
+    Ok(said)
 }
 
-fn export_folder(
-    filled: &Filled,
-    which: Which,
-    path: &Path,
-    told: &mut dyn FnMut(u64, u64),
-) -> Result<String, Vec<Diagnostic>> {
+fn export_folder(filled: &Filled, which: Which, path: &Path, progress: &Progress) -> Result<String, Vec<Diagnostic>> {
     if let Err(error) = std::fs::create_dir_all(path) {
         let problem = Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
         return Err(vec![problem.in_file(path.display().to_string()).hint("choose another one")]);
     }
-    let total = filled.grid().sample_count();
+    progress.begin(filled.grid().sample_count());
     let mut count = 0;
     for image in folder::export(filled, which) {
+        if progress.is_stopped() {
+            return Err(vec![NotFilled::Stopped.into()]);
+        }
         let written = image.and_then(|(name, png)| write_atomic(&path.join(name), &png));
         written.map_err(|problem| vec![*problem])?;
         count += 1;
-        told(count, total);
+        progress.add(1);
     }
     Ok(format!("{count} images"))
 }
@@ -187,7 +197,7 @@ mod tests {
         {
             let path = folder.path().join(name);
             let gap = if form == Form::Contact { 2 } else { 0 };
-            export(&filled, form, Manner { gap, ..Manner::default() }, &path, &mut |_, _| {}).unwrap();
+            export(&filled, form, Manner { gap, ..Manner::default() }, &path, &Progress::new()).unwrap();
             let unknown = Grid { size: [1, 1], ..grid };
             let found = fitted(&path, form, unknown, gap);
             assert_eq!(found.size, if form == Form::Ktx2 { [1, 1] } else { grid.size }, "{form:?}");

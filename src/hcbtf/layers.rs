@@ -7,15 +7,17 @@
 //! texels of one more layer tell the grid, so that a shader needs nothing beside the texture. Views that are equal may
 //! share a layer; the texels after those two then tell whose is whose. `shaders/lib/hcbtf.wgsl` reads this.
 //!
-//! [`compact`](super::compact) is the other way, for less memory.
+//! [`compact`](super::compact) and [`blocks`] are the other ways, for less memory.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use super::compact;
+use super::blocks::{self, Coding};
 use super::fill::MAX_SAMPLES;
 use super::levels::{level_sizes, levels_of_all};
 use super::share::{shared_size, views, write_shares};
+use super::{Progress, compact};
 use crate::diag::Diagnostic;
 use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Storage, Tile};
 
@@ -35,13 +37,22 @@ pub struct LayerOptions {
 pub struct Layers {
     /// Texels of a layer.
     pub size: [u32; 2],
-    /// One for each view that differs, and one that tells the grid; or as many as the compact storage takes.
+    /// One for each view that differs, and one that tells the grid; or as many as the other storages take.
     pub count: u32,
-    /// Four bytes a texel.
-    pub rgba: Vec<u8>,
+    /// How texels are put down.
+    pub coding: Coding,
+    /// Texels, or blocks of them.
+    pub bytes: Vec<u8>,
 }
 
-/// The most memory that a texture may take, in bytes.
+impl Layers {
+    /// Four bytes a texel.
+    pub fn rgba(&self) -> Cow<'_, [u8]> {
+        self.coding.rgba(self.size, &self.bytes)
+    }
+}
+
+/// The most memory that a texture may take, in bytes; one of blocks when it is decoded, as where a device has none.
 pub const MAX_LAYERS_BYTES: u64 = 2 << 30;
 /// The fewest texels along a layer: the last one tells the grid in two.
 const FEWEST: u64 = 2;
@@ -49,8 +60,10 @@ const FEWEST: u64 = 2;
 pub(super) const TOLD: usize = 2;
 /// Among the flags: views share layers.
 pub(super) const SHARED: u8 = 4;
-/// Among the flags: the storage is compact.
+/// Among the flags: the storage is compact, or of blocks.
 const COMPACT: u8 = 8;
+/// Among the flags: the storage is of blocks.
+const BLOCKS: u8 = 16;
 
 /// Texels of a layer and the number of layers, before anything is made. They are as large as the grid asks, which may
 /// be more than there is memory, or than a GPU takes.
@@ -99,18 +112,20 @@ pub fn stored_size<'a>(
     match storage {
         Storage::Quick => shared_size(grid, &views(grid, tile), has_levels),
         Storage::Compact => compact::size(grid, tile, has_levels),
+        Storage::Blocks => blocks::Plan::new(grid, tile, has_levels).size(),
     }
 }
 
 /// Makes the texture from the samples' tiles, with what is equal in it once, as far as the storage can; a sample without
-/// a tile is transparent black.
+/// a tile is transparent black. `progress` counts the tiles that are compressed; the other storages take no time.
 ///
 /// # Errors
-/// `too-large`: it would take more than [`MAX_LAYERS_BYTES`].
+/// `too-large`: it would take more than [`MAX_LAYERS_BYTES`]. `stopped`: somebody stopped it.
 pub fn stored<'a>(
     grid: &Grid,
     tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
     options: LayerOptions,
+    progress: &Progress,
 ) -> Result<Layers, Diagnostic> {
     match options.storage {
         Storage::Quick => {
@@ -127,6 +142,11 @@ pub fn stored<'a>(
             let plan = compact::Plan::new(grid, tile, options.has_levels);
             check_bytes(plan.size().into_iter().fold(4, u64::saturating_mul))?;
             Ok(plan.write(header(grid, options)))
+        }
+        Storage::Blocks => {
+            let plan = blocks::Plan::new(grid, tile, options.has_levels);
+            check_bytes(plan.size().into_iter().fold(4, u64::saturating_mul))?;
+            Ok(plan.write(header(grid, options), progress)?)
         }
     }
 }
@@ -171,7 +191,7 @@ fn layers_of<'a>(
     }
     let told = rgba.len() - 4 * width * height;
     rgba[told..told + 8].copy_from_slice(&header(grid, options));
-    Layers { size: [width as u32, height as u32], count: count as u32, rgba }
+    Layers { size: [width as u32, height as u32], count: count as u32, coding: Coding::Rgba8, bytes: rgba }
 }
 
 /// The HCBTF that a texture was made of: what its rules filled counts as painted, and a sample that is transparent black
@@ -182,12 +202,13 @@ fn layers_of<'a>(
 pub fn from_layers(layers: &Layers) -> Result<Hcbtf, Diagnostic> {
     let wrong = |message: &str| Diagnostic::error("hcbtf-layers", message).hint("export it anew from an .hcbtf file");
     let [width, height] = layers.size.map(|side| side as usize);
-    let whole = 4 * width * height * layers.count as usize;
-    if layers.rgba.len() != whole {
+    let layer = layers.coding.bytes(width as u64 * height as u64) as usize;
+    let whole = layer * layers.count as usize;
+    if layers.bytes.len() != whole {
         return Err(wrong("the texture has not the size that it tells"));
     }
-    let told = whole.checked_sub(4 * width * height).and_then(|at| layers.rgba.get(at..at + 8));
-    let Some(&[low_x, low_y, high, flags, light_theta, light_phi, view_theta, view_phi]) = told else {
+    let told = whole.checked_sub(layer).and_then(|at| told(layers.coding, &layers.bytes[at..]));
+    let Some([low_x, low_y, high, flags, light_theta, light_phi, view_theta, view_phi]) = told else {
         return Err(wrong("the texture tells no grid"));
     };
     let [low_x, low_y, high] = [low_x, low_y, high].map(u32::from);
@@ -201,13 +222,20 @@ pub fn from_layers(layers: &Layers) -> Result<Hcbtf, Diagnostic> {
     if grid.check().is_err() || flags & (SHARED | COMPACT) != 0 && samples > MAX_SAMPLES {
         return Err(wrong("the texture tells a grid that cannot be"));
     }
+    if (flags & BLOCKS != 0) != (layers.coding == Coding::Bc7) {
+        return Err(wrong("the texture is not stored as it tells"));
+    }
+    if layers.coding == Coding::Bc7 {
+        let read = blocks::read(&grid, layers, flags & 1 == 1);
+        return read.ok_or_else(|| wrong("the texture does not hold what it tells of"));
+    }
     if flags & COMPACT != 0 {
-        let texels = layers.rgba.chunks_exact(4 * width * height).rev().collect::<Vec<_>>().concat();
+        let texels = layers.bytes.chunks_exact(4 * width * height).rev().collect::<Vec<_>>().concat();
         return compact::read(&grid, &texels).ok_or_else(|| wrong("the texture does not hold what it tells of"));
     }
     let layer_of = |view: usize| match flags & SHARED != 0 {
         true => {
-            let told = layers.rgba.get(whole - 4 * width * height + 4 * (TOLD + view)..)?.first_chunk()?;
+            let told = layers.bytes.get(whole - 4 * width * height + 4 * (TOLD + view)..)?.first_chunk()?;
             Some(u32::from_le_bytes(*told) as usize)
         }
         false => Some(view),
@@ -229,7 +257,7 @@ pub fn from_layers(layers: &Layers) -> Result<Hcbtf, Diagnostic> {
             let column = x * grid.light.theta as usize + address.light.theta as usize;
             let row = layer + y * (grid.light.phi as usize + 2) + address.light.phi as usize + 1;
             let at = 4 * (row * width + column);
-            &layers.rgba[at..at + 4]
+            &layers.bytes[at..at + 4]
         };
         let make = || {
             let rgba: Vec<u8> = (0..grid.texels()).flat_map(texel).copied().collect();
@@ -252,7 +280,11 @@ pub(super) fn paint(hcbtf: &mut Hcbtf, address: Address, tile: &Arc<Tile>) {
 /// lights and of views.
 fn header(grid: &Grid, options: LayerOptions) -> [u8; 8] {
     let [width, height] = grid.size;
-    let compact = if options.storage == Storage::Compact { COMPACT } else { 0 };
+    let compact = match options.storage {
+        Storage::Quick => 0,
+        Storage::Compact => COMPACT,
+        Storage::Blocks => COMPACT | BLOCKS,
+    };
     let flags = u8::from(options.has_levels) | u8::from(options.is_decoded) << 1 | compact;
     let high = (width >> 8 & 15) | (height >> 8 & 15) << 4;
     let angles = [grid.light.theta, grid.light.phi, grid.view.theta, grid.view.phi].map(|n| n as u8);
@@ -263,6 +295,20 @@ fn header(grid: &Grid, options: LayerOptions) -> [u8; 8] {
 pub(super) fn direction(index: usize, steps: u32) -> Direction {
     let index = index as u32;
     Direction { theta: index / steps.max(1), phi: index % steps.max(1) }
+}
+
+/// Which sample it is, view after view.
+pub(super) fn direction_index(grid: &Grid, address: Address) -> usize {
+    let of = |steps: u32, at: Direction| (at.theta * steps + at.phi) as usize;
+    of(grid.view.phi, address.view) * grid.light.count() + of(grid.light.phi, address.light)
+}
+
+/// What the layer that begins so tells, if it is long enough: in two texels, or in two blocks.
+fn told(coding: Coding, layer: &[u8]) -> Option<[u8; 8]> {
+    match coding {
+        Coding::Rgba8 => layer.first_chunk().copied(),
+        Coding::Bc7 => blocks::told(layer),
+    }
 }
 
 /// A layer while it is filled.
@@ -329,10 +375,10 @@ mod tests {
         let made =
             layers(&grid, |address| tiles.get(&address), LayerOptions { has_levels: true, ..LayerOptions::default() });
         assert_eq!([u64::from(made.size[0]), u64::from(made.size[1]), u64::from(made.count)], layers_size(&grid, true));
-        assert_eq!(made.rgba.len() as u64, layers_bytes(&grid, true));
+        assert_eq!(made.bytes.len() as u64, layers_bytes(&grid, true));
         let texel = |x: u32, y: u32, layer: u32| {
             let at = 4 * ((layer * made.size[1] + y) * made.size[0] + x) as usize;
-            <[u8; 4]>::try_from(&made.rgba[at..at + 4]).unwrap()
+            <[u8; 4]>::try_from(&made.bytes[at..at + 4]).unwrap()
         };
         for view in 0..10 {
             for (x, y) in (0..3).flat_map(|x| (0..2).map(move |y| (x, y))) {
@@ -353,8 +399,8 @@ mod tests {
         assert!(grid.addresses().all(|address| back.painted(address) == tiles.get(&address)));
         for byte in 0..8 {
             let mut lying = made.clone();
-            let at = made.rgba.len() - 4 * (made.size[0] * made.size[1]) as usize + byte;
-            lying.rgba[at] ^= 0x15;
+            let at = made.bytes.len() - 4 * (made.size[0] * made.size[1]) as usize + byte;
+            lying.bytes[at] ^= 0x15;
             assert!(from_layers(&lying).is_err(), "byte {byte}");
         }
         // The whole tile in one texel stands at the top right.
@@ -368,20 +414,21 @@ mod tests {
         let tiles: Vec<Arc<Tile>> = (0..3).map(|n| Arc::new(Tile::filled(grid.size, [n, 2, 3, 255]))).collect();
         // The same whatever the phi of the view.
         let of = |address: Address| tiles.get(address.view.theta as usize);
-        let made = stored(&grid, of, LayerOptions { has_levels: true, ..LayerOptions::default() }).unwrap();
+        let made =
+            stored(&grid, of, LayerOptions { has_levels: true, ..LayerOptions::default() }, &Progress::new()).unwrap();
         assert_eq!(made.count, 4);
         assert_eq!(stored_size(&grid, of, true, Storage::Quick)[2], 4);
         let back = from_layers(&made).unwrap();
         assert!(grid.addresses().all(|address| back.painted(address) == of(address)));
-        let told = made.rgba.len() - 4 * (made.size[0] * made.size[1]) as usize;
+        let told = made.bytes.len() - 4 * (made.size[0] * made.size[1]) as usize;
         let mut lying = made;
-        lying.rgba[told + 4 * 2] = 3;
+        lying.bytes[told + 4 * 2] = 3;
         assert!(from_layers(&lying).is_err(), "the first view's layer is no view's");
         // Where there is no room to tell of it, each has its own.
         let small =
             Grid { size: [1, 1], light: Directions { theta: 1, phi: 1 }, view: Directions { theta: 9, phi: 9 } };
         let tile = Arc::new(Tile::filled([1, 1], [1; 4]));
-        let made = stored(&small, |_| Some(&tile), LayerOptions::default()).unwrap();
+        let made = stored(&small, |_| Some(&tile), LayerOptions::default(), &Progress::new()).unwrap();
         assert_eq!((made.count, from_layers(&made).unwrap().painted.len()), (82, 73));
     }
 }

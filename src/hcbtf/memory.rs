@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::blocks::{self, Coding};
 use super::compact;
 use super::fill::{MAX_FILLED_BYTES, MAX_SAMPLES, NotFilled, filled_at_most};
 use super::layers::{MAX_LAYERS_BYTES, check_layers, layers_size, stored_size};
@@ -15,11 +16,13 @@ pub struct Limits {
     pub side: u64,
     /// Layers of an array.
     pub layers: u64,
+    /// Whether there are textures of compressed blocks; elsewhere they are decoded.
+    pub has_blocks: bool,
 }
 
 impl Limits {
     /// What every device has that WebGPU runs on.
-    pub const GUARANTEED: Self = Self { side: 8192, layers: 256 };
+    pub const GUARANTEED: Self = Self { side: 8192, layers: 256, has_blocks: false };
 }
 
 /// What textures are made for.
@@ -62,7 +65,7 @@ impl Device {
         }
         check_layers(grid, false)?;
         let [width, height, layers] = layers_size(grid, false);
-        let Limits { side, layers: most } = self.limits;
+        let Limits { side, layers: most, .. } = self.limits;
         let wrong = |what: String| Diagnostic::error("too-large", format!("{what} ({})", self.name));
         if width.max(height) > side {
             let what =
@@ -90,15 +93,26 @@ pub struct Need {
 }
 
 impl Need {
-    /// In bytes.
+    /// In bytes, where a device has what it asks for.
     pub fn bytes(&self) -> u64 {
-        self.size.into_iter().fold(4, u64::saturating_mul)
+        let coding = if self.storage == Storage::Blocks { Coding::Bc7 } else { Coding::Rgba8 };
+        coding.bytes(self.texels())
+    }
+
+    /// In bytes on a device of these limits.
+    pub fn bytes_on(&self, limits: Limits) -> u64 {
+        if limits.has_blocks { self.bytes() } else { Coding::Rgba8.bytes(self.texels()) }
+    }
+
+    fn texels(&self) -> u64 {
+        self.size.into_iter().fold(1, u64::saturating_mul)
     }
 
     /// Whether a device of these limits can hold it, and Chiaro makes one so large.
     pub fn fits(&self, limits: Limits) -> bool {
         let [width, height, layers] = self.size;
-        width.max(height) <= limits.side && layers <= limits.layers && self.bytes() <= MAX_LAYERS_BYTES
+        let bytes = Coding::Rgba8.bytes(self.texels());
+        width.max(height) <= limits.side && layers <= limits.layers && bytes <= MAX_LAYERS_BYTES
     }
 }
 
@@ -112,6 +126,7 @@ pub fn needs_at_most(grid: &Grid) -> Vec<Need> {
     each(|storage, has_levels| match storage {
         Storage::Quick => layers_size(grid, has_levels),
         Storage::Compact => compact::most(grid, has_levels),
+        Storage::Blocks => blocks::most(grid, has_levels),
     })
 }
 

@@ -13,6 +13,7 @@
 //! [`MAX_PAINTED_BYTES`], [`MAX_PAINTED`]), and every problem is a diagnostic that names the file.
 
 mod archive;
+mod blocks;
 mod compact;
 pub mod contact;
 pub mod exchange;
@@ -38,6 +39,7 @@ mod synthesize;
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Hcbtf};
 
+pub use blocks::{Coding, Loss, loss};
 pub use file::{load, read, read_bytes, write};
 pub use fill::{Estimate, Filled, NotFilled, Provenance, Which, estimate, filled_at_most};
 pub use layers::{

@@ -89,7 +89,7 @@ mod tests {
                     tile.bytes_mut()[at..at + 4].copy_from_slice(&[x as u8, y as u8, view[0] as u8, 200]);
                 }
                 let before = texture.clone();
-                let regions = repaint(&mut texture.rgba, &grid, options, address, (&tile, part));
+                let regions = repaint(&mut texture.bytes, &grid, options, address, (&tile, part));
                 tiles.insert(address, Arc::new(tile));
                 assert_eq!(texture, layers(&grid, |at| tiles.get(&at), options), "{address}");
                 let is_told = |index: usize| {
@@ -102,7 +102,7 @@ mod tests {
                             && within(y, region.at[1], region.size[1])
                     })
                 };
-                let texels = texture.rgba.chunks(4).zip(before.rgba.chunks(4)).enumerate();
+                let texels = texture.bytes.chunks(4).zip(before.bytes.chunks(4)).enumerate();
                 for (index, _) in texels.filter(|(_, (now, before))| now != before) {
                     assert!(is_told(index), "{address}: texel {index} changed");
                 }

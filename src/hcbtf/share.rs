@@ -47,8 +47,8 @@ pub(super) fn shared_size(grid: &Grid, views: &Views, has_levels: bool) -> [u64;
 /// Writes which layer each view has, and that it is written.
 pub(super) fn write_shares(layers: &mut Layers, layer_of: &[u32]) {
     let told = 4 * (layers.size[0] * layers.size[1]) as usize * (layers.count as usize - 1);
-    layers.rgba[told + 3] |= SHARED;
-    for (texel, layer) in layers.rgba[told..].chunks_exact_mut(4).skip(TOLD).zip(layer_of) {
+    layers.bytes[told + 3] |= SHARED;
+    for (texel, layer) in layers.bytes[told..].chunks_exact_mut(4).skip(TOLD).zip(layer_of) {
         texel.copy_from_slice(&layer.to_le_bytes());
     }
 }

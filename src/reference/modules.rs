@@ -219,11 +219,11 @@ pub(super) fn texture_of(image: &Image, used: &ImageUse) -> Result<Texture, Diag
     let size = [image.size[0], image.size[1], image.layers];
     let is_decoded = used.is_decoded && used.shape == ImageShape::Flat;
     if !is_decoded {
-        return Texture::new(TextureDimension::D2, vec![Level::rgba8(size, image.rgba.clone())]);
+        return Texture::new(TextureDimension::D2, vec![Level::rgba8(size, image.rgba().into_owned())]);
     }
     let color = |byte: u8| crate::document::srgb_to_linear(f64::from(byte) / 255.0);
-    let texels = image
-        .rgba
+    let rgba = image.rgba();
+    let texels = rgba
         .chunks_exact(4)
         .map(|texel| [color(texel[0]), color(texel[1]), color(texel[2]), f64::from(texel[3]) / 255.0]);
     Texture::new(TextureDimension::D2, vec![Level::f64(size, texels.collect())])

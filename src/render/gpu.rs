@@ -1,9 +1,13 @@
 //! A device and its queue.
 
+use std::collections::HashMap;
 use std::sync::{Arc, Mutex};
 
 use super::error::RenderError;
 use super::target::PICTURE;
+use crate::diag::Diagnostic;
+use crate::frame::FramePlan;
+use crate::hcbtf::Coding;
 use crate::{hcbtf, milestones};
 
 /// A device, our own or a window's.
@@ -34,11 +38,14 @@ pub(super) struct Guard {
     problem: Arc<Mutex<Option<RenderError>>>,
 }
 
-/// What is asked of an adapter: all that it can hold, and the clocks that it has.
+/// What is asked of an adapter: all that it can hold, the clocks and the compressed textures that it has.
 pub fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
     wgpu::DeviceDescriptor {
         label: Some("chiaro"),
-        required_features: adapter.features() & (wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::FLOAT32_BLENDABLE),
+        required_features: adapter.features()
+            & (wgpu::Features::TIMESTAMP_QUERY
+                | wgpu::Features::FLOAT32_BLENDABLE
+                | wgpu::Features::TEXTURE_COMPRESSION_BC),
         required_limits: adapter.limits(),
         ..wgpu::DeviceDescriptor::default()
     }
@@ -110,6 +117,24 @@ impl Gpu {
         self.device.features().contains(wgpu::Features::TIMESTAMP_QUERY)
     }
 
+    /// Whether textures can be compressed blocks (BC7); where they cannot, they are decoded before they are handed over.
+    pub fn has_blocks(&self) -> bool {
+        self.device.features().contains(wgpu::Features::TEXTURE_COMPRESSION_BC)
+    }
+
+    /// What there is to say of drawing `plan` on it: textures that it has to be given decoded.
+    pub fn warnings(&self, plan: &FramePlan) -> Vec<Diagnostic> {
+        let images = plan.draws.iter().flat_map(|draw| &draw.images);
+        let blocks = images.filter(|image| image.coding == Coding::Bc7).map(|image| (image.hash, image.bytes.len()));
+        let decoded: usize = blocks.collect::<HashMap<_, _>>().into_values().map(|bytes| 4 * bytes).sum();
+        if self.has_blocks() || decoded == 0 {
+            return Vec::new();
+        }
+        let message = format!("{} has no compressed textures: its HCBTFs take {} MiB", self.name(), decoded >> 20);
+        let hint = "the picture is the same; the storage `compact` may take less here";
+        vec![Diagnostic::warning("no-blocks", message).hint(hint)]
+    }
+
     /// What it is called, for reports.
     pub fn name(&self) -> String {
         format!("{} ({:?})", self.info.name, self.info.backend)
@@ -119,7 +144,7 @@ impl Gpu {
     pub fn holds(&self) -> hcbtf::Device {
         let limits = self.device.limits();
         let [side, layers] = [limits.max_texture_dimension_2d, limits.max_texture_array_layers].map(u64::from);
-        hcbtf::Device { name: self.name(), limits: hcbtf::Limits { side, layers } }
+        hcbtf::Device { name: self.name(), limits: hcbtf::Limits { side, layers, has_blocks: self.has_blocks() } }
     }
 
     /// Waits until the GPU has done everything that was submitted.

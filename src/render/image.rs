@@ -1,5 +1,6 @@
 //! Images and samplers on the GPU.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::{Arc, Weak};
 
@@ -9,6 +10,7 @@ use super::error::RenderError;
 use super::gpu::Gpu;
 use crate::compile::{ImageShape, ImageUse};
 use crate::frame::Image;
+use crate::hcbtf::Coding;
 
 #[derive(Debug)]
 struct Uploaded {
@@ -80,16 +82,20 @@ impl Images {
             mip_level_count: 1,
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
-            format: if wanted.is_decoded && wanted.shape == ImageShape::Flat {
-                wgpu::TextureFormat::Rgba8UnormSrgb
-            } else {
-                wgpu::TextureFormat::Rgba8Unorm
+            format: match image.coding {
+                Coding::Bc7 if gpu.has_blocks() => wgpu::TextureFormat::Bc7RgbaUnorm,
+                _ if wanted.is_decoded && wanted.shape == ImageShape::Flat => wgpu::TextureFormat::Rgba8UnormSrgb,
+                _ => wgpu::TextureFormat::Rgba8Unorm,
             },
             usage: wgpu::TextureUsages::TEXTURE_BINDING,
             view_formats: &[],
         };
         let order = wgpu::util::TextureDataOrder::LayerMajor;
-        let texture = gpu.device.create_texture_with_data(&gpu.queue, &descriptor, order, &image.rgba);
+        let bytes = match descriptor.format {
+            wgpu::TextureFormat::Bc7RgbaUnorm => Cow::Borrowed(&*image.bytes),
+            _ => image.rgba(),
+        };
+        let texture = gpu.device.create_texture_with_data(&gpu.queue, &descriptor, order, &bytes);
         // One of a single layer would be taken for a flat one.
         let dimension = match wanted.shape {
             ImageShape::Flat => wgpu::TextureViewDimension::D2,
@@ -110,7 +116,9 @@ impl Images {
         let key = (change.from, wanted.is_decoded);
         let known = self.textures.get(&key)?;
         let size = known.texture.size();
-        let is_alike = [size.width, size.height] == image.size && size.depth_or_array_layers == image.layers;
+        let is_alike = [size.width, size.height] == image.size
+            && size.depth_or_array_layers == image.layers
+            && image.coding == Coding::Rgba8;
         if !is_alike || known.image.strong_count() > 0 {
             return None;
         }
@@ -124,7 +132,7 @@ impl Images {
                     origin: wgpu::Origin3d { x: region.at[0], y: region.at[1], z: region.layer },
                     aspect: wgpu::TextureAspect::All,
                 },
-                &image.rgba,
+                &image.bytes,
                 wgpu::TexelCopyBufferLayout {
                     offset: row * stride + 4 * u64::from(region.at[0]),
                     bytes_per_row: Some(4 * image.size[0]),

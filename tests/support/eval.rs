@@ -54,9 +54,19 @@ pub(crate) fn eval_with(
     options: &Options,
     samples: &[EvalSample],
 ) -> Vec<[f64; 4]> {
+    eval_on(&mut renderer(), look, library, options, samples)
+}
+
+/// The same on any device.
+pub(crate) fn eval_on(
+    renderer: &mut Renderer,
+    look: &SetupLook,
+    library: &Library,
+    options: &Options,
+    samples: &[EvalSample],
+) -> Vec<[f64; 4]> {
     let batches = eval_batches(look, library, samples, options, &mut Assets::default())
         .unwrap_or_else(|problems| panic!("{}\n{}", told(&problems), look.look.to_text()));
-    let mut renderer = renderer();
     let mut answers = vec![[f64::NAN; 4]; samples.len()];
     for batch in &batches {
         let values = block_on(renderer.evaluate(batch))

@@ -93,6 +93,9 @@ pub(super) struct ExportArguments {
     /// KTX2: with every tile that differs once, and palettes, as small as it can be
     #[arg(long)]
     compact: bool,
+    /// KTX2: with every tile that differs once, in compressed blocks of a byte a texel (BC7), which loses a little
+    #[arg(long, conflicts_with = "compact")]
+    blocks: bool,
     /// Folders and contact sheets: only what is painted, without what the rules fill
     #[arg(long)]
     painted: bool,
@@ -103,21 +106,25 @@ pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(),
         let problem = Diagnostic::error("bad-argument", "--painted goes with --to folder and --to contact");
         return Err(vec![problem.hint("a sheet and a texture hold every sample")]);
     }
-    if arguments.compact && arguments.to != Form::Ktx2 {
-        return Err(vec![Diagnostic::error("bad-argument", "--compact goes with --to ktx2")]);
+    let storage = match (arguments.compact, arguments.blocks) {
+        (true, _) => Storage::Compact,
+        (_, true) => Storage::Blocks,
+        _ => Storage::Quick,
+    };
+    if storage != Storage::Quick && arguments.to != Form::Ktx2 {
+        let message = format!("--{} goes with --to ktx2", storage.word());
+        return Err(vec![Diagnostic::error("bad-argument", message)]);
     }
     let hcbtf = open(&arguments.file, output)?;
     let filled = filled(&hcbtf, &arguments.file, output)?;
     let which = if arguments.painted { Which::Painted } else { Which::All };
     let path = &arguments.output;
-    let storage = if arguments.compact { Storage::Compact } else { Storage::Quick };
     let manner = exchange::Manner { which, gap: arguments.gap, storage };
-    let told = exchange::export(&filled, arguments.to.into(), manner, path, &mut |count, total| {
-        output.progress("writing", count, total);
-    })?;
-    if arguments.to == Form::Folder {
+    let told = exchange::export(&filled, arguments.to.into(), manner, path, &telling("writing"));
+    if arguments.to == Form::Folder || storage == Storage::Blocks {
         output.end_progress();
     }
+    let told = told?;
     output.result(&path.display().to_string());
     told.into_iter().for_each(|told| output.message(&told));
     Ok(())

@@ -107,8 +107,10 @@ fn as_text(hcbtf: &Hcbtf, filled: &Filled) -> String {
             device.word(need),
         );
     }
-    let Limits { side, layers } = device.limits;
-    text + &format!("device   {}: {side} texels a side, {layers} layers\n", device.name)
+    let Limits { side, layers, has_blocks } = device.limits;
+    let blocks =
+        if has_blocks { "compressed blocks" } else { "no compressed blocks: they are decoded, to four times as much" };
+    text + &format!("device   {}: {side} texels a side, {layers} layers, {blocks}\n", device.name)
 }
 
 fn as_json(hcbtf: &Hcbtf, filled: &Filled) -> Json {
@@ -133,13 +135,14 @@ fn as_json(hcbtf: &Hcbtf, filled: &Filled) -> Json {
             "smaller_levels": need.has_levels,
             "size": need.size,
             "bytes": need.bytes(),
+            "bytes_here": need.bytes_on(device.limits),
             "at_most": most.bytes(),
             "fits": need.fits(device.limits),
             "fits_every_gpu": need.fits(Limits::GUARANTEED),
         })
     });
     json!({
-        "device": { "name": device.name, "side": device.limits.side, "layers": device.limits.layers },
+        "device": { "name": device.name, "side": device.limits.side, "layers": device.limits.layers, "blocks": device.limits.has_blocks },
         "textures": stored.collect::<Vec<_>>(),
         "grid": hcbtf.grid,
         "tiling": hcbtf.is_tiling,

@@ -62,7 +62,7 @@ impl Drop for Exports {
 fn run(job: &Job) -> String {
     let filled = fill(&job.hcbtf, &job.progress).map_err(|why| vec![Diagnostic::from(why)]);
     let written = filled
-        .and_then(|filled| exchange::export(&filled, job.form, exchange::Manner::default(), &job.to, &mut |_, _| {}));
+        .and_then(|filled| exchange::export(&filled, job.form, exchange::Manner::default(), &job.to, &job.progress));
     match written {
         Ok(more) => {
             let more = more.map(|more| format!(": {more}")).unwrap_or_default();

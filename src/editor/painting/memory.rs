@@ -91,14 +91,15 @@ pub(super) fn table(ui: &mut Ui, grid: &Grid, now: Option<(u64, &[Need])>, devic
             let need = now.and_then(|(_, needs)| needs.get(index));
             let (name, help) = told(most);
             let word = device.word(need.unwrap_or(most));
-            row(name, help, need.map(Need::bytes), most.bytes(), word);
+            row(name, help, need.map(|need| need.bytes_on(device.limits)), most.bytes_on(device.limits), word);
         }
     });
     let painted = told_bytes(layers_bytes(grid, false));
     let text = format!("While it is painted it is quick, with a layer for each view: {painted} on the GPU");
     ui.label(RichText::new(text).color(dim).small());
-    let crate::hcbtf::Limits { side, layers } = device.limits;
-    let text = format!("{}: textures of up to {side} texels a side and {layers} layers", device.name);
+    let crate::hcbtf::Limits { side, layers, has_blocks } = device.limits;
+    let blocks = if has_blocks { "" } else { "; blocks are decoded, to four times as much" };
+    let text = format!("{}: textures of up to {side} texels a side and {layers} layers{blocks}", device.name);
     ui.label(RichText::new(text).color(dim).small());
 }
 
@@ -110,6 +111,12 @@ fn told(need: &Need) -> (&'static str, &'static str) {
         (Storage::Quick, false) => ("Quick", "As crisp lookups read it; equal views share a layer"),
         (Storage::Quick, true) => {
             ("Quick with levels", "The same with smaller levels of the tile, as smooth lookups read it")
+        }
+        (Storage::Blocks, false) => {
+            ("Blocks", "Every tile that differs once, compressed to a byte a texel; colors are off by a little")
+        }
+        (Storage::Blocks, true) => {
+            ("Blocks with levels", "The same with smaller levels of the tile, for smooth lookups")
         }
         (Storage::Compact, false) => ("Compact", "Every tile that differs once, with palettes, for crisp lookups"),
         (Storage::Compact, true) => {

@@ -100,7 +100,7 @@ fn run(job: Job, drawer: Option<&mut Drawer>) -> Result<Done, Diagnostic> {
     match job {
         Job::Read(path) => {
             let image = Assets::default().image(Path::new(""), &path.display().to_string())?;
-            Ok(Done::Read(path, shown(image.size, &image.rgba)))
+            Ok(Done::Read(path, shown(image.size, &image.rgba())))
         }
         Job::Draw { export, still, to } => {
             let drawer = drawer.ok_or_else(|| {
