@@ -102,10 +102,15 @@ fn source(ranks: &[usize]) -> String {
         });
         let _ = writeln!(text, "    {},", numbers.collect::<Vec<_>>().join(", "));
     }
-    text += ");\n\n/// The threshold of a cell of the tile, which repeats, between 0 and 1: blue noise.\n\
-             fn blue_threshold(cell: vec2i) -> f32 {\n    let at = bitcast<vec2u>(cell) & vec2u(31u);\n    \
-             let four = BLUE_TILE[8u * at.y + (at.x >> 2u)];\n    \
-             return (f32((four >> (8u * (at.x & 3u))) & 0xffu) + 0.5) * 0.00390625;\n}\n";
+    text += ");\n\n/// The number of the tile, which repeats, that holds a cell's turn.\n\
+             fn blue_index(cell: vec2i) -> u32 {\n    let at = bitcast<vec2u>(cell) & vec2u(31u);\n    \
+             return 8u * at.y + (at.x >> 2u);\n}\n\n\
+             /// The threshold of a cell in such a number, between 0 and 1.\n\
+             fn blue_part(four: u32, cell: vec2i) -> f32 {\n    \
+             return (f32((four >> (8u * (bitcast<u32>(cell.x) & 3u))) & 0xffu) + 0.5) * 0.00390625;\n}\n\n\
+             /// The threshold of a cell: blue noise. What asks for several keeps a copy of the tile of its own, because\n\
+             /// compilers make one at every place that asks.\n\
+             fn blue_threshold(cell: vec2i) -> f32 {\n    return blue_part(BLUE_TILE[blue_index(cell)], cell);\n}\n";
     text
 }
 

@@ -35,9 +35,19 @@ const BLUE_TILE = array<u32, 256>(
     0x07e2391du, 0x93be7aa1u, 0x17c446e4u, 0x3073dd3fu, 0x2bc34ff4u, 0x4d6103fcu, 0x5c992577u, 0xed682e87u,
 );
 
-/// The threshold of a cell of the tile, which repeats, between 0 and 1: blue noise.
-fn blue_threshold(cell: vec2i) -> f32 {
+/// The number of the tile, which repeats, that holds a cell's turn.
+fn blue_index(cell: vec2i) -> u32 {
     let at = bitcast<vec2u>(cell) & vec2u(31u);
-    let four = BLUE_TILE[8u * at.y + (at.x >> 2u)];
-    return (f32((four >> (8u * (at.x & 3u))) & 0xffu) + 0.5) * 0.00390625;
+    return 8u * at.y + (at.x >> 2u);
+}
+
+/// The threshold of a cell in such a number, between 0 and 1.
+fn blue_part(four: u32, cell: vec2i) -> f32 {
+    return (f32((four >> (8u * (bitcast<u32>(cell.x) & 3u))) & 0xffu) + 0.5) * 0.00390625;
+}
+
+/// The threshold of a cell: blue noise. What asks for several keeps a copy of the tile of its own, because
+/// compilers make one at every place that asks.
+fn blue_threshold(cell: vec2i) -> f32 {
+    return blue_part(BLUE_TILE[blue_index(cell)], cell);
 }

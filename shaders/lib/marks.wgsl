@@ -213,6 +213,7 @@ fn dots_of_octave(place: vec2f, zoom: i32, ink: f32, stretch: vec3f, w: f32, sty
     let corner = floor(p);
     // So far every dot that could be seen here is among the nine around.
     let reach = 1.0 - 0.5 * style.scatter;
+    var tile = BLUE_TILE;
     var sum = 0.0;
     for (var i = 0; i < 9; i++) {
         let cell = vec2i(corner) + vec2i(i % 3 - 1, i / 3 - 1);
@@ -220,7 +221,8 @@ fn dots_of_octave(place: vec2f, zoom: i32, ink: f32, stretch: vec3f, w: f32, sty
         let middle = vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5);
         let offset = p - middle;
         // The blue tile says when a dot's turn is; it then grows within a short time.
-        let turn = 0.96875 * blue_threshold(cell + vec2i(i32(style.seed & 31u), zoom * 7));
+        let turning = cell + vec2i(i32(style.seed & 31u), zoom * 7);
+        let turn = 0.96875 * blue_part(tile[blue_index(turning)], turning);
         let grown = clamp((ink - turn) * 32.0, 0.0, 1.0);
         let radius = 0.5 * style.size * sqrt(grown);
         // Dots that are drawn out far beyond their cell are cut round.
@@ -379,6 +381,7 @@ fn brushed(image: texture_2d<f32>, image_sampler: sampler, at: Spaced, ink: f32,
     // As with dots, the coarser octave goes as the finer one comes.
     let coarse_cells = exp2_stable(-2.0 * f);
     let fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
+    var tile = BLUE_TILE;
     var paint = vec4f(0.0);
     for (var octave = 0; octave < 2; octave++) {
         let amount = ink * select(1.0 - f, fine, octave == 1);
@@ -389,7 +392,10 @@ fn brushed(image: texture_2d<f32>, image_sampler: sampler, at: Spaced, ink: f32,
         for (var i = 0; i < 9; i++) {
             // One of nine cells around is of each kind; kinds lie on one another in the same order everywhere.
             let cell = corner + (vec2i(i % 3, i / 3) - phase + vec2i(4)) % vec2i(3) - vec2i(1);
-            let stroke = brush_stroke(p, cell, i32(zoom) + octave, amount, style);
+            let turning = cell + vec2i(i32(style.seed & 31u), 7 * (i32(zoom) + octave));
+            let late = 0.96875 * blue_part(tile[blue_index(turning)], turning);
+            let share = clamp((amount - late) * 32.0, 0.0, 1.0);
+            let stroke = brush_stroke(p, cell, i32(zoom) + octave, share, style);
             if stroke.share > 0.0 {
                 let gx = brush_turned(dx * scale, stroke, style);
                 let gy = brush_turned(dy * scale, stroke, style);
@@ -419,8 +425,8 @@ struct Brushstroke {
     share: f32,
 }
 
-/// The stroke of a cell at a place in cells.
-fn brush_stroke(p: vec2f, cell: vec2i, zoom: i32, ink: f32, style: Brush) -> Brushstroke {
+/// The stroke of a cell at a place in cells; `drawn` of it is there.
+fn brush_stroke(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> Brushstroke {
     let chance = unit_of_hash(lattice_hash(vec3i(cell, zoom), style.seed));
     let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
     let turn = sin_cos_of(style.turn * (chance.z - 0.5));
@@ -430,8 +436,7 @@ fn brush_stroke(p: vec2f, cell: vec2i, zoom: i32, ink: f32, style: Brush) -> Bru
     let is_inside = all(uv >= vec2f(0.0)) && all(uv <= vec2f(1.0));
     // A stroke must not reach beyond the cells around its own.
     let far = max(abs(offset.x), abs(offset.y)) / (1.0 - 0.5 * style.scatter);
-    let late = 0.96875 * blue_threshold(cell + vec2i(i32(style.seed & 31u), zoom * 7));
-    let share = clamp((ink - late) * 32.0, 0.0, 1.0) * (1.0 - eased(far, 0.85, 1.0));
+    let share = drawn * (1.0 - eased(far, 0.85, 1.0));
     return Brushstroke(uv, turn, way, select(0.0, share, is_inside));
 }
 
