@@ -95,7 +95,14 @@ fn disk_filtered(d: f32, r: f32, w: f32) -> f32 {
 
 /// Ink of round dots that cover `share` of the plane.
 fn ink_of_dots(cell: vec2f, share: f32, w: f32) -> f32 {
-    let ink = disk_filtered(length(cell - round(cell)), dot_radius(share), min(w, 1.0));
+    let width = min(w, 1.0);
+    var ink = disk_filtered(length(cell - round(cell)), dot_radius(share), width);
+    // What dark dots leave free is a star; where it is not much larger than a pixel, a disk as large stands for it.
+    let hole = sqrt(max(1.0 - share, 0.0) * 0.318309886183790672);
+    let is_star = eased(width, 0.3 * hole, 0.9 * hole) * eased(share, 0.5, 0.7);
+    if is_star > 0.0 {
+        ink = mix(ink, 1.0 - disk_filtered(length(cell - floor(cell) - 0.5), hole, width), is_star);
+    }
     // Cells as small as a pixel are their average.
     let mean = mix(ink, share, eased(w, 0.4, 1.0));
     return select(mean, share, share <= 0.0 || share >= 1.0);

@@ -299,7 +299,14 @@ impl Emitter<'_> {
     /// Name, type and value of each varying.
     fn varyings(&self, attributes: &[Attribute]) -> Vec<(&'static str, &'static str, &'static str)> {
         let mut varyings = Vec::new();
-        let position = [Context::Position, Context::PositionCamera, Context::View, Context::Depth, Context::KappaFast, Context::Magnification];
+        let position = [
+            Context::Position,
+            Context::PositionCamera,
+            Context::View,
+            Context::Depth,
+            Context::KappaFast,
+            Context::Magnification,
+        ];
         if self.options.stage.is_normals() || position.iter().any(|&context| self.needs.context(context)) {
             varyings.push(("position", "vec3f", "world.xyz"));
         }
