@@ -741,7 +741,7 @@ fn brush_strokes_lie_in_their_cells() {
     for (k, ((got, color), at)) in got.iter().zip(&colors).zip(&samples).enumerate() {
         let p = at.uv * count / DVec2::new(aspect, 1.0);
         let ink = 1.0 - [0.0, 0.45, 0.8][k % 3];
-        let (mut free, mut is_near) = (1.0, false);
+        let mut free = 1.0;
         for index in 0..25 {
             let cell = p.floor() + DVec2::new(f64::from(index % 5 - 2), f64::from(index / 5 - 2));
             let [x, y] = cell.to_array().map(|c| c as i64);
@@ -753,11 +753,7 @@ fn brush_strokes_lie_in_their_cells() {
             let drawn = unit((ink - blue([x + i64::from(seed & 31), y], &tile) * 31.0 / 32.0) * 32.0);
             let fade = unit((far - 0.85) / 0.15);
             let share = drawn * (1.0 - fade * fade * (3.0 - 2.0 * fade));
-            is_near |= (part - 0.5).abs() < 1e-4;
-            free *= 1.0 - if part <= 0.5 { share } else { 0.0 };
-        }
-        if is_near {
-            continue;
+            free *= 1.0 - share * unit(64.0 * (0.5 - part));
         }
         errors.note(got[0], 1.0 - free, || format!("{}", at.uv));
         covered[k % 3] += got[0] / 300.0;

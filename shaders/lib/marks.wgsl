@@ -433,11 +433,13 @@ fn brush_stroke(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> B
     let way = select(-1.0, 1.0, unit_of_hash(lattice_hash(vec3i(cell, zoom), style.seed + 1u)).x < 0.5);
     let stroke = Brushstroke(vec2f(0.5), turn, way, 0.0);
     let uv = 0.5 + brush_turned(offset * vec2f(style.aspect, 1.0), stroke, style);
-    let is_inside = all(uv >= vec2f(0.0)) && all(uv <= vec2f(1.0));
+    // The picture's outermost 64th fades, so that no stroke is cut off.
+    let from_edge = min(uv, vec2f(1.0) - uv);
+    let inside = clamp(64.0 * min(from_edge.x, from_edge.y), 0.0, 1.0);
     // A stroke must not reach beyond the cells around its own.
     let far = max(abs(offset.x), abs(offset.y)) / (1.0 - 0.5 * style.scatter);
-    let share = drawn * (1.0 - eased(far, 0.85, 1.0));
-    return Brushstroke(uv, turn, way, select(0.0, share, is_inside));
+    let share = drawn * inside * (1.0 - eased(far, 0.85, 1.0));
+    return Brushstroke(uv, turn, way, share);
 }
 
 /// A step on the canvas as one in a stroke's picture.
