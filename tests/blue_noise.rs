@@ -142,7 +142,6 @@ fn low_frequencies_have_no_power() {
         let low: Vec<f64> =
             (0..=3).flat_map(|u| (0..=3).map(move |v| (u, v))).skip(1).map(|(u, v)| power(u, v)).collect();
         let mean = low.iter().sum::<f64>() / low.len() as f64;
-        println!("share {share}: power {mean:.4} of white noise's");
         assert!(mean < 0.08, "share {share}: {mean}");
     }
 }

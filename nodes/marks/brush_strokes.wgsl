@@ -1,4 +1,5 @@
 import chiaro::types;
+import chiaro::brush;
 import chiaro::marks;
 import chiaro::total;
 

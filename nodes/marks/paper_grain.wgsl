@@ -1,6 +1,6 @@
 import chiaro::marks;
+import chiaro::paper;
 import chiaro::total;
-import chiaro::screen;
 
 /// Paper grain
 ///

@@ -40,6 +40,61 @@ fn gradient_on_picture(g: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     return g - normal * (dot(g, view) / select(min(facing, -0.125), max(facing, 0.125), facing >= 0.0));
 }
 
+/// A place across an axis of the object.
+fn place_across(
+    axis: vec3f,
+    position: vec3f,
+    world_from_normal: mat3x3f,
+    normal: vec3f,
+    view: vec3f,
+    magnification: f32,
+    angle: f32,
+) -> Marked {
+    let axes = axes_around(axis, vec3f(0.0, 1.0, 0.0));
+    let p = bounded_vec3(position);
+    let place = vec2f(dot(p, axes[0]), dot(p, axes[2]));
+    let along = bounded_vec3(world_from_normal * axes[0]);
+    let across = bounded_vec3(world_from_normal * axes[2]);
+    return place_on_surface(place, along, across, normal, view, magnification, angle);
+}
+
+/// A place along texture coordinates, of which one unit is so large.
+fn place_along_uv(
+    uv: vec2f,
+    unit: f32,
+    normal: vec3f,
+    view: vec3f,
+    tangent: vec3f,
+    bitangent: vec3f,
+    world_from_normal: mat3x3f,
+    magnification: f32,
+    angle: f32,
+) -> Marked {
+    // An object that is enlarged stretches its texture coordinates.
+    let along = tangent * length_of(tangent * world_from_normal);
+    let across = bitangent * length_of(bitangent * world_from_normal);
+    let size = clamp(bounded(unit), 1e-3, 1e3);
+    return place_on_surface(uv * size, along, across, normal, view, magnification, angle);
+}
+
+/// A place whose coordinates have these gradients in world space.
+fn place_on_surface(
+    place: vec2f,
+    along: vec3f,
+    across: vec3f,
+    normal: vec3f,
+    view: vec3f,
+    magnification: f32,
+    angle: f32,
+) -> Marked {
+    let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
+    let v = normalize_or(view, vec3f(0.0, 0.0, 1.0));
+    let height = 1.0 / clamp(bounded(magnification), 1e-15, 1e15);
+    let x = bounded_vec3(gradient_on_picture(along, n, v) * height);
+    let y = bounded_vec3(gradient_on_picture(across, n, v) * height);
+    return mark_place_of(bounded_vec2(place), x, y, angle);
+}
+
 /// A place in spacings of marks: as many to the picture's height as `count` where it is not stretched.
 struct Spaced {
     place: vec2f,
@@ -255,198 +310,4 @@ fn stippled(at: Spaced, ink: f32, style: Dots) -> f32 {
     // Dots finer than a pixel are their average.
     let mean = amount * min(0.785398163397448310 * style.size * style.size, 1.0);
     return mix(dots, mean, eased(w, 0.75, 1.5));
-}
-
-/// The height of paper, from 0 to 1 and 1/2 on average. Where an octave fades into the next, both are seen.
-fn paper_height(at: Spaced, fiber: f32, seed: u32) -> f32 {
-    let x = dpdx(at.place);
-    let y = dpdy(at.place);
-    let w = bounded(sqrt(max(dot(x, x), dot(y, y))));
-    let level = octave_of(sqrt(max(at.stretch.x * at.stretch.z - at.stretch.y * at.stretch.y, 0.0)));
-    let zoom = floor(level);
-    let f = level - zoom;
-    let fine = clamp(bounded(fiber), 0.0, 1.0);
-    var height = paper_octave(at.place, i32(zoom), w, fine, seed);
-    if f > 0.0 {
-        // Two sheets on one another are flatter than each: what they lose is given back.
-        let both = mix(height, paper_octave(at.place, i32(zoom) + 1, w, fine, seed), f);
-        height = clamp(0.5 + (both - 0.5) / sqrt(f * f + (1.0 - f) * (1.0 - f)), 0.0, 1.0);
-    }
-    return height;
-}
-
-/// The height of paper in one octave; finer than a pixel it is flat.
-fn paper_octave(place: vec2f, zoom: i32, w: f32, fiber: f32, seed: u32) -> f32 {
-    let scale = power_of_two(zoom);
-    let p = clamp(place * scale, vec2f(-4194304.0), vec2f(4194304.0));
-    let own = seed + 7u * bitcast<u32>(zoom);
-    let grain = perlin_noise(vec3f(p, 0.5), own) - 0.5;
-    // Long in no direction, and finer: the felt that the sheet was pressed on.
-    let q = clamp(2.7 * vec2f(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y), vec2f(-4194304.0), vec2f(4194304.0));
-    let felt = perlin_noise(vec3f(q, 0.5), own + 1u) - 0.5;
-    let coarse_seen = 1.0 - eased(w * scale, 0.5, 1.0);
-    let felt_seen = 1.0 - eased(2.7 * w * scale, 0.5, 1.0);
-    return clamp(0.5 + 1.4 * (coarse_seen * grain + fiber * felt_seen * felt), 0.0, 1.0);
-}
-
-/// A place across an axis of the object.
-fn place_across(
-    axis: vec3f,
-    position: vec3f,
-    world_from_normal: mat3x3f,
-    normal: vec3f,
-    view: vec3f,
-    magnification: f32,
-    angle: f32,
-) -> Marked {
-    let axes = axes_around(axis, vec3f(0.0, 1.0, 0.0));
-    let p = bounded_vec3(position);
-    let place = vec2f(dot(p, axes[0]), dot(p, axes[2]));
-    let along = bounded_vec3(world_from_normal * axes[0]);
-    let across = bounded_vec3(world_from_normal * axes[2]);
-    return place_on_surface(place, along, across, normal, view, magnification, angle);
-}
-
-/// A place along texture coordinates, of which one unit is so large.
-fn place_along_uv(
-    uv: vec2f,
-    unit: f32,
-    normal: vec3f,
-    view: vec3f,
-    tangent: vec3f,
-    bitangent: vec3f,
-    world_from_normal: mat3x3f,
-    magnification: f32,
-    angle: f32,
-) -> Marked {
-    // An object that is enlarged stretches its texture coordinates.
-    let along = tangent * length_of(tangent * world_from_normal);
-    let across = bitangent * length_of(bitangent * world_from_normal);
-    let size = clamp(bounded(unit), 1e-3, 1e3);
-    return place_on_surface(uv * size, along, across, normal, view, magnification, angle);
-}
-
-/// A place whose coordinates have these gradients in world space.
-fn place_on_surface(
-    place: vec2f,
-    along: vec3f,
-    across: vec3f,
-    normal: vec3f,
-    view: vec3f,
-    magnification: f32,
-    angle: f32,
-) -> Marked {
-    let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
-    let v = normalize_or(view, vec3f(0.0, 0.0, 1.0));
-    let height = 1.0 / clamp(bounded(magnification), 1e-15, 1e15);
-    let x = bounded_vec3(gradient_on_picture(along, n, v) * height);
-    let y = bounded_vec3(gradient_on_picture(across, n, v) * height);
-    return mark_place_of(bounded_vec2(place), x, y, angle);
-}
-
-/// How a picture of a stroke is laid.
-struct Brush {
-    /// Length over width.
-    aspect: f32,
-    /// In cells.
-    size: f32,
-    /// From 0 to 1.
-    scatter: f32,
-    /// In radians.
-    turn: f32,
-    seed: u32,
-    /// Whether what is dark is paint, and not what is opaque.
-    is_dark: bool,
-}
-
-fn brush_of(aspect: f32, size: f32, scatter: f32, turn: f32, seed: i32, is_dark: bool) -> Brush {
-    return Brush(
-        clamp(bounded(aspect), 1.0, 16.0),
-        clamp(bounded(size), 0.1, 2.0),
-        clamp(bounded(scatter), 0.0, 1.0),
-        clamp(bounded(turn), 0.0, 6.28318531),
-        bitcast<u32>(seed),
-        is_dark,
-    );
-}
-
-/// Premultiplied paint of a picture laid on a place, of which so much of all strokes are there.
-fn brushed(image: texture_2d<f32>, image_sampler: sampler, at: Spaced, ink: f32, style: Brush) -> vec4f {
-    let dx = dpdx(at.place);
-    let dy = dpdy(at.place);
-    let s = at.stretch;
-    let level = octave_of(sqrt(max(s.x * s.z - s.y * s.y, 0.0)));
-    let zoom = floor(level);
-    let f = level - zoom;
-    // As with dots, the coarser octave goes as the finer one comes.
-    let coarse_cells = exp2_stable(-2.0 * f);
-    let fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    var tile = BLUE_TILE;
-    var paint = vec4f(0.0);
-    for (var octave = 0; octave < 2; octave++) {
-        let amount = ink * select(1.0 - f, fine, octave == 1);
-        let scale = power_of_two(i32(zoom) + octave);
-        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0)) / vec2f(style.aspect, 1.0);
-        let corner = vec2i(floor(p));
-        let phase = ((corner % vec2i(3)) + vec2i(3)) % vec2i(3);
-        for (var i = 0; i < 9; i++) {
-            // One of nine cells around is of each kind; kinds lie on one another in the same order everywhere.
-            let cell = corner + (vec2i(i % 3, i / 3) - phase + vec2i(4)) % vec2i(3) - vec2i(1);
-            let turning = cell + vec2i(i32(style.seed & 31u), 7 * (i32(zoom) + octave));
-            let late = 0.96875 * blue_part(tile[blue_index(turning)], turning);
-            let share = clamp((amount - late) * 32.0, 0.0, 1.0);
-            let stroke = brush_stroke(p, cell, i32(zoom) + octave, share, style);
-            if stroke.share > 0.0 {
-                let gx = brush_turned(dx * scale, stroke, style);
-                let gy = brush_turned(dy * scale, stroke, style);
-                let texel = textureSampleGrad(image, image_sampler, stroke.uv, gx, gy);
-                let cover = stroke.share * select(texel.w, texel.w * (1.0 - clamp(luminance_of_paint(texel.xyz), 0.0, 1.0)), style.is_dark);
-                paint = vec4f(texel.xyz * cover, cover) + paint * (1.0 - cover);
-            }
-        }
-    }
-    return paint;
-}
-
-/// How light paint is (Rec. 709).
-fn luminance_of_paint(color: vec3f) -> f32 {
-    return dot(color, vec3f(0.2126, 0.7152, 0.0722));
-}
-
-/// A stroke as it is seen at a place.
-struct Brushstroke {
-    /// Where in its picture, v down.
-    uv: vec2f,
-    /// How far it is turned: sine and cosine.
-    turn: vec2f,
-    /// 1 or -1: whether it runs backward.
-    way: f32,
-    /// How much of it is there, from 0 to 1.
-    share: f32,
-}
-
-/// The stroke of a cell at a place in cells; `drawn` of it is there.
-fn brush_stroke(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> Brushstroke {
-    let chance = unit_of_hash(lattice_hash(vec3i(cell, zoom), style.seed));
-    let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
-    let turn = sin_cos_of(style.turn * (chance.z - 0.5));
-    let way = select(-1.0, 1.0, unit_of_hash(lattice_hash(vec3i(cell, zoom), style.seed + 1u)).x < 0.5);
-    let stroke = Brushstroke(vec2f(0.5), turn, way, 0.0);
-    let uv = 0.5 + brush_turned(offset * vec2f(style.aspect, 1.0), stroke, style);
-    // The picture's outermost 64th fades, so that no stroke is cut off.
-    let from_edge = min(uv, vec2f(1.0) - uv);
-    let inside = clamp(64.0 * min(from_edge.x, from_edge.y), 0.0, 1.0);
-    // A stroke must not reach beyond the cells around its own.
-    let far = max(abs(offset.x), abs(offset.y)) / (1.0 - 0.5 * style.scatter);
-    let share = drawn * inside * (1.0 - eased(far, 0.85, 1.0));
-    return Brushstroke(uv, turn, way, share);
-}
-
-/// A step on the canvas as one in a stroke's picture.
-fn brush_turned(step: vec2f, stroke: Brushstroke, style: Brush) -> vec2f {
-    let turned = vec2f(
-        stroke.turn.y * step.x + stroke.turn.x * step.y,
-        stroke.turn.y * step.y - stroke.turn.x * step.x,
-    );
-    return turned * vec2f(stroke.way / (style.size * style.aspect), -1.0 / style.size);
 }

@@ -1,4 +1,4 @@
-// Where things are seen in the picture, and what is laid over the picture itself: half-tones, dither and paper. A picture's
+// Where things are seen in the picture, and what is laid over the picture itself: half-tones and dither. A picture's
 // height is the unit, so that a picture of any resolution has the same dots.
 import chiaro::numeric;
 import chiaro::total;
@@ -147,12 +147,4 @@ fn dithered(tone: f32, levels: i32, spread: f32, threshold: f32) -> f32 {
     let soft = clamp(bounded(spread), 0.0, 1.0);
     let is_upper = x - low - 0.5 >= (threshold - 0.5) * soft;
     return (low + select(0.0, 1.0, is_upper)) / steps;
-}
-
-/// How much ink the tooth of paper takes: it catches more on its heights and less in its hollows, most at middle tones, and
-/// nothing is caught of no ink (Kalnins et al. 2002). `height` is from 0 to 1, `tooth` from 0 (smooth paper) to 1.
-fn caught_ink(ink: f32, height: f32, tooth: f32) -> f32 {
-    let amount = clamp(bounded(ink), 0.0, 1.0);
-    let rough = clamp(bounded(tooth), 0.0, 1.0);
-    return clamp(amount + 8.0 * rough * (height - 0.5) * amount * (1.0 - amount), 0.0, 1.0);
 }
