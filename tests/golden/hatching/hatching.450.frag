@@ -432,12 +432,36 @@ vec3 gradient_on_picture(vec3 g, vec3 normal_1, vec3 view_1) {
     return (g - (normal_1 * (dot(g, view_1) / ((facing_1 >= 0.0) ? max(facing_1, 0.125) : min(facing_1, -0.125)))));
 }
 
-Spaced spaced(vec2 place_1, vec3 stretch, vec2 viewport, float count) {
+Marked place_on_surface(vec2 place_1, vec3 along_1, vec3 across_1, vec3 normal_2, vec3 view_2, float magnification, float angle_1) {
+    vec3 _e11 = normalize_or(normal_2, vec3(0.0, 0.0, 1.0));
+    vec3 _e16 = normalize_or(view_2, vec3(0.0, 0.0, 1.0));
+    float _e17 = bounded(magnification);
+    float height = (1.0 / clamp(_e17, 1e-15, 1000000000000000.0));
+    vec3 _e23 = gradient_on_picture(along_1, _e11, _e16);
+    vec3 _e25 = bounded_vec3_((_e23 * height));
+    vec3 _e26 = gradient_on_picture(across_1, _e11, _e16);
+    vec3 _e28 = bounded_vec3_((_e26 * height));
+    vec2 _e29 = bounded_vec2_(place_1);
+    Marked _e30 = mark_place_of(_e29, _e25, _e28, angle_1);
+    return _e30;
+}
+
+Marked place_across(vec3 axis, vec3 position, mat3x3 world_from_normal, vec3 normal_3, vec3 view_3, float magnification_1, float angle_2) {
+    mat3x3 _e11 = axes_around(axis, vec3(0.0, 1.0, 0.0));
+    vec3 _e12 = bounded_vec3_(position);
+    vec2 place_6 = vec2(dot(_e12, _e11[0]), dot(_e12, _e11[2]));
+    vec3 _e20 = bounded_vec3_((world_from_normal * _e11[0]));
+    vec3 _e23 = bounded_vec3_((world_from_normal * _e11[2]));
+    Marked _e24 = place_on_surface(place_6, _e20, _e23, normal_3, view_3, magnification_1, angle_2);
+    return _e24;
+}
+
+Spaced spaced(vec2 place_2, vec3 stretch, vec2 viewport, float count) {
     float _e4 = bounded(count);
     float number = clamp(_e4, 0.0, 100000.0);
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
     float scale_1 = (is_pixel ? (number / max(viewport.y, 1.0)) : number);
-    vec2 _e19 = bounded_vec2_(place_1);
+    vec2 _e19 = bounded_vec2_(place_2);
     vec2 _e21 = bounded_vec2_((_e19 * scale_1));
     vec2 p_2 = clamp(_e21, vec2(-4194304.0), vec2(4194304.0));
     vec3 _e27 = bounded_vec3_(stretch);
@@ -474,9 +498,9 @@ Stroke stroke_between(ivec2 line_1, float x_13, float level, Strokes style_1) {
     return Stroke(mix(_e6.turn, _e10.turn, f_1), mix(_e6.profile, _e10.profile, f_1));
 }
 
-float stray_at(vec2 place_2, int zoom_1, uint seed_3) {
+float stray_at(vec2 place_3, int zoom_1, uint seed_3) {
     float _e3 = power_of_two(zoom_1);
-    vec2 p_3 = (place_2 * _e3);
+    vec2 p_3 = (place_3 * _e3);
     float _e13 = value_noise(vec3((0.11 * p_3.x), (0.45 * p_3.y), 0.5), seed_3);
     float _e19 = power_of_two(-(zoom_1));
     return (((_e13 - 0.5) * 2.0) * _e19);
@@ -502,7 +526,7 @@ ivec2 line_of(int whole, int octave) {
     return ((whole == 0) ? ivec2(0) : ivec2((whole / power), (octave - octaves)));
 }
 
-float hatched(vec2 place_3, float w_1, float level_1, float ink, Strokes style_2) {
+float hatched(vec2 place_4, float w_1, float level_1, float ink, Strokes style_2) {
     if (!((ink > 0.0))) {
         return 0.0;
     }
@@ -510,10 +534,10 @@ float hatched(vec2 place_3, float w_1, float level_1, float ink, Strokes style_2
     float _e15 = powered(ink, style_2.pressure);
     float width_1 = (style_2.width * _e15);
     float zoom_3 = floor(level_1);
-    float _e20 = stray_at(place_3, int(zoom_3), style_2.seed);
-    float _e25 = stray_at(place_3, (int(zoom_3) + 1), style_2.seed);
+    float _e20 = stray_at(place_4, int(zoom_3), style_2.seed);
+    float _e25 = stray_at(place_4, (int(zoom_3) + 1), style_2.seed);
     float stray = mix(_e20, _e25, (level_1 - zoom_3));
-    float across_2 = (place_3.y + (style_2.wobble * stray));
+    float across_2 = (place_4.y + (style_2.wobble * stray));
     float _e35 = log_stable(max(_e12, 1e-9));
     float density = clamp((level_1 + (LOG2_E * _e35)), -40.0, 17.0);
     float octave_1 = floor(density);
@@ -526,9 +550,9 @@ float hatched(vec2 place_3, float w_1, float level_1, float ink, Strokes style_2
     float footprint = (w_1 * _e47);
     int whole_2 = int(roundEven(q));
     ivec2 _e61 = line_of(whole_2, int(octave_1));
-    Stroke _e63 = stroke_between(_e61, place_3.x, level_1, style_2);
+    Stroke _e63 = stroke_between(_e61, place_4.x, level_1, style_2);
     float middle = floor(q);
-    Stroke _e75 = stroke_between(ivec2(((2 * int(middle)) + 1), (int(octave_1) + 1)), place_3.x, level_1, style_2);
+    Stroke _e75 = stroke_between(ivec2(((2 * int(middle)) + 1), (int(octave_1) + 1)), place_4.x, level_1, style_2);
     float late = (0.75 * style_2.variation);
     float grown = clamp(((growth - (late * _e75.turn)) / (1.0 - late)), 0.0, 1.0);
     float _e92 = band_filtered((q - float(whole_2)), (half_1 * _e63.profile), footprint);
@@ -569,44 +593,20 @@ float cross_hatched(Spaced at, float ink_1, int layers, float cross_, Strokes st
                 float _e42 = bounded(length(vec2(dot(across_3, x_14), dot(across_3, y))));
                 vec3 s_2 = at.stretch;
                 float _e57 = octave_of(dot(vec3((across_3.x * across_3.x), ((2.0 * across_3.x) * across_3.y), (across_3.y * across_3.y)), s_2));
-                vec2 place_6 = vec2(dot(along_3, at.place), dot(across_3, at.place));
+                vec2 place_7 = vec2(dot(along_3, at.place), dot(across_3, at.place));
                 own = style_3;
                 int _e67 = i_1;
                 own.seed = (style_3.seed + (101u * uint(_e67)));
                 float _e71 = free;
                 int _e72 = i_1;
                 Strokes _e78 = own;
-                float _e79 = hatched(place_6, _e42, _e57, clamp((amount - float(_e72)), 0.0, 1.0), _e78);
+                float _e79 = hatched(place_7, _e42, _e57, clamp((amount - float(_e72)), 0.0, 1.0), _e78);
                 free = (_e71 * (1.0 - _e79));
             }
         }
     }
     float _e86 = free;
     return (1.0 - _e86);
-}
-
-Marked place_on_surface(vec2 place_4, vec3 along_1, vec3 across_1, vec3 normal_2, vec3 view_2, float magnification, float angle_1) {
-    vec3 _e11 = normalize_or(normal_2, vec3(0.0, 0.0, 1.0));
-    vec3 _e16 = normalize_or(view_2, vec3(0.0, 0.0, 1.0));
-    float _e17 = bounded(magnification);
-    float height = (1.0 / clamp(_e17, 1e-15, 1000000000000000.0));
-    vec3 _e23 = gradient_on_picture(along_1, _e11, _e16);
-    vec3 _e25 = bounded_vec3_((_e23 * height));
-    vec3 _e26 = gradient_on_picture(across_1, _e11, _e16);
-    vec3 _e28 = bounded_vec3_((_e26 * height));
-    vec2 _e29 = bounded_vec2_(place_4);
-    Marked _e30 = mark_place_of(_e29, _e25, _e28, angle_1);
-    return _e30;
-}
-
-Marked place_across(vec3 axis, vec3 position, mat3x3 world_from_normal, vec3 normal_3, vec3 view_3, float magnification_1, float angle_2) {
-    mat3x3 _e11 = axes_around(axis, vec3(0.0, 1.0, 0.0));
-    vec3 _e12 = bounded_vec3_(position);
-    vec2 place_7 = vec2(dot(_e12, _e11[0]), dot(_e12, _e11[2]));
-    vec3 _e20 = bounded_vec3_((world_from_normal * _e11[0]));
-    vec3 _e23 = bounded_vec3_((world_from_normal * _e11[2]));
-    Marked _e24 = place_on_surface(place_7, _e20, _e23, normal_3, view_3, magnification_1, angle_2);
-    return _e24;
 }
 
 float hatching(float value, vec2 place_5, vec3 stretch_1, float count_1, float width, int layers_1, float cross_1, float length_, float taper, float wobble, float pressure, float variation, int seed_4, vec2 viewport_1) {

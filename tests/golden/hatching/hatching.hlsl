@@ -541,6 +541,34 @@ float3 gradient_on_picture(float3 g, float3 normal_1, float3 view_1)
     return (g - (normal_1 * (dot(g, view_1) / ((facing_1 >= 0.0) ? max(facing_1, 0.125) : min(facing_1, -0.125)))));
 }
 
+Marked place_on_surface(float2 place_1, float3 along_1, float3 across_1, float3 normal_2, float3 view_2, float magnification, float angle_1)
+{
+    const float3 _e11 = normalize_or(normal_2, float3(0.0, 0.0, 1.0));
+    const float3 _e16 = normalize_or(view_2, float3(0.0, 0.0, 1.0));
+    const float _e17 = bounded(magnification);
+    float height = (1.0 / clamp(_e17, 1e-15, 1000000000000000.0));
+    const float3 _e23 = gradient_on_picture(along_1, _e11, _e16);
+    const float3 _e25 = bounded_vec3_((_e23 * height));
+    const float3 _e26 = gradient_on_picture(across_1, _e11, _e16);
+    const float3 _e28 = bounded_vec3_((_e26 * height));
+    const float2 _e29 = bounded_vec2_(place_1);
+    const Marked _e30 = mark_place_of(_e29, _e25, _e28, angle_1);
+    const Marked marked_1 = _e30;
+    return marked_1;
+}
+
+Marked place_across(float3 axis, float3 position, float3x3 world_from_normal, float3 normal_3, float3 view_3, float magnification_1, float angle_2)
+{
+    const float3x3 _e11 = axes_around(axis, float3(0.0, 1.0, 0.0));
+    const float3 _e12 = bounded_vec3_(position);
+    float2 place_6 = float2(dot(_e12, _e11[0]), dot(_e12, _e11[2]));
+    const float3 _e20 = bounded_vec3_(mul(_e11[0], world_from_normal));
+    const float3 _e23 = bounded_vec3_(mul(_e11[2], world_from_normal));
+    const Marked _e24 = place_on_surface(place_6, _e20, _e23, normal_3, view_3, magnification_1, angle_2);
+    const Marked marked_2 = _e24;
+    return marked_2;
+}
+
 Spaced ConstructSpaced(float2 arg0, float3 arg1) {
     Spaced ret = (Spaced)0;
     ret.place = arg0;
@@ -548,13 +576,13 @@ Spaced ConstructSpaced(float2 arg0, float3 arg1) {
     return ret;
 }
 
-Spaced spaced(float2 place_1, float3 stretch, float2 viewport, float count)
+Spaced spaced(float2 place_2, float3 stretch, float2 viewport, float count)
 {
     const float _e4 = bounded(count);
     float number = clamp(_e4, 0.0, 100000.0);
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
     float scale_1 = (is_pixel ? (number / max(viewport.y, 1.0)) : number);
-    const float2 _e19 = bounded_vec2_(place_1);
+    const float2 _e19 = bounded_vec2_(place_2);
     const float2 _e21 = bounded_vec2_((_e19 * scale_1));
     float2 p_2 = clamp(_e21, (-4194304.0).xx, (4194304.0).xx);
     const float3 _e27 = bounded_vec3_(stretch);
@@ -609,10 +637,10 @@ int naga_neg(int val) {
     return asint(-asuint(val));
 }
 
-float stray_at(float2 place_2, int zoom_1, uint seed_3)
+float stray_at(float2 place_3, int zoom_1, uint seed_3)
 {
     const float _e3 = power_of_two(zoom_1);
-    float2 p_3 = (place_2 * _e3);
+    float2 p_3 = (place_3 * _e3);
     const float _e13 = value_noise(float3((0.11 * p_3.x), (0.45 * p_3.y), 0.5), seed_3);
     const float _e19 = power_of_two(naga_neg(zoom_1));
     return (((_e13 - 0.5) * 2.0) * _e19);
@@ -641,7 +669,7 @@ int2 line_of(int whole, int octave)
     return ((whole == int(0)) ? (int(0)).xx : int2(naga_div(whole, power), asint(asuint(octave) - asuint(octaves))));
 }
 
-float hatched(float2 place_3, float w_1, float level_1, float ink, Strokes style_2)
+float hatched(float2 place_4, float w_1, float level_1, float ink, Strokes style_2)
 {
     if (!((ink > 0.0))) {
         return 0.0;
@@ -650,10 +678,10 @@ float hatched(float2 place_3, float w_1, float level_1, float ink, Strokes style
     const float _e15 = powered(ink, style_2.pressure);
     float width_1 = (style_2.width * _e15);
     float zoom_3 = floor(level_1);
-    const float _e20 = stray_at(place_3, naga_f2i32(zoom_3), style_2.seed);
-    const float _e25 = stray_at(place_3, asint(asuint(naga_f2i32(zoom_3)) + asuint(int(1))), style_2.seed);
+    const float _e20 = stray_at(place_4, naga_f2i32(zoom_3), style_2.seed);
+    const float _e25 = stray_at(place_4, asint(asuint(naga_f2i32(zoom_3)) + asuint(int(1))), style_2.seed);
     float stray = lerp(_e20, _e25, (level_1 - zoom_3));
-    float across_2 = (place_3.y + (style_2.wobble * stray));
+    float across_2 = (place_4.y + (style_2.wobble * stray));
     const float _e35 = log_stable(max(_e12, 1e-9));
     float density = clamp((level_1 + (LOG2_E * _e35)), -40.0, 17.0);
     float octave_1 = floor(density);
@@ -666,9 +694,9 @@ float hatched(float2 place_3, float w_1, float level_1, float ink, Strokes style
     float footprint = (w_1 * _e47);
     int whole_2 = naga_f2i32(round(q));
     const int2 _e61 = line_of(whole_2, naga_f2i32(octave_1));
-    const Stroke _e63 = stroke_between(_e61, place_3.x, level_1, style_2);
+    const Stroke _e63 = stroke_between(_e61, place_4.x, level_1, style_2);
     float middle = floor(q);
-    const Stroke _e75 = stroke_between(int2(asint(asuint(asint(asuint(int(2)) * asuint(naga_f2i32(middle)))) + asuint(int(1))), asint(asuint(naga_f2i32(octave_1)) + asuint(int(1)))), place_3.x, level_1, style_2);
+    const Stroke _e75 = stroke_between(int2(asint(asuint(asint(asuint(int(2)) * asuint(naga_f2i32(middle)))) + asuint(int(1))), asint(asuint(naga_f2i32(octave_1)) + asuint(int(1)))), place_4.x, level_1, style_2);
     float late = (0.75 * style_2.variation);
     float grown = clamp(((growth - (late * _e75.turn)) / (1.0 - late)), 0.0, 1.0);
     const float _e92 = band_filtered((q - float(whole_2)), (half_1 * _e63.profile), footprint);
@@ -714,48 +742,20 @@ float cross_hatched(Spaced at, float ink_1, int layers, float cross_, Strokes st
                 const float _e42 = bounded(length(float2(dot(across_3, x_14), dot(across_3, y))));
                 float3 s_2 = at.stretch;
                 const float _e57 = octave_of(dot(float3((across_3.x * across_3.x), ((2.0 * across_3.x) * across_3.y), (across_3.y * across_3.y)), s_2));
-                float2 place_6 = float2(dot(along_3, at.place), dot(across_3, at.place));
+                float2 place_7 = float2(dot(along_3, at.place), dot(across_3, at.place));
                 own = style_3;
                 int _e67 = i_1;
                 own.seed = (style_3.seed + (101u * uint(_e67)));
                 float _e71 = free;
                 int _e72 = i_1;
                 Strokes _e78 = own;
-                const float _e79 = hatched(place_6, _e42, _e57, clamp((amount - float(_e72)), 0.0, 1.0), _e78);
+                const float _e79 = hatched(place_7, _e42, _e57, clamp((amount - float(_e72)), 0.0, 1.0), _e78);
                 free = (_e71 * (1.0 - _e79));
             }
         }
     }
     float _e86 = free;
     return (1.0 - _e86);
-}
-
-Marked place_on_surface(float2 place_4, float3 along_1, float3 across_1, float3 normal_2, float3 view_2, float magnification, float angle_1)
-{
-    const float3 _e11 = normalize_or(normal_2, float3(0.0, 0.0, 1.0));
-    const float3 _e16 = normalize_or(view_2, float3(0.0, 0.0, 1.0));
-    const float _e17 = bounded(magnification);
-    float height = (1.0 / clamp(_e17, 1e-15, 1000000000000000.0));
-    const float3 _e23 = gradient_on_picture(along_1, _e11, _e16);
-    const float3 _e25 = bounded_vec3_((_e23 * height));
-    const float3 _e26 = gradient_on_picture(across_1, _e11, _e16);
-    const float3 _e28 = bounded_vec3_((_e26 * height));
-    const float2 _e29 = bounded_vec2_(place_4);
-    const Marked _e30 = mark_place_of(_e29, _e25, _e28, angle_1);
-    const Marked marked_1 = _e30;
-    return marked_1;
-}
-
-Marked place_across(float3 axis, float3 position, float3x3 world_from_normal, float3 normal_3, float3 view_3, float magnification_1, float angle_2)
-{
-    const float3x3 _e11 = axes_around(axis, float3(0.0, 1.0, 0.0));
-    const float3 _e12 = bounded_vec3_(position);
-    float2 place_7 = float2(dot(_e12, _e11[0]), dot(_e12, _e11[2]));
-    const float3 _e20 = bounded_vec3_(mul(_e11[0], world_from_normal));
-    const float3 _e23 = bounded_vec3_(mul(_e11[2], world_from_normal));
-    const Marked _e24 = place_on_surface(place_7, _e20, _e23, normal_3, view_3, magnification_1, angle_2);
-    const Marked marked_2 = _e24;
-    return marked_2;
 }
 
 Strokes ConstructStrokes(float arg0, float arg1, float arg2, float arg3, float arg4, float arg5, uint arg6) {

@@ -563,8 +563,48 @@ metal::float3 gradient_on_picture(
     return g - (normal_1 * (metal::dot(g, view_1) / ((facing_1 >= 0.0) ? metal::max(facing_1, 0.125) : metal::min(facing_1, -0.125))));
 }
 
-Spaced spaced(
+Marked place_on_surface(
     metal::float2 place_1,
+    metal::float3 along_1,
+    metal::float3 across_1,
+    metal::float3 normal_2,
+    metal::float3 view_2,
+    float magnification,
+    float angle_1
+) {
+    metal::float3 _e11 = normalize_or(normal_2, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e16 = normalize_or(view_2, metal::float3(0.0, 0.0, 1.0));
+    float _e17 = bounded(magnification);
+    float height = 1.0 / metal::clamp(_e17, 0.000000000000001, 1000000000000000.0);
+    metal::float3 _e23 = gradient_on_picture(along_1, _e11, _e16);
+    metal::float3 _e25 = bounded_vec3_(_e23 * height);
+    metal::float3 _e26 = gradient_on_picture(across_1, _e11, _e16);
+    metal::float3 _e28 = bounded_vec3_(_e26 * height);
+    metal::float2 _e29 = bounded_vec2_(place_1);
+    Marked _e30 = mark_place_of(_e29, _e25, _e28, angle_1);
+    return _e30;
+}
+
+Marked place_across(
+    metal::float3 axis,
+    metal::float3 position,
+    metal::float3x3 world_from_normal,
+    metal::float3 normal_3,
+    metal::float3 view_3,
+    float magnification_1,
+    float angle_2
+) {
+    metal::float3x3 _e11 = axes_around(axis, metal::float3(0.0, 1.0, 0.0));
+    metal::float3 _e12 = bounded_vec3_(position);
+    metal::float2 place_6 = metal::float2(metal::dot(_e12, _e11[0]), metal::dot(_e12, _e11[2]));
+    metal::float3 _e20 = bounded_vec3_(world_from_normal * _e11[0]);
+    metal::float3 _e23 = bounded_vec3_(world_from_normal * _e11[2]);
+    Marked _e24 = place_on_surface(place_6, _e20, _e23, normal_3, view_3, magnification_1, angle_2);
+    return _e24;
+}
+
+Spaced spaced(
+    metal::float2 place_2,
     metal::float3 stretch,
     metal::float2 viewport,
     float count
@@ -573,7 +613,7 @@ Spaced spaced(
     float number = metal::clamp(_e4, 0.0, 100000.0);
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
     float scale_1 = is_pixel ? (number / metal::max(viewport.y, 1.0)) : number;
-    metal::float2 _e19 = bounded_vec2_(place_1);
+    metal::float2 _e19 = bounded_vec2_(place_2);
     metal::float2 _e21 = bounded_vec2_(_e19 * scale_1);
     metal::float2 p_2 = metal::clamp(_e21, metal::float2(-4194304.0), metal::float2(4194304.0));
     metal::float3 _e27 = bounded_vec3_(stretch);
@@ -627,12 +667,12 @@ int naga_neg(int val) {
 }
 
 float stray_at(
-    metal::float2 place_2,
+    metal::float2 place_3,
     int zoom_1,
     uint seed_3
 ) {
     float _e3 = power_of_two(zoom_1);
-    metal::float2 p_3 = place_2 * _e3;
+    metal::float2 p_3 = place_3 * _e3;
     float _e13 = value_noise(metal::float3(0.11 * p_3.x, 0.45 * p_3.y, 0.5), seed_3);
     float _e19 = power_of_two(naga_neg(zoom_1));
     return ((_e13 - 0.5) * 2.0) * _e19;
@@ -666,7 +706,7 @@ metal::int2 line_of(
 }
 
 float hatched(
-    metal::float2 place_3,
+    metal::float2 place_4,
     float w_1,
     float level_1,
     float ink,
@@ -679,10 +719,10 @@ float hatched(
     float _e15 = powered(ink, style_2.pressure);
     float width_1 = style_2.width * _e15;
     float zoom_3 = metal::floor(level_1);
-    float _e20 = stray_at(place_3, naga_f2i32(zoom_3), style_2.seed);
-    float _e25 = stray_at(place_3, as_type<int>(as_type<uint>(naga_f2i32(zoom_3)) + as_type<uint>(1)), style_2.seed);
+    float _e20 = stray_at(place_4, naga_f2i32(zoom_3), style_2.seed);
+    float _e25 = stray_at(place_4, as_type<int>(as_type<uint>(naga_f2i32(zoom_3)) + as_type<uint>(1)), style_2.seed);
     float stray = metal::mix(_e20, _e25, level_1 - zoom_3);
-    float across_2 = place_3.y + (style_2.wobble * stray);
+    float across_2 = place_4.y + (style_2.wobble * stray);
     float _e35 = log_stable(metal::max(_e12, 0.000000001));
     float density = metal::clamp(level_1 + (LOG2_E * _e35), -40.0, 17.0);
     float octave_1 = metal::floor(density);
@@ -695,9 +735,9 @@ float hatched(
     float footprint = w_1 * _e47;
     int whole_2 = naga_f2i32(metal::rint(q));
     metal::int2 _e61 = line_of(whole_2, naga_f2i32(octave_1));
-    Stroke _e63 = stroke_between(_e61, place_3.x, level_1, style_2);
+    Stroke _e63 = stroke_between(_e61, place_4.x, level_1, style_2);
     float middle = metal::floor(q);
-    Stroke _e75 = stroke_between(metal::int2(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(naga_f2i32(middle)))) + as_type<uint>(1)), as_type<int>(as_type<uint>(naga_f2i32(octave_1)) + as_type<uint>(1))), place_3.x, level_1, style_2);
+    Stroke _e75 = stroke_between(metal::int2(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(naga_f2i32(middle)))) + as_type<uint>(1)), as_type<int>(as_type<uint>(naga_f2i32(octave_1)) + as_type<uint>(1))), place_4.x, level_1, style_2);
     float late = 0.75 * style_2.variation;
     float grown = metal::clamp((growth - (late * _e75.turn)) / (1.0 - late), 0.0, 1.0);
     float _e92 = band_filtered(q - static_cast<float>(whole_2), half_1 * _e63.profile, footprint);
@@ -747,60 +787,20 @@ float cross_hatched(
                 float _e42 = bounded(metal::length(metal::float2(metal::dot(across_3, x_14), metal::dot(across_3, y))));
                 metal::float3 s_2 = at.stretch;
                 float _e57 = octave_of(metal::dot(metal::float3(across_3.x * across_3.x, (2.0 * across_3.x) * across_3.y, across_3.y * across_3.y), s_2));
-                metal::float2 place_6 = metal::float2(metal::dot(along_3, at.place), metal::dot(across_3, at.place));
+                metal::float2 place_7 = metal::float2(metal::dot(along_3, at.place), metal::dot(across_3, at.place));
                 own = style_3;
                 int _e67 = i_1;
                 own.seed = style_3.seed + (101u * static_cast<uint>(_e67));
                 float _e71 = free;
                 int _e72 = i_1;
                 Strokes _e78 = own;
-                float _e79 = hatched(place_6, _e42, _e57, metal::clamp(amount - static_cast<float>(_e72), 0.0, 1.0), _e78);
+                float _e79 = hatched(place_7, _e42, _e57, metal::clamp(amount - static_cast<float>(_e72), 0.0, 1.0), _e78);
                 free = _e71 * (1.0 - _e79);
             }
         }
     }
     float _e86 = free;
     return 1.0 - _e86;
-}
-
-Marked place_on_surface(
-    metal::float2 place_4,
-    metal::float3 along_1,
-    metal::float3 across_1,
-    metal::float3 normal_2,
-    metal::float3 view_2,
-    float magnification,
-    float angle_1
-) {
-    metal::float3 _e11 = normalize_or(normal_2, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 _e16 = normalize_or(view_2, metal::float3(0.0, 0.0, 1.0));
-    float _e17 = bounded(magnification);
-    float height = 1.0 / metal::clamp(_e17, 0.000000000000001, 1000000000000000.0);
-    metal::float3 _e23 = gradient_on_picture(along_1, _e11, _e16);
-    metal::float3 _e25 = bounded_vec3_(_e23 * height);
-    metal::float3 _e26 = gradient_on_picture(across_1, _e11, _e16);
-    metal::float3 _e28 = bounded_vec3_(_e26 * height);
-    metal::float2 _e29 = bounded_vec2_(place_4);
-    Marked _e30 = mark_place_of(_e29, _e25, _e28, angle_1);
-    return _e30;
-}
-
-Marked place_across(
-    metal::float3 axis,
-    metal::float3 position,
-    metal::float3x3 world_from_normal,
-    metal::float3 normal_3,
-    metal::float3 view_3,
-    float magnification_1,
-    float angle_2
-) {
-    metal::float3x3 _e11 = axes_around(axis, metal::float3(0.0, 1.0, 0.0));
-    metal::float3 _e12 = bounded_vec3_(position);
-    metal::float2 place_7 = metal::float2(metal::dot(_e12, _e11[0]), metal::dot(_e12, _e11[2]));
-    metal::float3 _e20 = bounded_vec3_(world_from_normal * _e11[0]);
-    metal::float3 _e23 = bounded_vec3_(world_from_normal * _e11[2]);
-    Marked _e24 = place_on_surface(place_7, _e20, _e23, normal_3, view_3, magnification_1, angle_2);
-    return _e24;
 }
 
 float hatching(

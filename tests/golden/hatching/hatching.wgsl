@@ -371,6 +371,42 @@ fn gradient_on_picture(g: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     return g - normal * (dot(g, view) / select(min(facing, -0.125), max(facing, 0.125), facing >= 0.0));
 }
 
+/// A place across an axis of the object.
+fn place_across(
+    axis: vec3f,
+    position: vec3f,
+    world_from_normal: mat3x3f,
+    normal: vec3f,
+    view: vec3f,
+    magnification: f32,
+    angle: f32,
+) -> Marked {
+    let axes = axes_around(axis, vec3f(0.0, 1.0, 0.0));
+    let p = bounded_vec3(position);
+    let place = vec2f(dot(p, axes[0]), dot(p, axes[2]));
+    let along = bounded_vec3(world_from_normal * axes[0]);
+    let across = bounded_vec3(world_from_normal * axes[2]);
+    return place_on_surface(place, along, across, normal, view, magnification, angle);
+}
+
+/// A place whose coordinates have these gradients in world space.
+fn place_on_surface(
+    place: vec2f,
+    along: vec3f,
+    across: vec3f,
+    normal: vec3f,
+    view: vec3f,
+    magnification: f32,
+    angle: f32,
+) -> Marked {
+    let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
+    let v = normalize_or(view, vec3f(0.0, 0.0, 1.0));
+    let height = 1.0 / clamp(bounded(magnification), 1e-15, 1e15);
+    let x = bounded_vec3(gradient_on_picture(along, n, v) * height);
+    let y = bounded_vec3(gradient_on_picture(across, n, v) * height);
+    return mark_place_of(bounded_vec2(place), x, y, angle);
+}
+
 /// A place in spacings of marks: as many to the picture's height as `count` where it is not stretched.
 struct Spaced {
     place: vec2f,
@@ -519,42 +555,6 @@ fn cross_hatched(at: Spaced, ink: f32, layers: i32, cross: f32, style: Strokes) 
         }
     }
     return 1.0 - free;
-}
-
-/// A place across an axis of the object.
-fn place_across(
-    axis: vec3f,
-    position: vec3f,
-    world_from_normal: mat3x3f,
-    normal: vec3f,
-    view: vec3f,
-    magnification: f32,
-    angle: f32,
-) -> Marked {
-    let axes = axes_around(axis, vec3f(0.0, 1.0, 0.0));
-    let p = bounded_vec3(position);
-    let place = vec2f(dot(p, axes[0]), dot(p, axes[2]));
-    let along = bounded_vec3(world_from_normal * axes[0]);
-    let across = bounded_vec3(world_from_normal * axes[2]);
-    return place_on_surface(place, along, across, normal, view, magnification, angle);
-}
-
-/// A place whose coordinates have these gradients in world space.
-fn place_on_surface(
-    place: vec2f,
-    along: vec3f,
-    across: vec3f,
-    normal: vec3f,
-    view: vec3f,
-    magnification: f32,
-    angle: f32,
-) -> Marked {
-    let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
-    let v = normalize_or(view, vec3f(0.0, 0.0, 1.0));
-    let height = 1.0 / clamp(bounded(magnification), 1e-15, 1e15);
-    let x = bounded_vec3(gradient_on_picture(along, n, v) * height);
-    let y = bounded_vec3(gradient_on_picture(across, n, v) * height);
-    return mark_place_of(bounded_vec2(place), x, y, angle);
 }
 
 /// Hatching

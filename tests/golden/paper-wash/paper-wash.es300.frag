@@ -595,14 +595,6 @@ vec2 place_in_picture(vec2 pixel, vec2 viewport) {
     return (vec2(from_middle.x, -(from_middle.y)) / vec2(max(viewport.y, 1.0)));
 }
 
-float caught_ink(float ink, float height, float tooth) {
-    float _e3 = bounded(ink);
-    float amount = clamp(_e3, 0.0, 1.0);
-    float _e7 = bounded(tooth);
-    float rough = clamp(_e7, 0.0, 1.0);
-    return clamp((amount + ((((8.0 * rough) * (height - 0.5)) * amount) * (1.0 - amount))), 0.0, 1.0);
-}
-
 Marked mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
     vec2 _e4 = sin_cos_of(angle);
     vec3 _e10 = bounded_vec3_(((_e4.y * along) + (_e4.x * across)));
@@ -630,6 +622,24 @@ Spaced spaced(vec2 place_1, vec3 stretch, vec2 viewport_1, float count_4) {
 float octave_of(float square) {
     float _e5 = log_stable(clamp(square, 1e-30, 1e30));
     return clamp((-0.7213475 * _e5), -16.0, 16.0);
+}
+
+MarkPlace mark_place_object(float angle_1, vec3 anchor, vec2 pixel_1, vec2 viewport_2) {
+    float _e5 = bounded(anchor.z);
+    float size = clamp(_e5, 1e-6, 1000000.0);
+    vec2 _e9 = place_in_picture(pixel_1, viewport_2);
+    vec2 _e15 = bounded_vec2_((_e9 - vec2(anchor.x, -(anchor.y))));
+    vec2 place_5 = (_e15 / vec2(size));
+    Marked _e28 = mark_place_of(place_5, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle_1);
+    return MarkPlace(_e28.place, _e28.stretch);
+}
+
+float caught_ink(float ink, float height, float tooth) {
+    float _e3 = bounded(ink);
+    float amount = clamp(_e3, 0.0, 1.0);
+    float _e7 = bounded(tooth);
+    float rough = clamp(_e7, 0.0, 1.0);
+    return clamp((amount + ((((8.0 * rough) * (height - 0.5)) * amount) * (1.0 - amount))), 0.0, 1.0);
 }
 
 float paper_octave(vec2 place_2, int zoom, float w_5, float fiber, uint seed_3) {
@@ -668,16 +678,6 @@ float paper_height(Spaced at_1, float fiber_1, uint seed_4) {
     }
     float _e62 = height_1;
     return _e62;
-}
-
-MarkPlace mark_place_object(float angle_1, vec3 anchor, vec2 pixel_1, vec2 viewport_2) {
-    float _e5 = bounded(anchor.z);
-    float size = clamp(_e5, 1e-6, 1000000.0);
-    vec2 _e9 = place_in_picture(pixel_1, viewport_2);
-    vec2 _e15 = bounded_vec2_((_e9 - vec2(anchor.x, -(anchor.y))));
-    vec2 place_5 = (_e15 / vec2(size));
-    Marked _e28 = mark_place_of(place_5, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle_1);
-    return MarkPlace(_e28.place, _e28.stretch);
 }
 
 PaperGrain paper_grain(float value_3, vec2 place_3, vec3 stretch_1, float count_5, float tooth_1, float fiber_2, int seed_5, vec2 viewport_3) {

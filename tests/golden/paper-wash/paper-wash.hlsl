@@ -727,15 +727,6 @@ float2 place_in_picture(float2 pixel, float2 viewport)
     return (float2(from_middle.x, -(from_middle.y)) / (max(viewport.y, 1.0)).xx);
 }
 
-float caught_ink(float ink, float height, float tooth)
-{
-    const float _e3 = bounded(ink);
-    float amount = clamp(_e3, 0.0, 1.0);
-    const float _e7 = bounded(tooth);
-    float rough = clamp(_e7, 0.0, 1.0);
-    return clamp((amount + ((((8.0 * rough) * (height - 0.5)) * amount) * (1.0 - amount))), 0.0, 1.0);
-}
-
 Marked ConstructMarked(float2 arg0, float3 arg1) {
     Marked ret = (Marked)0;
     ret.place = arg0;
@@ -784,6 +775,34 @@ float octave_of(float square)
     return clamp((-0.7213475 * _e5), -16.0, 16.0);
 }
 
+MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
+    MarkPlace ret = (MarkPlace)0;
+    ret.place = arg0;
+    ret.stretch = arg1;
+    return ret;
+}
+
+MarkPlace mark_place_object(float angle_1, float3 anchor, float2 pixel_1, float2 viewport_2)
+{
+    const float _e5 = bounded(anchor.z);
+    float size = clamp(_e5, 1e-6, 1000000.0);
+    const float2 _e9 = place_in_picture(pixel_1, viewport_2);
+    const float2 _e15 = bounded_vec2_((_e9 - float2(anchor.x, -(anchor.y))));
+    float2 place_5 = (_e15 / (size).xx);
+    const Marked _e28 = mark_place_of(place_5, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle_1);
+    const MarkPlace markplace = ConstructMarkPlace(_e28.place, _e28.stretch);
+    return markplace;
+}
+
+float caught_ink(float ink, float height, float tooth)
+{
+    const float _e3 = bounded(ink);
+    float amount = clamp(_e3, 0.0, 1.0);
+    const float _e7 = bounded(tooth);
+    float rough = clamp(_e7, 0.0, 1.0);
+    return clamp((amount + ((((8.0 * rough) * (height - 0.5)) * amount) * (1.0 - amount))), 0.0, 1.0);
+}
+
 float paper_octave(float2 place_2, int zoom, float w_5, float fiber, uint seed_3)
 {
     const float _e5 = power_of_two(zoom);
@@ -827,25 +846,6 @@ float paper_height(Spaced at_1, float fiber_1, uint seed_4)
     }
     float _e62 = height_1;
     return _e62;
-}
-
-MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
-    MarkPlace ret = (MarkPlace)0;
-    ret.place = arg0;
-    ret.stretch = arg1;
-    return ret;
-}
-
-MarkPlace mark_place_object(float angle_1, float3 anchor, float2 pixel_1, float2 viewport_2)
-{
-    const float _e5 = bounded(anchor.z);
-    float size = clamp(_e5, 1e-6, 1000000.0);
-    const float2 _e9 = place_in_picture(pixel_1, viewport_2);
-    const float2 _e15 = bounded_vec2_((_e9 - float2(anchor.x, -(anchor.y))));
-    float2 place_5 = (_e15 / (size).xx);
-    const Marked _e28 = mark_place_of(place_5, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle_1);
-    const MarkPlace markplace = ConstructMarkPlace(_e28.place, _e28.stretch);
-    return markplace;
 }
 
 PaperGrain ConstructPaperGrain(float arg0, float arg1) {

@@ -770,18 +770,6 @@ metal::float2 place_in_picture(
     return metal::float2(from_middle.x, -(from_middle.y)) / metal::float2(metal::max(viewport.y, 1.0));
 }
 
-float caught_ink(
-    float ink,
-    float height,
-    float tooth
-) {
-    float _e3 = bounded(ink);
-    float amount = metal::clamp(_e3, 0.0, 1.0);
-    float _e7 = bounded(tooth);
-    float rough = metal::clamp(_e7, 0.0, 1.0);
-    return metal::clamp(amount + ((((8.0 * rough) * (height - 0.5)) * amount) * (1.0 - amount)), 0.0, 1.0);
-}
-
 Marked mark_place_of(
     metal::float2 place,
     metal::float3 along,
@@ -821,6 +809,33 @@ float octave_of(
 ) {
     float _e5 = log_stable(metal::clamp(square, 0.000000000000000000000000000001, 1000000000000000000000000000000.0));
     return metal::clamp(-0.7213475 * _e5, -16.0, 16.0);
+}
+
+MarkPlace mark_place_object(
+    float angle_1,
+    metal::float3 anchor,
+    metal::float2 pixel_1,
+    metal::float2 viewport_2
+) {
+    float _e5 = bounded(anchor.z);
+    float size = metal::clamp(_e5, 0.000001, 1000000.0);
+    metal::float2 _e9 = place_in_picture(pixel_1, viewport_2);
+    metal::float2 _e15 = bounded_vec2_(_e9 - metal::float2(anchor.x, -(anchor.y)));
+    metal::float2 place_5 = _e15 / metal::float2(size);
+    Marked _e28 = mark_place_of(place_5, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle_1);
+    return MarkPlace {_e28.place, {}, _e28.stretch};
+}
+
+float caught_ink(
+    float ink,
+    float height,
+    float tooth
+) {
+    float _e3 = bounded(ink);
+    float amount = metal::clamp(_e3, 0.0, 1.0);
+    float _e7 = bounded(tooth);
+    float rough = metal::clamp(_e7, 0.0, 1.0);
+    return metal::clamp(amount + ((((8.0 * rough) * (height - 0.5)) * amount) * (1.0 - amount)), 0.0, 1.0);
 }
 
 float paper_octave(
@@ -873,21 +888,6 @@ float paper_height(
     }
     float _e62 = height_1;
     return _e62;
-}
-
-MarkPlace mark_place_object(
-    float angle_1,
-    metal::float3 anchor,
-    metal::float2 pixel_1,
-    metal::float2 viewport_2
-) {
-    float _e5 = bounded(anchor.z);
-    float size = metal::clamp(_e5, 0.000001, 1000000.0);
-    metal::float2 _e9 = place_in_picture(pixel_1, viewport_2);
-    metal::float2 _e15 = bounded_vec2_(_e9 - metal::float2(anchor.x, -(anchor.y)));
-    metal::float2 place_5 = _e15 / metal::float2(size);
-    Marked _e28 = mark_place_of(place_5, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle_1);
-    return MarkPlace {_e28.place, {}, _e28.stretch};
 }
 
 PaperGrain paper_grain(

@@ -451,14 +451,6 @@ fn place_in_picture(pixel: vec2f, viewport: vec2f) -> vec2f {
     return vec2f(from_middle.x, -from_middle.y) / max(viewport.y, 1.0);
 }
 
-/// How much ink the tooth of paper takes: it catches more on its heights and less in its hollows, most at middle tones, and
-/// nothing is caught of no ink (Kalnins et al. 2002). `height` is from 0 to 1, `tooth` from 0 (smooth paper) to 1.
-fn caught_ink(ink: f32, height: f32, tooth: f32) -> f32 {
-    let amount = clamp(bounded(ink), 0.0, 1.0);
-    let rough = clamp(bounded(tooth), 0.0, 1.0);
-    return clamp(amount + 8.0 * rough * (height - 0.5) * amount * (1.0 - amount), 0.0, 1.0);
-}
-
 /// A place for marks.
 struct Marked {
     /// Along the strokes, and across them.
@@ -500,6 +492,28 @@ fn octave_of(square: f32) -> f32 {
     return clamp(-0.5 * LOG2_E * log_stable(clamp(square, 1e-30, 1e30)), -16.0, 16.0);
 }
 
+fn mark_place_object(angle: f32, anchor: vec3f, pixel: vec2f, viewport: vec2f) -> MarkPlace {
+    let size = clamp(bounded(anchor.z), 1e-6, 1e6);
+    let place = bounded_vec2(place_in_picture(pixel, viewport) - vec2f(anchor.x, -anchor.y)) / size;
+    let m = mark_place_of(place, vec3f(1.0 / size, 0.0, 0.0), vec3f(0.0, 1.0 / size, 0.0), angle);
+    return MarkPlace(m.place, m.stretch);
+}
+
+struct MarkPlace {
+    /// Along the strokes, and across them.
+    place: vec2f,
+    /// How fast both change along the picture: products xx, xy and yy, per picture height.
+    stretch: vec3f,
+}
+
+/// How much ink the tooth of paper takes: it catches more on its heights and less in its hollows, most at middle tones, and
+/// nothing is caught of no ink (Kalnins et al. 2002). `height` is from 0 to 1, `tooth` from 0 (smooth paper) to 1.
+fn caught_ink(ink: f32, height: f32, tooth: f32) -> f32 {
+    let amount = clamp(bounded(ink), 0.0, 1.0);
+    let rough = clamp(bounded(tooth), 0.0, 1.0);
+    return clamp(amount + 8.0 * rough * (height - 0.5) * amount * (1.0 - amount), 0.0, 1.0);
+}
+
 /// The height of paper, from 0 to 1 and 1/2 on average. Where an octave fades into the next, both are seen.
 fn paper_height(at: Spaced, fiber: f32, seed: u32) -> f32 {
     let x = dpdx(at.place);
@@ -530,20 +544,6 @@ fn paper_octave(place: vec2f, zoom: i32, w: f32, fiber: f32, seed: u32) -> f32 {
     let coarse_seen = 1.0 - eased(w * scale, 0.5, 1.0);
     let felt_seen = 1.0 - eased(2.7 * w * scale, 0.5, 1.0);
     return clamp(0.5 + 1.4 * (coarse_seen * grain + fiber * felt_seen * felt), 0.0, 1.0);
-}
-
-fn mark_place_object(angle: f32, anchor: vec3f, pixel: vec2f, viewport: vec2f) -> MarkPlace {
-    let size = clamp(bounded(anchor.z), 1e-6, 1e6);
-    let place = bounded_vec2(place_in_picture(pixel, viewport) - vec2f(anchor.x, -anchor.y)) / size;
-    let m = mark_place_of(place, vec3f(1.0 / size, 0.0, 0.0), vec3f(0.0, 1.0 / size, 0.0), angle);
-    return MarkPlace(m.place, m.stretch);
-}
-
-struct MarkPlace {
-    /// Along the strokes, and across them.
-    place: vec2f,
-    /// How fast both change along the picture: products xx, xy and yy, per picture height.
-    stretch: vec3f,
 }
 
 /// Paper grain
