@@ -27,6 +27,10 @@ SAMPLES.json is a list of objects; every field may be left out:
   camera        three rows: right, up, toward the viewer
   uv, time, color (vertex colour)
   kappa         a number; also "inf", "-inf", "nan"
+  pixel         the place in the picture from its upper left corner, in picture heights
+  anchor        where the object's origin is seen from the picture's middle (x right, y down), and how
+                large a unit of the scene is there, in picture heights
+  magnification how large a unit of the scene is seen here, in picture heights
   frame         the illumination frame's rotation: a 3x3 matrix (rows) or a quaternion [x, y, z, w]
   lights        {"key": {"direction": [..] or "position": [..], "color": [..], "intensity": 1}},
                 in the light's own frame; the direction is toward the light

@@ -15,8 +15,22 @@ use crate::ids::PortName;
 /// As many problems as are told; a script that writes one mistake ten thousand times is told it often enough.
 const MAX_PROBLEMS: usize = 50;
 
-const FIELDS: [&str; 13] = [
-    "normal", "tangent", "mirrored", "view", "position", "camera", "uv", "kappa", "color", "time", "frame", "lights",
+const FIELDS: [&str; 16] = [
+    "normal",
+    "tangent",
+    "mirrored",
+    "view",
+    "position",
+    "camera",
+    "uv",
+    "kappa",
+    "pixel",
+    "anchor",
+    "magnification",
+    "color",
+    "time",
+    "frame",
+    "lights",
     "values",
 ];
 const LIGHT_FIELDS: [&str; 4] = ["direction", "position", "color", "intensity"];
@@ -128,6 +142,15 @@ impl Reader<'_> {
         }
         if let Some(kappa) = at("kappa").and_then(|(json, path)| self.kappa(json, &path)) {
             sample.kappa = kappa;
+        }
+        if let Some([x, y]) = at("pixel").and_then(|(json, path)| self.numbers(json, &path, "[0.5, 0.5]")) {
+            sample.pixel = DVec2::new(x, y);
+        }
+        if let Some(anchor) = at("anchor").and_then(|(json, path)| self.vector(json, &path)) {
+            sample.anchor = anchor;
+        }
+        if let Some(size) = at("magnification").and_then(|(json, path)| self.number(json, &path)) {
+            sample.magnification = size;
         }
         if let Some(color) = at("color").and_then(|(json, path)| self.color(json, &path)) {
             sample.vertex_color = color;

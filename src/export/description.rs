@@ -210,6 +210,9 @@ fn meaningful(member: &Member, feed: &Feed) -> MeaningfulMember {
         (Feed::View, "eye") => {
             "the eye in world space and 1; for parallel projection the direction toward the viewer and 0"
         }
+        (Feed::View, "screen") => {
+            "1, 1, 0, 0 where the API's `first_row` is top; 1, -1, 0 and the picture's height in pixels where it is bottom"
+        }
         (Feed::Object, "world_from_object") => "model matrix",
         (Feed::Object, "world_from_normal") => "inverse transpose of the model matrix's upper left 3x3, for normals",
         (Feed::Object, "id") => "counts objects from 0",

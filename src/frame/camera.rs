@@ -104,6 +104,8 @@ impl View {
         let mut numbers = self.clip_from_world.to_cols_array().to_vec();
         numbers.extend(self.camera_from_world.to_cols_array());
         numbers.extend(eye.to_array());
+        // Rows are counted from the top, as pixels are.
+        numbers.extend([1.0, 1.0, 0.0, 0.0]);
         numbers
     }
 }

@@ -53,6 +53,13 @@ pub struct EvalSample {
     pub uv: DVec2,
     /// Curvature in 1/viewport-height, convex positive.
     pub kappa: f64,
+    /// The place in the picture from its upper left corner, y down. A sample's picture is one pixel high.
+    pub pixel: DVec2,
+    /// Where the object's origin is seen from the picture's middle, y down, and how large a unit of the scene is there; in
+    /// picture heights.
+    pub anchor: DVec3,
+    /// How large a unit of the scene is seen here, in picture heights.
+    pub magnification: f64,
     /// Straight RGBA of the vertices.
     pub vertex_color: [f64; 4],
     /// Seconds.
@@ -76,6 +83,9 @@ impl Default for EvalSample {
             camera: DMat3::IDENTITY,
             uv: DVec2::ZERO,
             kappa: 0.0,
+            pixel: DVec2::ZERO,
+            anchor: DVec3::Z,
+            magnification: 1.0,
             vertex_color: [1.0; 4],
             time: 0.0,
             frame: DQuat::IDENTITY,
@@ -362,6 +372,10 @@ impl<'a> SurfaceValues<'a> {
                 let bitangent = self.normal.cross(self.tangent);
                 vec3(if self.sample.is_mirrored { -bitangent } else { bitangent })
             }
+            Context::Pixel => interp::Value::vec(&sample.pixel.to_array()),
+            Context::Anchor => vec3(sample.anchor),
+            Context::Magnification => interp::Value::Float(sample.magnification),
+            Context::WorldFromNormal => interp::Value::matrix(&DMat3::IDENTITY.to_cols_array_2d()),
             Context::Depth => interp::Value::Float(-(sample.camera * sample.position).z),
             curvature if curvature.is_curvature() => interp::Value::Float(sample.kappa),
             // Known before the fragment, and so computed by the host program.

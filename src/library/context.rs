@@ -62,6 +62,15 @@ pub enum Context {
     Frame,
     /// Width and height in pixels.
     Viewport,
+    /// The pixel's place from the picture's upper left corner: x to the right, y down, in pixels; centres lie at halves.
+    Pixel,
+    /// Where the object's origin is seen from the picture's middle, x to the right and y down, and how large a unit of
+    /// the scene is seen there; in picture heights.
+    Anchor,
+    /// How large a unit of the scene is seen at this distance, in picture heights.
+    Magnification,
+    /// Turns normals and gradients of the object's own space into world space.
+    WorldFromNormal,
     /// A field of the light that the node names.
     Light(LightField),
 }
@@ -179,6 +188,35 @@ const TABLE: &[Row] = &[
     (Context::Time, "time", "f32", Rate::Frame, "seconds"),
     (Context::Frame, "frame", "f32", Rate::Frame, "frames since the start of the time range"),
     (Context::Viewport, "viewport", "vec2f", Rate::Frame, "width and height in pixels"),
+    (
+        Context::Pixel,
+        "pixel",
+        "vec2f",
+        Rate::Fragment,
+        "the pixel's place from the picture's upper left corner, x to the right and y down, in pixels; centres lie at halves",
+    ),
+    (
+        Context::Anchor,
+        "anchor",
+        "vec3f",
+        Rate::Fragment,
+        "where the object's origin is seen from the picture's middle, x to the right and y down, and how large a unit of \
+         the scene is seen there; in picture heights",
+    ),
+    (
+        Context::Magnification,
+        "magnification",
+        "f32",
+        Rate::Fragment,
+        "how large a unit of the scene is seen at this distance, in picture heights",
+    ),
+    (
+        Context::WorldFromNormal,
+        "world_from_normal",
+        "mat3x3f",
+        Rate::Fragment,
+        "turns normals and gradients of the object's own space into world space",
+    ),
     (
         Context::Light(LightField::Direction),
         "light.direction",

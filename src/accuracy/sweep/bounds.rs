@@ -174,6 +174,14 @@ pub const EXCEPTIONS: &[Exception] = &[
     on("square_direction", "").within(1e3).bound(2e-5).steep(POWER),
     on("star_angle", "").within(1e3).bound(5e-4).steep("64 rays turn 64 times as fast, and notches multiply by 100"),
     on("polar_place", "").steep(POLAR),
+    on("screen_place", "").within(1e15).because("far beyond any picture its middle is rounded away"),
+    on("mark_place", "").within(1e3).bound(1e-4).steep(FRAME),
+    on("halftone", "").within(100.0).together().bound(1e-4).steps(SCREEN),
+    on("dither", "").within(1e3).together().bound(1e-4).steps(SCREEN),
+    on("paper_grain", "").within(8.0).together().bound(1e-3).steep(CELLS_OF_MARKS),
+    on("hatching", "").within(8.0).together().bound(1e-3).steps(CELLS_OF_MARKS),
+    on("stippling", "").within(8.0).together().bound(1e-3).steps(CELLS_OF_MARKS),
+    on("brush_strokes", "").within(8.0).together().bound(1e-2).steps(CELLS_OF_MARKS),
     on("tone_map", "linear").together().bound(1e-2).steep(FILTER),
     on("tone_map", "nearest").together().steps("between texels rounding decides"),
     on("hsv_adjust", "").within(1e3).of_inputs().steep(COLOR),
@@ -194,6 +202,9 @@ const STEPS: &str = "a step: rounding of the input decides on which side it is";
 const CELLS: &str =
     "from cell to cell another place is seen; what B counts beside A is nothing where C is all there is";
 const PLACES: &str = "near the normal rounding turns directions, at the horizon it decides whether there is light";
+const SCREEN: &str = "at the edge of a dot or of a pixel rounding decides";
+const CELLS_OF_MARKS: &str =
+    "as many as 1000 marks to the height are finer than the place's last digits, and have hard edges";
 const POLAR: &str = "in the middle there is no around, and rounding decides";
 const FILTER: &str = "a GPU weighs texels by 8 bits";
 const COLOR: &str = "far beyond any colour, what is left of a small difference is rounding's";

@@ -398,7 +398,13 @@ impl Builder<'_> {
                     self.slot("kappa", Place::Kappa, Kind::Kappa, 1, MOST);
                 }
                 Context::Time | Context::Frame => self.slot("time", Place::Time, clock, 1, MOST_LIGHT),
-                Context::ObjectId | Context::Viewport | Context::Light(_) => {}
+                Context::Pixel => self.slot("pixel", Place::Pixel, number, 2, MOST_PLACE),
+                Context::Anchor => self.slot("anchor", Place::Anchor, number, 3, MOST_PLACE),
+                Context::Magnification => {
+                    let number = Kind::Number { min: Some(0.0), max: Some(4.0), is_angle: false };
+                    self.slot("magnification", Place::Magnification, number, 1, MOST_PLACE);
+                }
+                Context::ObjectId | Context::Viewport | Context::WorldFromNormal | Context::Light(_) => {}
             }
         }
     }

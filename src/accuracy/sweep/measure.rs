@@ -485,6 +485,9 @@ pub fn sample(slots: &[Slot], all: &Numbers) -> EvalSample {
             }
             Place::Uv => sample.uv = glam::DVec2::from_slice(numbers),
             Place::Kappa => sample.kappa = numbers[0],
+            Place::Pixel => sample.pixel = glam::DVec2::from_slice(numbers),
+            Place::Anchor => sample.anchor = vec3(numbers),
+            Place::Magnification => sample.magnification = numbers[0],
             Place::VertexColor => sample.vertex_color = [numbers[0], numbers[1], numbers[2], numbers[3]],
             Place::Time => sample.time = numbers[0],
             Place::LightDirection => light.direction = Some(vec3(numbers)),

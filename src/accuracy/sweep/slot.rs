@@ -28,6 +28,12 @@ pub enum Place {
     Uv,
     /// To the curvature.
     Kappa,
+    /// To the place in the picture.
+    Pixel,
+    /// To where the object's origin is seen.
+    Anchor,
+    /// To how large things are seen.
+    Magnification,
     /// To the vertices' colour.
     VertexColor,
     /// To the clock.

@@ -107,7 +107,21 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     eye: vec4f,
 }
+";
 
+/// The same where a look asks for the pixel's place.
+const VIEW_WITH_SCREEN: &str = "\
+struct View {
+    clip_from_world: mat4x4f,
+    camera_from_world: mat4x4f,
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
+    eye: vec4f,
+    /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
+    screen: vec4f,
+}
+";
+
+const OBJECT: &str = "\
 struct Object {
     world_from_object: mat4x4f,
     /// The inverse transpose, for normals.
@@ -134,6 +148,8 @@ impl Emitter<'_> {
             "finite_vec4" => is_mesh,
             "display_from_linear" => self.encodes(),
             "curvature_on_screen" => self.options.stage == Stage::Draw && self.needs.context(Context::KappaFast),
+            "anchor_on_screen" => is_mesh && self.needs.context(Context::Anchor),
+            "size_on_screen" => is_mesh && self.needs.context(Context::Magnification),
             "linear_from_display" => is_mesh && self.graph.color_space == ColorSpace::Linear,
             _ => false,
         }
@@ -142,7 +158,9 @@ impl Emitter<'_> {
     pub(super) fn write_structs(&mut self) {
         let is_eval = self.options.stage == Stage::Eval;
         if !is_eval {
-            self.out.push_str(VIEW);
+            self.out.push_str(if self.needs.context(Context::Pixel) { VIEW_WITH_SCREEN } else { VIEW });
+            self.out.push('\n');
+            self.out.push_str(OBJECT);
             self.out.push('\n');
         }
         if !self.host.members.is_empty() {
@@ -281,7 +299,14 @@ impl Emitter<'_> {
     /// Name, type and value of each varying.
     fn varyings(&self, attributes: &[Attribute]) -> Vec<(&'static str, &'static str, &'static str)> {
         let mut varyings = Vec::new();
-        let position = [Context::Position, Context::PositionCamera, Context::View, Context::Depth, Context::KappaFast];
+        let position = [
+            Context::Position,
+            Context::PositionCamera,
+            Context::View,
+            Context::Depth,
+            Context::KappaFast,
+            Context::Magnification,
+        ];
         if self.options.stage.is_normals() || position.iter().any(|&context| self.needs.context(context)) {
             varyings.push(("position", "vec3f", "world.xyz"));
         }
@@ -427,6 +452,16 @@ fn surface_value(context: Context, stage: Stage) -> &'static str {
         Context::KappaSparse => "textureLoad(curvature_sparse_map, vec2i(in.clip.xy), 0).x",
         Context::KappaDetailSparse => "textureLoad(curvature_detail_sparse_map, vec2i(in.clip.xy), 0).x",
         Context::KappaDetail => "textureLoad(curvature_detail_map, vec2i(in.clip.xy), 0).x",
+        Context::Pixel => "in.clip.xy * view.screen.xy + view.screen.zw",
+        Context::Anchor => {
+            "anchor_on_screen((view.camera_from_world * vec4f(object.world_from_object[3].xyz, 1.0)).xyz, view.eye.w, \
+             length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)))"
+        }
+        Context::Magnification => {
+            "size_on_screen(-(view.camera_from_world * vec4f(in.position, 1.0)).z, view.eye.w, \
+             length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)))"
+        }
+        Context::WorldFromNormal => "object.world_from_normal",
         // Known before the fragment.
         Context::CameraFromWorld
         | Context::ObjectId

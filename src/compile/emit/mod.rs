@@ -235,6 +235,8 @@ impl<'a> Emitter<'a> {
             "display_from_linear",
             "linear_from_display",
             "curvature_on_screen",
+            "anchor_on_screen",
+            "size_on_screen",
         ] {
             if self.frame_uses(name) {
                 self.items.want(&built_in, name);

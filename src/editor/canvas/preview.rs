@@ -151,7 +151,8 @@ fn ball() -> Vec<EvalSample> {
         let normal = glam::DVec3::new(x, y, (1.0 - x * x - y * y).max(0.0).sqrt()).normalize();
         let uv = glam::DVec2::new(0.5 + x / 2.0, 0.5 - y / 2.0);
         // A ball as high as the picture.
-        EvalSample { normal, position: normal, uv, kappa: 2.0, ..EvalSample::default() }
+        let pixel = glam::DVec2::new(uv.x, 1.0 - uv.y);
+        EvalSample { normal, position: normal, uv, kappa: 2.0, pixel, magnification: 0.5, ..EvalSample::default() }
     };
     (0..SIZE * SIZE).map(sample).collect()
 }

@@ -1,0 +1,110 @@
+// Strokes from a picture, laid on one another in an order that is the same everywhere, so that no cell has a seam.
+import chiaro::numeric;
+import chiaro::total;
+import chiaro::noise;
+import chiaro::marks;
+import chiaro::blue_noise;
+import chiaro::convert;
+
+/// How a picture of a stroke is laid.
+struct Brush {
+    /// Length over width.
+    aspect: f32,
+    /// In cells.
+    size: f32,
+    /// From 0 to 1.
+    scatter: f32,
+    /// In radians.
+    turn: f32,
+    seed: u32,
+    /// Whether what is dark is paint, and not what is opaque.
+    is_dark: bool,
+}
+
+fn brush_of(aspect: f32, size: f32, scatter: f32, turn: f32, seed: i32, is_dark: bool) -> Brush {
+    return Brush(
+        clamp(bounded(aspect), 1.0, 16.0),
+        clamp(bounded(size), 0.1, 2.0),
+        clamp(bounded(scatter), 0.0, 1.0),
+        clamp(bounded(turn), 0.0, 6.28318531),
+        bitcast<u32>(seed),
+        is_dark,
+    );
+}
+
+/// Premultiplied paint of a picture laid on a place, of which so much of all strokes are there.
+fn brushed(image: texture_2d<f32>, image_sampler: sampler, at: Spaced, ink: f32, style: Brush) -> vec4f {
+    let dx = dpdx(at.place);
+    let dy = dpdy(at.place);
+    let s = at.stretch;
+    let level = octave_of(sqrt(max(s.x * s.z - s.y * s.y, 0.0)));
+    let zoom = floor(level);
+    let f = level - zoom;
+    // As with dots, the coarser octave goes as the finer one comes.
+    let coarse_cells = exp2_stable(-2.0 * f);
+    let fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
+    var tile = BLUE_TILE;
+    var paint = vec4f(0.0);
+    for (var octave = 0; octave < 2; octave++) {
+        let amount = ink * select(1.0 - f, fine, octave == 1);
+        let scale = power_of_two(i32(zoom) + octave);
+        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0)) / vec2f(style.aspect, 1.0);
+        let corner = vec2i(floor(p));
+        let phase = ((corner % vec2i(3)) + vec2i(3)) % vec2i(3);
+        for (var i = 0; i < 9; i++) {
+            // One of nine cells around is of each kind; kinds lie on one another in the same order everywhere.
+            let cell = corner + (vec2i(i % 3, i / 3) - phase + vec2i(4)) % vec2i(3) - vec2i(1);
+            let turning = cell + vec2i(i32(style.seed & 31u), 7 * (i32(zoom) + octave));
+            let late = 0.96875 * blue_part(tile[blue_index(turning)], turning);
+            let share = clamp((amount - late) * 32.0, 0.0, 1.0);
+            let stroke = brush_stroke(p, cell, i32(zoom) + octave, share, style);
+            if stroke.share > 0.0 {
+                let gx = brush_turned(dx * scale, stroke, style);
+                let gy = brush_turned(dy * scale, stroke, style);
+                let texel = textureSampleGrad(image, image_sampler, stroke.uv, gx, gy);
+                let dark = 1.0 - clamp(luminance(texel), 0.0, 1.0);
+                let cover = stroke.share * texel.w * select(1.0, dark, style.is_dark);
+                paint = vec4f(texel.xyz * cover, cover) + paint * (1.0 - cover);
+            }
+        }
+    }
+    return paint;
+}
+
+/// A stroke as it is seen at a place.
+struct Brushstroke {
+    /// Where in its picture, v down.
+    uv: vec2f,
+    /// How far it is turned: sine and cosine.
+    turn: vec2f,
+    /// 1 or -1: whether it runs backward.
+    way: f32,
+    /// How much of it is there, from 0 to 1.
+    share: f32,
+}
+
+/// The stroke of a cell at a place in cells; `drawn` of it is there.
+fn brush_stroke(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> Brushstroke {
+    let chance = unit_of_hash(lattice_hash(vec3i(cell, zoom), style.seed));
+    let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
+    let turn = sin_cos_of(style.turn * (chance.z - 0.5));
+    let way = select(-1.0, 1.0, unit_of_hash(lattice_hash(vec3i(cell, zoom), style.seed + 1u)).x < 0.5);
+    let stroke = Brushstroke(vec2f(0.5), turn, way, 0.0);
+    let uv = 0.5 + brush_turned(offset * vec2f(style.aspect, 1.0), stroke, style);
+    // The picture's outermost 64th fades, so that no stroke is cut off.
+    let from_edge = min(uv, vec2f(1.0) - uv);
+    let inside = clamp(64.0 * min(from_edge.x, from_edge.y), 0.0, 1.0);
+    // A stroke must not reach beyond the cells around its own.
+    let far = max(abs(offset.x), abs(offset.y)) / (1.0 - 0.5 * style.scatter);
+    let share = drawn * inside * (1.0 - eased(far, 0.85, 1.0));
+    return Brushstroke(uv, turn, way, share);
+}
+
+/// A step on the canvas as one in a stroke's picture.
+fn brush_turned(step: vec2f, stroke: Brushstroke, style: Brush) -> vec2f {
+    let turned = vec2f(
+        stroke.turn.y * step.x + stroke.turn.x * step.y,
+        stroke.turn.y * step.y - stroke.turn.x * step.x,
+    );
+    return turned * vec2f(stroke.way / (style.size * style.aspect), -1.0 / style.size);
+}
