@@ -27,7 +27,7 @@ const FLOORS: &[(&str, &[&str])] = &[
     ("3", &["compile", "directions", "geometry", "hcbtf"]),
     ("3½", &["frame"]),
     ("4", &["export", "reference", "render"]),
-    ("5", &["accuracy"]),
+    ("5", &["accuracy", "fit"]),
     ("6", &["cli", "editor"]),
 ];
 
