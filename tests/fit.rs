@@ -7,7 +7,7 @@ mod support;
 
 use chiaro::clock::Clock;
 use chiaro::document::Look;
-use chiaro::fit::{FitOptions, Fitted, fit_layers};
+use chiaro::fit::{FitOptions, Fitted, Target, fit_layers};
 use chiaro::hcbtf::Progress;
 use chiaro::library::Library;
 
@@ -21,11 +21,10 @@ fn nothing() -> Look {
     Look::read(text, "nothing.json").value.unwrap()
 }
 
-fn from_nothing(hidden: &Hidden) -> Fitted {
-    let target = painted(&hidden.look, hidden.mesh);
+fn from_nothing(hidden: &Hidden, target: &Target) -> Fitted {
     let setup = setup_of(nothing(), hidden.mesh);
     let (options, progress) = (FitOptions::default(), Progress::new());
-    fit_layers(&setup, 0, Library::built_in(), &target, hidden.layers, &options, &progress).unwrap()
+    fit_layers(&setup, 0, Library::built_in(), target, hidden.layers, &options, &progress).unwrap()
 }
 
 /// How far a fitted look may be from the hidden one on the new view.
@@ -40,8 +39,10 @@ fn the_rate_over_fifty_hidden_looks() {
     let mut near = 0;
     for number in first..first + count {
         let hidden = hidden(number);
+        let target = painted(&hidden.look, hidden.mesh);
         let clock = Clock::start();
-        let fitted = from_nothing(&hidden);
+        let fitted = from_nothing(&hidden, &target);
+        let seconds = clock.seconds();
         let difference = difference(&hidden.look, &fitted.look, hidden.mesh);
         near += u64::from(difference < NEAR);
         println!(
@@ -52,7 +53,7 @@ fn the_rate_over_fifty_hidden_looks() {
             255.0 * fitted.report.after,
             255.0 * difference,
             if difference < NEAR { "" } else { "MISSED" },
-            clock.seconds(),
+            seconds,
         );
         if difference >= NEAR {
             hidden.told.iter().for_each(|layer| println!("     hidden {layer}"));

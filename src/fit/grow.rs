@@ -11,12 +11,12 @@ use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
 use super::build::layered;
 use super::choose::{Surface, evenly, pixels_of, telling, thinned, wearing, wishes_of};
 use super::model::Shot;
-use super::report::Report;
+use super::report::{Report, compared_as_is};
 use super::solve::{Found, Until, check, descend};
 use super::stack::{Kind, Layer, Lit, MAX_LAYERS, Mode, Search};
 use super::state::{Shape, even_directions};
 use super::target::{Target, Wish};
-use super::turn::polished;
+use super::turn::{Polished, polished};
 use super::{FitOptions, Fitted};
 use crate::diag::Diagnostic;
 use crate::document::Edit;
@@ -81,9 +81,10 @@ pub fn fit_layers(
     let colors = whole.colors(&whole.taken_over(&stack));
     let built = layered(&setup.looks[look].look.name, &stack, &colors);
     let worn = wearing(&shot, built);
-    let (fitted, _) = polished(&Shot { setup: &worn, ..shot }, &given, options, progress)?;
+    let before = compared_as_is(&shot, &given)?;
+    let Polished { look: fitted, after, .. } = polished(&Shot { setup: &worn, ..shot }, &given, options, progress)?;
     progress.add(1);
-    let report = Report::new(&shot, &fitted, target)?;
+    let report = Report::new(&shot, &fitted, target, &before, &after)?;
     Ok(Fitted { edit: Edit::Replace { look: Box::new(fitted.clone()) }, look: fitted, report })
 }
 

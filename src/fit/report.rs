@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::Keep;
-use super::choose::{pixels_of, thinned, wearing, wishes_of};
+use super::choose::{pixels_of, wearing, wishes_of};
 use super::knobs::{Knob, knobs_of};
 use super::model::{Model, Shot};
 use super::state::Setting;
@@ -57,34 +57,45 @@ pub struct Missed {
     pub error: f64,
 }
 
+/// Every compared pixel with its weight.
+pub(super) type Compared = Vec<(Missed, f64)>;
+
 impl Report {
-    /// Compares the look of `shot` and what became of it with what was painted.
-    pub(super) fn new(shot: &Shot<'_>, fitted: &Look, target: &Target) -> Result<Self, Vec<Diagnostic>> {
-        let given = thinned(target);
-        let worn = wearing(shot, fitted.clone());
-        let (before, after) = (missed(shot, &given)?, missed(&Shot { setup: &worn, ..*shot }, &given)?);
+    /// What became of the look of `shot`, from how far off it was and is.
+    pub(super) fn new(
+        shot: &Shot<'_>,
+        fitted: &Look,
+        target: &Target,
+        before: &Compared,
+        after: &Compared,
+    ) -> Result<Self, Vec<Diagnostic>> {
         let all = Keep::default();
         let old = knobs_of(shot.setup, shot.look, shot.library, &all)?;
-        let new = knobs_of(&worn, shot.look, shot.library, &all)?;
+        let new = knobs_of(&wearing(shot, fitted.clone()), shot.look, shot.library, &all)?;
         let mut worst: Vec<Missed> = after.iter().map(|(missed, _)| *missed).collect();
         worst.sort_by(|a, b| b.error.total_cmp(&a.error));
         worst.truncate(WORST);
         Ok(Self {
             painted: target.wishes.len(),
             compared: after.len(),
-            before: rms(&before),
-            after: rms(&after),
+            before: rms(before),
+            after: rms(after),
             changed: changed(&old, &new),
             worst,
         })
     }
 }
 
-/// Every compared pixel, and its weight.
-fn missed(shot: &Shot<'_>, given: &[Wish]) -> Result<Vec<(Missed, f64)>, Vec<Diagnostic>> {
+/// How far the look of `shot` is off as it is.
+pub(super) fn compared_as_is(shot: &Shot<'_>, given: &[Wish]) -> Result<Compared, Vec<Diagnostic>> {
     let model = Model::new(shot, Vec::new(), &pixels_of(given))?;
     let wishes = wishes_of(&model.pixels, given)?;
-    let colors = model.colors(&model.sheet(&model.all()), &[]).map_err(|one| vec![one])?;
+    compared(&model, &wishes, &[]).map_err(|one| vec![one])
+}
+
+/// How far a model is off at each of its pixels.
+pub(super) fn compared(model: &Model, wishes: &[Wish], state: &[Setting]) -> Result<Compared, Diagnostic> {
+    let colors = model.colors(&model.sheet(&model.all()), state)?;
     let missed = |(wish, shown): (&Wish, [f64; 3])| {
         let squares: f64 = shown.iter().zip(wish.color).map(|(shown, wished)| (shown - wished).powi(2)).sum();
         let missed = Missed { pixel: wish.pixel, wished: wish.color, shown, error: (squares / 3.0).sqrt() };
@@ -93,7 +104,7 @@ fn missed(shot: &Shot<'_>, given: &[Wish]) -> Result<Vec<(Missed, f64)>, Vec<Dia
     Ok(wishes.iter().zip(colors).map(missed).collect())
 }
 
-fn rms(missed: &[(Missed, f64)]) -> f64 {
+fn rms(missed: &Compared) -> f64 {
     let (sum, weight) = missed.iter().fold((0.0, 0.0), |(sum, total), (missed, weight)| {
         (sum + weight * missed.error * missed.error, total + weight)
     });

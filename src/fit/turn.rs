@@ -3,7 +3,7 @@
 use super::choose::{Surface, pixels_of, thinned, wearing, wishes_of};
 use super::knobs::{Knob, knobs_of};
 use super::model::{Model, Painted, Shot};
-use super::report::Report;
+use super::report::{Compared, Report, compared};
 use super::solve::{Found, Until, descend};
 use super::state::Setting;
 use super::target::{Target, Wish};
@@ -44,7 +44,8 @@ pub fn fit_look(
     let given = thinned(target);
     let (model, begin) = model(&shot, &given, options)?;
     let wishes = wishes_of(&model.pixels, &given)?;
-    let missing = missing(&Painted::new(&model, &wishes, &model.all()), &begin).map_err(one)?;
+    let before = compared(&model, &wishes, &begin).map_err(one)?;
+    let missing = missing(&before);
     let painted = Painted::new(&model, &wishes, &model.telling(&missing, QUADS));
     let enough = error_of(&painted.wishes, options.enough);
     let mut found: Vec<Found<Vec<Setting>>> = Vec::new();
@@ -69,14 +70,23 @@ pub fn fit_look(
     let state = best.map_or(begin, |best| best.point);
     let (turned, first) = applied(&model, &state, &setup.looks[look].look).map_err(one)?;
     let worn = wearing(&shot, turned);
-    let (fitted, last) = polished(&Shot { setup: &worn, ..shot }, &given, options, progress)?;
+    let Polished { look: fitted, edits, after } = polished(&Shot { setup: &worn, ..shot }, &given, options, progress)?;
     progress.add(1);
-    let report = Report::new(&shot, &fitted, target)?;
-    let edit = Edit::Group { edits: first.into_iter().chain(last).collect() };
+    let report = Report::new(&shot, &fitted, target, &before, &after)?;
+    let edit = Edit::Group { edits: first.into_iter().chain(edits).collect() };
     Ok(Fitted { edit, look: fitted, report })
 }
 
-/// Turns a look that is near downhill at all painted pixels; gives what it is then, and the edits that make it so.
+/// A look that was turned to where it is nearest.
+pub(super) struct Polished {
+    pub(super) look: Look,
+    /// What makes it of the look before.
+    pub(super) edits: Vec<Edit>,
+    /// How far off it is.
+    pub(super) after: Compared,
+}
+
+/// Turns a look that is near downhill at all painted pixels.
 ///
 /// # Errors
 /// As [`fit_look`].
@@ -85,14 +95,13 @@ pub(super) fn polished(
     given: &[Wish],
     options: &FitOptions,
     progress: &Progress,
-) -> Result<(Look, Vec<Edit>), Vec<Diagnostic>> {
+) -> Result<Polished, Vec<Diagnostic>> {
     let one = |problem| vec![problem];
     let (model, begin) = model(shot, given, options)?;
     let wishes = wishes_of(&model.pixels, given)?;
-    let whole = Painted::new(&model, &wishes, &model.all());
     let (mut best, mut state) = (f64::INFINITY, begin);
     for _ in 0..ROUNDS {
-        let missing = missing(&whole, &state).map_err(one)?;
+        let missing = missing(&compared(&model, &wishes, &state).map_err(one)?);
         let error: f64 = missing.iter().map(|miss| miss * miss).sum();
         // What is painted in eight bits is off by a third of a step; and what no round has mended no other will.
         if error <= error_of(&wishes, 0.4 / 255.0) || error > 0.95 * best {
@@ -103,7 +112,12 @@ pub(super) fn polished(
         let until = Until { steps: 25, error: error_of(&painted.wishes, 0.1 / 255.0) };
         state = descend(&painted, state, until, progress).map_err(one)?.point;
     }
-    applied(&model, &state, &shot.setup.looks[shot.look].look).map_err(one)
+    let (look, edits) = applied(&model, &state, &shot.setup.looks[shot.look].look).map_err(one)?;
+    // As it is written, in numbers that people can read.
+    let written = knobs_of(&wearing(shot, look.clone()), shot.look, shot.library, &options.keep)?;
+    let written: Vec<Setting> = written.into_iter().map(|(_, setting)| setting).collect();
+    let after = compared(&model, &wishes, &written).map_err(one)?;
+    Ok(Polished { look, edits, after })
 }
 
 /// The look at the painted pixels, with where everything stands.
@@ -131,10 +145,9 @@ fn error_of(wishes: &[Wish], enough: f64) -> f64 {
     3.0 * enough * enough * wishes.iter().map(|wish| wish.weight).sum::<f64>()
 }
 
-fn missing(painted: &Painted<'_>, state: &[Setting]) -> Result<Vec<f64>, Diagnostic> {
-    use super::solve::Problem as _;
-    let misses = painted.residuals(&state.to_vec())?;
-    Ok(misses.chunks_exact(3).map(|miss| miss.iter().map(|x| x * x).sum::<f64>().sqrt()).collect())
+/// How far off each pixel is, as much as it counts.
+fn missing(compared: &Compared) -> Vec<f64> {
+    compared.iter().map(|(missed, weight)| (3.0 * weight).sqrt() * missed.error).collect()
 }
 
 /// Where to begin: as it is, then with soft profiles, then also with the lights where most is missing.

@@ -1,6 +1,7 @@
 //! Looks that nobody told of, and how far another is from them on a view that was not painted.
 
 use std::path::PathBuf;
+use std::sync::Mutex;
 
 use chiaro::compile::Live;
 use chiaro::document::Look;
@@ -98,7 +99,10 @@ fn look_of(base: &[f64], layers: &[Value]) -> Look {
 pub(crate) fn setup_of(look: Look, mesh: &str) -> Setup {
     let source = Look::read("{}", "hidden.json").source.into();
     let look = SetupLook { look, source, folder: PathBuf::new() };
-    default_setup(look, mesh, &mut Assets::default()).unwrap().0
+    // Meshes are made once.
+    static ASSETS: Mutex<Option<Assets>> = Mutex::new(None);
+    let mut assets = ASSETS.lock().unwrap();
+    default_setup(look, mesh, assets.get_or_insert_default()).unwrap().0
 }
 
 /// The truth of a setup.
