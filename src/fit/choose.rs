@@ -73,16 +73,15 @@ impl Surface {
     /// # Errors
     /// What the interpreter cannot run.
     pub(super) fn new(shot: &Shot<'_>, chosen: &HashSet<[u32; 2]>) -> Result<Self, Vec<Diagnostic>> {
-        let mut pixels = Vec::new();
-        let mut directions = |kind: &str| -> Result<Vec<DVec3>, Vec<Diagnostic>> {
-            let setup = wearing(shot, showing(kind));
-            let model = Model::new(&Shot { setup: &setup, ..*shot }, Vec::new(), chosen)?;
-            let colors = model.colors(&model.sheet(&model.all()), &[]).map_err(|one| vec![one])?;
-            pixels.clone_from(&model.pixels);
-            Ok(colors.into_iter().map(|v| DVec3::from(v).normalize_or(DVec3::Z)).collect())
-        };
-        let (normals, mirrored) = (directions("normal")?, directions("mirrored_view")?);
-        let directions = normals.into_iter().zip(mirrored).map(|(normal, mirrored)| [normal, mirrored]).collect();
+        let setup = wearing(shot, showing("normal"));
+        let model = Model::new(&Shot { setup: &setup, ..*shot }, Vec::new(), chosen)?;
+        let normals = model.colors(&model.sheet(&model.all()), &[]).map_err(|one| vec![one])?;
+        let directions = normals.into_iter().zip(&model.pixels).map(|(normal, pixel)| {
+            let (normal, view) = (DVec3::from(normal).normalize_or(DVec3::Z), model.toward_viewer(*pixel));
+            [normal, (2.0 * normal.dot(view) * normal - view).normalize_or(normal)]
+        });
+        let directions = directions.collect();
+        let pixels = model.pixels;
         Ok(Self { directions, pixels })
     }
 }

@@ -26,6 +26,8 @@ use crate::library::Library;
 
 /// Pixels that a search looks at.
 const PIXELS: usize = 320;
+/// Pixels of those that every light is tried at.
+const FEW_PIXELS: usize = 96;
 /// Stacks that go on to the next layer.
 const BEAM: usize = 3;
 /// Beginnings of a layer that are turned downhill.
@@ -85,7 +87,8 @@ pub fn fit_layers(
     let Polished { look: fitted, after, .. } = polished(&Shot { setup: &worn, ..shot }, &given, options, progress)?;
     progress.add(1);
     let report = Report::new(&shot, &fitted, target, &before, &after)?;
-    Ok(Fitted { edit: Edit::Replace { look: Box::new(fitted.clone()) }, look: fitted, report })
+    let misses = after.into_iter().map(|(missed, _)| missed).collect();
+    Ok(Fitted { edit: Edit::Replace { look: Box::new(fitted.clone()) }, look: fitted, report, misses })
 }
 
 struct Grower<'a> {
@@ -158,14 +161,16 @@ impl Grower<'_> {
     fn with_one_more(&self, search: &Search, layers: &[Layer], missing: &[f64]) -> Result<Vec<Stack>, Diagnostic> {
         check(self.progress)?;
         let lights = self.lights(missing);
+        let few = search.thinned(FEW_PIXELS);
+        let below = few.taken_over(layers);
         let tried = |lit: &Lit| {
             check(self.progress)?;
-            let tone = search.tone(lit);
+            let tone = few.tone(lit);
             let mut best: Option<Stack> = None;
             for (place, mode) in places(layers.len()) {
-                let mut point = layers.to_vec();
+                let mut point = below.clone();
                 point.insert(place, Layer { lit: *lit, mode, tone: tone.clone() });
-                let error = search.error(&point);
+                let error = few.error(&point);
                 if best.as_ref().is_none_or(|best| error < best.error) {
                     best = Some(Found { point, error });
                 }
@@ -177,7 +182,7 @@ impl Grower<'_> {
         found.sort_by(|a, b| a.1.error.total_cmp(&b.1.error));
         let first = |stack: &Stack| {
             let until = Until { steps: 8, error: search.error_of(0.5 * self.enough) };
-            descend(search, stack.point.clone(), until, self.progress)
+            descend(search, search.taken_over(&stack.point), until, self.progress)
         };
         let begun: Result<Vec<Stack>, Diagnostic> = apart(found, BEGINNINGS).par_iter().map(first).collect();
         let far = |stack: &Stack| {

@@ -25,7 +25,7 @@ mod turn;
 use crate::document::{Edit, Look};
 
 pub use grow::fit_layers;
-pub use report::{Changed, Missed, Report};
+pub use report::{Changed, Missed, Report, picture_of};
 pub use target::{MAX_SIDE, Target, Wish};
 pub use turn::fit_look;
 
@@ -70,4 +70,6 @@ pub struct Fitted {
     pub edit: Edit,
     /// How far off it was and is.
     pub report: Report,
+    /// How far off it is at every pixel that was compared, by row and column.
+    pub misses: Vec<Missed>,
 }

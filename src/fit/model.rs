@@ -137,6 +137,13 @@ impl Model {
         places
     }
 
+    /// Unit, from what is seen in the middle of a pixel toward the viewer, world space.
+    pub(super) fn toward_viewer(&self, [x, y]: [u32; 2]) -> DVec3 {
+        let (view, [width, height]) = (&self.gathered.plan().view, self.gathered.plan().size.map(f64::from));
+        let (across, up) = ((2.0 * f64::from(x) + 1.0) / width - 1.0, 1.0 - (2.0 * f64::from(y) + 1.0) / height);
+        view.toward_viewer(view.clip_from_world.inverse().project_point3(DVec3::new(across, up, 0.5)))
+    }
+
     /// Some of the pixels, by their places in [`pixels`](Self::pixels).
     pub(super) fn sheet(&self, chosen: &[usize]) -> Sheet {
         let places: Vec<usize> = chosen.iter().map(|&index| self.places[index]).collect();

@@ -10,6 +10,7 @@ use super::state::Setting;
 use super::target::{Target, Wish};
 use crate::diag::Diagnostic;
 use crate::document::Look;
+use crate::frame::Picture;
 
 /// Pixels that are told of.
 const WORST: usize = 5;
@@ -55,6 +56,23 @@ pub struct Missed {
     pub shown: [f64; 3],
     /// The RMS of the three channels.
     pub error: f64,
+}
+
+/// The error at which a picture of misses is at its brightest.
+const BRIGHT: f64 = 0.1;
+
+/// Where a look misses what was painted: black where it does not, over red and yellow to white; transparent where nothing
+/// was compared.
+pub fn picture_of(size: [u32; 2], misses: &[Missed]) -> Picture {
+    let mut rgba = vec![[0.0; 4]; size[0] as usize * size[1] as usize];
+    for missed in misses {
+        let share = 3.0 * (missed.error / BRIGHT).min(1.0) as f32;
+        let [x, y] = missed.pixel.map(|at| at as usize);
+        if let Some(pixel) = rgba.get_mut(y * size[0] as usize + x) {
+            *pixel = [share.min(1.0), (share - 1.0).clamp(0.0, 1.0), (share - 2.0).clamp(0.0, 1.0), 1.0];
+        }
+    }
+    Picture { size, rgba }
 }
 
 /// Every compared pixel with its weight.

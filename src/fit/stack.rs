@@ -12,6 +12,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::choose::evenly;
 use super::solve::{Problem, solve_in_place};
 use super::state::{Setting, Shape};
 use super::target::Wish;
@@ -109,6 +110,11 @@ impl Search {
     pub(super) fn new(surface: &[[DVec3; 2]], wishes: &[Wish], chosen: &[usize]) -> Self {
         let surface = chosen.iter().map(|&index| surface[index]).collect();
         Self { surface, wishes: chosen.iter().map(|&index| wishes[index]).collect() }
+    }
+
+    /// The same at no more than so many pixels.
+    pub(super) fn thinned(&self, most: usize) -> Self {
+        Self::new(&self.surface, &self.wishes, &evenly(self.wishes.len(), most))
     }
 
     /// The tone of a layer at each pixel.

@@ -74,7 +74,8 @@ pub fn fit_look(
     progress.add(1);
     let report = Report::new(&shot, &fitted, target, &before, &after)?;
     let edit = Edit::Group { edits: first.into_iter().chain(edits).collect() };
-    Ok(Fitted { edit, look: fitted, report })
+    let misses = after.into_iter().map(|(missed, _)| missed).collect();
+    Ok(Fitted { edit, look: fitted, report, misses })
 }
 
 /// A look that was turned to where it is nearest.
