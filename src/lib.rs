@@ -40,9 +40,10 @@ pub mod reference;
 #[cfg(feature = "gpu")]
 pub mod render;
 
-// Floor 5: what accuracy costs in time.
+// Floor 5: what accuracy costs in time, and looks from what was painted.
 #[cfg(feature = "gpu")]
 pub mod accuracy;
+pub mod fit;
 
 // Floor 5½: what is shown of both.
 #[cfg(feature = "gpu")]

@@ -123,7 +123,9 @@ fn every_subcommand_has_help_with_examples_and_exit_codes_are_documented() {
     let top = shop.run(&["--help"]).ok().out;
     assert!(top.contains("Exit codes: 0 done; 1 ") && top.contains("130"), "{top}");
     let drawing: &[&str] = if cfg!(feature = "gpu") { &["render", "eval"] } else { &[] };
-    for command in [&["edit", "new", "check", "explain", "nodes", "export", "hcbtf", "desktop"], drawing].concat() {
+    for command in
+        [&["edit", "new", "check", "explain", "nodes", "fit", "export", "hcbtf", "desktop"], drawing].concat()
+    {
         assert!(top.contains(&format!("  {command} ")), "{top}");
         let help = shop.run(&[command, "--help"]).ok().out;
         assert!(help.contains("Examples:") && help.contains(&format!("chiaro {command}")), "{help}");
@@ -135,6 +137,43 @@ fn every_subcommand_has_help_with_examples_and_exit_codes_are_documented() {
     if cfg!(feature = "gpu") {
         shop.run(&["render", "a.json"]).fails(2, &["--output"]);
     }
+}
+
+#[test]
+fn a_look_is_fitted_to_what_was_painted() {
+    let shop = Shop::new();
+    let look = |color: &str| {
+        let values = r#""light": "key", "blend": "alpha", "offset": 0.3, "falloff": 0.8, "cutoff": 1.2"#;
+        format!(
+            r##"{{"chiaro": "look", "version": 1, "lights": {{"key": {{"direction": [-0.4, 0.5, 0.7]}}}},
+            "nodes": [{{"id": "base", "kind": "base", "values": {{"color": "#202030"}}}},
+            {{"id": "lit", "kind": "light_layer", "values": {{{values}, "convex": "{color}"}}}},
+            {{"id": "output", "kind": "output"}}],
+            "wires": [{{"from": "base", "to": "lit.below"}}, {{"from": "lit.below", "to": "output.color"}}]}}"##
+        )
+    };
+    shop.write("wished.json", &look("#c08040"));
+    shop.write("look.json", &look("#808080"));
+    let drawn = ["--backdrop", "none", "--samples", "1", "--size", "32x32", "--mesh", "shape:sphere"];
+    shop.run(&[&["render", "wished.json", "-o", "painted.png", "--on", "reference"], &drawn[..]].concat()).ok();
+    let fit = ["fit", "look.json", "--target", "painted.png", "--mesh", "shape:sphere", "--starts", "1"];
+    let asked = ["--keep", "lights,profiles", "-o", "fitted.json", "--misses", "misses.png", "--json"];
+    let told: Json = serde_json::from_str(&shop.run(&[&fit[..], &asked].concat()).ok().out).unwrap();
+    let error = |when: &str| told["report"][when].as_f64().unwrap();
+    assert!(error("before") > 0.05 && error("after") < 1.0 / 255.0, "{told}");
+    assert_eq!(told["file"], "fitted.json");
+    let fitted: Json = serde_json::from_str(&fs::read_to_string(shop.path("fitted.json")).unwrap()).unwrap();
+    assert_eq!(fitted["lights"]["key"]["direction"], json!([-0.4, 0.5, 0.7]), "{fitted}");
+    let color = &fitted["nodes"][1]["values"]["convex"];
+    for (channel, wished) in [0xc0, 0x80, 0x40].into_iter().enumerate() {
+        assert!((255.0 * color[channel].as_f64().unwrap() - f64::from(wished)).abs() < 1.5, "{color}");
+    }
+    assert_eq!(png_size(&shop.path("misses.png")), [32, 32]);
+    assert_eq!(fs::read_to_string(shop.path("look.json")).unwrap(), look("#808080"));
+    shop.run(&["fit", "look.json"]).fails(2, &["--target"]);
+    shop.run(&["fit", "--target", "painted.png"]).fails(2, &["LOOK"]);
+    shop.run(&["fit", "look.json", "--target", "none.png"]).fails(1, &["none.png"]);
+    shop.run(&["fit", "look.json", "--target", "look.json"]).fails(1, &["fit-target"]);
 }
 
 #[test]

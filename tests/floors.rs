@@ -28,7 +28,7 @@ const FLOORS: &[(&str, &[&str])] = &[
     ("3", &["catalog", "compile", "directions", "geometry", "hcbtf"]),
     ("3½", &["drawing", "frame"]),
     ("4", &["export", "reference", "render"]),
-    ("5", &["accuracy"]),
+    ("5", &["accuracy", "fit"]),
     ("5½", &["gallery"]),
     ("6", &["cli", "editor"]),
 ];

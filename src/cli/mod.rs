@@ -13,6 +13,7 @@ mod desktop;
 mod eval;
 mod explain;
 mod export;
+mod fit;
 #[cfg(feature = "gpu")]
 mod gallery;
 mod hcbtf;
@@ -92,6 +93,8 @@ enum Command {
     /// Pick the cheapest tiers under a stated error, or the most accurate within a stated time
     #[cfg(feature = "gpu")]
     Tune(tune::Arguments),
+    /// Turn a look's lights, profiles and colours until it shows what was painted on its picture
+    Fit(fit::Arguments),
     /// Tell the value on every wire at one pixel, f32 beside f64
     Probe(probe::Arguments),
     /// Measure how far every node and every example look is from the truth, and write it down
@@ -158,6 +161,7 @@ pub fn run() -> Outcome {
         Command::Bench(arguments) => bench::run(arguments, &output),
         #[cfg(feature = "gpu")]
         Command::Tune(arguments) => tune::run(arguments, &output),
+        Command::Fit(arguments) => fit::run(arguments, &output),
         Command::Probe(arguments) => probe::run(arguments, &output),
         #[cfg(feature = "gpu")]
         Command::Accuracy(arguments) => accuracy::run(arguments, &output),

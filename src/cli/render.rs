@@ -201,7 +201,7 @@ pub(super) fn parse_time(text: &str) -> Result<f64, String> {
 }
 
 /// Whether a file can be written there, asked before the work is done.
-fn check_target(path: &Path) -> Result<(), Diagnostic> {
+pub(super) fn check_target(path: &Path) -> Result<(), Diagnostic> {
     let problem = |message: String| {
         Diagnostic::error("cannot-write", message)
             .in_file(path.display().to_string())
@@ -247,7 +247,7 @@ fn adjust(scene: &mut Scene, arguments: &Arguments) -> Result<(), Diagnostic> {
     Ok(())
 }
 
-fn adjust_camera(scene: &mut Scene, text: &str) -> Result<(), Diagnostic> {
+pub(super) fn adjust_camera(scene: &mut Scene, text: &str) -> Result<(), Diagnostic> {
     let bad = |part: &str| {
         let wanted = "eye=X,Y,Z, target=X,Y,Z, up=X,Y,Z, orbit=YAW,PITCH, distance=D, ortho=HEIGHT or fov=DEGREES, \
                       joined by `;`";

@@ -6,6 +6,8 @@
 //! has them shaded in batches of 2x2 quads, and `tile` keeps depth and colour of every sample. `fullscreen` shades all
 //! pixels of an image.
 //!
+//! [`Gathered`] keeps the fragments of chosen pixels, to shade them again with other values of a look.
+//!
 //! Nothing here knows WGSL: shaders stand behind the traits [`Shader`] and [`Shaders`].
 //!
 //! # As a GPU does it, and not
@@ -22,6 +24,7 @@ mod coverage;
 mod eval;
 mod executor;
 mod fullscreen;
+mod gather;
 mod geometry;
 mod interpolate;
 mod modules;
@@ -41,6 +44,7 @@ mod uniform;
 pub use eval::evaluate;
 pub use executor::{PassImages, Shaders, SurfaceImages, execute};
 pub use fullscreen::shade_all;
+pub use gather::{Gathered, Seen, Sheet};
 pub use geometry::Triangles;
 pub use modules::Modules;
 pub use options::{Control, ImageRounding, Options, Snap};

@@ -40,7 +40,7 @@ impl Stages {
 pub struct Modules {
     precision: Precision,
     /// By address; the shader is kept, so that no other can come to lie there.
-    looks: HashMap<*const CompiledShader, (Arc<CompiledShader>, Stages)>,
+    looks: HashMap<usize, (Arc<CompiledShader>, Stages)>,
     /// The stages of curvature passes, by the name of their shader.
     curvature: HashMap<&'static str, Stages>,
     images: HashMap<(u64, bool), Texture>,
@@ -92,7 +92,7 @@ impl Modules {
     }
 
     fn add(&mut self, shader: &Arc<CompiledShader>) -> Result<(), Diagnostic> {
-        if let Entry::Vacant(place) = self.looks.entry(Arc::as_ptr(shader)) {
+        if let Entry::Vacant(place) = self.looks.entry(address(shader)) {
             let stages = Stages::compile(&shader.valid, &shader.wgsl, self.watch.is_some())?;
             place.insert((shader.clone(), stages));
         }
@@ -100,39 +100,41 @@ impl Modules {
     }
 
     fn stages(&self, shader: &Arc<CompiledShader>) -> Result<&Stages, Diagnostic> {
-        self.looks
-            .get(&Arc::as_ptr(shader))
-            .map(|(_, stages)| stages)
-            .ok_or_else(|| missing("a module of another plan"))
+        self.looks.get(&address(shader)).map(|(_, stages)| stages).ok_or_else(|| missing("a module of another plan"))
     }
-}
 
-#[cold]
-fn missing(what: &str) -> Diagnostic {
-    Diagnostic::error("reference-plan", format!("the plan lacks {what}"))
-}
+    /// What the look of a draw reads, with the values of the plan.
+    pub(super) fn bindings_of(
+        &self,
+        plan: &FramePlan,
+        draw: &Draw,
+        images: &PassImages,
+    ) -> Result<Bindings, Diagnostic> {
+        self.bindings_for(plan, draw, &draw.look, Stage::Draw, images)
+    }
 
-/// The stages of `shaders/passes/NAME.wgsl`.
-fn fixed(name: &str) -> Result<Stages, Diagnostic> {
-    let source = wgsl::pass(name).map_err(|_| missing("the source of a pass"))?.text;
-    let refused = |error: wgsl::WgslError| Diagnostic::error("invalid-wgsl", error.message);
-    Stages::compile(&wgsl::parse(&source).map_err(refused)?, &source, false)
-}
-
-impl Shaders for Modules {
-    fn draw<'a>(
+    /// The look of a draw with what it [reads](Self::bindings_of), but for these numbers in its own uniform.
+    pub(super) fn with_look<'a>(
         &'a self,
-        plan: &'a FramePlan,
         draw: &'a Draw,
-        kind: &PassKind,
-        images: &'a PassImages,
-    ) -> Result<Box<dyn Shader + 'a>, Diagnostic> {
-        let (shader, stage) = match kind {
-            PassKind::Normals => (draw.normals.get(kind), Stage::Normals),
-            PassKind::DetailNormals => (draw.normals.get(kind), Stage::DetailNormals),
-            _ => (Some(&draw.look), Stage::Draw),
-        };
-        let shader = shader.ok_or_else(|| missing("the normals of a draw"))?;
+        mut bindings: Bindings,
+        numbers: &[f64],
+    ) -> Result<impl Shader + 'a, Diagnostic> {
+        let stages = self.stages(&draw.look)?;
+        for binding in draw.look.bindings.iter().filter(|binding| matches!(binding.kind, BindingKind::Look)) {
+            buffer(&mut bindings, stages, binding.binding, numbers);
+        }
+        Bindable::new(stages, &bindings, self.precision, Some(&draw.mesh))
+    }
+
+    fn bindings_for(
+        &self,
+        plan: &FramePlan,
+        draw: &Draw,
+        shader: &Arc<CompiledShader>,
+        stage: Stage,
+        images: &PassImages,
+    ) -> Result<Bindings, Diagnostic> {
         let stages = self.stages(shader)?;
         let mut bindings = Bindings::new();
         for binding in &shader.bindings {
@@ -164,6 +166,43 @@ impl Shaders for Modules {
                 BindingKind::Samples => {}
             }
         }
+        Ok(bindings)
+    }
+}
+
+/// As a number and no pointer, so that modules may be shared by threads.
+fn address(shader: &Arc<CompiledShader>) -> usize {
+    Arc::as_ptr(shader).addr()
+}
+
+#[cold]
+fn missing(what: &str) -> Diagnostic {
+    Diagnostic::error("reference-plan", format!("the plan lacks {what}"))
+}
+
+/// The stages of `shaders/passes/NAME.wgsl`.
+fn fixed(name: &str) -> Result<Stages, Diagnostic> {
+    let source = wgsl::pass(name).map_err(|_| missing("the source of a pass"))?.text;
+    let refused = |error: wgsl::WgslError| Diagnostic::error("invalid-wgsl", error.message);
+    Stages::compile(&wgsl::parse(&source).map_err(refused)?, &source, false)
+}
+
+impl Shaders for Modules {
+    fn draw<'a>(
+        &'a self,
+        plan: &'a FramePlan,
+        draw: &'a Draw,
+        kind: &PassKind,
+        images: &'a PassImages,
+    ) -> Result<Box<dyn Shader + 'a>, Diagnostic> {
+        let (shader, stage) = match kind {
+            PassKind::Normals => (draw.normals.get(kind), Stage::Normals),
+            PassKind::DetailNormals => (draw.normals.get(kind), Stage::DetailNormals),
+            _ => (Some(&draw.look), Stage::Draw),
+        };
+        let shader = shader.ok_or_else(|| missing("the normals of a draw"))?;
+        let stages = self.stages(shader)?;
+        let bindings = self.bindings_for(plan, draw, shader, stage, images)?;
         let mut bindable = Bindable::new(stages, &bindings, self.precision, Some(&draw.mesh))?;
         let place = plan.draws.iter().position(|other| std::ptr::eq(other, draw));
         bindable.watch = self.watch.as_ref().zip(place).filter(|_| stage == Stage::Draw);

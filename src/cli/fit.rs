@@ -1,0 +1,211 @@
+//! `chiaro fit`: a look from what was painted on its picture.
+
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use clap::ValueEnum;
+use serde_json::json;
+
+use super::open::{check_nodes_folder, library_for};
+use super::output::Output;
+use super::render::{adjust_camera, check_target, parse_time};
+use crate::diag::Diagnostic;
+use crate::document::{Document, Look, write_atomic};
+use crate::fit::{FitOptions, Fitted, Keep, Report, Target, fit_layers, fit_look, picture_of};
+use crate::frame::{Assets, DEFAULT_MESH, Setup, SetupLook, default_setup, image_bytes, open};
+use crate::hcbtf::Progress;
+
+const EXAMPLES: &str = "\
+Examples:
+  chiaro fit look.json --target painted.png -o fitted.json
+  chiaro fit look.json --target painted.png --keep base,lights -o fitted.json
+  chiaro fit --layers 2 --target painted.png --mesh bunny.obj -o new.json
+  chiaro fit look.json --target painted.png --camera orbit=30,15 --dry-run --json
+
+The target is painted over the picture that `chiaro render` makes, at the same size, with the same mesh and camera. Where it is
+transparent nothing is wished; alpha is how much a pixel counts. Lights, profiles and colours are turned until the look shows
+what was painted; its nodes and wires stay. With --layers it gets light layers in their place: as many as help, at most so many.
+Pixels at the outline of an object are left out, for a smooth picture has mixed them with what is behind.";
+
+/// What `chiaro fit` is given.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// A look; with --layers it may be left out
+    #[arg(required_unless_present = "layers")]
+    look: Option<PathBuf>,
+    /// What was painted: a PNG, transparent where nothing is wished
+    #[arg(short, long)]
+    target: PathBuf,
+    /// A mesh (OBJ, PLY, STL, glTF, GLB) or an own shape (shape:creature)
+    #[arg(short, long)]
+    mesh: Option<String>,
+    /// Begins from nothing: up to so many light layers over a base, from 1 to 7
+    #[arg(long, value_parser = clap::value_parser!(u8).range(1..=7))]
+    layers: Option<u8>,
+    /// What stays as it is, separated by commas
+    #[arg(long, value_enum, value_delimiter = ',')]
+    keep: Vec<Kept>,
+    /// From how many beginnings a look is turned, its own first, from 1 to 100
+    #[arg(long, default_value_t = 6, value_parser = clap::value_parser!(u32).range(1..=100))]
+    starts: u32,
+    /// Where the picture was taken from, as `chiaro render` takes it
+    #[arg(short, long)]
+    camera: Option<String>,
+    /// The time in seconds
+    #[arg(long, default_value_t = 0.0, value_parser = parse_time, allow_negative_numbers = true)]
+    time: f64,
+    /// Where the fitted look goes, in place of the look itself
+    #[arg(short, long, required_unless_present_any = ["look", "dry_run"])]
+    output: Option<PathBuf>,
+    /// A PNG of where it misses: black where it does not, over red to white where by a tenth and more
+    #[arg(long)]
+    misses: Option<PathBuf>,
+    /// Tell what would come of it, and write no look
+    #[arg(long)]
+    dry_run: bool,
+    /// A folder of a project's own nodes; `nodes/` beside the look is found without it
+    #[arg(long)]
+    nodes: Option<PathBuf>,
+    /// Print the report as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// What may stay.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Kept {
+    /// Directions of lights
+    Lights,
+    /// Offsets, fall-offs and cut-offs
+    Profiles,
+    /// All colours
+    Colors,
+    /// The colour of the base
+    Base,
+}
+
+pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+    let one = |problem: Diagnostic| vec![problem];
+    check_nodes_folder(arguments.nodes.as_deref())?;
+    if let Some(path) = &arguments.misses {
+        check_target(path).map_err(one)?;
+    }
+    let beside = arguments.look.as_deref().unwrap_or(Path::new(""));
+    let library = library_for(beside, arguments.nodes.as_deref());
+    output.diagnostics(&library.problems);
+    let mut setup = setup(arguments, output)?;
+    if let Some(text) = &arguments.camera {
+        adjust_camera(&mut setup.scene, text).map_err(one)?;
+    }
+    let named = arguments.target.display().to_string();
+    let bytes = image_bytes(Path::new(""), &named).map_err(one)?;
+    let target = Target::from_png(&bytes).map_err(|problem| one(problem.in_file(named)))?;
+    let keeps = |kept| arguments.keep.contains(&kept);
+    let keep = Keep {
+        lights: keeps(Kept::Lights),
+        profiles: keeps(Kept::Profiles),
+        colors: keeps(Kept::Colors),
+        base: keeps(Kept::Base),
+    };
+    let options = FitOptions { time: arguments.time, keep, starts: arguments.starts as usize, ..FitOptions::default() };
+    let progress = telling();
+    let fitted = match arguments.layers {
+        Some(layers) => fit_layers(&setup, 0, &library, &target, layers.into(), &options, &progress),
+        None => fit_look(&setup, 0, &library, &target, &options, &progress),
+    };
+    output.end_progress();
+    let fitted = fitted?;
+    if let Some(path) = &arguments.misses {
+        let png = picture_of(target.size, &fitted.misses).to_png().map_err(one)?;
+        write_atomic(path, &png).map_err(|problem| one(*problem))?;
+    }
+    let written = (!arguments.dry_run).then(|| write(arguments, &fitted)).transpose()?;
+    if arguments.json {
+        let file = written.map(|path| path.display().to_string());
+        output.json(&json!({ "file": file, "report": fitted.report }));
+    } else {
+        output.result(&told(&fitted.report));
+        if let Some(path) = written {
+            output.message(&format!("{}: written", path.display()));
+        }
+    }
+    Ok(())
+}
+
+/// The look on its mesh, or where there is none to begin with, a grey one.
+fn setup(arguments: &Arguments, output: &Output) -> Result<Setup, Vec<Diagnostic>> {
+    let mut assets = Assets::default();
+    let mesh = arguments.mesh.as_deref();
+    let Some(path) = &arguments.look else {
+        let loaded = Look::read(NOTHING, "nothing");
+        let Some(mut look) = loaded.value else { return Err(loaded.diagnostics) };
+        look.name = "Painted".to_owned();
+        let look = SetupLook { look, source: loaded.source.into(), folder: PathBuf::new() };
+        let (setup, warnings) = default_setup(look, mesh.unwrap_or(DEFAULT_MESH), &mut assets)?;
+        output.diagnostics(&warnings);
+        return Ok(setup);
+    };
+    if let Document::Scene(_) = Document::load(path) {
+        let problem = Diagnostic::error("not-a-look", "this is a scene").in_file(path.display().to_string());
+        return Err(vec![problem.hint("name one of its looks")]);
+    }
+    let (setup, warnings) = open(path, mesh, &mut assets)?;
+    output.diagnostics(&warnings);
+    Ok(setup)
+}
+
+/// A base and nothing over it.
+const NOTHING: &str = r##"{"chiaro": "look", "version": 1,
+    "nodes": [{"id": "base", "kind": "base", "values": {"color": "#808080"}}, {"id": "output", "kind": "output"}],
+    "wires": [{"from": "base.below", "to": "output.color"}]}"##;
+
+fn write(arguments: &Arguments, fitted: &Fitted) -> Result<PathBuf, Vec<Diagnostic>> {
+    let path = arguments.output.as_ref().or(arguments.look.as_ref()).cloned().unwrap_or_default();
+    let text = match &arguments.look {
+        Some(look) => fitted.look.to_text_like(&Look::load(look).source),
+        None => fitted.look.to_text(),
+    };
+    write_atomic(&path, text.as_bytes()).map_err(|problem| vec![*problem])?;
+    Ok(path)
+}
+
+/// Tells how far it is whenever another percent is done.
+fn telling() -> Progress {
+    let last = AtomicU64::new(u64::MAX);
+    Progress::telling(move |[done, total]| {
+        let percent = 100 * done / total.max(1);
+        if last.swap(percent, Ordering::Relaxed) != percent {
+            Output::new().progress("fitting", done, total);
+        }
+    })
+}
+
+/// The report as people read it. Errors are told in steps of an eight-bit channel.
+fn told(report: &Report) -> String {
+    let steps = |error: f64| format!("{:.2}/255", 255.0 * error);
+    let mut lines = vec![format!(
+        "RMS error {}, before {}, over {} of {} painted pixels",
+        steps(report.after),
+        steps(report.before),
+        report.compared,
+        report.painted
+    )];
+    lines.extend(report.changed.iter().map(|change| {
+        let from = if change.from.is_empty() { String::new() } else { format!(", was {}", change.from) };
+        format!("  {} {}: {}{from}", change.what, change.place, change.to)
+    }));
+    if report.changed.is_empty() {
+        lines.push("  nothing was turned: it is as near as it can be".to_owned());
+    }
+    for missed in report.worst.iter().take(1) {
+        let [x, y] = missed.pixel;
+        let hex = |rgb: [f64; 3]| {
+            let [r, g, b] = rgb.map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
+            format!("#{r:02x}{g:02x}{b:02x}")
+        };
+        let (shown, wished) = (hex(missed.shown), hex(missed.wished));
+        lines.push(format!("  farthest off: {x},{y} shows {shown}, painted {wished}"));
+    }
+    lines.join("\n")
+}

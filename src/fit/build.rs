@@ -1,0 +1,66 @@
+//! An ordinary look of light layers over a base.
+
+use glam::DVec3;
+
+use super::stack::{Kind, Layer};
+use crate::document::{Endpoint, Graph, Light, Look, Node, Value, Values, Wire};
+use crate::ids::{LightId, NodeId};
+
+/// From node to node on the canvas, in points.
+const APART: f64 = 260.0;
+
+/// A look with a layer for each of `layers`, of these colours from the base up, each with a light of its own.
+pub(super) fn layered(name: &str, layers: &[Layer], colors: &[[f64; 3]]) -> Look {
+    let mut look = Look { name: name.to_owned(), ..Look::default() };
+    let color = |index: usize| Value::Vector(colors.get(index).copied().unwrap_or_default().to_vec());
+    let base = Values::from_iter([("color".into(), color(0))]);
+    add(&mut look.graph, "base", "base", "Base", base);
+    let mut below = "base".to_owned();
+    for (index, layer) in layers.iter().enumerate() {
+        let light = format!("light-{}", index + 1);
+        let direction = layer.lit.direction.normalize_or(DVec3::Z).to_array();
+        look.lights.insert(LightId::new(light.as_str()), Light { direction, ..Light::default() });
+        let word = |word: &str| Value::Text(word.to_owned());
+        let [offset, falloff, cutoff] = layer.lit.shape.ends().map(Value::Number);
+        let values = [
+            ("light", word(&light)),
+            ("type", word(layer.lit.kind.word())),
+            ("offset", offset),
+            ("falloff", falloff),
+            ("cutoff", cutoff),
+            ("convex", color(index + 1)),
+            // One colour, whatever the shape: what was painted says nothing of curvature.
+            ("slope", Value::Number(0.0)),
+            ("blend", word(layer.mode.word())),
+        ];
+        let values = values.into_iter().map(|(port, value)| (port.into(), value)).collect();
+        let id = format!("layer-{}", index + 1);
+        add(&mut look.graph, &id, "light_layer", &name_of(layers, index), values);
+        wire(&mut look.graph, &below, "below", &id, "below");
+        below = id;
+    }
+    add(&mut look.graph, "output", "output", "", Values::new());
+    wire(&mut look.graph, &below, "below", "output", "color");
+    look
+}
+
+fn add(graph: &mut Graph, id: &str, kind: &str, name: &str, values: Values) {
+    let position = [APART * graph.nodes.len() as f64, 0.0];
+    let node = Node { kind: kind.to_owned(), name: name.to_owned(), position, values, ..Node::default() };
+    graph.nodes.insert(NodeId::new(id), node);
+}
+
+fn wire(graph: &mut Graph, from: &str, output: &str, to: &str, input: &str) {
+    graph.wires.push(Wire { from: Endpoint::new(from, output), to: Endpoint::new(to, input) });
+}
+
+/// What a layer is called: its kind, numbered where there are several.
+fn name_of(layers: &[Layer], index: usize) -> String {
+    let kind = layers[index].lit.kind;
+    let word = match kind {
+        Kind::Diffuse => "Painted light",
+        Kind::Specular => "Painted highlight",
+    };
+    let number = layers[..=index].iter().filter(|layer| layer.lit.kind == kind).count();
+    if number > 1 { format!("{word} {number}") } else { word.to_owned() }
+}

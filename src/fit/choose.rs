@@ -1,0 +1,118 @@
+//! Which of many pixels a search looks at: some spread evenly, and some where most is missing.
+
+use std::collections::{HashMap, HashSet};
+
+use glam::DVec3;
+
+use super::model::{Model, Shot};
+use super::target::{Target, Wish};
+use crate::diag::Diagnostic;
+use crate::document::{Endpoint, Graph, Look, Node, Wire};
+use crate::frame::Setup;
+
+/// More painted pixels than this are thinned: the others say the same.
+pub(super) const MAX_PIXELS: usize = 4096;
+
+/// Painted pixels, thinned evenly where there are very many.
+pub(super) fn thinned(target: &Target) -> Vec<Wish> {
+    evenly(target.wishes.len(), MAX_PIXELS).into_iter().map(|index| target.wishes[index]).collect()
+}
+
+/// So many of `count` places, evenly spread; all where there are fewer.
+pub(super) fn evenly(count: usize, most: usize) -> Vec<usize> {
+    if count <= most { (0..count).collect() } else { (0..most).map(|i| i * count / most).collect() }
+}
+
+/// Half of the places evenly spread, half those with the largest `missing`, in order.
+pub(super) fn telling(missing: &[f64], most: usize) -> Vec<usize> {
+    if missing.len() <= most {
+        return (0..missing.len()).collect();
+    }
+    let mut chosen = vec![false; missing.len()];
+    evenly(missing.len(), most / 2).into_iter().for_each(|index| chosen[index] = true);
+    let mut order: Vec<usize> = (0..missing.len()).filter(|&index| !chosen[index]).collect();
+    order.sort_by(|&a, &b| missing[b].total_cmp(&missing[a]).then(a.cmp(&b)));
+    // Every other of the largest, so that one blot does not take all places.
+    order.into_iter().step_by(2).take(most - most / 2).for_each(|index| chosen[index] = true);
+    (0..missing.len()).filter(|&index| chosen[index]).collect()
+}
+
+/// The wish for each of some pixels that can be compared.
+///
+/// # Errors
+/// `fit-target`: there is none.
+pub(super) fn wishes_of(pixels: &[[u32; 2]], wishes: &[Wish]) -> Result<Vec<Wish>, Vec<Diagnostic>> {
+    let by_pixel: HashMap<[u32; 2], &Wish> = wishes.iter().map(|wish| (wish.pixel, wish)).collect();
+    let found: Vec<Wish> = pixels.iter().filter_map(|pixel| by_pixel.get(pixel).map(|wish| **wish)).collect();
+    if found.is_empty() {
+        let message = "no painted pixel lies within an object that wears the look";
+        return Err(vec![Diagnostic::error("fit-target", message).hint(
+            "paint over the picture as `chiaro render` makes it, at the same size and with the same mesh and camera",
+        )]);
+    }
+    Ok(found)
+}
+
+/// The pixels of wishes.
+pub(super) fn pixels_of(wishes: &[Wish]) -> HashSet<[u32; 2]> {
+    wishes.iter().map(|wish| wish.pixel).collect()
+}
+
+/// What the reference sees at the pixels that can be compared.
+#[derive(Debug)]
+pub(super) struct Surface {
+    /// The normal and the mirrored view of each, world space.
+    pub(super) directions: Vec<[DVec3; 2]>,
+    /// Column and row of each.
+    pub(super) pixels: Vec<[u32; 2]>,
+}
+
+impl Surface {
+    /// At the chosen pixels of a picture.
+    ///
+    /// # Errors
+    /// What the interpreter cannot run.
+    pub(super) fn new(shot: &Shot<'_>, chosen: &HashSet<[u32; 2]>) -> Result<Self, Vec<Diagnostic>> {
+        let setup = wearing(shot, showing("normal"));
+        let model = Model::new(&Shot { setup: &setup, ..*shot }, Vec::new(), chosen)?;
+        let normals = model.colors(&model.sheet(&model.all()), &[]).map_err(|one| vec![one])?;
+        let directions = normals.into_iter().zip(&model.pixels).map(|(normal, pixel)| {
+            let (normal, view) = (DVec3::from(normal).normalize_or(DVec3::Z), model.toward_viewer(*pixel));
+            [normal, (2.0 * normal.dot(view) * normal - view).normalize_or(normal)]
+        });
+        let directions = directions.collect();
+        let pixels = model.pixels;
+        Ok(Self { directions, pixels })
+    }
+}
+
+/// A look that shows what a node of this kind gives.
+fn showing(kind: &str) -> Look {
+    let node = |kind: &str| Node { kind: kind.to_owned(), ..Node::default() };
+    let wire = Wire { from: Endpoint::new("shown", ""), to: Endpoint::new("output", "color") };
+    let nodes = [("shown".into(), node(kind)), ("output".into(), node("output"))].into_iter().collect();
+    Look { graph: Graph { nodes, wires: vec![wire], ..Graph::default() }, ..Look::default() }
+}
+
+/// The same scene with another look in the place of the fitted one.
+pub(super) fn wearing(shot: &Shot<'_>, look: Look) -> Setup {
+    let mut setup = shot.setup.clone();
+    setup.looks[shot.look].look = look;
+    setup
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_tells_most_is_looked_at_and_the_rest_is_not_forgotten() {
+        let mut missing = vec![0.0; 1000];
+        missing[700..740].fill(1.0);
+        let chosen = telling(&missing, 40);
+        assert_eq!(chosen.len(), 40);
+        assert!(chosen.iter().filter(|&&index| (700..740).contains(&index)).count() >= 19, "{chosen:?}");
+        assert!(chosen.iter().filter(|&&index| index < 700).count() >= 13, "{chosen:?}");
+        assert_eq!(telling(&missing[..10], 40).len(), 10);
+    }
+}

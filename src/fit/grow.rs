@@ -1,0 +1,255 @@
+//! Light layers from nothing: each is searched for where most is missing, and all are turned together after it.
+//!
+//! A layer is tried with lights from everywhere, and from where what is missing lies (its normal, or what a mirror would
+//! show there), with a few profiles, at every place in the stack. The best few are turned downhill, and the best stacks of
+//! those go on to the next layer, as one layer's best place is not always what is best with the next. Where the whole
+//! is not near enough, layers are taken out and searched for again.
+
+use glam::DVec3;
+use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
+
+use super::build::layered;
+use super::choose::{Surface, evenly, pixels_of, telling, thinned, wearing, wishes_of};
+use super::model::Shot;
+use super::report::{Report, compared_as_is};
+use super::solve::{Found, Until, check, descend};
+use super::stack::{Kind, Layer, Lit, MAX_LAYERS, Mode, Search};
+use super::state::{Shape, even_directions};
+use super::target::{Target, Wish};
+use super::turn::{Polished, polished};
+use super::{FitOptions, Fitted};
+use crate::diag::Diagnostic;
+use crate::document::Edit;
+use crate::frame::Setup;
+use crate::hcbtf::Progress;
+use crate::library::Library;
+
+/// Pixels that a search looks at.
+const PIXELS: usize = 320;
+/// Pixels of those that every light is tried at.
+const FEW_PIXELS: usize = 96;
+/// Stacks that go on to the next layer.
+const BEAM: usize = 3;
+/// Beginnings of a layer that are turned downhill.
+const BEGINNINGS: usize = 8;
+/// Lights from everywhere.
+const EVEN: usize = 64;
+/// Lights from where most is missing.
+const TELLING: usize = 12;
+/// Profiles that a search begins with: offset, fall-off and cut-off in degrees.
+const SHAPES: [[f64; 3]; 6] = [
+    [0.0, 60.0, 90.0],
+    [0.0, 70.0, 120.0],
+    [10.0, 20.0, 35.0],
+    [20.0, 40.0, 60.0],
+    [45.0, 60.0, 75.0],
+    [70.0, 85.0, 100.0],
+];
+/// How often layers are searched for again where the whole is not near enough.
+const ROUNDS: usize = 2;
+
+/// Some layers with how far off they are.
+type Stack = Found<Vec<Layer>>;
+
+/// Lays up to `layers` light layers over a base so that they show what `target` wishes of `setup`, and puts them in the
+/// place of the nodes of look number `look`. Layers that would change nothing are left out.
+///
+/// # Errors
+/// `fit-target` where no painted pixel can be compared; `fit-layers` for no or too many layers; `stopped`; what is wrong
+/// with the setup.
+pub fn fit_layers(
+    setup: &Setup,
+    look: usize,
+    library: &Library,
+    target: &Target,
+    layers: usize,
+    options: &FitOptions,
+    progress: &Progress,
+) -> Result<Fitted, Vec<Diagnostic>> {
+    let one = |problem| vec![problem];
+    if !(1..=MAX_LAYERS).contains(&layers) {
+        let message = format!("{layers} layers cannot be laid; it is 1 to {MAX_LAYERS}");
+        return Err(one(Diagnostic::error("fit-layers", message)));
+    }
+    progress.begin(layers as u64 + 2);
+    let shot = Shot { setup, look, library, size: target.size, time: options.time };
+    let given = thinned(target);
+    let chosen = pixels_of(&given);
+    let Surface { directions, pixels } = Surface::new(&shot, &chosen)?;
+    let wishes = wishes_of(&pixels, &given)?;
+    let grower = Grower { surface: &directions, wishes: &wishes, enough: options.enough, progress };
+    let stack = grower.grow(layers).map_err(one)?;
+    let whole = grower.whole();
+    let colors = whole.colors(&whole.taken_over(&stack));
+    let built = layered(&setup.looks[look].look.name, &stack, &colors);
+    let worn = wearing(&shot, built);
+    let before = compared_as_is(&shot, &given)?;
+    let Polished { look: fitted, after, .. } = polished(&Shot { setup: &worn, ..shot }, &given, options, progress)?;
+    progress.add(1);
+    let report = Report::new(&shot, &fitted, target, &before, &after)?;
+    let misses = after.into_iter().map(|(missed, _)| missed).collect();
+    Ok(Fitted { edit: Edit::Replace { look: Box::new(fitted.clone()) }, look: fitted, report, misses })
+}
+
+struct Grower<'a> {
+    /// The normal and the mirrored view at each pixel.
+    surface: &'a [[DVec3; 2]],
+    wishes: &'a [Wish],
+    enough: f64,
+    progress: &'a Progress,
+}
+
+impl Grower<'_> {
+    /// A search at all pixels.
+    fn whole(&self) -> Search {
+        Search::new(self.surface, self.wishes, &evenly(self.wishes.len(), self.wishes.len()))
+    }
+
+    fn grow(&self, most: usize) -> Result<Vec<Layer>, Diagnostic> {
+        let whole = self.whole();
+        let mut best: Vec<Layer> = Vec::new();
+        let mut beam = vec![best.clone()];
+        for _ in 0..most {
+            let missing = missing(&whole, &best);
+            let search = Search::new(self.surface, self.wishes, &telling(&missing, PIXELS));
+            let mut found = Vec::new();
+            for stack in &beam {
+                found.extend(self.with_one_more(&search, &search.taken_over(stack), &missing)?);
+            }
+            let found = best_of(found, BEAM);
+            let Some(first) = found.first() else { break };
+            best.clone_from(&first.point);
+            beam = found.iter().map(|stack| stack.point.clone()).collect();
+            self.progress.add(1);
+            if whole.error(&whole.taken_over(&best)) <= whole.error_of(self.enough) {
+                break;
+            }
+        }
+        let best = self.again(&whole, best)?;
+        self.progress.add(1);
+        Ok(best)
+    }
+
+    /// Takes each layer out and searches for it again, while that brings the whole nearer.
+    fn again(&self, whole: &Search, mut best: Vec<Layer>) -> Result<Vec<Layer>, Diagnostic> {
+        let mut error = whole.error(&whole.taken_over(&best));
+        for _ in 0..ROUNDS {
+            let before = error;
+            for index in 0..best.len() {
+                if error <= whole.error_of(self.enough) {
+                    return Ok(best);
+                }
+                let missing = missing(whole, &best);
+                let search = Search::new(self.surface, self.wishes, &telling(&missing, PIXELS));
+                let mut rest = search.taken_over(&best);
+                rest.remove(index);
+                let found = best_of(self.with_one_more(&search, &rest, &missing)?, 1);
+                let Some(Found { point, .. }) = found.into_iter().next() else { continue };
+                let now = whole.error(&whole.taken_over(&point));
+                if now < 0.98 * error {
+                    (best, error) = (point, now);
+                }
+            }
+            if error > 0.9 * before {
+                break;
+            }
+        }
+        Ok(best)
+    }
+
+    /// Stacks with one more layer, turned downhill.
+    fn with_one_more(&self, search: &Search, layers: &[Layer], missing: &[f64]) -> Result<Vec<Stack>, Diagnostic> {
+        check(self.progress)?;
+        let lights = self.lights(missing);
+        let few = search.thinned(FEW_PIXELS);
+        let below = few.taken_over(layers);
+        let tried = |lit: &Lit| {
+            check(self.progress)?;
+            let tone = few.tone(lit);
+            let mut best: Option<Stack> = None;
+            for (place, mode) in places(layers.len()) {
+                let mut point = below.clone();
+                point.insert(place, Layer { lit: *lit, mode, tone: tone.clone() });
+                let error = few.error(&point);
+                if best.as_ref().is_none_or(|best| error < best.error) {
+                    best = Some(Found { point, error });
+                }
+            }
+            Ok(best.map(|best| (*lit, best)))
+        };
+        let found: Result<Vec<_>, Diagnostic> = lights.par_iter().map(tried).collect();
+        let mut found: Vec<(Lit, Stack)> = found?.into_iter().flatten().collect();
+        found.sort_by(|a, b| a.1.error.total_cmp(&b.1.error));
+        let first = |stack: &Stack| {
+            let until = Until { steps: 8, error: search.error_of(0.5 * self.enough) };
+            descend(search, search.taken_over(&stack.point), until, self.progress)
+        };
+        let begun: Result<Vec<Stack>, Diagnostic> = apart(found, BEGINNINGS).par_iter().map(first).collect();
+        let far = |stack: &Stack| {
+            let until = Until { steps: 40, error: search.error_of(0.2 * self.enough) };
+            descend(search, stack.point.clone(), until, self.progress)
+        };
+        best_of(begun?, BEAM).par_iter().map(far).collect()
+    }
+
+    /// Lights to try: from everywhere, and from where most is missing.
+    fn lights(&self, missing: &[f64]) -> Vec<Lit> {
+        let mut order: Vec<usize> = (0..missing.len()).collect();
+        order.sort_by(|&a, &b| missing[b].total_cmp(&missing[a]).then(a.cmp(&b)));
+        let mut lights = Vec::new();
+        for (which, kind) in Kind::ALL.into_iter().enumerate() {
+            let mut directions = even_directions(EVEN);
+            let mut told: Vec<DVec3> = Vec::new();
+            for &pixel in order.iter().take(order.len() / 4 + 1) {
+                let direction = self.surface[pixel][which];
+                if told.len() < TELLING && told.iter().all(|other| other.dot(direction) < 0.97) {
+                    told.push(direction);
+                }
+            }
+            directions.extend(told);
+            for direction in directions {
+                lights.extend(SHAPES.map(|ends| Lit { kind, direction, shape: Shape::new(ends.map(f64::to_radians)) }));
+            }
+        }
+        lights
+    }
+}
+
+/// How far off each pixel is.
+fn missing(whole: &Search, layers: &[Layer]) -> Vec<f64> {
+    let misses = whole.misses(&whole.taken_over(layers));
+    misses.chunks_exact(3).map(|miss| miss.iter().map(|x| x * x).sum::<f64>().sqrt()).collect()
+}
+
+/// Where a layer may go among `count` others, and how it is laid. What lies lowest covers the base: adding to it is the
+/// same picture.
+fn places(count: usize) -> Vec<(usize, Mode)> {
+    let at = |place: usize| {
+        let modes: &[Mode] = if place == 0 { &[Mode::Alpha] } else { &[Mode::Alpha, Mode::Add] };
+        modes.iter().map(move |mode| (place, *mode))
+    };
+    (0..=count).flat_map(at).collect()
+}
+
+/// The best, of those that begin at much the same light only the first.
+fn apart(found: Vec<(Lit, Stack)>, most: usize) -> Vec<Stack> {
+    let mut kept: Vec<(Lit, Stack)> = Vec::new();
+    for (lit, stack) in found {
+        let is_near = |(other, _): &(Lit, Stack)| other.kind == lit.kind && other.direction.dot(lit.direction) > 0.9;
+        if kept.iter().filter(|other| is_near(other)).count() < 2 {
+            kept.push((lit, stack));
+        }
+        if kept.len() >= most {
+            break;
+        }
+    }
+    kept.into_iter().map(|(_, stack)| stack).collect()
+}
+
+/// The best, of equals only the first.
+fn best_of(mut found: Vec<Stack>, most: usize) -> Vec<Stack> {
+    found.sort_by(|a, b| a.error.total_cmp(&b.error));
+    found.dedup_by(|b, a| (b.error - a.error).abs() <= 1e-3 * a.error && b.point.len() == a.point.len());
+    found.truncate(most);
+    found
+}

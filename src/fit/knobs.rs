@@ -1,0 +1,206 @@
+//! What of a look is turned: directions of its lights, profiles and colours, with where they are written.
+
+use std::collections::HashSet;
+
+use crate::compile::{Param, TypedGraph, TypedInput, TypedSource, check};
+use crate::diag::Diagnostic;
+use crate::document::{Edit, LightKind, Look, Target, Value};
+use crate::frame::Setup;
+use crate::ids::{LightId, NodePath, PortName};
+use crate::library::{Library, Type};
+
+use super::Keep;
+use super::state::{Setting, Shape};
+
+/// The ports of a profile, which belong together.
+const ENDS: [&str; 3] = ["offset", "falloff", "cutoff"];
+
+/// What is turned.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Knob {
+    /// Toward a directional light.
+    Direction(LightId),
+    /// A profile's offset, fall-off and cut-off.
+    Profile(NodePath),
+    /// A colour; its alpha stays.
+    Color { node: NodePath, port: PortName, alpha: f64 },
+}
+
+impl Knob {
+    /// What people read, with where it is written.
+    pub(super) fn told(&self) -> (&'static str, String) {
+        match self {
+            Self::Direction(light) => ("light", light.to_string()),
+            Self::Profile(node) => ("profile", node.to_string()),
+            Self::Color { node, port, .. } => ("color", format!("{node}.{port}")),
+        }
+    }
+
+    /// The inputs that it sets.
+    pub(super) fn inputs(&self) -> Vec<(NodePath, PortName)> {
+        match self {
+            Self::Direction(_) => Vec::new(),
+            Self::Profile(node) => ENDS.map(|port| (node.clone(), port.into())).to_vec(),
+            Self::Color { node, port, .. } => vec![(node.clone(), port.clone())],
+        }
+    }
+
+    /// The values of its inputs, in their order.
+    pub(super) fn values(&self, setting: &Setting) -> Vec<Value> {
+        match (self, setting) {
+            (Self::Profile(_), Setting::Profile(shape)) => shape.ends().map(Value::Number).to_vec(),
+            (Self::Color { alpha, .. }, Setting::Color([r, g, b])) => vec![Value::Vector(vec![*r, *g, *b, *alpha])],
+            _ => Vec::new(),
+        }
+    }
+
+    /// Writes a setting into a look, in numbers that people can read: five decimals are finer than a tenth of a pixel.
+    pub(super) fn edits(&self, setting: &Setting, look: &Look) -> Vec<Edit> {
+        if let (Self::Direction(id), Setting::Direction(direction)) = (self, setting) {
+            let Some(light) = look.lights.get(id) else { return Vec::new() };
+            let mut light = light.clone();
+            light.direction = direction.to_array().map(short);
+            return vec![Edit::SetLight { id: id.clone(), light }];
+        }
+        let values = self.inputs().into_iter().zip(self.values(setting));
+        let edit = |((path, port), value): ((NodePath, PortName), Value)| {
+            let found = look.find(&path)?;
+            let (graph, id) = (found.graph, path.last()?.clone());
+            Some(Edit::SetValue { graph, id, port, value: shortened(value), index: None })
+        };
+        values.filter_map(edit).collect()
+    }
+}
+
+fn short(x: f64) -> f64 {
+    (x * 1e5).round() / 1e5
+}
+
+fn shortened(value: Value) -> Value {
+    match value {
+        Value::Number(x) => Value::Number(short(x)),
+        // A colour that is opaque needs no alpha.
+        Value::Vector(v) => {
+            let is_opaque = v.len() == 4 && v[3] == 1.0;
+            Value::Vector(v.into_iter().take(if is_opaque { 3 } else { 4 }).map(short).collect())
+        }
+        other => other,
+    }
+}
+
+/// Everything of a look that can be turned, with where it stands. What is wired, keyed, or set by the scene stays.
+///
+/// # Errors
+/// Everything that is wrong with the look.
+pub(super) fn knobs_of(
+    setup: &Setup,
+    index: usize,
+    library: &Library,
+    keep: &Keep,
+) -> Result<Vec<(Knob, Setting)>, Vec<Diagnostic>> {
+    let look = &setup.looks[index].look;
+    let located = |mut problems: Vec<Diagnostic>| {
+        setup.looks[index].source.locate_all(&mut problems);
+        problems
+    };
+    let (typed, _) = check(look, library, None).map_err(located)?;
+    let fixed = fixed(setup, index, &typed);
+    let live = reaching(&typed);
+    let mut knobs = Vec::new();
+    if !keep.lights {
+        knobs.extend(lights(setup, look, &typed, &live, &fixed));
+    }
+    let mut known = HashSet::new();
+    for node in live.iter().map(|&node| &typed.nodes[node]) {
+        for input in node.inputs.iter().flatten() {
+            let TypedSource::Param(id, _) = &input.source else { continue };
+            let param = &typed.params[*id];
+            let found = if ENDS.contains(&param.port.as_str()) {
+                profile(param, &typed.params).filter(|_| !keep.profiles)
+            } else {
+                color(param, input, look).filter(|_| !keep.colors)
+            };
+            let Some((knob, setting)) = found else { continue };
+            let is_base = keep.base && node.def.kind == "base";
+            let is_fixed = knob.inputs().into_iter().any(|(node, port)| fixed.contains(&Target::Input { node, port }));
+            if !is_base && !is_fixed && known.insert(knob.told()) {
+                knobs.push((knob, setting));
+            }
+        }
+    }
+    Ok(knobs)
+}
+
+/// What keys move, and what objects set.
+fn fixed(setup: &Setup, index: usize, typed: &TypedGraph) -> HashSet<Target> {
+    let mut fixed: HashSet<Target> = typed.keyed.iter().cloned().collect();
+    for object in setup.objects.iter().filter(|object| object.looks.contains(&Some(index))) {
+        let is_set = |name: &PortName| object.values.contains_key(name);
+        fixed.extend(typed.exposed.iter().filter(|exposed| is_set(&exposed.name)).map(|e| e.target.clone()));
+    }
+    fixed
+}
+
+/// The nodes that reach the output, in order.
+fn reaching(typed: &TypedGraph) -> Vec<usize> {
+    let mut reaches = vec![false; typed.nodes.len()];
+    reaches[typed.root.0] = true;
+    for &node in typed.order.iter().rev() {
+        if !reaches[node] {
+            continue;
+        }
+        for input in typed.nodes[node].inputs.iter().flatten() {
+            if let TypedSource::Wire { node: from, .. } = &input.source {
+                reaches[*from] = true;
+            }
+        }
+    }
+    (0..typed.nodes.len()).filter(|&node| reaches[node]).collect()
+}
+
+fn lights(
+    setup: &Setup,
+    look: &Look,
+    typed: &TypedGraph,
+    live: &[usize],
+    fixed: &HashSet<Target>,
+) -> Vec<(Knob, Setting)> {
+    let mut named: Vec<&LightId> = Vec::new();
+    for id in live.iter().filter_map(|&node| typed.nodes[node].light.as_ref()) {
+        if !named.contains(&id) {
+            named.push(id);
+        }
+    }
+    let free = |id: &&LightId| {
+        let target = Target::Light { light: (*id).clone(), field: "direction".to_owned() };
+        !setup.scene.lights.contains_key(*id) && !fixed.contains(&target)
+    };
+    let knob = |id: &LightId| {
+        let light = look.lights.get(id).filter(|light| light.kind == LightKind::Directional)?;
+        let direction = glam::DVec3::from(light.direction).try_normalize()?;
+        Some((Knob::Direction(id.clone()), Setting::Direction(direction)))
+    };
+    named.into_iter().filter(free).filter_map(knob).collect()
+}
+
+/// The profile that a parameter is an end of, where all of its ends are parameters.
+fn profile(param: &Param, params: &[Param]) -> Option<(Knob, Setting)> {
+    let end = |name: &str| {
+        let it = params.iter().find(|other| other.path == param.path && other.port.as_str() == name)?;
+        match it.value {
+            Some(Value::Number(x)) => Some(x),
+            _ => None,
+        }
+    };
+    let shape = Shape::new([end(ENDS[0])?, end(ENDS[1])?, end(ENDS[2])?]);
+    Some((Knob::Profile(param.path.clone()), Setting::Profile(shape)))
+}
+
+fn color(param: &Param, input: &TypedInput, look: &Look) -> Option<(Knob, Setting)> {
+    if !matches!(input.ty, Type::Color | Type::Composite) {
+        return None;
+    }
+    let [r, g, b, alpha] = param.value.as_ref()?.color_in(look.color_space)?;
+    let knob = Knob::Color { node: param.path.clone(), port: param.port.clone(), alpha };
+    Some((knob, Setting::Color([r, g, b].map(|x| x.clamp(0.0, 1.0)))))
+}

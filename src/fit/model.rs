@@ -1,0 +1,273 @@
+//! A look at chosen pixels, as a function of what is turned.
+//!
+//! The look is compiled with what is turned as uniforms and all else folded, and its picture is drawn once by the
+//! reference, which keeps the fragments of the chosen pixels ([`Gathered`]). A step is then the host's programs in f64
+//! and the fragment shader of these pixels: exactly the picture's own numbers, at a thousandth of its cost.
+
+use std::collections::{BTreeMap, HashSet};
+use std::sync::Arc;
+
+use glam::{DQuat, DVec3};
+use indexmap::IndexMap;
+
+use super::choose::telling;
+use super::knobs::Knob;
+use super::solve::Problem;
+use super::state::Setting;
+use super::target::Wish;
+use crate::compile::{HostInputs, Live, Param, ParamId};
+use crate::diag::Diagnostic;
+use crate::document::{Light, Values};
+use crate::frame::{Assets, CompiledShader, Moment, ParamTable, PlanOptions, Planner, Rig, Setup, Stage};
+use crate::ids::LightId;
+use crate::library::Library;
+use crate::reference::{Control, Gathered, Options, Sheet};
+
+/// What a picture is taken of, and when.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shot<'a> {
+    pub(super) setup: &'a Setup,
+    /// The look, by its index in the setup.
+    pub(super) look: usize,
+    pub(super) library: &'a Library,
+    /// Pixels.
+    pub(super) size: [u32; 2],
+    /// Seconds.
+    pub(super) time: f64,
+}
+
+/// One draw that wears the look.
+#[derive(Debug)]
+struct Part {
+    draw: usize,
+    /// The object's number and centre.
+    object: (usize, DVec3),
+    shader: Arc<CompiledShader>,
+    table: ParamTable,
+    /// The parameters of each knob.
+    ids: Vec<Vec<Option<ParamId>>>,
+    exposed: Values,
+}
+
+/// A look at chosen pixels.
+#[derive(Debug)]
+pub(super) struct Model {
+    gathered: Gathered,
+    parts: Vec<Part>,
+    pub(super) knobs: Vec<Knob>,
+    rig: Rig,
+    lights: IndexMap<LightId, Light>,
+    scene_lights: IndexMap<LightId, Light>,
+    illumination: DQuat,
+    time: [f64; 2],
+    /// The gathered pixels that can be compared: of draws that wear the look, and not at their edges.
+    pub(super) pixels: Vec<[u32; 2]>,
+    /// Their places among the gathered ones.
+    places: Vec<usize>,
+}
+
+impl Model {
+    /// The look of `shot` at the `chosen` pixels, with `knobs` to be turned.
+    ///
+    /// # Errors
+    /// What is wrong with the look, and what the interpreter cannot run.
+    pub(super) fn new(shot: &Shot<'_>, knobs: Vec<Knob>, chosen: &HashSet<[u32; 2]>) -> Result<Self, Vec<Diagnostic>> {
+        let mut setup = shot.setup.clone();
+        setup.edited = Some(shot.look);
+        let touched = knobs.iter().flat_map(Knob::inputs).collect();
+        let options = PlanOptions { size: shot.size, samples: 1, time: shot.time };
+        let mut planner = Planner::new(Assets::default()).culling(crate::frame::Cull::Objects);
+        let plan = planner.plan(&setup, shot.library, &Live::Touched(touched), &options)?;
+        let look = &setup.looks[shot.look].look;
+        let mut parts = Vec::new();
+        for (number, draw) in plan.draws.iter().enumerate() {
+            let Some((index, object)) = setup.objects.iter().enumerate().find(|(_, o)| o.id == draw.object) else {
+                continue;
+            };
+            let worn = object.mesh.parts.iter().zip(&object.looks).find(|(part, _)| part.indices == draw.indices);
+            if worn.is_none_or(|(_, look)| *look != Some(shot.look)) {
+                continue;
+            }
+            let table = ParamTable::new(&draw.look.params);
+            let ids = |knob: &Knob| knob.inputs().iter().map(|(node, port)| table.find(node, port)).collect();
+            parts.push(Part {
+                draw: number,
+                object: (index, object.center()),
+                shader: draw.look.clone(),
+                ids: knobs.iter().map(ids).collect(),
+                table,
+                exposed: object.values.clone(),
+            });
+        }
+        let time = [shot.time, ((shot.time - setup.scene.time.start) * setup.scene.time.fps).round()];
+        let (rig, lights) = (Rig::new(look).0, look.lights.clone());
+        let is_chosen = |pixel: [u32; 2]| chosen.contains(&pixel);
+        let gathered =
+            Gathered::new(plan, &is_chosen, &Options::default(), &Control::none()).map_err(|one| vec![one])?;
+        let wears = |index: &usize| {
+            let seen = gathered.seen[*index];
+            parts.iter().any(|part| part.draw == seen.draw) && !is_edge(&gathered, seen.pixel)
+        };
+        let places: Vec<usize> = (0..gathered.seen.len()).filter(wears).collect();
+        let pixels = places.iter().map(|&index| gathered.seen[index].pixel).collect();
+        let illumination = DQuat::from_array(setup.scene.illumination).normalize();
+        let scene_lights = setup.scene.lights;
+        Ok(Self { gathered, parts, knobs, rig, lights, scene_lights, illumination, time, pixels, places })
+    }
+
+    /// The places of all pixels.
+    pub(super) fn all(&self) -> Vec<usize> {
+        (0..self.pixels.len()).collect()
+    }
+
+    /// Places in [`pixels`](Self::pixels) that tell most about what is `missing` at each, of up to `most` quads: a quad is
+    /// shaded whole, whoever of it is looked at.
+    pub(super) fn telling(&self, missing: &[f64], most: usize) -> Vec<usize> {
+        let mut quads: BTreeMap<usize, (f64, Vec<usize>)> = BTreeMap::new();
+        for (place, &index) in self.places.iter().enumerate() {
+            let quad = quads.entry(self.gathered.seen[index].quad()).or_default();
+            quad.0 += missing.get(place).copied().unwrap_or(0.0);
+            quad.1.push(place);
+        }
+        let quads: Vec<(f64, Vec<usize>)> = quads.into_values().collect();
+        let missing: Vec<f64> = quads.iter().map(|(missing, _)| *missing).collect();
+        let mut places: Vec<usize> =
+            telling(&missing, most).into_iter().flat_map(|quad| quads[quad].1.clone()).collect();
+        places.sort_unstable();
+        places
+    }
+
+    /// Unit, from what is seen in the middle of a pixel toward the viewer, world space.
+    pub(super) fn toward_viewer(&self, [x, y]: [u32; 2]) -> DVec3 {
+        let (view, [width, height]) = (&self.gathered.plan().view, self.gathered.plan().size.map(f64::from));
+        let (across, up) = ((2.0 * f64::from(x) + 1.0) / width - 1.0, 1.0 - (2.0 * f64::from(y) + 1.0) / height);
+        view.toward_viewer(view.clip_from_world.inverse().project_point3(DVec3::new(across, up, 0.5)))
+    }
+
+    /// Some of the pixels, by their places in [`pixels`](Self::pixels).
+    pub(super) fn sheet(&self, chosen: &[usize]) -> Sheet {
+        let places: Vec<usize> = chosen.iter().map(|&index| self.places[index]).collect();
+        self.gathered.sheet(&places)
+    }
+
+    /// The colours of a sheet as they are seen, over the scene's backdrop where the look is transparent.
+    ///
+    /// # Errors
+    /// What keeps a shader from ending.
+    pub(super) fn colors(&self, sheet: &Sheet, state: &[Setting]) -> Result<Vec<[f64; 3]>, Diagnostic> {
+        let plan = self.gathered.plan();
+        let mut numbers: Vec<Vec<f64>> = plan.draws.iter().map(plan_numbers).collect();
+        for part in &self.parts {
+            numbers[part.draw] = self.numbers(part, state)?;
+        }
+        let shaded = self.gathered.shade(sheet, &numbers)?;
+        let over = |[r, g, b, a]: [f64; 4]| match plan.backdrop {
+            Some(behind) if a < 1.0 => {
+                let rgb = [r, g, b];
+                std::array::from_fn(|c| rgb[c] * a + behind[c] * behind[3] * (1.0 - a))
+            }
+            _ => [r, g, b],
+        };
+        Ok(shaded.into_iter().map(over).collect())
+    }
+
+    /// The numbers of the look's uniform on one draw.
+    fn numbers(&self, part: &Part, state: &[Setting]) -> Result<Vec<f64>, Diagnostic> {
+        let plan = self.gathered.plan();
+        let mut lights = self.lights.clone();
+        for (knob, setting) in self.knobs.iter().zip(state) {
+            if let (Knob::Direction(id), Setting::Direction(direction)) = (knob, setting)
+                && let Some(light) = lights.get_mut(id)
+            {
+                light.direction = direction.to_array();
+            }
+        }
+        lights.extend(self.scene_lights.iter().map(|(id, light)| (id.clone(), light.clone())));
+        let (number, center) = part.object;
+        let moment = Moment {
+            time: self.time[0],
+            illumination: self.illumination,
+            camera_from_world: plan.view.rotation(),
+            view: plan.view.toward_viewer(center),
+            center,
+            exposed: &part.exposed,
+            lights: &lights,
+        };
+        let params: &[Param] = &part.shader.params;
+        let mut values = self.rig.evaluate(params, &part.table, &moment);
+        for ((knob, setting), ids) in self.knobs.iter().zip(state).zip(&part.ids) {
+            for (id, value) in ids.iter().zip(knob.values(setting)) {
+                id.map(|id| values.params.entry(id).or_insert(value));
+            }
+        }
+        let inputs = HostInputs {
+            params: &values.params,
+            lights: &values.lights,
+            camera_from_world: plan.view.rotation(),
+            viewport: plan.size.map(f64::from),
+            time: self.time[0],
+            frame: self.time[1],
+            object_id: number as f64,
+        };
+        Ok(part.shader.host.uniform(&inputs)?.numbers)
+    }
+}
+
+fn plan_numbers(draw: &crate::frame::Draw) -> Vec<f64> {
+    draw.look_uniforms.get(&Stage::Draw).map(|uniform| uniform.numbers.clone()).unwrap_or_default()
+}
+
+/// Whether a pixel lies beside one where something else is on top: a smooth picture has mixed them there.
+fn is_edge(gathered: &Gathered, [x, y]: [u32; 2]) -> bool {
+    let [width, height] = gathered.plan().size;
+    let draw = |x: u32, y: u32| gathered.coverage[(y * width + x) as usize].draw;
+    let around = |at: u32, size: u32| at.saturating_sub(1)..(at + 2).min(size);
+    around(y, height).any(|v| around(x, width).any(|u| draw(u, v) != draw(x, y)))
+}
+
+/// How far a look is from what is wished of some pixels.
+#[derive(Debug)]
+pub(super) struct Painted<'a> {
+    pub(super) model: &'a Model,
+    pub(super) sheet: Sheet,
+    pub(super) wishes: Vec<Wish>,
+}
+
+impl<'a> Painted<'a> {
+    /// The pixels of `wishes` (one for each of the model's pixels) at these places.
+    pub(super) fn new(model: &'a Model, wishes: &[Wish], chosen: &[usize]) -> Self {
+        let wishes = chosen.iter().map(|&index| wishes[index]).collect();
+        Self { model, sheet: model.sheet(chosen), wishes }
+    }
+}
+
+impl Problem for Painted<'_> {
+    type Point = Vec<Setting>;
+
+    fn room(&self, state: &Vec<Setting>) -> Vec<[f64; 2]> {
+        state.iter().flat_map(Setting::room).collect()
+    }
+
+    fn moved(&self, state: &Vec<Setting>, by: &[f64]) -> Result<Vec<Setting>, Diagnostic> {
+        let mut rest = by;
+        let step = |setting: &Setting| {
+            let (own, others) = rest.split_at(setting.count());
+            rest = others;
+            if own.iter().all(|x| *x == 0.0) { *setting } else { setting.moved(own) }
+        };
+        Ok(state.iter().map(step).collect())
+    }
+
+    fn patience(&self) -> usize {
+        4
+    }
+
+    fn residuals(&self, state: &Vec<Setting>) -> Result<Vec<f64>, Diagnostic> {
+        let colors = self.model.colors(&self.sheet, state)?;
+        let residuals = colors.iter().zip(&self.wishes).flat_map(|(color, wish)| {
+            let root = wish.weight.sqrt();
+            (0..3).map(move |c| root * (color[c] - wish.color[c]))
+        });
+        Ok(residuals.collect())
+    }
+}

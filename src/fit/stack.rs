@@ -1,0 +1,269 @@
+//! Light layers one over the other, whose best colours are known for any tones.
+//!
+//! A layer mixes its colour over what is below by its tone, or adds it; so the picture is a sum of the colours of base and
+//! layers, each times a factor that is made of tones. For given tones the best colours are a small linear least squares
+//! problem within 0 and 1 for each channel.
+//!
+//! Tones come from the reference's normals and mirrored views by the formula of the BADF paper (eq. 5, 11), without
+//! antialiasing: a search tries tens of thousands of them, where the interpreter would take minutes. It only has to come
+//! near. What it finds becomes a look, and is turned on the reference from there.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::choose::evenly;
+use super::solve::{Problem, solve_in_place};
+use super::state::{Setting, Shape};
+use super::target::Wish;
+use crate::diag::Diagnostic;
+
+/// As many layers as are laid.
+pub(super) const MAX_LAYERS: usize = 7;
+/// Base and layers.
+const MOST: usize = MAX_LAYERS + 1;
+/// A channel that is wished as bright as this may be meant brighter.
+const SATURATED: f64 = 0.998;
+
+/// Which direction of the surface a layer's light is held against.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Diffuse,
+    Specular,
+}
+
+impl Kind {
+    pub(super) const ALL: [Self; 2] = [Self::Diffuse, Self::Specular];
+
+    /// As documents say it.
+    pub(super) fn word(self) -> &'static str {
+        match self {
+            Self::Diffuse => "diffuse",
+            Self::Specular => "specular",
+        }
+    }
+}
+
+/// How a layer is laid over what is below.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Mode {
+    Alpha,
+    Add,
+}
+
+impl Mode {
+    /// As documents say it.
+    pub(super) fn word(self) -> &'static str {
+        match self {
+            Self::Alpha => "alpha",
+            Self::Add => "add",
+        }
+    }
+}
+
+/// Where a layer's light comes from, and how it falls off.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Lit {
+    pub(super) kind: Kind,
+    pub(super) direction: DVec3,
+    pub(super) shape: Shape,
+}
+
+/// A layer with its tone at the pixels that are looked at.
+#[derive(Clone, Debug)]
+pub(super) struct Layer {
+    pub(super) lit: Lit,
+    pub(super) mode: Mode,
+    pub(super) tone: Arc<[f64]>,
+}
+
+impl Lit {
+    /// The tone where the surface's direction is `direction`: 1 up to the offset, 0 from the cut-off on (BADF eq. 5).
+    pub(super) fn tone(&self, direction: DVec3) -> f64 {
+        let Shape { offset, width, share } = self.shape;
+        let beyond = self.direction.dot(direction).clamp(-1.0, 1.0).acos() - offset;
+        if beyond <= 0.0 {
+            return 1.0;
+        }
+        let q = (0.5 * beyond).sin() / (0.5 * width).sin();
+        if q >= 1.0 || width < 1e-6 {
+            return 0.0;
+        }
+        // BADF eq. 11: the fall-off is where the curve is steepest.
+        let falloff = share * width;
+        let (sum, difference) = ((0.5 * (width + falloff)).sin(), (0.5 * (width - falloff)).sin());
+        let exponent = (sum * sum + difference * difference) / falloff.sin().powi(2);
+        (1.0 - q * q).powf(if share >= 1.0 { 1.0 } else { exponent })
+    }
+}
+
+/// A search for layers at some of the painted pixels.
+#[derive(Debug)]
+pub(super) struct Search {
+    /// The normal and the mirrored view at each pixel.
+    surface: Vec<[DVec3; 2]>,
+    wishes: Vec<Wish>,
+}
+
+impl Search {
+    /// At these places among all pixels.
+    pub(super) fn new(surface: &[[DVec3; 2]], wishes: &[Wish], chosen: &[usize]) -> Self {
+        let surface = chosen.iter().map(|&index| surface[index]).collect();
+        Self { surface, wishes: chosen.iter().map(|&index| wishes[index]).collect() }
+    }
+
+    /// The same at no more than so many pixels.
+    pub(super) fn thinned(&self, most: usize) -> Self {
+        Self::new(&self.surface, &self.wishes, &evenly(self.wishes.len(), most))
+    }
+
+    /// The tone of a layer at each pixel.
+    pub(super) fn tone(&self, lit: &Lit) -> Arc<[f64]> {
+        let which = match lit.kind {
+            Kind::Diffuse => 0,
+            Kind::Specular => 1,
+        };
+        self.surface.iter().map(|directions| lit.tone(directions[which])).collect()
+    }
+
+    /// The same layers at this search's pixels.
+    pub(super) fn taken_over(&self, layers: &[Layer]) -> Vec<Layer> {
+        layers.iter().map(|layer| Layer { tone: self.tone(&layer.lit), ..layer.clone() }).collect()
+    }
+
+    /// The sum of squared residuals that is an RMS of `enough` in a channel.
+    pub(super) fn error_of(&self, enough: f64) -> f64 {
+        3.0 * enough * enough * self.wishes.iter().map(|wish| wish.weight).sum::<f64>()
+    }
+
+    /// The best colours of base and layers, straight RGB, from the base up.
+    pub(super) fn colors(&self, layers: &[Layer]) -> Vec<[f64; 3]> {
+        let count = layers.len() + 1;
+        let mut sums = [Sums::default(); 3];
+        let adds = layers.iter().any(|layer| layer.mode == Mode::Add);
+        for (index, wish) in self.wishes.iter().enumerate() {
+            let factors = factors(layers, index);
+            for (channel, sums) in sums.iter_mut().enumerate() {
+                // A sum that is cut off at white says nothing about its parts.
+                if !(adds && wish.color[channel] >= SATURATED) {
+                    sums.add(&factors[..count], wish.color[channel], wish.weight);
+                }
+            }
+        }
+        let channels = sums.map(|sums| sums.solve(count));
+        (0..count).map(|part| channels.map(|channel| channel[part])).collect()
+    }
+
+    /// How far off each channel of each pixel is with the best colours.
+    pub(super) fn misses(&self, layers: &[Layer]) -> Vec<f64> {
+        let colors = self.colors(layers);
+        let mut misses = Vec::with_capacity(3 * self.wishes.len());
+        for (index, wish) in self.wishes.iter().enumerate() {
+            let (factors, root) = (factors(layers, index), wish.weight.sqrt());
+            for channel in 0..3 {
+                let sum: f64 = colors.iter().zip(&factors).map(|(color, factor)| color[channel] * factor).sum();
+                misses.push(root * (sum.min(1.0) - wish.color[channel]));
+            }
+        }
+        misses
+    }
+
+    /// The sum of their squares.
+    pub(super) fn error(&self, layers: &[Layer]) -> f64 {
+        self.misses(layers).iter().map(|miss| miss * miss).sum()
+    }
+}
+
+/// What the colours of base and layers are multiplied with at a pixel.
+fn factors(layers: &[Layer], pixel: usize) -> [f64; MOST] {
+    let mut factors = [0.0; MOST];
+    factors[0] = 1.0;
+    for (part, layer) in layers.iter().enumerate() {
+        let tone = layer.tone[pixel];
+        if layer.mode == Mode::Alpha {
+            factors[..=part].iter_mut().for_each(|factor| *factor *= 1.0 - tone);
+        }
+        factors[part + 1] = tone;
+    }
+    factors
+}
+
+/// The normal equations of one channel.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sums {
+    products: [[f64; MOST]; MOST],
+    right: [f64; MOST],
+}
+
+impl Sums {
+    fn add(&mut self, factors: &[f64], wished: f64, weight: f64) {
+        for (i, a) in factors.iter().enumerate() {
+            let weighted = a * weight;
+            self.right[i] += weighted * wished;
+            for (product, b) in self.products[i].iter_mut().zip(&factors[..=i]) {
+                *product += weighted * b;
+            }
+        }
+    }
+
+    /// The best numbers within 0 and 1: what would leave is held at its bound, one after the other.
+    fn solve(&self, count: usize) -> [f64; MOST] {
+        let product = |i: usize, j: usize| self.products[i.max(j)][i.min(j)];
+        let mut held: [Option<f64>; MOST] = [None; MOST];
+        let mut best = [0.0; MOST];
+        for _ in 0..=count {
+            let free: Vec<usize> = (0..count).filter(|&i| held[i].is_none()).collect();
+            let ridge = |i: usize, j: usize| if i == j { 1e-9 } else { 0.0 };
+            let mut matrix: Vec<Vec<f64>> =
+                free.iter().map(|&i| free.iter().map(|&j| product(i, j) + ridge(i, j)).collect()).collect();
+            let known = |i: usize| -> f64 { (0..count).filter_map(|j| Some(product(i, j) * held[j]?)).sum() };
+            let mut right: Vec<f64> = free.iter().map(|&i| self.right[i] - known(i)).collect();
+            solve_in_place(&mut matrix, &mut right);
+            best = held.map(|value| value.unwrap_or(0.0));
+            free.iter().zip(&right).for_each(|(&i, value)| best[i] = *value);
+            let beyond = |i: &usize| (best[*i] - best[*i].clamp(0.0, 1.0)).abs();
+            let Some(worst) = free.into_iter().max_by(|a, b| beyond(a).total_cmp(&beyond(b))) else { break };
+            if beyond(&worst) < 1e-12 {
+                break;
+            }
+            held[worst] = Some(best[worst].clamp(0.0, 1.0));
+        }
+        best
+    }
+}
+
+impl Problem for Search {
+    type Point = Vec<Layer>;
+
+    fn room(&self, layers: &Vec<Layer>) -> Vec<[f64; 2]> {
+        let of_layer = |layer: &Layer| {
+            [Setting::Direction(layer.lit.direction), Setting::Profile(layer.lit.shape)].map(|setting| setting.room())
+        };
+        layers.iter().flat_map(of_layer).flatten().collect()
+    }
+
+    fn moved(&self, layers: &Vec<Layer>, by: &[f64]) -> Result<Vec<Layer>, Diagnostic> {
+        let step = |(layer, by): (&Layer, &[f64])| {
+            if by.iter().all(|x| *x == 0.0) {
+                return layer.clone();
+            }
+            let mut lit = layer.lit;
+            if let Setting::Direction(direction) = Setting::Direction(lit.direction).moved(&by[..2]) {
+                lit.direction = direction;
+            }
+            if let Setting::Profile(shape) = Setting::Profile(lit.shape).moved(&by[2..]) {
+                lit.shape = shape;
+            }
+            Layer { lit, mode: layer.mode, tone: self.tone(&lit) }
+        };
+        Ok(layers.iter().zip(by.chunks(5)).map(step).collect())
+    }
+
+    fn patience(&self) -> usize {
+        0
+    }
+
+    fn residuals(&self, layers: &Vec<Layer>) -> Result<Vec<f64>, Diagnostic> {
+        Ok(self.misses(layers))
+    }
+}

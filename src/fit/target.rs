@@ -1,0 +1,91 @@
+//! What is wished: colours of some pixels of a picture.
+
+use std::io::Cursor;
+
+use image::{DynamicImage, ImageDecoder as _, Limits};
+
+use crate::diag::Diagnostic;
+
+/// The largest side of a painted picture, in pixels.
+pub const MAX_SIDE: u32 = 8192;
+
+/// What one pixel should show.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wish {
+    /// Column and row.
+    pub pixel: [u32; 2],
+    /// Straight RGB as shown (sRGB-encoded), 0 to 1.
+    pub color: [f64; 3],
+    /// How much it counts, above 0.
+    pub weight: f64,
+}
+
+/// A painted picture: wishes for some of its pixels.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Target {
+    /// Width and height in pixels.
+    pub size: [u32; 2],
+    /// Each pixel at most once.
+    pub wishes: Vec<Wish>,
+}
+
+impl Target {
+    /// Straight RGBA, rows from the top: alpha is how much a pixel counts, and where it is 0 nothing is wished.
+    pub fn from_rgba8(size: [u32; 2], rgba: &[u8]) -> Self {
+        let channel = |byte: u8| f64::from(byte) / 255.0;
+        let wishes = rgba.chunks_exact(4).zip(0_u32..).filter(|(texel, _)| texel[3] > 0).map(|(texel, index)| Wish {
+            pixel: [index % size[0].max(1), index / size[0].max(1)],
+            color: [channel(texel[0]), channel(texel[1]), channel(texel[2])],
+            weight: channel(texel[3]),
+        });
+        Self { size, wishes: wishes.collect() }
+    }
+
+    /// Reads a PNG: see [`from_rgba8`](Self::from_rgba8).
+    ///
+    /// # Errors
+    /// `fit-target`: it is no PNG, is broken, is larger than [`MAX_SIDE`], or wishes nothing.
+    pub fn from_png(bytes: &[u8]) -> Result<Self, Diagnostic> {
+        let problem = |message: String| Diagnostic::error("fit-target", message);
+        let broken = |error: image::ImageError| problem(format!("the painted picture cannot be decoded: {error}"));
+        let mut limits = Limits::default();
+        (limits.max_image_width, limits.max_image_height) = (Some(MAX_SIDE), Some(MAX_SIDE));
+        let decoder = image::codecs::png::PngDecoder::with_limits(Cursor::new(bytes), limits).map_err(broken)?;
+        let (width, height) = decoder.dimensions();
+        if width.max(height) > MAX_SIDE {
+            let message = format!("the painted picture is {width}x{height} pixels, and a side may have {MAX_SIDE}");
+            return Err(problem(message));
+        }
+        let rgba = DynamicImage::from_decoder(decoder).map_err(broken)?.into_rgba8();
+        let target = Self::from_rgba8([width, height], rgba.as_raw());
+        if target.wishes.is_empty() {
+            let problem = problem("all of the painted picture is transparent, so nothing is wished".to_owned());
+            return Err(problem.hint("paint on a transparent layer over the rendered picture, and save that layer"));
+        }
+        Ok(target)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::frame::Picture;
+
+    #[test]
+    fn transparent_pixels_wish_nothing_and_alpha_is_the_weight() {
+        let rgba = vec![[1.0, 0.0, 0.0, 1.0], [0.0; 4], [0.0, 1.0, 0.0, 0.2], [0.0, 0.0, 1.0, 0.0]];
+        let png = Picture { size: [2, 2], rgba }.to_png().unwrap();
+        let target = Target::from_png(&png).unwrap();
+        assert_eq!(target.size, [2, 2]);
+        let wish = |pixel, color, weight| Wish { pixel, color, weight };
+        assert_eq!(target.wishes, [wish([0, 0], [1.0, 0.0, 0.0], 1.0), wish([0, 1], [0.0, 1.0, 0.0], 0.2)]);
+    }
+
+    #[test]
+    fn what_wishes_nothing_or_is_no_picture_is_told() {
+        let clear = Picture { size: [1, 1], rgba: vec![[0.0; 4]] }.to_png().unwrap();
+        for bytes in [&clear[..], b"no picture", &clear[..20]] {
+            assert_eq!(Target::from_png(bytes).unwrap_err().code, "fit-target");
+        }
+    }
+}

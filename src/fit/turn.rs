@@ -1,0 +1,191 @@
+//! A look that is there: its lights, profiles and colours are turned until it shows what was painted.
+
+use super::choose::{Surface, pixels_of, thinned, wearing, wishes_of};
+use super::knobs::{Knob, knobs_of};
+use super::model::{Model, Painted, Shot};
+use super::report::{Compared, Report, compared};
+use super::solve::{Found, Until, descend};
+use super::state::Setting;
+use super::target::{Target, Wish};
+use super::{FitOptions, Fitted};
+use crate::diag::Diagnostic;
+use crate::document::{Edit, Look};
+use crate::frame::Setup;
+use crate::hcbtf::Progress;
+use crate::library::Library;
+
+/// Quads of pixels that are looked at.
+const QUADS: usize = 96;
+/// Steps of a beginning.
+const FIRST_STEPS: usize = 10;
+/// Beginnings that go on.
+const GOING_ON: usize = 2;
+/// How often a look that is near is turned at other pixels.
+const ROUNDS: usize = 4;
+/// Radians that a soft edge is wide.
+const SOFT: f64 = 0.6;
+
+/// Turns look number `look` of `setup` until it shows what `target` wishes. Its nodes and wires stay as they are.
+///
+/// # Errors
+/// `fit-nothing` where the look has nothing that could be turned; `fit-target` where no painted pixel can be compared;
+/// `stopped`; what is wrong with the setup.
+pub fn fit_look(
+    setup: &Setup,
+    look: usize,
+    library: &Library,
+    target: &Target,
+    options: &FitOptions,
+    progress: &Progress,
+) -> Result<Fitted, Vec<Diagnostic>> {
+    let one = |problem| vec![problem];
+    progress.begin(options.starts.max(1) as u64 + GOING_ON as u64 + 1);
+    let shot = Shot { setup, look, library, size: target.size, time: options.time };
+    let given = thinned(target);
+    let (model, begin) = model(&shot, &given, options)?;
+    let wishes = wishes_of(&model.pixels, &given)?;
+    let before = compared(&model, &wishes, &begin).map_err(one)?;
+    let missing = missing(&before);
+    let painted = Painted::new(&model, &wishes, &model.telling(&missing, QUADS));
+    let enough = error_of(&painted.wishes, options.enough);
+    let mut found: Vec<Found<Vec<Setting>>> = Vec::new();
+    for start in starts(&shot, &given, &begin, &missing, options.starts)? {
+        let until = Until { steps: FIRST_STEPS, error: enough };
+        found.push(descend(&painted, start, until, progress).map_err(one)?);
+        progress.add(1);
+        found.sort_by(|a, b| a.error.total_cmp(&b.error));
+        if found[0].error <= enough {
+            break;
+        }
+    }
+    found.truncate(GOING_ON);
+    let mut best: Option<Found<Vec<Setting>>> = None;
+    for start in found {
+        let far = descend(&painted, start.point, Until { steps: 40, error: 0.25 * enough }, progress).map_err(one)?;
+        progress.add(1);
+        if best.as_ref().is_none_or(|best| far.error < best.error) {
+            best = Some(far);
+        }
+    }
+    let state = best.map_or(begin, |best| best.point);
+    let (turned, first) = applied(&model, &state, &setup.looks[look].look).map_err(one)?;
+    let worn = wearing(&shot, turned);
+    let Polished { look: fitted, edits, after } = polished(&Shot { setup: &worn, ..shot }, &given, options, progress)?;
+    progress.add(1);
+    let report = Report::new(&shot, &fitted, target, &before, &after)?;
+    let edit = Edit::Group { edits: first.into_iter().chain(edits).collect() };
+    let misses = after.into_iter().map(|(missed, _)| missed).collect();
+    Ok(Fitted { edit, look: fitted, report, misses })
+}
+
+/// A look that was turned to where it is nearest.
+pub(super) struct Polished {
+    pub(super) look: Look,
+    /// What makes it of the look before.
+    pub(super) edits: Vec<Edit>,
+    /// How far off it is.
+    pub(super) after: Compared,
+}
+
+/// Turns a look that is near downhill at all painted pixels.
+///
+/// # Errors
+/// As [`fit_look`].
+pub(super) fn polished(
+    shot: &Shot<'_>,
+    given: &[Wish],
+    options: &FitOptions,
+    progress: &Progress,
+) -> Result<Polished, Vec<Diagnostic>> {
+    let one = |problem| vec![problem];
+    let (model, begin) = model(shot, given, options)?;
+    let wishes = wishes_of(&model.pixels, given)?;
+    let (mut best, mut state) = (f64::INFINITY, begin);
+    for _ in 0..ROUNDS {
+        let missing = missing(&compared(&model, &wishes, &state).map_err(one)?);
+        let error: f64 = missing.iter().map(|miss| miss * miss).sum();
+        // What is painted in eight bits is off by a third of a step; and what no round has mended no other will.
+        if error <= error_of(&wishes, 0.4 / 255.0) || error > 0.95 * best {
+            break;
+        }
+        best = error;
+        let painted = Painted::new(&model, &wishes, &model.telling(&missing, QUADS));
+        let until = Until { steps: 25, error: error_of(&painted.wishes, 0.1 / 255.0) };
+        state = descend(&painted, state, until, progress).map_err(one)?.point;
+    }
+    let (look, edits) = applied(&model, &state, &shot.setup.looks[shot.look].look).map_err(one)?;
+    // As it is written, in numbers that people can read.
+    let written = knobs_of(&wearing(shot, look.clone()), shot.look, shot.library, &options.keep)?;
+    let written: Vec<Setting> = written.into_iter().map(|(_, setting)| setting).collect();
+    let after = compared(&model, &wishes, &written).map_err(one)?;
+    Ok(Polished { look, edits, after })
+}
+
+/// The look at the painted pixels, with where everything stands.
+fn model(shot: &Shot<'_>, given: &[Wish], options: &FitOptions) -> Result<(Model, Vec<Setting>), Vec<Diagnostic>> {
+    let (knobs, begin): (Vec<Knob>, Vec<Setting>) =
+        knobs_of(shot.setup, shot.look, shot.library, &options.keep)?.into_iter().unzip();
+    if knobs.is_empty() {
+        let problem = Diagnostic::error("fit-nothing", "the look has no light, profile or colour that could be turned");
+        return Err(vec![problem.hint("what is wired or keyed stays as it is; or begin from nothing with --layers")]);
+    }
+    Ok((Model::new(shot, knobs, &pixels_of(given))?, begin))
+}
+
+/// A look with what is turned written into it, and the edits that do that.
+fn applied(model: &Model, state: &[Setting], look: &Look) -> Result<(Look, Vec<Edit>), Diagnostic> {
+    let mut turned = look.clone();
+    let edits: Vec<Edit> =
+        model.knobs.iter().zip(state).flat_map(|(knob, setting)| knob.edits(setting, look)).collect();
+    turned.apply(Edit::Group { edits: edits.clone() }).map_err(|problem| *problem)?;
+    Ok((turned, edits))
+}
+
+/// The sum of squared residuals that is an RMS of `enough` in a channel.
+fn error_of(wishes: &[Wish], enough: f64) -> f64 {
+    3.0 * enough * enough * wishes.iter().map(|wish| wish.weight).sum::<f64>()
+}
+
+/// How far off each pixel is, as much as it counts.
+fn missing(compared: &Compared) -> Vec<f64> {
+    compared.iter().map(|(missed, weight)| (3.0 * weight).sqrt() * missed.error).collect()
+}
+
+/// Where to begin: as it is, then with soft profiles, then also with the lights where most is missing.
+fn starts(
+    shot: &Shot<'_>,
+    given: &[Wish],
+    begin: &[Setting],
+    missing: &[f64],
+    count: usize,
+) -> Result<Vec<Vec<Setting>>, Vec<Diagnostic>> {
+    let softened = |setting: &Setting| match setting {
+        Setting::Profile(shape) => Setting::Profile(shape.softened(SOFT)),
+        other => *other,
+    };
+    let soft: Vec<Setting> = begin.iter().map(softened).collect();
+    let mut starts = vec![begin.to_vec()];
+    if count > 1 {
+        starts.push(soft.clone());
+    }
+    if count > 2 {
+        let surface = Surface::new(shot, &pixels_of(given))?.directions;
+        let mut order: Vec<usize> = (0..missing.len()).collect();
+        order.sort_by(|&a, &b| missing[b].total_cmp(&missing[a]).then(a.cmp(&b)));
+        // Of the quarter of the pixels that are farthest off, by turns the normal and what a mirror would show there.
+        let far = order.len() / 4 + 1;
+        for start in 2..count {
+            let mut next = start;
+            let turned = |setting: &Setting| match setting {
+                Setting::Direction(_) => {
+                    let pixel = order[next * 7919 % far];
+                    next += count;
+                    Setting::Direction(surface[pixel][start % 2])
+                }
+                other => *other,
+            };
+            starts.push(soft.iter().map(turned).collect());
+        }
+    }
+    Ok(starts)
+}

@@ -1,0 +1,176 @@
+//! Painted shading recovers known looks: painted from a hidden look's own picture, the fitted one is the same on a view
+//! that was not painted.
+
+#[path = "fit/hidden.rs"]
+mod hidden;
+mod support;
+
+use chiaro::clock::Clock;
+use chiaro::compile::Live;
+use chiaro::document::Look;
+use chiaro::fit::{FitOptions, Fitted, Keep, Target, fit_layers, fit_look};
+use chiaro::frame::{Assets, PlanOptions, Planner, Stage};
+use chiaro::hcbtf::Progress;
+use chiaro::interp::Precision;
+use chiaro::library::Library;
+use chiaro::reference::{self, Control, Gathered, Modules};
+
+use hidden::{Hidden, difference, hidden, painted, setup_of};
+
+/// A look that knows nothing: a grey base.
+fn nothing() -> Look {
+    let text = r#"{"chiaro": "look", "version": 1, "name": "From nothing",
+        "nodes": [{"id": "base", "kind": "base", "values": {"color": [0.5, 0.5, 0.5]}}, {"id": "output", "kind": "output"}],
+        "wires": [{"from": "base.below", "to": "output.color"}]}"#;
+    Look::read(text, "nothing.json").value.unwrap()
+}
+
+fn from_nothing(hidden: &Hidden, target: &Target) -> Fitted {
+    let setup = setup_of(nothing(), hidden.mesh);
+    let (options, progress) = (FitOptions::default(), Progress::new());
+    fit_layers(&setup, 0, Library::built_in(), target, hidden.layers, &options, &progress).unwrap()
+}
+
+/// How far a fitted look may be from the hidden one on the new view.
+const NEAR: f64 = 2.0 / 255.0;
+
+/// The proof: `cargo test --test fit -- soak --ignored --nocapture`; with `CHIARO_FIT=10+5` the five looks from number 10.
+#[test]
+#[ignore = "minutes; `the_fit_recovers_a_hidden_look` is the quick part of it"]
+#[allow(clippy::print_stdout, reason = "the documentation's figures are made of what `--nocapture` shows")]
+fn soak_the_rate_over_fifty_hidden_looks() {
+    let range = std::env::var("CHIARO_FIT").unwrap_or_default();
+    let (first, count) = range.split_once('+').map_or((0, 50), |(a, b)| (a.parse().unwrap(), b.parse().unwrap()));
+    let mut near = 0;
+    for number in first..first + count {
+        let hidden = hidden(number);
+        let target = painted(&hidden.look, hidden.mesh);
+        let clock = Clock::start();
+        let fitted = from_nothing(&hidden, &target);
+        let seconds = clock.seconds();
+        let difference = difference(&hidden.look, &fitted.look, hidden.mesh);
+        near += u64::from(difference < NEAR);
+        println!(
+            "{number:2} {:14} {} layers: painted view {:.2} -> {:.2}, new view {:.2} of 255 {} ({:.1} s)",
+            hidden.mesh,
+            hidden.layers,
+            255.0 * fitted.report.before,
+            255.0 * fitted.report.after,
+            255.0 * difference,
+            if difference < NEAR { "" } else { "MISSED" },
+            seconds,
+        );
+        if difference >= NEAR {
+            hidden.told.iter().for_each(|layer| println!("     hidden {layer}"));
+            fitted
+                .report
+                .changed
+                .iter()
+                .for_each(|change| println!("     {} {}: {}", change.what, change.place, change.to));
+        }
+    }
+    println!("{near} of {count} are within 2/255 RMS on the new view");
+    assert!(5 * near >= 4 * count, "fewer than four in five");
+}
+
+#[test]
+fn the_fit_recovers_a_hidden_look() {
+    let hidden = hidden(0);
+    let target = painted(&hidden.look, hidden.mesh);
+    let fitted = from_nothing(&hidden, &target);
+    let difference = difference(&hidden.look, &fitted.look, hidden.mesh);
+    assert!(difference < NEAR, "{:.2}/255: {:?}, hidden {:?}", 255.0 * difference, fitted.report, hidden.told);
+    // It is an ordinary look, which a file holds and which says the same again.
+    let read = Look::read(&fitted.look.to_text(), "fitted.json");
+    assert!(read.diagnostics.is_empty() && read.value == Some(fitted.look), "{:?}", read.diagnostics);
+}
+
+/// One highlight over one light, on what the test says of them.
+fn two_layers(light: [f64; 3], ends: [f64; 3], color: &str) -> Look {
+    let [offset, falloff, cutoff] = ends;
+    let text = serde_json::json!({
+        "chiaro": "look", "version": 1, "lights": {"key": {"direction": light}},
+        "nodes": [
+            {"id": "base", "kind": "base", "values": {"color": "#332b40"}},
+            {"id": "body", "kind": "light_layer", "values": {"light": "key", "blend": "alpha", "convex": color,
+                "offset": offset, "falloff": falloff, "cutoff": cutoff}},
+            {"id": "gleam", "kind": "light_layer", "values": {"light": "key", "type": "specular", "convex": "#7f7050",
+                "offset": 0.1, "falloff": 0.3, "cutoff": 0.5}},
+            {"id": "output", "kind": "output"}],
+        "wires": [{"from": "base.below", "to": "body.below"}, {"from": "body.below", "to": "gleam.below"},
+            {"from": "gleam.below", "to": "output.color"}]
+    });
+    Look::read(&text.to_string(), "two.json").value.unwrap()
+}
+
+#[test]
+fn a_look_is_turned_to_what_was_painted_and_undone_as_one() {
+    let mesh = "shape:sphere";
+    let wished = two_layers([-0.5, 0.6, 0.7], [0.3, 0.8, 1.2], "#c08850");
+    let start = two_layers([-0.35, 0.5, 0.8], [0.2, 0.75, 1.3], "#a08870");
+    let target = painted(&wished, mesh);
+    let options = FitOptions { keep: Keep { base: true, ..Keep::default() }, starts: 1, ..FitOptions::default() };
+    let setup = setup_of(start.clone(), mesh);
+    let fitted = fit_look(&setup, 0, Library::built_in(), &target, &options, &Progress::new()).unwrap();
+    let difference = difference(&wished, &fitted.look, mesh);
+    assert!(difference < NEAR, "{:.2}/255: {:?}", 255.0 * difference, fitted.report);
+    assert!(fitted.report.before > 5.0 * fitted.report.after, "{:?}", fitted.report);
+    assert_eq!(fitted.misses.len(), fitted.report.compared);
+    let is_kept = |change: &chiaro::fit::Changed| change.place != "base.color";
+    assert!(fitted.report.changed.iter().all(is_kept) && !fitted.report.changed.is_empty());
+    let mut look = start.clone();
+    let inverse = look.apply(fitted.edit).unwrap();
+    assert_eq!(look, fitted.look);
+    look.apply(inverse).unwrap();
+    assert_eq!(look, start);
+}
+
+#[test]
+fn what_cannot_be_fitted_is_told() {
+    let setup = setup_of(two_layers([0.0, 0.0, 1.0], [0.1, 0.7, 1.4], "#909090"), "shape:sphere");
+    let (library, options) = (Library::built_in(), FitOptions::default());
+    // The corner is nobody's.
+    let mut rgba = vec![0; 4 * 16 * 16];
+    rgba[3] = 255;
+    let corner = Target::from_rgba8([16, 16], &rgba);
+    let problems = fit_look(&setup, 0, library, &corner, &options, &Progress::new()).unwrap_err();
+    assert_eq!(problems[0].code, "fit-target");
+    rgba.fill(255);
+    let all = Target::from_rgba8([16, 16], &rgba);
+    let keep = Keep { lights: true, profiles: true, colors: true, base: true };
+    let kept = FitOptions { keep, ..options };
+    assert_eq!(fit_look(&setup, 0, library, &all, &kept, &Progress::new()).unwrap_err()[0].code, "fit-nothing");
+    assert_eq!(fit_layers(&setup, 0, library, &all, 0, &options, &Progress::new()).unwrap_err()[0].code, "fit-layers");
+    let stopped = Progress::new();
+    stopped.stop();
+    for problems in [
+        fit_look(&setup, 0, library, &all, &options, &stopped).unwrap_err(),
+        fit_layers(&setup, 0, library, &all, 1, &options, &stopped).unwrap_err(),
+    ] {
+        assert_eq!(problems[0].code, "stopped");
+    }
+}
+
+/// Curvature, folds, and an object before another part of itself: gathered pixels are the picture's own, to the last bit.
+#[test]
+fn gathered_fragments_are_shaded_as_in_the_picture() {
+    let text = std::fs::read_to_string("examples/looks/figure1-layers.json").unwrap();
+    let setup = setup_of(Look::read(&text, "figure1.json").value.unwrap(), "shape:knot");
+    let options = PlanOptions { size: [40, 32], samples: 1, time: 0.0 };
+    let plan = Planner::new(Assets::default()).plan(&setup, Library::built_in(), &Live::Keyed, &options).unwrap();
+    let modules = Modules::new(&plan, Precision::F64).unwrap();
+    let how = reference::Options::default();
+    let picture = reference::execute(&plan, &modules, &how, &Control::none()).unwrap();
+    let numbers: Vec<Vec<f64>> =
+        plan.draws.iter().map(|draw| draw.look_uniforms[&Stage::Draw].numbers.clone()).collect();
+    let odd = |[x, y]: [u32; 2]| (x + y) % 2 == 1;
+    let gathered = Gathered::new(plan, &odd, &how, &Control::none()).unwrap();
+    let chosen: Vec<usize> = (0..gathered.seen.len()).rev().collect();
+    let colors = gathered.shade(&gathered.sheet(&chosen), &numbers).unwrap();
+    assert!(colors.len() > 100 && gathered.coverage == picture.coverage);
+    for (index, color) in chosen.into_iter().zip(colors) {
+        let [x, y] = gathered.seen[index].pixel;
+        assert!(odd([x, y]));
+        assert_eq!(color, picture.straight(x, y), "{x},{y}");
+    }
+}
