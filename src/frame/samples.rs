@@ -364,6 +364,9 @@ impl<'a> SurfaceValues<'a> {
             }
             Context::Depth => interp::Value::Float(-(sample.camera * sample.position).z),
             curvature if curvature.is_curvature() => interp::Value::Float(sample.kappa),
+            // No neighbours: as curved in every direction, and smooth already.
+            Context::Tensor | Context::TensorFast => vec3(DVec3::new(sample.kappa, 0.0, sample.kappa)),
+            Context::SmoothNormal(_) => vec3(self.normal),
             // Known before the fragment, and so computed by the host program.
             _ => interp::Value::Float(0.0),
         }
