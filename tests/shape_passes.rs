@@ -81,7 +81,7 @@ fn plane(normal: impl Fn(f64, f64) -> [f64; 3]) -> Mesh {
     raised([-1.5, 1.5], [-1.0, 1.0], [150, 100], |_, _| 0.0, normal)
 }
 
-fn plan_of(parts: Vec<(SetupLook, Mesh)>) -> FramePlan {
+fn plan_of(parts: Vec<(SetupLook, Mesh)>, size: [u32; 2]) -> FramePlan {
     let camera = Camera {
         eye: [0.0, 0.0, 9.0],
         target: [0.0; 3],
@@ -91,14 +91,14 @@ fn plan_of(parts: Vec<(SetupLook, Mesh)>) -> FramePlan {
     };
     let parts = parts.into_iter().map(|(look, mesh)| (look, mesh, DMat4::IDENTITY)).collect();
     let setup = scene_of(parts, Scene { camera, backdrop: None, ..Scene::default() });
-    let options = PlanOptions { size: SIZE, samples: 1, time: 0.0 };
+    let options = PlanOptions { size, samples: 1, time: 0.0 };
     let planned = Planner::default().plan(&setup, Library::built_in(), &Live::Keyed, &options);
     planned.unwrap_or_else(|problems| panic!("{}", told(&problems)))
 }
 
 /// The first number of each pixel, rows from the top; `None` where nothing is.
 fn drawn(parts: Vec<(SetupLook, Mesh)>) -> Vec<Option<f64>> {
-    let plan = plan_of(parts);
+    let plan = plan_of(parts, SIZE);
     let picture = block_on(renderer().picture(&plan)).unwrap_or_else(|error| panic!("{error}"));
     picture.rgba.iter().map(|pixel| (pixel[3] > 0.5).then_some(f64::from(pixel[0]))).collect()
 }
@@ -260,9 +260,10 @@ fn suggestive_contours_lie_on_inflections_that_turn_to_the_eye() {
 #[test]
 fn passes_are_there_for_who_reads_them() {
     use PassKind::{CurvatureTensor, Look as Looks, Normals, SmoothNormals};
-    let waves = || plane(|x, y| [0.4 * (5.0 * x).sin(), 0.3 * (7.0 * y).sin(), 1.0]);
+    let normal = |x: f64, y: f64| [0.4 * (5.0 * x).sin(), 0.3 * (7.0 * y).sin(), 1.0];
+    let waves = || raised([-1.5, 1.5], [-1.0, 1.0], [30, 20], |_, _| 0.0, normal);
     let kinds = |look: SetupLook| -> Vec<PassKind> {
-        plan_of(vec![(look, waves())]).passes.into_iter().map(|pass| pass.kind).collect()
+        plan_of(vec![(look, waves())], SIZE).passes.into_iter().map(|pass| pass.kind).collect()
     };
     let small = normal_along([0.0, 1.0, 0.0], "small");
     assert_eq!(kinds(small), [Normals, SmoothNormals(1), SmoothNormals(2), Looks]);
@@ -288,7 +289,7 @@ fn passes_are_there_for_who_reads_them() {
     assert_eq!(kinds(warped(0.0, Tier::Exact)), [Looks], "no warp, no pass");
 
     for look in [warped(2.0, Tier::Exact), normal_along([1.0, 0.0, 0.0], "large")] {
-        let plan = plan_of(vec![(look, waves())]);
+        let plan = plan_of(vec![(look, waves())], [60, 40]);
         let modules = Modules::new(&plan, Precision::F64).unwrap_or_else(|problem| panic!("{problem}"));
         let truth = reference::execute(&plan, &modules, &reference::Options::default(), &Control::none())
             .unwrap_or_else(|problem| panic!("{problem}"));

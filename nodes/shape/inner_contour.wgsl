@@ -70,8 +70,3 @@ fn faded_in(x: f32, limit: f32, softness: f32) -> f32 {
     let width = edge_width(footprint_of(x), min(at, 1e9) * factor_of(softness, true));
     return step_filtered(bounded(x), at, width);
 }
-
-/// At the outline every curvature is large.
-fn seen_well(facing: f32) -> f32 {
-    return eased(facing, 0.05, 0.3);
-}

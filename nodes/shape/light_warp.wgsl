@@ -7,7 +7,7 @@ import chiaro::shape;
 /// Warp light
 ///
 /// Bends a light over the surface's shape: bumps and ridges draw it toward themselves, hollows push it away, so that every
-/// layer it lights shows more of the form. Flat places see it as it is.
+/// layer it lights shows more of the form. Flat places see it as it is, and so does the outline.
 ///
 /// @param light "Light" wire : Its colour and intensity stay, and so does its direction for Screen-aligned layers.
 /// @param normal "Normal" from=normal : World space; any length but 0.
@@ -31,7 +31,7 @@ fn light_warp(
     camera_from_world: mat3x3f,
 ) -> Light {
     let n = normalize_or(normal, view);
-    let most = clamp(bounded(amount), -16.0, 16.0);
+    let most = clamp(bounded(amount), -16.0, 16.0) * seen_well(dot(n, view));
     let warped = warped_light(light.direction, n, view, camera_from_world, tensor_safe(tensor), most, slope);
     let is_flat = most == 0.0 || slope == 0.0;
     return Light(select(warped, light.direction, is_flat), light.own_direction, light.color, light.intensity);

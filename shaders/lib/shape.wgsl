@@ -55,3 +55,8 @@ fn radiance_scaled(tone: f32, curved: f32, turning: f32) -> f32 {
 fn line_covers(distance: f32, width: f32) -> f32 {
     return clamp(width + 0.5 - distance, 0.0, min(width, 1.0));
 }
+
+/// 0 at the outline, where curvature on the screen has no bound and no digits, 1 where the surface is seen well.
+fn seen_well(facing: f32) -> f32 {
+    return eased(facing, 0.05, 0.3);
+}

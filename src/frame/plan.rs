@@ -19,7 +19,7 @@ use super::values::live_for_values;
 use super::visibility::{Cull, KnownBounds, Placed, dark_lights, fields, hidden};
 use crate::compile::{CompiledShader, HostInputs, ImageShape, Live, Options, Param, Proof, Stage, Uniform, compile};
 use crate::diag::Diagnostic;
-use crate::document::{Graph, Light, Look, Value};
+use crate::document::{Driver, Graph, KeyDirection, Light, Look, Value};
 use crate::geometry::Mesh;
 use crate::hcbtf::LayerOptions;
 use crate::ids::{LightId, ObjectId};
@@ -391,6 +391,39 @@ impl Planner {
         seen
     }
 
+    /// Tells of keys by the distance to an object that is not in the scene.
+    fn warn_of_missing(&mut self, setup: &Setup, look: &SetupLook, own: &ObjectId) {
+        for (index, set) in look.look.direction_keys.iter().enumerate() {
+            let KeyDirection::Drivers(drivers) = &set.by else { continue };
+            for driver in drivers {
+                let Driver::Near(id) = driver else { continue };
+                if *id != *own && setup.objects.iter().any(|object| object.id == *id) {
+                    continue;
+                }
+                let is_own = *id == *own;
+                let message = if is_own {
+                    format!("object `{id}` wears a look whose keys go by how near it is to itself")
+                } else {
+                    format!("there is no object `{id}` in the scene")
+                };
+                let ids = setup.objects.iter().map(|object| &object.id).filter(|other| *other != own);
+                let known: Vec<String> = ids.take(8).map(|id| format!("`{id}`")).collect();
+                let hint = if known.is_empty() {
+                    "add another object to the scene, or let something else decide".to_owned()
+                } else {
+                    format!("other objects are {}; until then it counts as far away", known.join(", "))
+                };
+                let mut problem = Diagnostic::warning("unknown-object", message)
+                    .json_path(format!("direction_keys[{index}].by"))
+                    .hint(hint);
+                look.source.locate(&mut problem);
+                if !self.warnings.contains(&problem) {
+                    self.warnings.push(problem);
+                }
+            }
+        }
+    }
+
     fn dark(&self, setup: &Setup, shown: &Look, live: &Live, placed: &Placed, view: &View) -> Dark {
         // What may be edited any moment is never taken for what it is now.
         if self.cull != Cull::All || !matches!(live, Live::Keyed | Live::Exposed) {
@@ -440,8 +473,12 @@ impl Planner {
         options: &PlanOptions,
     ) -> Result<Vec<Draw>, Vec<Diagnostic>> {
         let mut draws = Vec::new();
+        let others = setup.objects.iter().filter(|other| other.id != object.id);
+        let near: IndexMap<ObjectId, f64> =
+            others.map(|other| (other.id.clone(), other.center().distance(center))).collect();
         for (part, look) in object.mesh.parts.iter().zip(&object.looks) {
             let Some(look) = *look else { continue };
+            self.warn_of_missing(setup, &setup.looks[look], &object.id);
             let (key, dark) = &keys[&(number, look)];
             let shaders = self.shaders.get_mut(key).expect("compiled above");
             let shown = structural_look(&setup.looks[look].look, options.time, &object.values);
@@ -463,6 +500,9 @@ impl Planner {
                 camera_from_world: view.rotation(),
                 view: view.toward_viewer(center),
                 center,
+                distance: view.eye.distance(center),
+                front: object.world_from_object.transform_vector3(DVec3::Z),
+                near: &near,
                 exposed: &object.values,
                 lights: &lights,
             };

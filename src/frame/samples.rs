@@ -17,7 +17,7 @@ use crate::compile::{
 };
 use crate::diag::Diagnostic;
 use crate::document::{Light, LightKind, Look, Value, Values};
-use crate::ids::LightId;
+use crate::ids::{LightId, ObjectId};
 use crate::interp;
 use crate::library::{Context, Library};
 
@@ -53,6 +53,12 @@ pub struct EvalSample {
     pub uv: DVec2,
     /// Curvature in 1/viewport-height, convex positive.
     pub kappa: f64,
+    /// From the eye to the object, scene units.
+    pub distance: f64,
+    /// The object's front, its z axis, world space.
+    pub front: DVec3,
+    /// How far other objects are, by id, scene units.
+    pub near: IndexMap<ObjectId, f64>,
     /// Straight RGBA of the vertices.
     pub vertex_color: [f64; 4],
     /// Seconds.
@@ -76,6 +82,9 @@ impl Default for EvalSample {
             camera: DMat3::IDENTITY,
             uv: DVec2::ZERO,
             kappa: 0.0,
+            distance: 1.0,
+            front: DVec3::Z,
+            near: IndexMap::new(),
             vertex_color: [1.0; 4],
             time: 0.0,
             frame: DQuat::IDENTITY,
@@ -260,6 +269,9 @@ impl<'a> Packer<'a> {
             camera_from_world: sample.camera,
             view: surface.view,
             center: sample.position,
+            distance: sample.distance,
+            front: sample.front,
+            near: &sample.near,
             exposed: &sample.values,
             lights: &lights,
         };

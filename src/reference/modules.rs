@@ -154,7 +154,7 @@ impl Shaders for Modules {
                     bindings.sampler(0, at, sampler_of(used));
                 }
                 BindingKind::Curvature => {
-                    drop(bindings.texture(0, at, map(images.surface.curvature.as_ref(), plan.size)?))
+                    bindings.texture(0, at, map(images.surface.curvature.as_ref(), plan.size)?);
                 }
                 BindingKind::CurvatureSparse => {
                     bindings.texture(0, at, map(images.surface.sparse.as_ref(), plan.size)?);

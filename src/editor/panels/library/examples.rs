@@ -1,7 +1,7 @@
 //! The looks that the window brings along.
 
 /// Looks of `examples/looks`: the file's name and its text, in the order in which they are best looked at.
-pub(crate) static EXAMPLES: [(&str, &str); 12] = [
+pub(crate) static EXAMPLES: [(&str, &str); 16] = [
     ("figure1-layers", include_str!("../../../../examples/looks/figure1-layers.json")),
     ("figure2-diffuse", include_str!("../../../../examples/looks/figure2-diffuse.json")),
     ("figure2-specular", include_str!("../../../../examples/looks/figure2-specular.json")),
@@ -14,6 +14,10 @@ pub(crate) static EXAMPLES: [(&str, &str); 12] = [
     ("figure6-minimal", include_str!("../../../../examples/looks/figure6-minimal.json")),
     ("figure7-pastel", include_str!("../../../../examples/looks/figure7-pastel.json")),
     ("highlight-shapes", include_str!("../../../../examples/looks/highlight-shapes.json")),
+    ("shape-exaggerated", include_str!("../../../../examples/looks/shape-exaggerated.json")),
+    ("clay-relief", include_str!("../../../../examples/looks/clay-relief.json")),
+    ("warped-light", include_str!("../../../../examples/looks/warped-light.json")),
+    ("contours", include_str!("../../../../examples/looks/contours.json")),
 ];
 
 #[cfg(test)]
