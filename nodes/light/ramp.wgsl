@@ -9,7 +9,7 @@ import chiaro::antialias;
 /// Turns a number into a colour along a ramp: a tone into paint. Before the first stop and after the last one the
 /// colour stays; the edges of a stepped ramp are antialiased.
 ///
-/// @choice space "Between colors" default=plain plain="Plain" oklab="Oklab" linear="Linear light" hue="Around the hues" hsv="HSV" :
+/// @choice space "Between colors" default=plain plain="Plain" oklab="Oklab" light="Linear light" hue="Around the hues" hsv="HSV" :
 ///   How two stops mix. Plain takes the numbers as they are; Oklab is even to the eye; Linear light is how lights mix; Around
 ///   the hues and HSV keep colours vivid and take the shorter way around the color wheel, evenly to the eye or not.
 /// @param value "Value" default=0 : Where on the ramp; a tone goes from 0 to 1.
@@ -29,7 +29,7 @@ fn ramp_oklab(value: f32, ramp: Ramp) -> Color {
     return mixed_in_oklab(place.before, place.after, place.t);
 }
 
-fn ramp_linear(value: f32, ramp: Ramp) -> Color {
+fn ramp_light(value: f32, ramp: Ramp) -> Color {
     let w = footprint_of(value);
     if ramp.interpolation == INTERPOLATION_STEPPED {
         return ramp_at(ramp, bounded(value), w);
