@@ -172,6 +172,7 @@ mod tests {
             let spectrum = match kernel {
                 Kernel::Biharmonic => laplacian * laplacian,
                 Kernel::AppendixB => laplacian * (3.0 * laplacian - 4.0),
+                Kernel::Distance => unreachable!("it is none of the sphere's"),
             };
             sum += (2.0 * l + 1.0) / spectrum * now;
             (before, now) = (now, ((2.0 * l + 1.0) * x * now - l * before) / (l + 1.0));

@@ -459,13 +459,7 @@ impl KeyDirection {
         match self {
             Self::Light(light) => vec![light],
             Self::View => Vec::new(),
-            Self::Drivers(drivers) => {
-                let of = |driver| match driver {
-                    &Driver::Height(ref light) => Some(light),
-                    _ => None,
-                };
-                drivers.iter().filter_map(of).collect()
-            }
+            Self::Drivers(drivers) => drivers.iter().filter_map(Driver::light).collect(),
         }
     }
 }
@@ -487,6 +481,11 @@ pub enum Driver {
 impl Driver {
     /// As many as decide together at most.
     pub const MOST: usize = 3;
+
+    /// The light that it reads.
+    pub fn light(&self) -> Option<&LightId> {
+        if let Self::Height(light) = self { Some(light) } else { None }
+    }
 
     /// Whether its value is an angle, in radians.
     pub fn is_angle(&self) -> bool {
