@@ -594,7 +594,7 @@ float line_covers(float distance_, float width) {
 
 float exaggerated_four(Light light_2, vec3 normal, float contrast_1, float detail, vec3 smooth_1_, vec3 smooth_2_, vec3 smooth_3_, vec3 smooth_4_) {
     float _e8 = bounded(contrast_1);
-    float a_8 = clamp(_e8, 0.0, 10000.0);
+    float a_8 = clamp(_e8, 0.0, 50.0);
     float _e12 = bounded(detail);
     float _e17 = exp2_stable(-(clamp(_e12, -8.0, 8.0)));
     vec3 _e22 = normalize_or(normal, vec3(0.0, 0.0, 1.0));

@@ -739,7 +739,7 @@ float line_covers(float distance_, float width)
 float exaggerated_four(Light light_2, float3 normal, float contrast_1, float detail, float3 smooth_1_, float3 smooth_2_, float3 smooth_3_, float3 smooth_4_)
 {
     const float _e8 = bounded(contrast_1);
-    float a_8 = clamp(_e8, 0.0, 10000.0);
+    float a_8 = clamp(_e8, 0.0, 50.0);
     const float _e12 = bounded(detail);
     const float _e17 = exp2_stable(-(clamp(_e12, -8.0, 8.0)));
     const float3 _e22 = normalize_or(normal, float3(0.0, 0.0, 1.0));

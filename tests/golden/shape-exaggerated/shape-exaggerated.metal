@@ -766,7 +766,7 @@ float exaggerated_four(
     metal::float3 smooth_4_
 ) {
     float _e8 = bounded(contrast_1);
-    float a_8 = metal::clamp(_e8, 0.0, 10000.0);
+    float a_8 = metal::clamp(_e8, 0.0, 50.0);
     float _e12 = bounded(detail);
     float _e17 = exp2_stable(-(metal::clamp(_e12, -8.0, 8.0)));
     metal::float3 _e22 = normalize_or(normal, metal::float3(0.0, 0.0, 1.0));

@@ -474,7 +474,7 @@ fn exaggerated_four(
     smooth_3: vec3f,
     smooth_4: vec3f,
 ) -> f32 {
-    let a = clamp(bounded(contrast), 0.0, 1e4);
+    let a = clamp(bounded(contrast), 0.0, 50.0);
     let r = exp2_stable(-clamp(bounded(detail), -8.0, 8.0));
     let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
     let n1 = normalize_or(smooth_1, n);

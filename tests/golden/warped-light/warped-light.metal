@@ -974,7 +974,7 @@ Light light_warp(
     metal::float3 _e7 = normalize_or(normal_5, view_5);
     float _e8 = bounded(amount_2);
     float _e13 = seen_well(metal::dot(_e7, view_5));
-    float most = metal::clamp(_e8, -16.0, 16.0) * _e13;
+    float most = metal::clamp(_e8, -8.0, 8.0) * _e13;
     metal::float3 _e16 = tensor_safe(tensor_4);
     metal::float3 _e17 = warped_light(light_7.direction, _e7, view_5, camera_from_world_1, _e16, most, slope_3);
     if (!((most == 0.0))) {

@@ -613,7 +613,7 @@ fn light_warp(
     camera_from_world: mat3x3f,
 ) -> Light {
     let n = normalize_or(normal, view);
-    let most = clamp(bounded(amount), -16.0, 16.0) * seen_well(dot(n, view));
+    let most = clamp(bounded(amount), -8.0, 8.0) * seen_well(dot(n, view));
     let warped = warped_light(light.direction, n, view, camera_from_world, tensor_safe(tensor), most, slope);
     let is_flat = most == 0.0 || slope == 0.0;
     return Light(select(warped, light.direction, is_flat), light.own_direction, light.color, light.intensity);
