@@ -23,6 +23,7 @@ import chiaro::shape;
 /// @param viewport from=viewport hidden
 /// @return line "Line" : 1 on a line, 0 elsewhere.
 /// @unit
+/// @error fast 1 : where a line is drawn or not, which follows triangles and creases more closely; no pass is needed
 /// @source DeCarlo et al. 2003
 fn inner_contour_suggestive(
     width: f32,

@@ -20,6 +20,8 @@ import chiaro::shape;
 /// @return light "Light" : From there.
 /// @bypass light when amount = 0 : its amount is 0
 /// @bypass light when slope = 0 : its slope is 0, so that nothing counts as curved
+/// @error fast 0.1 : of the direction, where the surface is smooth, of triangles of a pixel or so; large triangles and
+///   creases show, and no pass is needed
 /// @source Vergne et al. 2009
 fn light_warp(
     light: Light,

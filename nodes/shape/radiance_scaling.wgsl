@@ -16,6 +16,8 @@ import chiaro::shape;
 /// @unit
 /// @bypass tone when amount = 0 : its amount is 0
 /// @bypass tone when slope = 0 : its slope is 0, so that nothing counts as curved
+/// @error fast 0.1 : tone, where the surface is smooth, of triangles of a pixel or so; large triangles and creases show, and
+///   no pass is needed
 /// @source Vergne et al. 2010
 fn radiance_scaling(tone: f32, kappa: f32, amount: f32, slope: f32, turning: f32) -> f32 {
     let curved = clamp(bounded(amount), -16.0, 16.0) * curvature_signed(kappa, slope);
