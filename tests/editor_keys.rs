@@ -6,7 +6,7 @@ mod editor_support;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use std::path::Path;
 
-use chiaro::document::{Interpolation, KeyDirection, Target, Value};
+use chiaro::document::{Driver, Interpolation, KeyDirection, Target, Value};
 use editor_support::{Hand, close};
 use eframe::egui::{Key, Pos2, Role, pos2, vec2};
 use egui_kittest::kittest::Queryable as _;
@@ -166,6 +166,51 @@ fn direction_keys_are_made_from_nothing() {
     assert_eq!(hand.app().session().orbit().illumination, glam::DQuat::IDENTITY);
     click(&mut hand, "Delete key");
     assert_eq!(keys(&hand).len(), 1);
+    while hand.app().session().undo_label().is_some() {
+        hand.undo();
+    }
+    assert_eq!(*hand.look(), before);
+}
+
+/// A number of the scene decides in place of a direction: it is chosen, seen, and each key's place in it typed.
+#[test]
+fn keys_by_drivers_are_made_from_nothing() {
+    let mut hand = Hand::new();
+    let before = hand.look().clone();
+    select(&mut hand, &["diffuse"]);
+    click(&mut hand, "Keys");
+    click(&mut hand, "Add direction keys");
+    click(&mut hand, "Distance to the eye");
+    let set = |hand: &Hand| hand.look().direction_keys[0].clone();
+    assert_eq!(set(&hand).by, KeyDirection::Drivers(vec![Driver::Distance]));
+    let far = set(&hand).keys[0].direction[0];
+    assert!((far - hand.app().session().orbit().distance).abs() < 1e-3, "the key lies where it is now: {far}");
+    assert!(has(&hand, &format!("Distance to the eye now: {far:.3}")));
+    click(&mut hand, "Add value");
+    click(&mut hand, "Diffuse: Opacity");
+    click(&mut hand, "Copy key");
+    assert!(set(&hand).keys[1].direction[0] > far, "a copy lies beside it");
+    let field = at(&hand, "Distance to the eye of key 2");
+    hand.click(field);
+    hand.key_with(eframe::egui::Modifiers::COMMAND, Key::A);
+    hand.type_text("0.5");
+    hand.key(Key::Enter);
+    hand.settle();
+    assert!(close(set(&hand).keys[1].direction[0], 0.5), "{:?}", set(&hand).keys[1]);
+    // The heaviest key is still the first one, which lies where the eye is.
+    let weights = hand.app().session().key_weights(0);
+    assert_eq!(weights, [1.0, 0.0]);
+    // A second driver: keys lie on a plane, at first all where it is now.
+    click(&mut hand, "Add driver");
+    click(&mut hand, "Turned from the eye");
+    assert_eq!(set(&hand).by.axes(), Some(2));
+    let turned = set(&hand).keys.iter().map(|key| key.direction[1]).collect::<Vec<_>>();
+    assert!(turned[0] == turned[1] && turned[0] < 1.6, "{turned:?}");
+    click(&mut hand, "Remove the driver Distance to the eye");
+    assert_eq!(set(&hand).by, KeyDirection::Drivers(vec![Driver::Facing]));
+    assert!(set(&hand).keys.iter().all(|key| key.direction[0] == turned[0] && key.direction[1] == 0.0));
+    let problems = hand.app().session().problems();
+    assert!(problems.iter().all(|problem| !problem.is_error()), "{problems:?}");
     while hand.app().session().undo_label().is_some() {
         hand.undo();
     }

@@ -163,8 +163,10 @@ fn bypassed(def: &NodeDef, index: usize, ty: &Type, random: &mut Random) -> Setu
     // An angle comes from a light's parametrization, and is seen through a profile.
     let mut wires = Vec::new();
     let uses = |ty: Type| def.visible_inputs().any(|input| input.ty == ty);
-    if uses(Type::Angle) {
+    if uses(Type::Angle) || uses(Type::Light) {
         nodes.push(json!({"id": "light", "kind": "light", "values": {"light": "key"}}));
+    }
+    if uses(Type::Angle) {
         nodes.push(json!({"id": "angle", "kind": "parametrization"}));
         wires.push(json!({"from": "light", "to": "angle.light"}));
     }
@@ -172,11 +174,19 @@ fn bypassed(def: &NodeDef, index: usize, ty: &Type, random: &mut Random) -> Setu
         nodes.push(json!({"id": "tone", "kind": "profile"}));
         wires.push(json!({"from": "node", "to": "tone.angle"}));
         wires.push(json!({"from": "tone", "to": "output.color"}));
+    } else if def.outputs[0].ty == Type::Light {
+        nodes.push(json!({"id": "seen", "kind": "reflectance", "values": {"model": "lambert"}}));
+        wires.push(json!({"from": "node", "to": "seen.light"}));
+        wires.push(json!({"from": "seen", "to": "output.color"}));
     } else {
         wires.push(json!({"from": "node", "to": "output.color"}));
     }
     for input in def.visible_inputs().filter(|input| input.fallback == Fallback::Wire) {
-        let from = if input.ty == Type::Angle { "angle" } else { "base" };
+        let from = match input.ty {
+            Type::Angle => "angle",
+            Type::Light => "light",
+            _ => "base",
+        };
         wires.push(json!({"from": from, "to": format!("node.{}", input.name)}));
     }
     if let BypassResult::Input(port) = bypass.result {

@@ -178,6 +178,7 @@ fn truth(kind: &str, word: &str) -> Option<Truth> {
         ("combine_tones", "difference") => |i, _| vec![unit(i[0][0]).min(1.0 - unit(i[1][0]))],
         ("combine_tones", "exclusion") => |i, _| vec![(unit(i[0][0]) - unit(i[1][0])).abs()],
         ("reflectance", "lambert") => |i, p| vec![v3(&i[0]).normalize().dot(p.l).max(0.0)],
+        ("reflectance", "half_lambert") => |i, p| vec![(0.5 * v3(&i[0]).normalize().dot(p.l) + 0.5).powi(2)],
         ("reflectance", "wrap") => |i, p| {
             let w = unit(i[5][0]);
             vec![((v3(&i[0]).normalize().dot(p.l) + w) / (1.0 + w)).max(0.0)]
@@ -268,7 +269,18 @@ fn truth(kind: &str, word: &str) -> Option<Truth> {
             let (near, far) = (i[0][0].max(1.2e-38), i[1][0].max(1.2e-38));
             vec![1.0 - unit((p.depth.max(1.2e-38) / near).ln().abs() / (far / near).ln().abs())]
         },
-        ("detail", "orientation") => |i, p| vec![v3(&i[3]).normalize().dot(p.v).abs().powf(i[2][0].max(0.0))],
+        ("detail", "orientation") => |i, p| vec![v3(&i[4]).normalize().dot(p.v).abs().powf(i[2][0].max(0.0))],
+        ("detail", "place") => |i, p| {
+            let (near, far) = (i[0][0].max(1.2e-38), i[1][0].max(1.2e-38));
+            vec![1.0 - unit((v3(&i[3]).distance(DVec3::new(0.0, 0.0, -p.depth)) / near).ln() / (far / near).ln())]
+        },
+        ("detail", "highlight") => {
+            |i, p| vec![mirrored(v3(&i[4]).normalize(), p.v).dot(p.l).max(0.0).powf(i[2][0].max(0.0)).min(1.0)]
+        }
+        ("nearby", _) => |i, _| vec![near(&i[0], &i[1], i[2][0], i[3][0])],
+        ("local_tone", _) => {
+            |i, _| vec![unit(unit(i[0][0]) + i[1][0].clamp(-1.0, 1.0) * near(&i[5], &i[2], i[3][0], i[4][0]))]
+        }
         ("mix_colors", "exclusion") => |i, _| mixed(i, each(i, |a, b| a + b - 2.0 * a * b)),
         ("mix_colors", "color_dodge") => |i, _| {
             let dodge = |a: f64, b: f64| if a == 0.0 { 0.0 } else { (a / (1.0 - b)).min(1.0) };
@@ -299,8 +311,73 @@ fn truth(kind: &str, word: &str) -> Option<Truth> {
             let rgb = rgb_of_oklab([0, 1, 2].map(|k| (1.0 - t) * a[k] + t * b[k])).map(to_srgb);
             rgb.into_iter().chain([(1.0 - t) * i[0][3] + t * i[1][3]]).collect()
         },
+        ("smooth_normal", _) => |_, p| list(p.n.normalize()),
+        ("exaggerated", "two") => |i, p| vec![exaggerated(i, p.l, 2)],
+        ("exaggerated", "three") => |i, p| vec![exaggerated(i, p.l, 3)],
+        ("exaggerated", "four") => |i, p| vec![exaggerated(i, p.l, 4)],
+        ("relief", _) => |i, _| {
+            let [greatest, least] = eigenvalues(&i[0]);
+            let shape = 2.0 / PI * ((greatest + least) / (greatest - least)).atan();
+            let curvedness = (0.5 * (greatest.powi(2) + least.powi(2))).sqrt();
+            vec![0.5 + 0.5 * shape, (i[1][0].max(0.0) * curvedness).tanh(), greatest, least]
+        },
+        ("radiance_scaling", _) => |i, _| {
+            // Vergne et al. 2010, eq. 5.
+            let (delta, alpha) = (unit(i[0][0]), i[4][0].clamp(0.001, 0.999));
+            let e = (i[2][0] * (i[1][0] * i[3][0]).tanh()).exp();
+            let scale = (alpha * e + delta * (1.0 - alpha * (1.0 + e))) / (alpha + delta * (e - alpha * (1.0 + e)));
+            vec![unit(delta * scale)]
+        },
+        ("inner_contour", "valleys") => |i, p| vec![lined(-eigenvalues(&i[3])[1], i, p)],
+        ("inner_contour", "ridges") => |i, p| vec![lined(eigenvalues(&i[3])[0], i, p)],
         _ => return None,
     })
+}
+
+/// 1 near a centre, 0 from the radius on, by the cubic that is level at both ends.
+fn near(position: &[f64], center: &[f64], radius: f64, hardness: f64) -> f64 {
+    let (far, reach) = (v3(position).distance(v3(center)), radius.max(0.0));
+    let inner = reach * unit(hardness);
+    if inner >= reach {
+        return f64::from(far < reach);
+    }
+    let t = unit((far - inner) / (reach - inner));
+    1.0 - t * t * (3.0 - 2.0 * t)
+}
+
+/// Rusinkiewicz et al. 2006, section 3: detail at each scale, and the smoothest normal under the light itself.
+fn exaggerated(i: In<'_>, l: DVec3, scales: usize) -> f64 {
+    let (contrast, detail) = (i[1][0].max(0.0), i[2][0]);
+    let normals: Vec<DVec3> =
+        std::iter::once(&i[0]).chain(&i[3..3 + scales]).map(|numbers| v3(numbers).normalize()).collect();
+    let mut lit: Vec<f64> = normals
+        .windows(2)
+        .map(|pair| {
+            let raking = pair[1].cross(l.cross(pair[1]));
+            let raking = raking / raking.length().max(0.05);
+            (contrast * pair[0].dot(raking)).clamp(-1.0, 1.0)
+        })
+        .collect();
+    lit.push(normals[scales].dot(l));
+    let weights: Vec<f64> = (0..=scales).map(|scale| 2f64.powf(-detail * scale as f64)).collect();
+    let sum: f64 = lit.iter().zip(&weights).map(|(lit, weight)| lit * weight).sum();
+    unit(0.5 + 0.5 * sum / weights.iter().sum::<f64>())
+}
+
+/// The greatest and the least eigenvalue of xx, xy, yy, as roots of the characteristic polynomial.
+fn eigenvalues(tensor: &[f64]) -> [f64; 2] {
+    let (trace, determinant) = (tensor[0] + tensor[2], tensor[0] * tensor[2] - tensor[1] * tensor[1]);
+    let root = (trace * trace - 4.0 * determinant).max(0.0).sqrt();
+    [0.5 * (trace + root), 0.5 * (trace - root)]
+}
+
+/// A line where x is above the limit, fading at the outline.
+fn lined(x: f64, i: In<'_>, p: &Place) -> f64 {
+    let (limit, soft) = (i[1][0].max(0.0), unit(i[2][0]));
+    let width = limit * soft;
+    let above = if width > 0.0 { unit(0.5 + (x - limit) / width) } else { f64::from(x >= limit) };
+    let seen = unit((p.n.normalize().dot(p.v) - 0.05) / 0.25);
+    above * seen * seen * (3.0 - 2.0 * seen)
 }
 
 /// Numbers that an input of this node would be given.
@@ -313,6 +390,7 @@ fn random_value(def: &NodeDef, name: &str, ty: &Type, random: &mut Random) -> Ve
         (_, "roughness" | "across") => random.between(0.3, 1.1),
         (_, "thickness") => random.between(0.0, 1500.0),
         (_, "index") => random.between(1.0, 2.5),
+        (_, "radius") => random.between(0.5, 5.0),
         (_, "near") => random.between(0.5, 3.0),
         (_, "far") => random.between(3.5, 9.0),
         ("mix_colors" | "color_space" | "posterize" | "mix_evenly", _) => random.between(0.01, 0.99),
@@ -342,7 +420,7 @@ fn tolerance(kind: &str, word: &str) -> f64 {
     match (kind, word) {
         ("reflectance", "phong" | "blinn_phong") => 6e-5,
         ("reflectance", "ggx" | "ward") => 2e-5,
-        ("star_angle" | "polar_place" | "thin_film", _) => 1e-5,
+        ("star_angle" | "polar_place" | "thin_film", _) | ("detail", "highlight") => 1e-5,
         // Near black the screen's curve is 13 times as steep as light.
         ("mix_evenly", _) => 2e-5,
         _ => 2e-6,
@@ -474,6 +552,245 @@ fn hues_turn_evenly() {
             assert_eq!(got, &rows[0][end], "{space} at {factor} is an end, and exactly that");
         }
     }
+}
+
+/// Light warping in the tangent plane: along each principal direction the light's stereographic place is scaled by a power
+/// of two, found here from the tensor's eigenvectors.
+#[test]
+fn warped_lights_are_drawn_along_the_principal_directions() {
+    let look = support::eval::look(&serde_json::json!({
+        "lights": {"key": {"direction": [0, 0, 1]}},
+        "nodes": [
+            {"id": "light", "kind": "light", "values": {"light": "key"}},
+            {"id": "warp", "kind": "light_warp", "values": {"amount": 1.5, "slope": 0.4}},
+            {"id": "tensor", "kind": "vector_value"},
+            {"id": "parts", "kind": "light_parts"},
+            {"id": "output", "kind": "output"}
+        ],
+        "wires": [
+            {"from": "light", "to": "warp.light"},
+            {"from": "tensor", "to": "warp.tensor"},
+            {"from": "warp", "to": "parts.light"},
+            {"from": "parts.color", "to": "output.color"}
+        ],
+        "exposed": [{"name": "tensor", "target": "tensor.vector"}]
+    }));
+    let mut random = Random::new(505);
+    let mut errors = Errors::new("light_warp", 2e-5);
+    let (mut samples, mut wanted) = (Vec::new(), Vec::new());
+    while samples.len() < 400 {
+        let (place, mut sample) = place(&mut random);
+        let camera = glam::DMat3::from_quat(random.rotation());
+        let tensor = [(); 3].map(|()| f64::from((6.0 * random.unit() - 3.0) as f32));
+        let (n, l, v) = (place.n.normalize(), place.l, place.v);
+        // Facing away nothing is seen; opposite the normal a light has no place; the picture's axes need a line of sight.
+        let right = camera.transpose() * DVec3::X;
+        if n.dot(v) < -0.5 || n.dot(l) < -0.95 || right.dot(v).abs() > 0.95 {
+            continue;
+        }
+        let x = (right - right.dot(v) * v).normalize();
+        let tilt = glam::DQuat::from_rotation_arc(v, n);
+        let axes = [tilt * x, tilt * v.cross(x)];
+        let theta = 0.5 * (2.0 * tensor[1]).atan2(tensor[0] - tensor[2]);
+        let principal = [theta, theta + 0.5 * PI].map(|theta| theta.cos() * axes[0] + theta.sin() * axes[1]);
+        let curvatures = [theta, theta + 0.5 * PI].map(|theta| {
+            let (s, c) = theta.sin_cos();
+            tensor[0] * c * c + 2.0 * tensor[1] * c * s + tensor[2] * s * s
+        });
+        let seen = unit((n.dot(v) - 0.05) / 0.25);
+        let most = 1.5 * seen * seen * (3.0 - 2.0 * seen);
+        let scaled =
+            |k: usize| 2f64.powf(-most * (0.4 * curvatures[k]).tanh()) * l.dot(principal[k]) / (1.0 + l.dot(n));
+        let q = [scaled(0), scaled(1)];
+        let square = q[0] * q[0] + q[1] * q[1];
+        wanted.push((2.0 * (q[0] * principal[0] + q[1] * principal[1]) + (1.0 - square) * n) / (1.0 + square));
+        sample.camera = camera;
+        sample.values = [("tensor".into(), chiaro::document::Value::Vector(tensor.to_vec()))].into_iter().collect();
+        samples.push(sample);
+    }
+    for (got, wanted) in support::eval::eval(&look, "parts.direction", &samples).iter().zip(&wanted) {
+        (0..3).for_each(|k| errors.note(got[k], wanted[k], || format!("{wanted}")));
+    }
+    errors.finish();
+}
+
+/// Around a place a light is bent and stronger, elsewhere as it is.
+#[test]
+fn local_lights_change_around_their_place() {
+    let look = support::eval::look(&serde_json::json!({
+        "lights": {"key": {"direction": [0, 0, 1], "intensity": 0.5}},
+        "nodes": [
+            {"id": "light", "kind": "light", "values": {"light": "key"}},
+            {"id": "local", "kind": "local_light", "values":
+                {"bend": [1, -0.5, 0], "strength": 3, "center": [0.2, 0, 0], "radius": 0.8, "hardness": 0.25}},
+            {"id": "parts", "kind": "light_parts"},
+            {"id": "output", "kind": "output"}
+        ],
+        "wires": [
+            {"from": "light", "to": "local.light"},
+            {"from": "local", "to": "parts.light"},
+            {"from": "parts.color", "to": "output.color"}
+        ]
+    }));
+    let mut random = Random::new(506);
+    let samples: Vec<EvalSample> = (0..300)
+        .map(|_| EvalSample { position: random.direction() * random.unit(), ..EvalSample::default() })
+        .collect();
+    let [directions, intensities] =
+        ["direction", "intensity"].map(|port| support::eval::eval(&look, &format!("parts.{port}"), &samples));
+    let mut errors = Errors::new("local_light", 2e-6);
+    for ((direction, intensity), sample) in directions.iter().zip(&intensities).zip(&samples) {
+        let weight = near(&list(sample.position), &[0.2, 0.0, 0.0], 0.8, 0.25);
+        let wanted = (DVec3::Z + weight * DVec3::new(1.0, -0.5, 0.0)).normalize();
+        (0..3).for_each(|k| errors.note(direction[k], wanted[k], || format!("{}", sample.position)));
+        errors.note(intensity[0], 0.5 * (1.0 + 2.0 * weight), || format!("{}", sample.position));
+    }
+    errors.finish();
+}
+
+/// A node that reads a ramp or curves, with one exposed input, at 200 values of that.
+fn over(node: &serde_json::Value, input: &str, values: &[chiaro::document::Value]) -> Vec<[f64; 4]> {
+    let look = support::eval::look(&serde_json::json!({
+        "nodes": [node, {"id": "output", "kind": "output"}],
+        "wires": [{"from": "node", "to": "output.color"}],
+        "exposed": [{"name": "held", "target": format!("node.{input}")}]
+    }));
+    let at = |value: &chiaro::document::Value| EvalSample {
+        values: [("held".into(), value.clone())].into_iter().collect(),
+        ..EvalSample::default()
+    };
+    support::eval::eval(&look, "", &values.iter().map(at).collect::<Vec<_>>())
+}
+
+/// Between two stops a ramp goes as the two colours mix in its space.
+#[test]
+fn ramps_go_through_their_space() {
+    let stops = [[0.9, 0.1, 0.2, 1.0], [0.1, 0.3, 0.8, 0.5], [0.95, 0.9, 0.3, 1.0]];
+    let values: Vec<chiaro::document::Value> =
+        (0..200).map(|k| chiaro::document::Value::Number(f64::from(k) / 160.0 - 0.1)).collect();
+    for space in ["oklab", "light", "hue", "hsv"] {
+        let ramp = serde_json::json!({"stops": [
+            {"at": 0.0, "color": stops[0]}, {"at": 0.25, "color": stops[1]}, {"at": 1.0, "color": stops[2]}]});
+        let node = serde_json::json!({"id": "node", "kind": "ramp", "values": {"space": space, "ramp": ramp}});
+        let mut errors = Errors::new(format!("ramp {space}"), 3e-5);
+        for (got, value) in over(&node, "value", &values).iter().zip(&values) {
+            let chiaro::document::Value::Number(x) = value else { continue };
+            let x = x.clamp(0.0, 1.0);
+            let (a, b, t) =
+                if x < 0.25 { (stops[0], stops[1], x / 0.25) } else { (stops[1], stops[2], (x - 0.25) / 0.75) };
+            let mix = |a: [f64; 3], b: [f64; 3]| [0, 1, 2].map(|k| a[k] + t * (b[k] - a[k]));
+            let (light_a, light_b) = (three(&a).map(to_linear), three(&b).map(to_linear));
+            let turned = |one: f64, other: f64, whole: f64| {
+                let way = (other - one).rem_euclid(whole);
+                one + t * if way > 0.5 * whole { way - whole } else { way }
+            };
+            let wanted = match space {
+                "light" => mix(light_a, light_b).map(to_srgb),
+                "oklab" => rgb_of_oklab(mix(oklab(light_a), oklab(light_b))).map(to_srgb),
+                "hue" => {
+                    let polar = |lab: [f64; 3]| (lab[0], lab[1].hypot(lab[2]), lab[2].atan2(lab[1]));
+                    let (one, other) = (polar(oklab(light_a)), polar(oklab(light_b)));
+                    let (chroma, hue) = (one.1 + t * (other.1 - one.1), turned(one.2, other.2, TAU));
+                    rgb_of_oklab([one.0 + t * (other.0 - one.0), chroma * hue.cos(), chroma * hue.sin()]).map(to_srgb)
+                }
+                _ => {
+                    let hsv = |c: [f64; 3]| {
+                        let most = c[0].max(c[1]).max(c[2]);
+                        let chroma = most - c[0].min(c[1]).min(c[2]);
+                        let sextant = if most == c[0] {
+                            (c[1] - c[2]) / chroma
+                        } else if most == c[1] {
+                            2.0 + (c[2] - c[0]) / chroma
+                        } else {
+                            4.0 + (c[0] - c[1]) / chroma
+                        };
+                        [sextant.rem_euclid(6.0), chroma / most, most]
+                    };
+                    let (one, other) = (hsv(three(&a)), hsv(three(&b)));
+                    let [_, saturation, most] = mix(one, other);
+                    let hue = turned(one[0], other[0], 6.0);
+                    [5.0, 3.0, 1.0].map(|n| {
+                        let k: f64 = (n + hue).rem_euclid(6.0);
+                        most - most * saturation * k.min(4.0 - k).clamp(0.0, 1.0)
+                    })
+                }
+            };
+            let alpha = a[3] + t * (b[3] - a[3]);
+            // Colours that no screen shows have no Newton of ours.
+            if wanted.iter().all(|c| (0.0..=1.0).contains(c)) {
+                (0..3).for_each(|k| errors.note(got[k], wanted[k], || format!("{x}")));
+            }
+            errors.note(got[3], alpha, || format!("{x}"));
+        }
+        errors.finish();
+    }
+}
+
+/// A palette gives the nearest colour in Oklab, those nearly as near blended there, or one by its number.
+#[test]
+fn palettes_judge_as_eyes_do() {
+    let inks = colors(7, 507);
+    let at = |k: usize| 0.1 * k as f64;
+    let stops: Vec<_> = inks.iter().enumerate().map(|(k, c)| serde_json::json!({"at": at(k), "color": c})).collect();
+    let node = |values: serde_json::Value| {
+        let mut values = values;
+        values["palette"] = serde_json::json!({"stops": stops});
+        serde_json::json!({"id": "node", "kind": "palette", "values": values})
+    };
+    let asked = colors(300, 508);
+    let values: Vec<_> = asked.iter().map(|c| chiaro::document::Value::Vector(c.clone())).collect();
+    let labs: Vec<DVec3> = inks.iter().map(|c| oklab(three(c).map(to_linear)).into()).collect();
+    let nearest = over(&node(serde_json::json!({"by": "nearest"})), "color", &values);
+    let blended = over(&node(serde_json::json!({"by": "blended", "softness": 0.2})), "color", &values);
+    let mut errors = Errors::new("palette", 3e-5);
+    for ((row, nearest), blended) in asked.iter().zip(&nearest).zip(&blended) {
+        let lab = DVec3::from(oklab(three(row).map(to_linear)));
+        let far: Vec<f64> = labs.iter().map(|ink| ink.distance(lab)).collect();
+        let least = far.iter().copied().fold(f64::MAX, f64::min);
+        let found = far.iter().position(|far| *far == least).expect("one of them");
+        let runner_up =
+            far.iter().enumerate().filter(|(k, _)| *k != found).map(|(_, far)| *far).fold(f64::MAX, f64::min);
+        if runner_up - least > 1e-5 {
+            (0..3).for_each(|k| errors.note(nearest[k], inks[found][k], || format!("{row:?}")));
+        }
+        let weights: Vec<f64> = far.iter().map(|far| unit(1.0 - (far - least) / 0.2).powi(2)).collect();
+        let sum: DVec3 = labs.iter().zip(&weights).map(|(lab, weight)| *lab * *weight).sum();
+        let wanted = rgb_of_oklab((sum / weights.iter().sum::<f64>()).to_array());
+        if wanted.iter().all(|c| (0.0..=1.0).contains(c)) {
+            (0..3).for_each(|k| errors.note(blended[k], to_srgb(wanted[k]), || format!("{row:?}")));
+        }
+        errors.note(nearest[3], row[3], || format!("{row:?}"));
+    }
+    errors.finish();
+    let numbers: Vec<_> = (-8..15).map(|k| chiaro::document::Value::Number(f64::from(k))).collect();
+    let picked = over(&node(serde_json::json!({"by": "number"})), "number", &numbers);
+    for (got, number) in picked.iter().zip(-8_i32..) {
+        let wanted = &inks[number.rem_euclid(7) as usize];
+        assert!((0..4).all(|k| (got[k] - wanted[k]).abs() < 1e-6), "{number}: {got:?} {wanted:?}");
+    }
+}
+
+/// Each channel goes along the curve of all and then along its own.
+#[test]
+fn curves_redraw_channels() {
+    let points = |rows: &[[f64; 2]]| serde_json::json!({"points": rows});
+    let (all, red, blue) = ([[0.0, 0.1], [0.5, 0.7], [1.0, 0.9]], [[0.0, 1.0], [1.0, 0.0]], [[0.2, 0.0], [0.6, 0.5]]);
+    let node = serde_json::json!({"id": "node", "kind": "color_curves", "values":
+        {"all": points(&all), "red": points(&red), "blue": points(&blue)}});
+    let asked = colors(200, 509);
+    let values: Vec<_> = asked.iter().map(|c| chiaro::document::Value::Vector(c.clone())).collect();
+    let along = |rows: &[[f64; 2]], x: f64| {
+        let x = x.clamp(rows[0][0], rows[rows.len() - 1][0]);
+        let next = rows.iter().position(|row| row[0] >= x).expect("x lies within").max(1);
+        let ([x0, y0], [x1, y1]) = (rows[next - 1], rows[next]);
+        y0 + (x - x0) / (x1 - x0) * (y1 - y0)
+    };
+    let mut errors = Errors::new("color_curves", 2e-6);
+    for (got, row) in over(&node, "color", &values).iter().zip(&asked) {
+        let wanted = [along(&red, along(&all, row[0])), along(&all, row[1]), along(&blue, along(&all, row[2])), row[3]];
+        (0..4).for_each(|k| errors.note(got[k], wanted[k], || format!("{row:?}")));
+    }
+    errors.finish();
 }
 
 /// A light that is bent is seen by layers from where it was bent to.

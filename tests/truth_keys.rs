@@ -298,3 +298,187 @@ fn exposed_values_are_heard() {
         assert!((middle[0] - wanted).abs() < 1e-3, "{middle:?} for {wanted}");
     }
 }
+
+/// A number with keys by drivers.
+fn driven(drivers: &Json, keys: &[(&[f64], f64)]) -> SetupLook {
+    let keys: Vec<Json> = keys.iter().map(|(at, x)| json!({"at": at, "values": {"number.value": x}})).collect();
+    look(&json!({
+        "lights": {"key": {"direction": [0, 0, 1]}},
+        "nodes": [
+            {"id": "number", "kind": "number", "values": {"value": 0.25}},
+            {"id": "output", "kind": "output"}
+        ],
+        "wires": [{"from": "number", "to": "output.color"}],
+        "direction_keys": [{"name": "Keys", "by": {"drivers": drivers}, "keys": keys}]
+    }))
+}
+
+/// Along one driver values go by a smoothstep from key to key, and hold beyond the last.
+#[test]
+fn one_driver_goes_from_key_to_key() {
+    let keys: [(&[f64], f64); 4] = [(&[3.0], 2.0), (&[1.0], -1.0), (&[10.0], 0.5), (&[4.0], 8.0)];
+    let mut sorted: Vec<(f64, f64)> = keys.iter().map(|(at, value)| (at[0], *value)).collect();
+    sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let wanted = |x: f64| {
+        let next = sorted.partition_point(|key| key.0 <= x);
+        let Some(before) = next.checked_sub(1) else { return sorted[0].1 };
+        let Some((to, after)) = sorted.get(next) else { return sorted[before].1 };
+        let t = (x - sorted[before].0) / (to - sorted[before].0);
+        let t = t * t * (3.0 - 2.0 * t);
+        (1.0 - t) * sorted[before].1 + t * after
+    };
+    let distances: Vec<f64> = (0..120).map(|k| 0.1 * f64::from(k)).collect();
+    let sample = |&distance: &f64| EvalSample { distance, ..EvalSample::default() };
+    let samples: Vec<EvalSample> = distances.iter().map(sample).collect();
+    let mut errors = Errors::new("keys by distance", 1e-5);
+    for (got, distance) in eval(&driven(&json!(["distance"]), &keys), "", &samples).iter().zip(&distances) {
+        errors.note(got[0], wanted(*distance), || format!("{distance}"));
+    }
+    errors.finish();
+}
+
+/// Each driver is what the document says, and values hold at keys of two and three of them.
+#[test]
+fn keys_of_several_drivers_hold_their_values() {
+    let mut random = Random::new(66);
+    let drivers = json!([{"height": "key"}, "facing", {"near": "friend"}]);
+    for axes in 1..=3 {
+        let places: Vec<Vec<f64>> = (0..7)
+            .map(|_| [random.between(-1.4, 1.4), random.between(0.1, 3.0), random.between(0.5, 9.0)][..axes].to_vec())
+            .collect();
+        let values: Vec<f64> = (0..7).map(|_| random.between(-3.0, 3.0)).collect();
+        let keys: Vec<(&[f64], f64)> = places.iter().zip(&values).map(|(at, x)| (at.as_slice(), *x)).collect();
+        let look = driven(&json!(drivers.as_array().expect("drivers")[..axes]), &keys);
+        let samples: Vec<EvalSample> = places
+            .iter()
+            .map(|place| {
+                let (height, facing) = (place[0], place.get(1).copied().unwrap_or(0.0));
+                let view = random.direction();
+                let aside = view.any_orthonormal_vector();
+                EvalSample {
+                    lights: toward(DVec3::new(0.6 * height.cos(), height.sin(), -0.8 * height.cos())),
+                    view,
+                    front: 3.0 * (facing.cos() * view + facing.sin() * aside),
+                    near: [("friend".into(), place.get(2).copied().unwrap_or(1.0))].into_iter().collect(),
+                    ..EvalSample::default()
+                }
+            })
+            .collect();
+        for (got, value) in eval(&look, "", &samples).iter().zip(&values) {
+            assert!((got[0] - value).abs() < 1e-4, "{axes} drivers: {} in place of {value}", got[0]);
+        }
+    }
+}
+
+/// Weights between keys of drivers lie in [0, 1], sum to 1, have no jumps or kinks, and do not know the axes' units.
+#[test]
+fn weights_between_drivers_are_smooth_and_know_no_units() {
+    let mut random = Random::new(67);
+    for axes in 1..=3 {
+        let mut place = || {
+            let mut place = [0.0; 3];
+            place[..axes].iter_mut().for_each(|x| *x = random.between(-2.0, 2.0));
+            DVec3::from_array(place)
+        };
+        let mut places: Vec<DVec3> = Vec::new();
+        while places.len() < 5 {
+            let place = place();
+            if places.iter().all(|other| other.distance(place) > 0.5) {
+                places.push(place);
+            }
+        }
+        let units = DVec3::new(1000.0, 0.02, 7.0);
+        let (weights, problems) = KeyWeights::at_places(&places);
+        assert!(problems.is_empty(), "{problems:?}");
+        let (scaled, _) = KeyWeights::at_places(&places.iter().map(|place| *place * units).collect::<Vec<_>>());
+        for _ in 0..40 {
+            let (from, to) = (2.0 * place(), 2.0 * place());
+            let rows: Vec<Vec<f64>> = (0..=200).map(|k| weights.weights(from.lerp(to, f64::from(k) / 200.0))).collect();
+            for row in &rows {
+                assert!(row.iter().all(|w| (-1e-9..=1.0 + 1e-9).contains(w)), "{row:?}");
+                assert!((row.iter().sum::<f64>() - 1.0).abs() < 1e-9);
+            }
+            for (a, b) in rows.iter().zip(&rows[1..]) {
+                assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 0.3), "no jumps");
+            }
+            let at = from.lerp(to, 0.37);
+            let other = scaled.weights(at * units);
+            assert!(weights.weights(at).iter().zip(&other).all(|(a, b)| (a - b).abs() < 1e-9));
+        }
+        for (key, place) in places.iter().enumerate() {
+            assert!((weights.weights(*place)[key] - 1.0).abs() < 1e-9);
+        }
+    }
+    // Two keys in one place share a weight, one alone has it all, and no number at all favours none.
+    let (shared, problems) = KeyWeights::at_places(&[DVec3::X, DVec3::X, DVec3::Y]);
+    assert!(problems.iter().any(|problem| problem.code == "merged-keys"));
+    assert_eq!(shared.weights(DVec3::X), [0.5, 0.5, 0.0]);
+    assert_eq!(KeyWeights::at_places(&[DVec3::X]).0.weights(DVec3::ZERO), [1.0]);
+    assert_eq!(shared.weights(DVec3::NAN), [0.25, 0.25, 0.5]);
+}
+
+/// In a scene each object has its own distance, front and neighbours; an object that is not there is told of.
+#[test]
+fn every_object_is_driven_by_its_own_place() {
+    let (mesh, matrix) = shape("sphere");
+    let moved = |x: f64| glam::DMat4::from_translation(DVec3::new(x, 0.0, 0.0)) * matrix;
+    let pictured = |drivers: Json, keys: &[(&[f64], f64)]| {
+        let look = || driven(&drivers, keys);
+        let scene = Scene { backdrop: None, ..Scene::default() };
+        let setup = scene_of(vec![(look(), mesh.clone(), moved(-3.0)), (look(), mesh.clone(), moved(3.0))], scene);
+        let mut planner = chiaro::frame::Planner::default();
+        let options = chiaro::frame::PlanOptions { size: [96, 48], samples: 1, time: 0.0 };
+        let plan = planner.plan(&setup, Library::built_in(), &Live::Keyed, &options).expect("it is planned");
+        let picture = chiaro::render::block_on(support::eval::renderer().picture(&plan)).expect("it is drawn");
+        let mut seen: Vec<f32> = picture.rgba.iter().filter(|p| p[3] > 0.5).map(|p| p[0]).collect();
+        seen.sort_by(f32::total_cmp);
+        seen.dedup_by(|a, b| (*a - *b).abs() < 1e-3);
+        (seen, planner.warnings)
+    };
+    // The two are 6 apart, and one is no neighbour of itself.
+    let (seen, warnings) = pictured(json!([{"near": "object_0"}]), &[(&[6.0], 0.25), (&[7.0], 0.75)]);
+    assert_eq!(seen, [0.25, 0.75], "the neighbour, and what is far from any");
+    assert!(warnings.iter().any(|problem| problem.code == "unknown-object"), "{warnings:?}");
+    let (_, warnings) = pictured(json!([{"near": "nobody"}]), &[(&[6.0], 0.25)]);
+    assert!(warnings.iter().any(|p| p.message.contains("nobody") && p.hints[0].contains("object_1")), "{warnings:?}");
+    // Both stand with their fronts as they were made.
+    let (seen, warnings) = pictured(json!(["facing"]), &[(&[0.0], 0.25), (&[3.0], 0.75)]);
+    assert!(warnings.is_empty() && seen.len() <= 2, "{seen:?} {warnings:?}");
+}
+
+/// What a document may say of drivers, and what is told of where it says something else.
+#[test]
+fn drivers_are_read_written_and_checked() {
+    use chiaro::document::Look;
+    let text = |by: &str, key: &str| {
+        format!(
+            r#"{{"chiaro": "look", "version": 1, "lights": {{"key": {{}}}}, "nodes": [{{"id": "number", "kind": "number"}}],
+            "direction_keys": [{{"by": {by}, "keys": [{{{key}, "values": {{"number.value": 1}}}}]}}]}}"#
+        )
+    };
+    let json = |text: &str| serde_json::from_str::<Json>(text).expect("JSON");
+    for (by, key) in [
+        (r#"{ "drivers": ["distance"] }"#, r#""at": [2.5]"#),
+        (r#"{ "drivers": ["facing", { "height": "key" }, { "near": "tree" }] }"#, r#""at": [0, -0.5, 3]"#),
+    ] {
+        let loaded = Look::read(&text(by, key), "keys.json");
+        assert!(loaded.diagnostics.is_empty(), "{:?}", loaded.diagnostics);
+        let mut look = loaded.value.expect("a look");
+        look.direction_keys[0].name = "Named".to_owned();
+        let mut wanted = json(&text(by, key));
+        wanted["direction_keys"][0]["name"] = "Named".into();
+        assert_eq!(json(&look.to_text()), wanted);
+    }
+    for (by, key, code) in [
+        (r#"{ "drivers": [] }"#, r#""at": []"#, "wrong-count"),
+        (r#"{ "drivers": ["distance", "facing", { "near": "a" }, { "near": "b" }] }"#, r#""at": [1]"#, "wrong-count"),
+        (r#"{ "drivers": ["speed"] }"#, r#""at": [1]"#, "wrong-type"),
+        (r#"{ "drivers": ["distance"] }"#, r#""at": [1, 2]"#, "wrong-count"),
+        (r#"{ "drivers": ["distance"] }"#, r#""direction": [1, 0, 0]"#, "missing-field"),
+        (r#""view""#, r#""at": [1]"#, "missing-field"),
+        (r#"{ "drivers": [{ "height": "sun" }] }"#, r#""at": [1]"#, "unknown-light"),
+    ] {
+        let loaded = Look::read(&text(by, key), "keys.json");
+        assert!(loaded.diagnostics.iter().any(|problem| problem.code == code), "{by} {key}: {:?}", loaded.diagnostics);
+    }
+}

@@ -15,7 +15,7 @@ use support::badf::f32_of;
 use support::color::{to_linear, to_srgb};
 use support::eval::{eval, look};
 use support::held::{In, library, numeric, run, width, words};
-use support::noise::noise;
+use support::noise::{lattice, noise, pcg3d, unit3};
 use support::random::Random;
 use support::report::Errors;
 
@@ -983,6 +983,20 @@ fn every_kind_is_held() {
         "star_angle",
         "stretch_direction",
         "thin_film",
+        "color_curves",
+        "exaggerated",
+        "inner_contour",
+        "local_light",
+        "local_tone",
+        "nearby",
+        "palette",
+        "light_warp",
+        "radiance_scaling",
+        "relief",
+        "smooth_normal",
+        // shape_passes.rs
+        "litsphere_pair",
+        "outer_contour",
         // truth_marks.rs
         "brush_strokes",
         "dither",

@@ -9,10 +9,10 @@ import chiaro::material;
 /// How strongly a realistic surface shines toward the eye: to be laid beside drawn shading, for contrast, or as a layer's
 /// tone.
 ///
-/// @choice model "Model" default=ggx lambert="Lambert" wrap="Wrapped" oren_nayar="Oren-Nayar" phong="Phong"
-///   blinn_phong="Blinn-Phong" ggx="Cook-Torrance, GGX" ward="Ward, anisotropic" :
-///   Lambert, Wrapped (light creeps around, as through skin) and Oren-Nayar (rough, flatter) are matt; the others are
-///   highlights, normalized so that a rougher one is dimmer.
+/// @choice model "Model" default=ggx lambert="Lambert" half_lambert="Half Lambert" wrap="Wrapped" oren_nayar="Oren-Nayar"
+///   phong="Phong" blinn_phong="Blinn-Phong" ggx="Cook-Torrance, GGX" ward="Ward, anisotropic" :
+///   Lambert, Half Lambert (the far side keeps its form), Wrapped (light creeps around, as through skin) and Oren-Nayar
+///   (rough, flatter) are matt; the others are highlights, normalized so that a rougher one is dimmer.
 /// @param light "Light" wire : Its direction counts, not its colour.
 /// @param normal "Normal" from=normal : World space; any length but 0.
 /// @param view from=view hidden
@@ -22,9 +22,14 @@ import chiaro::material;
 /// @param at_normal "Reflectance" default=0.04 min=0 max=1 : GGX: what is reflected straight on; metals are above 0.5.
 /// @param wrap "Wrap" default=0.5 min=0 max=1 : Wrapped: how far light creeps around.
 /// @return tone "Tone" : 0 or more; a highlight may be far above 1.
-/// @source Phong 1975, Blinn 1977, Cook and Torrance 1982, Ward 1992, Oren and Nayar 1994, Walter et al. 2007
+/// @source Phong 1975, Blinn 1977, Cook and Torrance 1982, Ward 1992, Oren and Nayar 1994, Mitchell et al. 2006, Walter et al. 2007
 fn reflectance_lambert(light: Light, normal: vec3f) -> f32 {
     return max(dot(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction), 0.0);
+}
+
+fn reflectance_half_lambert(light: Light, normal: vec3f) -> f32 {
+    let half = 0.5 + 0.5 * dot(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction);
+    return clamp(half * half, 0.0, 1.0);
 }
 
 fn reflectance_wrap(light: Light, normal: vec3f, wrap: f32) -> f32 {

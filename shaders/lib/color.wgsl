@@ -151,3 +151,61 @@ fn srgb_of_oklab(lab: vec3f) -> vec3f {
     let light = linear_of_oklab(lab);
     return vec3f(srgb_of_linear(light.x), srgb_of_linear(light.y), srgb_of_linear(light.z));
 }
+
+/// Between two colours as on screen, evenly to the eye; t from 0 to 1.
+fn mixed_in_oklab(a: vec4f, b: vec4f, t: f32) -> vec4f {
+    let lab = mixed_vec3(oklab_of_srgb(a.xyz), oklab_of_srgb(b.xyz), t);
+    return ends_kept(a, b, t, srgb_of_oklab(lab));
+}
+
+/// Between two colours as on screen, as lights mix; t from 0 to 1.
+fn mixed_in_light(a: vec4f, b: vec4f, t: f32) -> vec4f {
+    let light = vec3f(
+        mixed(linear_of_srgb(a.x), linear_of_srgb(b.x), t),
+        mixed(linear_of_srgb(a.y), linear_of_srgb(b.y), t),
+        mixed(linear_of_srgb(a.z), linear_of_srgb(b.z), t),
+    );
+    return ends_kept(a, b, t, vec3f(srgb_of_linear(light.x), srgb_of_linear(light.y), srgb_of_linear(light.z)));
+}
+
+/// Between two colours as on screen by lightness, chroma and hue of Oklab, the shorter way around; t from 0 to 1.
+fn mixed_by_hue(a: vec4f, b: vec4f, t: f32) -> vec4f {
+    let start = oklab_of_srgb(a.xyz);
+    let goal = oklab_of_srgb(b.xyz);
+    let chroma = vec2f(length_of(vec3f(start.yz, 0.0)), length_of(vec3f(goal.yz, 0.0)));
+    // Grey has no hue; it takes the other's.
+    let one = angle_of_point(select(start.z, goal.z, chroma.x < 1e-3), select(start.y, goal.y, chroma.x < 1e-3));
+    let other = angle_of_point(select(goal.z, start.z, chroma.y < 1e-3), select(goal.y, start.y, chroma.y < 1e-3));
+    let apart = other - one;
+    let way = apart - 2.0 * PI * round(apart / (2.0 * PI));
+    let turned = sin_cos_of(one + t * way);
+    let size = mixed(chroma.x, chroma.y, t);
+    return ends_kept(a, b, t, srgb_of_oklab(vec3f(mixed(start.x, goal.x, t), size * turned.y, size * turned.x)));
+}
+
+/// Between two colours by hue, saturation and value, the shorter way around; t from 0 to 1.
+fn mixed_in_hsv(a: vec4f, b: vec4f, t: f32) -> vec4f {
+    let start = hsv_of_rgb(bounded_vec3(a.xyz));
+    let goal = hsv_of_rgb(bounded_vec3(b.xyz));
+    // Grey has no hue; it takes the other's.
+    let one = select(start.x, goal.x, start.y < 1e-3);
+    let other = select(goal.x, start.x, goal.y < 1e-3);
+    let apart = other - one;
+    let hue = one + t * (apart - round(apart));
+    let value = mixed(start.z, goal.z, t);
+    let rgb = mixed_vec3(vec3f(1.0), rgb_of_hue(hue - floor(hue)), mixed(start.y, goal.y, t));
+    return ends_kept(a, b, t, value * rgb);
+}
+
+/// Hue in turns, saturation and value; grey has the hue 0.
+fn hsv_of_rgb(rgb: vec3f) -> vec3f {
+    let most = max(max(rgb.x, rgb.y), rgb.z);
+    let chroma = most - min(min(rgb.x, rgb.y), rgb.z);
+    return vec3f(hue_of_rgb(rgb, chroma), divided(chroma, most), most);
+}
+
+/// The mixed colour with its alpha; exactly a and b at the ends, which going to another space and back would round.
+fn ends_kept(a: vec4f, b: vec4f, t: f32, rgb: vec3f) -> vec4f {
+    let mixed_color = vec4f(bounded_vec3(rgb), mixed(a.w, b.w, t));
+    return select(select(mixed_color, bounded_vec4(b), t >= 1.0), bounded_vec4(a), t <= 0.0);
+}

@@ -55,3 +55,27 @@ fn curvature_on_screen(normal: vec3f, position: vec3f, perspective: f32, scale: 
     let divergence = x.x / select(x.y, 1e30, x.y == 0.0) + y.x / select(y.y, 1e30, y.y == 0.0);
     return kappa_safe(divergence / scale);
 }
+
+/// The view-centred curvature tensor (xx, xy, yy) from how the normal changes between the pixels of a quad, as
+/// [`curvature_on_screen`] takes its trace. Call it in uniform control flow.
+fn tensor_on_screen(normal: vec3f, position: vec3f, perspective: f32, scale: f32) -> vec3f {
+    let slope = normal.xy / max(normal.z, 0.2);
+    let place = position.xy / mix(1.0, max(-position.z, 1e-20), perspective);
+    let x = dpdx(vec3f(slope, place.x));
+    let y = dpdy(vec3f(slope, place.y));
+    let along_x = x.xy / (select(x.z, 1e30, x.z == 0.0) * 0.5 * scale);
+    let along_y = y.xy / (select(y.z, 1e30, y.z == 0.0) * 0.5 * scale);
+    return tensor_safe(vec3f(along_x.x, 0.5 * (along_x.y + along_y.x), along_y.y));
+}
+
+/// Each number of a tensor fit for use, as [`kappa_safe`] makes it.
+fn tensor_safe(tensor: vec3f) -> vec3f {
+    return vec3f(kappa_safe(tensor.x), kappa_safe(tensor.y), kappa_safe(tensor.z));
+}
+
+/// The greatest and the least curvature of a tensor (xx, xy, yy): its eigenvalues.
+fn principal_curvatures(tensor: vec3f) -> vec2f {
+    let mean = 0.5 * (tensor.x + tensor.z);
+    let spread = length(vec2f(0.5 * (tensor.x - tensor.z), tensor.y));
+    return vec2f(mean + spread, mean - spread);
+}

@@ -4,6 +4,7 @@ import chiaro::types;
 import chiaro::numeric;
 import chiaro::total;
 import chiaro::antialias;
+import chiaro::color;
 
 const INTERPOLATION_LINEAR: u32 = 0u;
 const INTERPOLATION_SMOOTH: u32 = 1u;
@@ -109,4 +110,59 @@ fn harmonic_slope(before: f32, span_before: f32, after: f32, span_after: f32) ->
     let weight_before = 2.0 * span_after + span_before;
     let weight_after = span_after + 2.0 * span_before;
     return divided(weight_before + weight_after, weight_before / before + weight_after / after);
+}
+
+/// Where on a ramp x lies: between which two colours, and how far along.
+struct RampPlace {
+    before: vec4f,
+    after: vec4f,
+    /// From 0 to 1; smooth ramps are level at each stop.
+    t: f32,
+}
+
+/// The place of x on a ramp that is not stepped. Transparent black for a ramp without stops.
+fn ramp_place(ramp: Ramp, x: f32) -> RampPlace {
+    let count = min(ramp.count, 16u);
+    if count == 0u {
+        return RampPlace(vec4f(0.0), vec4f(0.0), 0.0);
+    }
+    var colors = ramp.colors;
+    var places = ramp.places;
+    var at = 0u;
+    for (var i = 1u; i < count; i++) {
+        at = select(at, i, places[i / 4u][i % 4u] <= x);
+    }
+    let after = min(at + 1u, count - 1u);
+    let place = places[at / 4u][at % 4u];
+    let t = clamp(divided(x - place, places[after / 4u][after % 4u] - place), 0.0, 1.0);
+    return RampPlace(colors[at], colors[after], select(t, eased(t, 0.0, 1.0), ramp.interpolation == INTERPOLATION_SMOOTH));
+}
+
+/// The colours of a palette, the stops' of a ramp, that are nearest to a colour in Oklab: the nearest alone, or blended there
+/// with those that are up to `softness` farther. Black for one without colours.
+fn palette_blend(palette: Ramp, rgb: vec3f, softness: f32) -> vec3f {
+    let count = min(palette.count, 16u);
+    var colors = palette.colors;
+    let wanted = oklab_of_srgb(rgb);
+    var nearest = 1e30;
+    var found = vec3f(0.0);
+    for (var i = 0u; i < count; i++) {
+        let lab = oklab_of_srgb(colors[i].xyz);
+        let far = min(length_of(lab - wanted), 1e29);
+        found = select(found, bounded_vec3(colors[i].xyz), far < nearest);
+        nearest = min(nearest, far);
+    }
+    if softness <= 0.0 || count == 0u {
+        return found;
+    }
+    var sum = vec3f(0.0);
+    var total = 0.0;
+    for (var i = 0u; i < count; i++) {
+        let lab = oklab_of_srgb(colors[i].xyz);
+        let near = clamp(1.0 - (length_of(lab - wanted) - nearest) / softness, 0.0, 1.0);
+        // Squared, so that colours come and go without a kink.
+        sum += near * near * lab;
+        total += near * near;
+    }
+    return bounded_vec3(srgb_of_oklab(sum / max(total, 1e-6)));
 }

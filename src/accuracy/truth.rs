@@ -88,10 +88,9 @@ impl Truth {
 /// A depth bends more than this from pixel to pixel where one part of a surface hides another: in pixels.
 const BEND: f64 = 3.0;
 
-/// How far an edge is felt, in pixels: beyond its neighbours as far as the curvature pass looks.
+/// How far an edge is felt, in pixels: beyond its neighbours as far as passes over normals look.
 fn reach(plan: &FramePlan) -> usize {
-    let has_curvature = plan.passes.iter().any(|pass| pass.kind.is_curvature());
-    if has_curvature { 1 + plan.view.curvature_reach() } else { 1 }
+    1 + plan.reach()
 }
 
 /// Pixels that have a neighbour with another draw on top, or nothing, or another part of the same surface: there a GPU

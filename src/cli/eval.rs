@@ -31,6 +31,9 @@ SAMPLES.json is a list of objects; every field may be left out:
   anchor        where the object's origin is seen from the picture's middle (x right, y down), and how
                 large a unit of the scene is there, in picture heights
   magnification how large a unit of the scene is seen here, in picture heights
+  distance      from the eye to the object, in scene units
+  front         the object's front, world space, 3 numbers
+  near          {"another object's id": its distance}
   frame         the illumination frame's rotation: a 3x3 matrix (rows) or a quaternion [x, y, z, w]
   lights        {"key": {"direction": [..] or "position": [..], "color": [..], "intensity": 1}},
                 in the light's own frame; the direction is toward the light

@@ -10,12 +10,12 @@ use serde_json::{Map, Value as Json};
 use crate::diag::{Diagnostic, LineColumn};
 use crate::document::{Value, read_text};
 use crate::frame::{EvalSample, LightOverride};
-use crate::ids::PortName;
+use crate::ids::{ObjectId, PortName};
 
 /// As many problems as are told; a script that writes one mistake ten thousand times is told it often enough.
 const MAX_PROBLEMS: usize = 50;
 
-const FIELDS: [&str; 16] = [
+const FIELDS: [&str; 19] = [
     "normal",
     "tangent",
     "mirrored",
@@ -27,6 +27,9 @@ const FIELDS: [&str; 16] = [
     "pixel",
     "anchor",
     "magnification",
+    "distance",
+    "front",
+    "near",
     "color",
     "time",
     "frame",
@@ -120,9 +123,12 @@ impl Reader<'_> {
         let example = r#"{"normal": [0, 0, 1]}"#;
         let Some(fields) = self.object(json, path, &FIELDS, example) else { return sample };
         let at = |name: &str| fields.get(name).map(|json| (json, member(path, name)));
-        for (name, slot) in
-            [("normal", &mut sample.normal), ("view", &mut sample.view), ("position", &mut sample.position)]
-        {
+        for (name, slot) in [
+            ("normal", &mut sample.normal),
+            ("view", &mut sample.view),
+            ("position", &mut sample.position),
+            ("front", &mut sample.front),
+        ] {
             if let Some(v) = at(name).and_then(|(json, path)| self.vector(json, &path)) {
                 *slot = v;
             }
@@ -152,6 +158,12 @@ impl Reader<'_> {
         if let Some(size) = at("magnification").and_then(|(json, path)| self.number(json, &path)) {
             sample.magnification = size;
         }
+        if let Some(distance) = at("distance").and_then(|(json, path)| self.number(json, &path)) {
+            sample.distance = distance;
+        }
+        if let Some((json, path)) = at("near") {
+            self.near(json, &path, &mut sample);
+        }
         if let Some(color) = at("color").and_then(|(json, path)| self.color(json, &path)) {
             sample.vertex_color = color;
         }
@@ -168,6 +180,19 @@ impl Reader<'_> {
             self.values(json, &path, &mut sample);
         }
         sample
+    }
+
+    /// How far other objects are, by id.
+    fn near(&mut self, json: &Json, path: &str, sample: &mut EvalSample) {
+        let Some(objects) = json.as_object() else {
+            self.expected(path, "distances by an object's id", json, r#"{"other": 2.5}"#);
+            return;
+        };
+        for (id, json) in objects {
+            if let Some(distance) = self.number(json, &member(path, id)) {
+                sample.near.insert(ObjectId::new(id.clone()), distance);
+            }
+        }
     }
 
     fn number(&mut self, json: &Json, path: &str) -> Option<f64> {

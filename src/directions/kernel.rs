@@ -18,11 +18,16 @@ use glam::DVec3;
 pub(super) enum Kernel {
     Biharmonic,
     AppendixB,
+    /// Less the distance, between places of a cube of side 1: in space the biharmonic Green's function.
+    Distance,
 }
 
 impl Kernel {
     /// The kernel between two unit directions: 0 where they agree, negative elsewhere.
     pub(super) fn between(self, a: DVec3, b: DVec3) -> f64 {
+        if self == Self::Distance {
+            return -a.distance(b);
+        }
         let y = 0.25 * (a - b).length_squared();
         if y <= 0.5 { self.near(y) } else { self.far(0.25 * (a + b).length_squared()) }
     }
@@ -32,6 +37,8 @@ impl Kernel {
         match self {
             Self::Biharmonic => 1.0,
             Self::AppendixB => APPENDIX_B.at_zero + 3.0 / 16.0,
+            // The cube's diagonal: so much more than any distance makes a matrix of them positive definite.
+            Self::Distance => 3.0_f64.sqrt(),
         }
     }
 
@@ -46,6 +53,7 @@ impl Kernel {
                 y.ln() * z - dilogarithm(z)
             }
             Self::AppendixB => APPENDIX_B.near(y),
+            Self::Distance => -2.0 * y.sqrt(),
         }
     }
 
@@ -56,6 +64,7 @@ impl Kernel {
             // Euler's reflection makes -ln(y) ln(1-y) - Li2(y) into this.
             Self::Biharmonic => dilogarithm(-(-t).ln_1p()) - PI * PI / 6.0,
             Self::AppendixB => APPENDIX_B.far(t),
+            Self::Distance => -2.0 * (1.0 - t).sqrt(),
         }
     }
 }
@@ -163,6 +172,7 @@ mod tests {
             let spectrum = match kernel {
                 Kernel::Biharmonic => laplacian * laplacian,
                 Kernel::AppendixB => laplacian * (3.0 * laplacian - 4.0),
+                Kernel::Distance => unreachable!("it is none of the sphere's"),
             };
             sum += (2.0 * l + 1.0) / spectrum * now;
             (before, now) = (now, ((2.0 * l + 1.0) * x * now - l * before) / (l + 1.0));

@@ -7,6 +7,9 @@ use crate::diag::Diagnostic;
 /// Keys that are closer than this (radians) are one: raw weights grow like 1 over their distance, to -2e3 here.
 pub const MERGE_ANGLE: f64 = 1e-4;
 
+/// Keys of drivers that are closer than this, as a share of how far keys are apart along an axis, are one.
+pub(super) const MERGE_PLACES: f64 = 1e-6;
+
 /// Keys that are closer than this (radians, 5 degrees) are warned of: they split the sphere by a sharp edge.
 pub const CLOSE_ANGLE: f64 = 5.0 * std::f64::consts::PI / 180.0;
 
@@ -41,6 +44,30 @@ impl KeySet {
         }
         if directions.len() > MAX_KEYS {
             let problem = format!("there are {} direction keys, more than the {MAX_KEYS} that fit", directions.len());
+            diagnostics.push(Diagnostic::error("too-many-keys", problem).hint("those past the limit have no weight"));
+        }
+        (set, diagnostics)
+    }
+
+    /// The same of places: any numbers but those that are not finite.
+    pub(super) fn gather_places(places: &[DVec3]) -> (Self, Vec<Diagnostic>) {
+        let mut set = Self::default();
+        let mut diagnostics = Vec::new();
+        for (key, &place) in places.iter().enumerate() {
+            let near = |center: &DVec3| center.distance(place) < MERGE_PLACES;
+            let group = match set.centers.iter().position(near) {
+                _ if key >= MAX_KEYS || !place.is_finite() => NO_GROUP,
+                Some(group) => {
+                    diagnostics.push(merged(key, set.first_keys[group]).json_path(format!("keys[{key}].at")));
+                    set.sizes[group] += 1;
+                    group as u32
+                }
+                None => set.add(key, place),
+            };
+            set.group_of.push(group);
+        }
+        if places.len() > MAX_KEYS {
+            let problem = format!("there are {} keys in a set, more than the {MAX_KEYS} that fit", places.len());
             diagnostics.push(Diagnostic::error("too-many-keys", problem).hint("those past the limit have no weight"));
         }
         (set, diagnostics)

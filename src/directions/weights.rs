@@ -26,6 +26,16 @@ use crate::document::KeyScheme;
 pub struct KeyWeights {
     set: KeySet,
     field: Field,
+    space: Space,
+}
+
+/// What lies between keys.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Space {
+    /// All directions.
+    Sphere,
+    /// The values of one to three drivers, brought into a cube of side 1 by (value - origin) * scale.
+    Places { origin: DVec3, scale: DVec3 },
 }
 
 /// What gives raw weights to the groups of keys.
@@ -53,14 +63,30 @@ impl KeyWeights {
             KeyScheme::AppendixB => closed(Kernel::AppendixB, &set, &mut diagnostics),
             KeyScheme::Tessellated => meshed(Tessellation::default(), &set, &mut diagnostics),
         };
-        (Self { set, field }, diagnostics)
+        (Self { set, field, space: Space::Sphere }, diagnostics)
+    }
+
+    /// Solves for the weights of keys at places: the values of one to three drivers, 0 where there are fewer.
+    ///
+    /// Each axis counts by how far the keys are apart along it, so that metres and radians go together. Raw weights are of
+    /// the kernel -|x - y|: of the sphere's in space, and along one axis straight lines from key to key, so that weights go
+    /// by a smoothstep from one to the next and stay beyond the outermost.
+    pub fn at_places(places: &[DVec3]) -> (Self, Vec<Diagnostic>) {
+        let finite = || places.iter().copied().filter(|place| place.is_finite());
+        let origin = finite().reduce(DVec3::min).unwrap_or(DVec3::ZERO);
+        let extent = finite().reduce(DVec3::max).unwrap_or(DVec3::ZERO) - origin;
+        let scale = DVec3::from_array(extent.to_array().map(|x| if x > 0.0 { 1.0 / x } else { 0.0 }));
+        let scaled: Vec<DVec3> = places.iter().map(|place| (*place - origin) * scale).collect();
+        let (set, mut diagnostics) = KeySet::gather_places(&scaled);
+        let field = if set.centers.len() < 2 { Field::Whole } else { closed(Kernel::Distance, &set, &mut diagnostics) };
+        (Self { set, field, space: Space::Places { origin, scale } }, diagnostics)
     }
 
     /// As [`KeyWeights::new`] with [`KeyScheme::Tessellated`], on a mesh of one's choice.
     pub fn tessellated(directions: &[DVec3], tessellation: Tessellation) -> (Self, Vec<Diagnostic>) {
         let (set, mut diagnostics) = KeySet::gather(directions);
         let field = if set.centers.len() < 2 { Field::Whole } else { meshed(tessellation, &set, &mut diagnostics) };
-        (Self { set, field }, diagnostics)
+        (Self { set, field, space: Space::Sphere }, diagnostics)
     }
 
     /// The number of keys it was made of, and of weights it gives.
@@ -126,7 +152,14 @@ impl KeyWeights {
         assert_eq!(out.len(), self.len(), "one weight per key");
         let count = self.set.centers.len();
         let groups = &mut out[..count];
-        let Some(direction) = unit(direction) else {
+        let place = match self.space {
+            Space::Sphere => unit(direction),
+            // Far beyond all keys weights do not change any more, and digits would be lost.
+            Space::Places { origin, scale } => (!direction.is_nan())
+                .then(|| ((direction - origin) * scale).clamp(DVec3::splat(-1e6), DVec3::splat(1e6)))
+                .filter(|place| place.is_finite()),
+        };
+        let Some(direction) = place else {
             groups.fill(1.0 / count as f64);
             return;
         };

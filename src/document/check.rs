@@ -6,7 +6,7 @@ use std::collections::{HashMap, HashSet};
 use std::hash::Hash;
 
 use super::problems::{MAX_PROBLEMS, more_problems};
-use super::{Camera, Definition, Endpoint, Graph, KeyDirection, Light, Look, Scene, Target, Wire};
+use super::{Camera, Definition, Endpoint, Graph, Light, Look, Scene, Target, Wire};
 use crate::diag::Diagnostic;
 use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, LightId, NodeId, NodePath};
 
@@ -209,9 +209,7 @@ impl Check {
     fn direction_keys(&mut self, look: &Look) {
         for (index, keys) in look.direction_keys.iter().enumerate() {
             let path = format!("direction_keys[{index}]");
-            if let KeyDirection::Light(light) = &keys.by
-                && !look.lights.contains_key(light)
-            {
+            for light in keys.by.lights().into_iter().filter(|light| !look.lights.contains_key(*light)) {
                 let problem = Diagnostic::error("unknown-light", format!("there is no light `{light}`"));
                 self.unknown(path.clone() + ".by", problem, light.as_str(), look.lights.keys().map(LightId::as_str));
             }

@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::value::{Interpolation, Value, Values};
-use crate::ids::{DefinitionId, FrameId, LightId, NodeId, NodePath, NoteId, PortName};
+use crate::ids::{DefinitionId, FrameId, LightId, NodeId, NodePath, NoteId, ObjectId, PortName};
 
 /// Fields that this version does not know. They survive a save, and loading warns about them.
 ///
@@ -443,6 +443,56 @@ pub enum KeyDirection {
     Light(LightId),
     /// The direction from the object's centre to the eye, in world space.
     View,
+    /// No direction but one to three numbers, the axes of the space that the keys lie in.
+    Drivers(Vec<Driver>),
+}
+
+impl KeyDirection {
+    /// How many drivers decide; `None` where it is a direction.
+    pub fn axes(&self) -> Option<usize> {
+        match self {
+            Self::Drivers(drivers) => Some(drivers.len()),
+            Self::Light(_) | Self::View => None,
+        }
+    }
+
+    /// The lights that it reads.
+    pub fn lights(&self) -> Vec<&LightId> {
+        match self {
+            Self::Light(light) => vec![light],
+            Self::View => Vec::new(),
+            Self::Drivers(drivers) => drivers.iter().filter_map(Driver::light).collect(),
+        }
+    }
+}
+
+/// A number of the scene that decides between keys.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Driver {
+    /// From the eye to the object's centre, scene units.
+    Distance,
+    /// The angle between the object's front (its z axis) and the direction to the eye: 0 seen from the front, pi from behind.
+    Facing,
+    /// How high a light stands over the horizon as the object sees it, radians: pi/2 straight above, 0 at the horizon.
+    Height(LightId),
+    /// From this object's centre to another one's, scene units.
+    Near(ObjectId),
+}
+
+impl Driver {
+    /// As many as decide together at most.
+    pub const MOST: usize = 3;
+
+    /// The light that it reads.
+    pub fn light(&self) -> Option<&LightId> {
+        if let Self::Height(light) = self { Some(light) } else { None }
+    }
+
+    /// Whether its value is an angle, in radians.
+    pub fn is_angle(&self) -> bool {
+        matches!(self, Self::Facing | Self::Height(_))
+    }
 }
 
 /// How the weights of direction keys are computed.
@@ -461,7 +511,7 @@ pub enum KeyScheme {
 /// One key of [`DirectionKeys`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct DirectionKey {
-    /// Where; any length but 0.
+    /// Where; any length but 0. Of drivers: their values, with 0 for those that are not there.
     pub direction: [f64; 3],
     /// The values there.
     pub values: IndexMap<Target, Value>,

@@ -40,8 +40,22 @@ struct Types {
 }
 
 /// In the order of [`Palette::categories`]; what is none of them comes last.
-const CATEGORIES: [&str; 11] =
-    ["layer", "light", "curvature", "geometry", "color", "vector", "math", "input", "highlight", "material", "texture"];
+const CATEGORIES: [&str; 14] = [
+    "layer",
+    "light",
+    "curvature",
+    "geometry",
+    "color",
+    "vector",
+    "math",
+    "input",
+    "highlight",
+    "material",
+    "texture",
+    "shape",
+    "marks",
+    "screen",
+];
 
 impl Palette {
     /// The colour of a type's sockets and wires.
@@ -103,7 +117,7 @@ pub static DARK: Palette = Palette {
     },
     categories: [
         0x744c2c, 0x6e6032, 0x3e5c3e, 0x30585c, 0x684252, 0x424874, 0x444c5a, 0x5c4040, 0x6c5a4c, 0x5a4670, 0x46603a,
-        0x4a4a4e,
+        0x2f5a4c, 0x6a4a3a, 0x3c5468, 0x4a4a4e,
     ],
 };
 
@@ -131,6 +145,6 @@ pub static LIGHT: Palette = Palette {
     },
     categories: [
         0xe9c3a0, 0xe4d79f, 0xbcd8b8, 0xb0d6d9, 0xe6c1cf, 0xc5caec, 0xc9d0da, 0xe3c4c2, 0xe4cfba, 0xd8c8e8, 0xcadcb4,
-        0xd2cfca,
+        0xb4dccb, 0xe8cdb8, 0xbcd2e4, 0xd2cfca,
     ],
 };

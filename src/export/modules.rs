@@ -9,7 +9,7 @@ use crate::compile::{
     BindingKind, CompiledShader, HostSource, ImageShape, ImageUse, Live, Options, Stage, TypedGraph, compile_typed,
 };
 use crate::diag::Diagnostic;
-use crate::library::Context;
+use crate::library::{Context, SMOOTH_LEVELS};
 use crate::wgsl::{self, Valid};
 
 /// The name of the module that draws the look itself.
@@ -248,33 +248,76 @@ fn feed(shader: &CompiledShader, bound: &Bound, images: &mut Vec<Image>) -> Feed
         Some(BindingKind::CurvatureSparse) => Feed::Pass { pass: "curvature_sparse", output: "curvature" },
         Some(BindingKind::CurvatureDetailSparse) => Feed::Pass { pass: "detail_curvature_sparse", output: "curvature" },
         Some(BindingKind::CurvatureDetail) => Feed::Pass { pass: "detail_curvature", output: "curvature" },
+        Some(BindingKind::CurvatureTensor) => Feed::Pass { pass: "curvature_tensor", output: "curvature" },
+        Some(BindingKind::SmoothNormal(level)) => {
+            let pass = OVER_NORMALS.iter().find(|pass| pass.context == Context::SmoothNormal(*level));
+            pass.map_or(Feed::Inputs, |pass| Feed::Pass { pass: pass.pass, output: "normal" })
+        }
         // Neither is in a module that draws meshes.
         Some(BindingKind::Samples) | None => Feed::Inputs,
     }
 }
 
-/// A pass that finds curvature.
+/// A pass over normals.
 #[derive(Clone, Copy)]
-struct Curvature {
+struct OverNormals {
     /// What a look reads for it.
     context: Context,
     pass: &'static str,
     module: &'static str,
-    /// The pass that it reads.
+    /// The pass that draws the normals and depths that it reads.
     normals: &'static str,
+    /// The pass whose normals it reads in place of those.
+    before: Option<&'static str>,
 }
 
-impl Curvature {
+impl OverNormals {
     const fn of(context: Context, pass: &'static str, module: &'static str, normals: &'static str) -> Self {
-        Self { context, pass, module, normals }
+        Self { context, pass, module, normals, before: None }
+    }
+
+    const fn smooth(level: u8, name: &'static str, before: Option<&'static str>) -> Self {
+        Self { before, ..Self::of(Context::SmoothNormal(level), name, name, "normals") }
+    }
+
+    /// Whether a look reads it, or what is made from it.
+    fn is_wanted(&self, reads: &dyn Fn(Context) -> bool) -> bool {
+        match self.context {
+            Context::SmoothNormal(level) => (level..=SMOOTH_LEVELS).any(|level| reads(Context::SmoothNormal(level))),
+            context => reads(context),
+        }
+    }
+
+    fn output(&self) -> Target {
+        match self.context {
+            Context::SmoothNormal(_) => NORMAL_TARGETS[0],
+            Context::Tensor => Target { format: NORMAL_TARGETS[0].format, ..CURVATURE_TARGET },
+            _ => CURVATURE_TARGET,
+        }
     }
 }
 
-const CURVATURES: [Curvature; 4] = [
-    Curvature::of(Context::Kappa, "curvature", "curvature", "normals"),
-    Curvature::of(Context::KappaSparse, "curvature_sparse", "curvature_sparse", "normals"),
-    Curvature::of(Context::KappaDetail, "detail_curvature", "curvature", "detail_normals"),
-    Curvature::of(Context::KappaDetailSparse, "detail_curvature_sparse", "curvature_sparse", "detail_normals"),
+const OVER_NORMALS: [OverNormals; 9] = [
+    OverNormals::of(Context::Kappa, "curvature", "curvature", "normals"),
+    OverNormals::of(Context::KappaSparse, "curvature_sparse", "curvature_sparse", "normals"),
+    OverNormals::of(Context::KappaDetail, "detail_curvature", "curvature", "detail_normals"),
+    OverNormals::of(Context::KappaDetailSparse, "detail_curvature_sparse", "curvature_sparse", "detail_normals"),
+    OverNormals::of(Context::Tensor, "curvature_tensor", "curvature_tensor", "normals"),
+    OverNormals::smooth(1, "smooth_normals_1", None),
+    OverNormals::smooth(2, "smooth_normals_2", Some("smooth_normals_1")),
+    OverNormals::smooth(3, "smooth_normals_3", Some("smooth_normals_2")),
+    OverNormals::smooth(4, "smooth_normals_4", Some("smooth_normals_3")),
+];
+
+/// The modules of these passes, with what they are for.
+const OVER_NORMALS_MODULES: [(&str, &str); 7] = [
+    ("curvature", "Finds curvature from normals and depth."),
+    ("curvature_sparse", "Finds curvature from normals and depth of four neighbours alone."),
+    ("curvature_tensor", "Finds curvature by direction from normals and depth."),
+    ("smooth_normals_1", "Smooths normals from neighbours two steps away."),
+    ("smooth_normals_2", "Smooths normals further, from neighbours four steps away."),
+    ("smooth_normals_3", "Smooths normals further, from neighbours eight steps away."),
+    ("smooth_normals_4", "Smooths normals further, from neighbours sixteen steps away."),
 ];
 
 /// Compiles a look's modules and plans its passes.
@@ -285,23 +328,22 @@ pub(super) fn compile(typed: &TypedGraph, stem: &str) -> Result<Modules, Vec<Dia
     };
     let draw = stage(Stage::Draw)?;
     let reads = |context| draw.needs.context(context);
-    let curvatures = CURVATURES.map(|curvature| reads(curvature.context).then_some(curvature));
-    let kappa = reads(Context::Kappa) || reads(Context::KappaSparse);
-    let detail = reads(Context::KappaDetail) || reads(Context::KappaDetailSparse);
+    let over_normals = OVER_NORMALS.iter().filter(|pass| pass.is_wanted(&reads)).copied().collect::<Vec<_>>();
+    let wants = |normals| over_normals.iter().any(|pass| pass.normals == normals);
     let mut found = Modules { title: header::title(&typed.name), ..Modules::default() };
-    if kappa {
+    if wants("normals") {
         let purpose = "Draws normals and depth, for the curvature pass.";
         let normals = stage(Stage::Normals)?;
         found.modules.push(ShaderModule::of_look("normals", purpose, normals, stem, &mut found.images));
         found.passes.push(Pass::meshes("normals", &NORMAL_TARGETS));
     }
-    if detail {
+    if wants("detail_normals") {
         let purpose = "Draws detail normals and depth, for the curvature pass.";
         let normals = stage(Stage::DetailNormals)?;
         found.modules.push(ShaderModule::of_look("detail_normals", purpose, normals, stem, &mut found.images));
         found.passes.push(Pass::meshes("detail_normals", &NORMAL_TARGETS));
     }
-    found.add_curvature(&curvatures.into_iter().flatten().collect::<Vec<_>>())?;
+    found.add_over_normals(&over_normals)?;
     let draw = ShaderModule::of_look(
         DRAW,
         "Draws a mesh with the look; the result is straight RGBA.",
@@ -325,28 +367,28 @@ impl Pass {
 }
 
 impl Modules {
-    fn add_curvature(&mut self, curvatures: &[Curvature]) -> Result<(), Vec<Diagnostic>> {
-        for (name, purpose) in [
-            ("curvature", "Finds curvature from normals and depth."),
-            ("curvature_sparse", "Finds curvature from normals and depth of four neighbours alone."),
-        ] {
-            let passes: Vec<_> = curvatures.iter().filter(|curvature| curvature.module == name).collect();
+    fn add_over_normals(&mut self, wanted: &[OverNormals]) -> Result<(), Vec<Diagnostic>> {
+        for (name, purpose) in OVER_NORMALS_MODULES {
+            let passes: Vec<_> = wanted.iter().filter(|pass| pass.module == name).collect();
             if passes.is_empty() {
                 continue;
             }
             let module = ShaderModule::fixed(name, purpose)?;
-            for curvature in passes {
+            for wanted in passes {
                 let textures = module.bindings.iter().filter(|bound| bound.kind == Kind::Texture);
                 let inputs = textures.map(|bound| {
-                    let output = if bound.name.contains("depth") { "depth" } else { "normal" };
-                    PassInput { binding: bound.name.clone(), pass: curvature.normals, output }
+                    let (pass, output) = match wanted.before {
+                        _ if bound.name.contains("depth") => (wanted.normals, "depth"),
+                        before => (before.unwrap_or(wanted.normals), "normal"),
+                    };
+                    PassInput { binding: bound.name.clone(), pass, output }
                 });
                 self.passes.push(Pass {
-                    name: curvature.pass,
+                    name: wanted.pass,
                     module: name,
                     draws: "screen",
                     inputs: inputs.collect(),
-                    outputs: vec![CURVATURE_TARGET],
+                    outputs: vec![wanted.output()],
                 });
             }
             self.modules.push(module);

@@ -19,7 +19,7 @@ use crate::compile::{HostInputs, Live, Param, ParamId};
 use crate::diag::Diagnostic;
 use crate::document::{Light, Values};
 use crate::frame::{Assets, CompiledShader, Moment, ParamTable, PlanOptions, Planner, Rig, Setup, Stage};
-use crate::ids::LightId;
+use crate::ids::{LightId, ObjectId};
 use crate::library::Library;
 use crate::reference::{Control, Gathered, Options, Sheet};
 
@@ -42,6 +42,9 @@ struct Part {
     draw: usize,
     /// The object's number and centre.
     object: (usize, DVec3),
+    /// Its front, and how far other objects are.
+    front: DVec3,
+    near: IndexMap<ObjectId, f64>,
     shader: Arc<CompiledShader>,
     table: ParamTable,
     /// The parameters of each knob.
@@ -93,6 +96,8 @@ impl Model {
             parts.push(Part {
                 draw: number,
                 object: (index, object.center()),
+                front: object.world_from_object.transform_vector3(DVec3::Z),
+                near: setup.others_of(object),
                 shader: draw.look.clone(),
                 ids: knobs.iter().map(ids).collect(),
                 table,
@@ -190,6 +195,9 @@ impl Model {
             camera_from_world: plan.view.rotation(),
             view: plan.view.toward_viewer(center),
             center,
+            distance: plan.view.eye.distance(center),
+            front: part.front,
+            near: &part.near,
             exposed: &part.exposed,
             lights: &lights,
         };

@@ -71,6 +71,8 @@ impl PassKind {
             Self::Curvature | Self::SparseCurvature | Self::DetailCurvature | Self::SparseDetailCurvature => {
                 (NUMBER, NORMAL + NUMBER + 2 * NUMBER)
             }
+            // The same with four numbers each.
+            Self::CurvatureTensor | Self::SmoothNormals(_) => (NORMAL, 3 * NORMAL + NUMBER),
             Self::Look if samples > 1 => (COLOR + samples * (COLOR + NUMBER), COLOR + 2 * samples * (COLOR + NUMBER)),
             Self::Look => (COLOR + NUMBER, COLOR + NUMBER),
         }

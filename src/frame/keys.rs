@@ -13,9 +13,10 @@ use crate::compile::{LightValues, Param, ParamId};
 use crate::diag::Diagnostic;
 use crate::directions::{KeyWeights, blend_direction, blend_number};
 use crate::document::{
-    ColorSpace, DirectionKeys, Interpolation, KeyDirection, Light, Look, Target, TimeKey, TimeKeys, Value, Values,
+    ColorSpace, DirectionKeys, Driver, Interpolation, KeyDirection, Light, LightKind, Look, Target, TimeKey, TimeKeys,
+    Value, Values,
 };
-use crate::ids::{LightId, NodePath, PortName};
+use crate::ids::{LightId, NodePath, ObjectId, PortName};
 
 /// Where and when an object is shaded.
 #[derive(Clone, Copy, Debug)]
@@ -30,6 +31,12 @@ pub struct Moment<'a> {
     pub view: DVec3,
     /// The object's centre, world space.
     pub center: DVec3,
+    /// From the eye to the object's centre, scene units.
+    pub distance: f64,
+    /// The object's front, its z axis, world space; any length.
+    pub front: DVec3,
+    /// How far the centres of other objects are from this one's, scene units.
+    pub near: &'a IndexMap<ObjectId, f64>,
     /// Values of exposed parameters by name.
     pub exposed: &'a Values,
     /// Lights in place of the look's own.
@@ -52,7 +59,8 @@ pub struct KeyedValues {
     pub values: HashMap<Target, Value>,
     /// The lights as they are then.
     pub lights: IndexMap<LightId, Light>,
-    /// For each set of direction keys the direction that decides, and the weight of each of its keys.
+    /// For each set of direction keys the direction that decides, or the drivers' values, and the weight of each of its
+    /// keys.
     pub decided: Vec<(DVec3, Vec<f64>)>,
 }
 
@@ -100,7 +108,10 @@ impl Rig {
         let places = |keys: &DirectionKeys| -> Vec<[f64; 3]> { keys.keys.iter().map(|key| key.direction).collect() };
         let known = |keys: &DirectionKeys| {
             let mut known = self.directions.iter();
-            known.find(|(own, _)| own.scheme == keys.scheme && places(own) == places(keys)).map(|(_, w)| w.clone())
+            let is_same = |own: &DirectionKeys| {
+                own.scheme == keys.scheme && own.by.axes() == keys.by.axes() && places(own) == places(keys)
+            };
+            known.find(|(own, _)| is_same(own)).map(|(_, w)| w.clone())
         };
         Self::with(look, &mut |keys| known(keys).unwrap_or_else(|| solve(keys).0))
     }
@@ -168,14 +179,16 @@ impl Rig {
     fn direction(&self, by: &KeyDirection, lights: &IndexMap<LightId, Light>, moment: &Moment<'_>) -> DVec3 {
         match by {
             KeyDirection::View => moment.view,
+            KeyDirection::Drivers(drivers) => {
+                let mut values = [0.0; 3];
+                for (value, driver) in values.iter_mut().zip(drivers) {
+                    *value = driver_value(driver, lights, moment);
+                }
+                values.into()
+            }
             KeyDirection::Light(id) => {
                 let Some(light) = lights.get(id) else { return DVec3::Z };
-                let resolved = LightValues::new(light, moment.illumination, moment.camera_from_world);
-                let toward = match light.kind {
-                    crate::document::LightKind::Directional => resolved.direction,
-                    _ => (resolved.position - moment.center).try_normalize().unwrap_or(DVec3::Z),
-                };
-                moment.camera_from_world * toward
+                moment.camera_from_world * toward_light(light, moment)
             }
         }
     }
@@ -183,7 +196,35 @@ impl Rig {
 
 fn solve(keys: &DirectionKeys) -> (KeyWeights, Vec<Diagnostic>) {
     let places: Vec<DVec3> = keys.keys.iter().map(|key| DVec3::from(key.direction)).collect();
-    KeyWeights::new(&places, keys.scheme)
+    match keys.by {
+        KeyDirection::Drivers(_) => KeyWeights::at_places(&places),
+        KeyDirection::Light(_) | KeyDirection::View => KeyWeights::new(&places, keys.scheme),
+    }
+}
+
+/// Unit, from the object's centre toward a light, world space.
+fn toward_light(light: &Light, moment: &Moment<'_>) -> DVec3 {
+    let resolved = LightValues::new(light, moment.illumination, moment.camera_from_world);
+    match light.kind {
+        LightKind::Directional => resolved.direction,
+        LightKind::Point | LightKind::Spot => (resolved.position - moment.center).try_normalize().unwrap_or(DVec3::Z),
+    }
+}
+
+/// As far as an object that is not there counts as being, scene units.
+const FAR_AWAY: f64 = 1e6;
+
+/// What a driver is at a moment.
+pub fn driver_value(driver: &Driver, lights: &IndexMap<LightId, Light>, moment: &Moment<'_>) -> f64 {
+    match driver {
+        Driver::Distance => moment.distance.clamp(0.0, FAR_AWAY),
+        Driver::Facing => match (moment.front.try_normalize(), moment.view.try_normalize()) {
+            (Some(front), Some(view)) => 2.0 * (0.5 * front.distance(view)).clamp(0.0, 1.0).asin(),
+            _ => 0.0,
+        },
+        Driver::Height(id) => lights.get(id).map_or(0.0, |light| toward_light(light, moment).y.clamp(-1.0, 1.0).asin()),
+        Driver::Near(id) => moment.near.get(id).map_or(FAR_AWAY, |distance| distance.clamp(0.0, FAR_AWAY)),
+    }
 }
 
 /// Finds parameters by place.
@@ -443,6 +484,9 @@ mod tests {
             camera_from_world: DMat3::IDENTITY,
             view: DVec3::new(0.6, 0.0, 0.8),
             center: DVec3::ZERO,
+            distance: 1.0,
+            front: DVec3::Z,
+            near: &IndexMap::new(),
             exposed: &Values::new(),
             lights: &IndexMap::new(),
         };

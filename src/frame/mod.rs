@@ -26,8 +26,8 @@ pub use camera::View;
 pub use cost::{EffectCost, attribute_bytes};
 pub use effects::{Effect, EffectKind, EffectState, effects};
 pub use keys::{
-    KeyedValues, Moment, ObjectValues, ParamTable, Rig, at_time, is_direction, light_field, set_light_field,
-    structural_look,
+    KeyedValues, Moment, ObjectValues, ParamTable, Rig, at_time, driver_value, is_direction, light_field,
+    set_light_field, structural_look,
 };
 pub use picture::Picture;
 pub use plan::{Draw, Dropped, FramePlan, LookShaders, Pass, PassKind, PlanOptions, Planner};

@@ -19,11 +19,11 @@ use super::values::live_for_values;
 use super::visibility::{Cull, KnownBounds, Placed, dark_lights, fields, hidden};
 use crate::compile::{CompiledShader, HostInputs, ImageShape, Live, Options, Param, Proof, Stage, Uniform, compile};
 use crate::diag::Diagnostic;
-use crate::document::{Graph, Light, Look, Value};
+use crate::document::{Driver, Graph, KeyDirection, Light, Look, Value};
 use crate::geometry::Mesh;
 use crate::hcbtf::LayerOptions;
 use crate::ids::{LightId, ObjectId};
-use crate::library::{Context, Library, LightField};
+use crate::library::{Context, Library, LightField, SMOOTH_LEVELS};
 
 /// What a picture is asked for.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,8 +37,7 @@ pub struct PlanOptions {
 }
 
 /// GPU work in order.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, serde::Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum PassKind {
     /// Normals, object numbers and depth of every object.
     Normals,
@@ -52,8 +51,18 @@ pub enum PassKind {
     DetailCurvature,
     /// The same from four neighbours of a pixel.
     SparseDetailCurvature,
+    /// Curvature of the normals by direction.
+    CurvatureTensor,
+    /// The normals smoothed, from level 1 on; each level reads the one before it.
+    SmoothNormals(u8),
     /// The looks themselves.
     Look,
+}
+
+impl serde::Serialize for PassKind {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.label().replace(' ', "-"))
+    }
 }
 
 impl PassKind {
@@ -66,6 +75,11 @@ impl PassKind {
             Self::SparseCurvature => "sparse curvature",
             Self::DetailCurvature => "detail curvature",
             Self::SparseDetailCurvature => "sparse detail curvature",
+            Self::CurvatureTensor => "curvature tensor",
+            Self::SmoothNormals(1) => "smooth normals 1",
+            Self::SmoothNormals(2) => "smooth normals 2",
+            Self::SmoothNormals(3) => "smooth normals 3",
+            Self::SmoothNormals(_) => "smooth normals 4",
             Self::Look => "look",
         }
     }
@@ -75,13 +89,18 @@ impl PassKind {
         match self {
             Self::Curvature | Self::DetailCurvature => Some("curvature"),
             Self::SparseCurvature | Self::SparseDetailCurvature => Some("curvature_sparse"),
+            Self::CurvatureTensor => Some("curvature_tensor"),
+            Self::SmoothNormals(1) => Some("smooth_normals_1"),
+            Self::SmoothNormals(2) => Some("smooth_normals_2"),
+            Self::SmoothNormals(3) => Some("smooth_normals_3"),
+            Self::SmoothNormals(_) => Some("smooth_normals_4"),
             Self::Normals | Self::DetailNormals | Self::Look => None,
         }
     }
 
-    /// Whether it finds curvature.
-    pub fn is_curvature(&self) -> bool {
-        self.shader().is_some()
+    /// How many numbers a pixel a pass over normals makes.
+    pub fn channels(&self) -> usize {
+        if matches!(self, Self::CurvatureTensor | Self::SmoothNormals(_)) { 4 } else { 1 }
     }
 }
 
@@ -172,6 +191,20 @@ pub struct FramePlan {
     pub passes: Vec<Pass>,
     /// What was left out.
     pub dropped: Vec<Dropped>,
+}
+
+impl FramePlan {
+    /// How far its passes look around in the normals, in pixels.
+    pub fn reach(&self) -> usize {
+        let stride = self.view.curvature_reach() / 3;
+        let of = |kind: &PassKind| match kind {
+            // All levels before it have looked around, each twice as far as the one before.
+            PassKind::SmoothNormals(level) => stride * 2 * ((1 << level) - 1),
+            kind if kind.shader().is_some() => 3 * stride,
+            _ => 0,
+        };
+        self.passes.iter().map(|pass| of(&pass.kind)).max().unwrap_or_default()
+    }
 }
 
 /// A look's modules, compiled when first asked for.
@@ -358,6 +391,39 @@ impl Planner {
         seen
     }
 
+    /// Tells of keys by the distance to an object that is not in the scene.
+    fn warn_of_missing(&mut self, setup: &Setup, look: &SetupLook, own: &ObjectId) {
+        for (index, set) in look.look.direction_keys.iter().enumerate() {
+            let KeyDirection::Drivers(drivers) = &set.by else { continue };
+            for driver in drivers {
+                let Driver::Near(id) = driver else { continue };
+                if *id != *own && setup.objects.iter().any(|object| object.id == *id) {
+                    continue;
+                }
+                let is_own = *id == *own;
+                let message = if is_own {
+                    format!("object `{id}` wears a look whose keys go by how near it is to itself")
+                } else {
+                    format!("there is no object `{id}` in the scene")
+                };
+                let ids = setup.objects.iter().map(|object| &object.id).filter(|other| *other != own);
+                let known: Vec<String> = ids.take(8).map(|id| format!("`{id}`")).collect();
+                let hint = if known.is_empty() {
+                    "add another object to the scene, or let something else decide".to_owned()
+                } else {
+                    format!("other objects are {}; until then it counts as far away", known.join(", "))
+                };
+                let mut problem = Diagnostic::warning("unknown-object", message)
+                    .json_path(format!("direction_keys[{index}].by"))
+                    .hint(hint);
+                look.source.locate(&mut problem);
+                if !self.warnings.contains(&problem) {
+                    self.warnings.push(problem);
+                }
+            }
+        }
+    }
+
     fn dark(&self, setup: &Setup, shown: &Look, live: &Live, placed: &Placed, view: &View) -> Dark {
         // What may be edited any moment is never taken for what it is now.
         if self.cull != Cull::All || !matches!(live, Live::Keyed | Live::Exposed) {
@@ -407,8 +473,10 @@ impl Planner {
         options: &PlanOptions,
     ) -> Result<Vec<Draw>, Vec<Diagnostic>> {
         let mut draws = Vec::new();
+        let near = setup.others_of(object);
         for (part, look) in object.mesh.parts.iter().zip(&object.looks) {
             let Some(look) = *look else { continue };
+            self.warn_of_missing(setup, &setup.looks[look], &object.id);
             let (key, dark) = &keys[&(number, look)];
             let shaders = self.shaders.get_mut(key).expect("compiled above");
             let shown = structural_look(&setup.looks[look].look, options.time, &object.values);
@@ -430,6 +498,9 @@ impl Planner {
                 camera_from_world: view.rotation(),
                 view: view.toward_viewer(center),
                 center,
+                distance: view.eye.distance(center),
+                front: object.world_from_object.transform_vector3(DVec3::Z),
+                near: &near,
                 exposed: &object.values,
                 lights: &lights,
             };
@@ -666,7 +737,7 @@ fn current_params(look: &Look, params: &[Param]) -> Vec<Param> {
         .collect()
 }
 
-/// The passes that find curvature of some normals.
+/// The passes over some normals.
 struct WantedCurvature {
     /// What people call it.
     name: &'static str,
@@ -674,7 +745,7 @@ struct WantedCurvature {
     normals: PassKind,
     /// What it draws them with.
     stage: Stage,
-    /// What finds curvature of them, each with who reads it.
+    /// What is found from them, each with who reads it.
     passes: Vec<(PassKind, String)>,
 }
 
@@ -683,24 +754,33 @@ impl WantedCurvature {
     fn all(needs: &dyn Fn(Context, &str) -> Option<String>) -> [Self; 2] {
         let wide = |context| needs(context, "curvature");
         let sparse = |context| needs(context, "curvature from four neighbours, its cheaper tier");
-        let passes = |passes: [(PassKind, Option<String>); 2]| {
+        let passes = |passes: Vec<(PassKind, Option<String>)>| {
             passes.into_iter().filter_map(|(kind, reason)| Some((kind, reason?))).collect()
         };
+        // Each level is made from the one before it, whether a look reads that or not.
+        let smooth = |level| {
+            let mut read = (level..=SMOOTH_LEVELS).map(|level| needs(Context::SmoothNormal(level), "smoothed normals"));
+            (PassKind::SmoothNormals(level), read.find_map(|reason| reason))
+        };
+        let by_direction = needs(Context::Tensor, "curvature by direction");
+        let mut of_surface = vec![
+            (PassKind::Curvature, wide(Context::Kappa)),
+            (PassKind::SparseCurvature, sparse(Context::KappaSparse)),
+            (PassKind::CurvatureTensor, by_direction),
+        ];
+        of_surface.extend((1..=SMOOTH_LEVELS).map(smooth));
         [
             Self {
                 name: "curvature of the surface",
                 normals: PassKind::Normals,
                 stage: Stage::Normals,
-                passes: passes([
-                    (PassKind::Curvature, wide(Context::Kappa)),
-                    (PassKind::SparseCurvature, sparse(Context::KappaSparse)),
-                ]),
+                passes: passes(of_surface),
             },
             Self {
                 name: "curvature of the detail normals",
                 normals: PassKind::DetailNormals,
                 stage: Stage::DetailNormals,
-                passes: passes([
+                passes: passes(vec![
                     (PassKind::DetailCurvature, wide(Context::KappaDetail)),
                     (PassKind::SparseDetailCurvature, sparse(Context::KappaDetailSparse)),
                 ]),
@@ -718,7 +798,7 @@ fn passes(
 ) -> Vec<Pass> {
     let mut passes = Vec::new();
     for wanted in wanted {
-        let Some((_, reason)) = wanted.passes.first() else {
+        let Some((first, reason)) = wanted.passes.first() else {
             dropped.push(Dropped {
                 what: wanted.name.to_owned(),
                 why: "no live node of a visible object reads it".to_owned(),
@@ -730,7 +810,8 @@ fn passes(
             continue;
         };
         let input_hash = hash_of(draws, view, options, Some((&wanted.normals, wanted.stage)));
-        let why = format!("curvature is computed from them: {reason}");
+        let what = if matches!(first, PassKind::SmoothNormals(_)) { "smoother ones are" } else { "curvature is" };
+        let why = format!("{what} computed from them: {reason}");
         passes.push(Pass { kind: wanted.normals.clone(), reason: why, input_hash });
         passes.extend(wanted.passes.iter().map(|(kind, reason)| Pass {
             kind: kind.clone(),

@@ -17,7 +17,7 @@ use crate::compile::{
 };
 use crate::diag::Diagnostic;
 use crate::document::{Light, LightKind, Look, Value, Values};
-use crate::ids::LightId;
+use crate::ids::{LightId, ObjectId};
 use crate::interp;
 use crate::library::{Context, Library};
 
@@ -60,6 +60,12 @@ pub struct EvalSample {
     pub anchor: DVec3,
     /// How large a unit of the scene is seen here, in picture heights.
     pub magnification: f64,
+    /// From the eye to the object, scene units.
+    pub distance: f64,
+    /// The object's front, its z axis, world space.
+    pub front: DVec3,
+    /// How far other objects are, by id, scene units.
+    pub near: IndexMap<ObjectId, f64>,
     /// Straight RGBA of the vertices.
     pub vertex_color: [f64; 4],
     /// Seconds.
@@ -86,6 +92,9 @@ impl Default for EvalSample {
             pixel: DVec2::ZERO,
             anchor: DVec3::Z,
             magnification: 1.0,
+            distance: 1.0,
+            front: DVec3::Z,
+            near: IndexMap::new(),
             vertex_color: [1.0; 4],
             time: 0.0,
             frame: DQuat::IDENTITY,
@@ -270,6 +279,9 @@ impl<'a> Packer<'a> {
             camera_from_world: sample.camera,
             view: surface.view,
             center: sample.position,
+            distance: sample.distance,
+            front: sample.front,
+            near: &sample.near,
             exposed: &sample.values,
             lights: &lights,
         };
@@ -378,6 +390,9 @@ impl<'a> SurfaceValues<'a> {
             Context::WorldFromNormal => interp::Value::matrix(&DMat3::IDENTITY.to_cols_array_2d()),
             Context::Depth => interp::Value::Float(-(sample.camera * sample.position).z),
             curvature if curvature.is_curvature() => interp::Value::Float(sample.kappa),
+            // No neighbours: as curved in every direction, and smooth already.
+            Context::Tensor | Context::TensorFast => vec3(DVec3::new(sample.kappa, 0.0, sample.kappa)),
+            Context::SmoothNormal(_) => vec3(self.normal),
             // Known before the fragment, and so computed by the host program.
             _ => interp::Value::Float(0.0),
         }

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use glam::{DMat4, DQuat, DVec3};
+use indexmap::IndexMap;
 
 use super::assets::Assets;
 use crate::diag::{Diagnostic, has_errors};
@@ -72,6 +73,12 @@ pub struct Setup {
 }
 
 impl Setup {
+    /// How far the centres of the other objects are from one's, in scene units.
+    pub fn others_of(&self, object: &SetupObject) -> IndexMap<ObjectId, f64> {
+        let others = self.objects.iter().filter(|other| other.id != object.id);
+        others.map(|other| (other.id.clone(), other.center().distance(object.center()))).collect()
+    }
+
     /// Turns every object so that the z axis of its mesh points up, and not y.
     pub fn stand_up(&mut self) {
         let turn = DMat4::from_rotation_x(-std::f64::consts::FRAC_PI_2);

@@ -52,6 +52,12 @@ pub enum Context {
     KappaDetail,
     /// The same from four neighbours of a pixel.
     KappaDetailSparse,
+    /// Curvature of the surface by direction: xx, xy and yy in camera axes, in 1/viewport-height, convex positive.
+    Tensor,
+    /// The same from the derivatives of the fragment's normal, without any pass before.
+    TensorFast,
+    /// The surface's normal smoothed over the picture, world space; level 1 the least, [`SMOOTH_LEVELS`] the most.
+    SmoothNormal(u8),
     /// The rotation from world to camera axes.
     CameraFromWorld,
     /// Counts objects from 0.
@@ -97,6 +103,9 @@ pub enum LightField {
     /// Half distance and range.
     Fading,
 }
+
+/// How many levels of smoothed normals there are.
+pub const SMOOTH_LEVELS: u8 = 4;
 
 type Row = (Context, &'static str, &'static str, Rate, &'static str);
 
@@ -183,6 +192,30 @@ const TABLE: &[Row] = &[
         Rate::Fragment,
         "the same from four neighbours of a pixel, two steps away",
     ),
+    (
+        Context::Tensor,
+        "curvature_tensor",
+        "vec3f",
+        Rate::Fragment,
+        "curvature of the surface by direction: xx, xy and yy in camera axes, in 1/viewport-height, convex positive",
+    ),
+    (
+        Context::TensorFast,
+        "curvature_tensor_fast",
+        "vec3f",
+        Rate::Fragment,
+        "the same from the normals of neighbouring pixels alone, without a pass of its own; triangles show in it",
+    ),
+    (
+        Context::SmoothNormal(1),
+        "smooth_normal_1",
+        "vec3f",
+        Rate::Fragment,
+        "the surface's normal smoothed over 1/570 of the picture's height, world space; 0 where there is none",
+    ),
+    (Context::SmoothNormal(2), "smooth_normal_2", "vec3f", Rate::Fragment, "the same over 1/250 of the height"),
+    (Context::SmoothNormal(3), "smooth_normal_3", "vec3f", Rate::Fragment, "the same over 1/125 of the height"),
+    (Context::SmoothNormal(4), "smooth_normal_4", "vec3f", Rate::Fragment, "the same over 1/60 of the height"),
     (Context::CameraFromWorld, "camera_from_world", "mat3x3f", Rate::Frame, "the rotation from world to camera axes"),
     (Context::ObjectId, "object_id", "f32", Rate::Object, "counts objects from 0"),
     (Context::Time, "time", "f32", Rate::Frame, "seconds"),
@@ -278,12 +311,23 @@ impl Context {
             (Self::Kappa, Tier::Balanced) if is_measure => Self::KappaSparse,
             (Self::KappaDetail, Tier::Balanced) if is_measure => Self::KappaDetailSparse,
             (Self::Kappa, Tier::Fast) => Self::KappaFast,
+            (Self::Tensor, Tier::Fast) => Self::TensorFast,
             (Self::KappaDetail, Tier::Fast) => Self::KappaDetailSparse,
             _ => self,
         }
     }
 
-    /// Whether it is a curvature, whatever of and however it is measured.
+    /// Whether it is found from the derivatives of the fragment's own normal.
+    pub fn is_derived(self) -> bool {
+        matches!(self, Self::KappaFast | Self::TensorFast)
+    }
+
+    /// Whether it is a vector that a pass over normals finds, or what stands for one.
+    pub fn is_measured_vector(self) -> bool {
+        matches!(self, Self::Tensor | Self::TensorFast | Self::SmoothNormal(_))
+    }
+
+    /// Whether it is a curvature in one number, whatever of and however it is measured.
     pub fn is_curvature(self) -> bool {
         matches!(self, Self::Kappa | Self::KappaSparse | Self::KappaFast | Self::KappaDetail | Self::KappaDetailSparse)
     }

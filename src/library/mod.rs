@@ -20,7 +20,7 @@ mod node;
 mod read;
 mod types;
 
-pub use context::{Context, LightField, Rate};
+pub use context::{Context, LightField, Rate, SMOOTH_LEVELS};
 pub use group::{CUSTOM_CODE, CUSTOM_KIND, GroupPorts};
 pub use load::{GroupDef, Library};
 pub use node::{

@@ -11,6 +11,7 @@ use super::texels::Texels;
 use super::tile::Target;
 use crate::diag::Diagnostic;
 use crate::frame::{Draw, FramePlan, PassKind};
+use crate::library::SMOOTH_LEVELS;
 
 /// Makes the shaders of a frame plan.
 pub trait Shaders {
@@ -27,7 +28,7 @@ pub trait Shaders {
         images: &'a PassImages,
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic>;
 
-    /// The [shader](PassKind::shader) of a curvature pass, reading `normals` (four channels) and `depths` (one).
+    /// The [shader](PassKind::shader) of a pass over normals, reading `normals` (four channels) and `depths` (one).
     ///
     /// # Errors
     /// What cannot be run.
@@ -51,6 +52,10 @@ pub struct SurfaceImages {
     pub curvature: Option<Texels>,
     /// The same from four neighbours of a pixel.
     pub sparse: Option<Texels>,
+    /// Four channels: the curvature tensor in xx, xy and yy.
+    pub tensor: Option<Texels>,
+    /// Four channels each, as the normals have: these, ever smoother.
+    pub smooth: [Option<Texels>; SMOOTH_LEVELS as usize],
 }
 
 /// What the passes so far have made, for the later ones to read, rounded as [`Options::images`] says.
@@ -90,7 +95,7 @@ pub fn execute(
         let control = Control { cancel: control.cancel, progress: &progress };
         match &pass.kind {
             kind @ (PassKind::Normals | PassKind::DetailNormals) => {
-                let around = options.widened(plan.view.curvature_reach() as u32 + 2);
+                let around = options.widened(plan.reach() as u32 + 2);
                 let drawn = draw(plan, kind, &images, shaders, &around, &control)?.texels;
                 let made = images.of(kind);
                 made.normals = Some(drawn.channels(0..4).rounded(|x| options.images.half(x)));
@@ -99,16 +104,30 @@ pub fn execute(
             kind @ (PassKind::Curvature
             | PassKind::SparseCurvature
             | PassKind::DetailCurvature
-            | PassKind::SparseDetailCurvature) => {
+            | PassKind::SparseDetailCurvature
+            | PassKind::CurvatureTensor
+            | PassKind::SmoothNormals(_)) => {
                 let made = images.of(kind);
-                let (Some(normals), Some(depths)) = (&made.normals, &made.depths) else { return Err(misplaced(kind)) };
+                let normals = match kind {
+                    PassKind::SmoothNormals(level @ 2..) => made.smooth.get(usize::from(*level) - 2),
+                    _ => Some(&made.normals),
+                };
+                let (Some(Some(normals)), Some(depths)) = (normals, &made.depths) else { return Err(misplaced(kind)) };
                 let shader = shaders.curvature(plan, kind, normals, depths)?;
-                let curvature = shade_all(plan.size, 1, shader.as_ref(), &options.widened(1), &control)?;
+                // The levels after a smoothed one look around in it.
+                let around = options.widened(if kind.channels() == 1 { 1 } else { plan.reach() as u32 + 1 });
+                let found = shade_all(plan.size, kind.channels(), shader.as_ref(), &around, &control)?;
                 drop(shader);
-                let curvature = Some(curvature.rounded(|x| options.images.single(x)));
+                let found = Some(found.rounded(|x| options.images.single(x)));
                 match kind {
-                    PassKind::SparseCurvature | PassKind::SparseDetailCurvature => made.sparse = curvature,
-                    _ => made.curvature = curvature,
+                    PassKind::SparseCurvature | PassKind::SparseDetailCurvature => made.sparse = found,
+                    PassKind::CurvatureTensor => made.tensor = found,
+                    PassKind::SmoothNormals(level) => {
+                        if let Some(slot) = made.smooth.get_mut(usize::from(*level) - 1) {
+                            *slot = found;
+                        }
+                    }
+                    _ => made.curvature = found,
                 }
             }
             PassKind::Look => {

@@ -155,13 +155,24 @@ impl Modules {
                     let used = shader.needs.images.get(*index).ok_or_else(|| missing("an image"))?;
                     bindings.sampler(0, at, sampler_of(used));
                 }
-                BindingKind::Curvature => drop(bindings.texture(0, at, map(&images.surface.curvature, plan.size)?)),
-                BindingKind::CurvatureSparse => drop(bindings.texture(0, at, map(&images.surface.sparse, plan.size)?)),
+                BindingKind::Curvature => {
+                    bindings.texture(0, at, map(images.surface.curvature.as_ref(), plan.size)?);
+                }
+                BindingKind::CurvatureSparse => {
+                    bindings.texture(0, at, map(images.surface.sparse.as_ref(), plan.size)?);
+                }
                 BindingKind::CurvatureDetail => {
-                    bindings.texture(0, at, map(&images.detail.curvature, plan.size)?);
+                    bindings.texture(0, at, map(images.detail.curvature.as_ref(), plan.size)?);
                 }
                 BindingKind::CurvatureDetailSparse => {
-                    bindings.texture(0, at, map(&images.detail.sparse, plan.size)?);
+                    bindings.texture(0, at, map(images.detail.sparse.as_ref(), plan.size)?);
+                }
+                BindingKind::CurvatureTensor => {
+                    bindings.texture(0, at, map(images.surface.tensor.as_ref(), plan.size)?);
+                }
+                BindingKind::SmoothNormal(level) => {
+                    let found = images.surface.smooth.get(usize::from(*level) - 1).and_then(Option::as_ref);
+                    bindings.texture(0, at, map(found, plan.size)?);
                 }
                 BindingKind::Samples => {}
             }
@@ -237,8 +248,8 @@ fn buffer(bindings: &mut Bindings, stages: &Stages, binding: u32, numbers: &[f64
     }
 }
 
-/// The curvature that a look reads; where no pass made any, everything is flat.
-fn map(curvature: &Option<Texels>, size: [u32; 2]) -> Result<Texture, Diagnostic> {
+/// What a look reads of the passes over normals; where no pass made any, everything is flat.
+fn map(curvature: Option<&Texels>, size: [u32; 2]) -> Result<Texture, Diagnostic> {
     match curvature {
         Some(curvature) => texture(curvature),
         None => texture(&Texels::new(size, 1)),

@@ -89,7 +89,9 @@ impl Renderer {
                 PassKind::Curvature
                 | PassKind::SparseCurvature
                 | PassKind::DetailCurvature
-                | PassKind::SparseDetailCurvature => self.draw_curvature(plan, &pass.kind, &mut encoder),
+                | PassKind::SparseDetailCurvature
+                | PassKind::CurvatureTensor
+                | PassKind::SmoothNormals(_) => self.draw_curvature(plan, &pass.kind, &mut encoder),
                 PassKind::Look => self.draw_look(plan, &mut encoder)?,
             }
             ran.push(pass.kind.clone());

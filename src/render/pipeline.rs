@@ -185,6 +185,8 @@ fn binding_type(kind: &BindingKind) -> wgpu::BindingType {
         BindingKind::Curvature
         | BindingKind::CurvatureSparse
         | BindingKind::CurvatureDetail
-        | BindingKind::CurvatureDetailSparse => texture(false),
+        | BindingKind::CurvatureDetailSparse
+        | BindingKind::CurvatureTensor
+        | BindingKind::SmoothNormal(_) => texture(false),
     }
 }

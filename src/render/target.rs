@@ -1,5 +1,7 @@
 //! The textures that passes draw into.
 
+use std::collections::HashMap;
+
 use super::gpu::Gpu;
 use crate::frame::{FramePlan, PassKind};
 
@@ -18,9 +20,15 @@ pub(super) struct SurfaceTargets {
     pub(super) normals: wgpu::TextureView,
     pub(super) depths: wgpu::TextureView,
     pub(super) buffer: wgpu::TextureView,
-    curvature: Option<wgpu::TextureView>,
-    /// The same from four neighbours of a pixel.
-    sparse: Option<wgpu::TextureView>,
+    /// What passes over them have made.
+    made: HashMap<PassKind, wgpu::TextureView>,
+}
+
+impl SurfaceTargets {
+    /// What a pass over these normals draws into.
+    pub(super) fn made(&self, kind: &PassKind) -> Option<&wgpu::TextureView> {
+        self.made.get(kind)
+    }
 }
 
 /// The textures of one picture size.
@@ -61,15 +69,15 @@ impl Targets {
                     normals: view(gpu, plan.size, NORMALS, 1),
                     depths: view(gpu, plan.size, NUMBER, 1),
                     buffer: view(gpu, plan.size, DEPTH, 1),
-                    curvature: None,
-                    sparse: None,
+                    made: HashMap::new(),
                 });
                 is_new = true;
             }
         }
-        for pass in plan.passes.iter().filter(|pass| pass.kind.is_curvature()) {
-            if let Some(slot @ None) = self.curvature_slot(&pass.kind) {
-                *slot = Some(view(gpu, plan.size, NUMBER, 1));
+        for pass in plan.passes.iter().filter(|pass| pass.kind.shader().is_some()) {
+            let targets = if is_detail(&pass.kind) { self.detail.as_mut() } else { self.surface.as_mut() };
+            if let Some(targets) = targets.filter(|targets| !targets.made.contains_key(&pass.kind)) {
+                targets.made.insert(pass.kind.clone(), view(gpu, plan.size, format_of(&pass.kind), 1));
                 is_new = true;
             }
         }
@@ -80,20 +88,14 @@ impl Targets {
         self.picture.as_ref()
     }
 
-    /// The targets of a normals or curvature pass.
+    /// The targets of a normals pass, or of a pass over them.
     pub(super) fn of(&self, kind: &PassKind) -> Option<&SurfaceTargets> {
         if is_detail(kind) { self.detail.as_ref() } else { self.surface.as_ref() }
     }
 
-    /// What a curvature pass draws into.
-    pub(super) fn curvature(&self, kind: &PassKind) -> Option<&wgpu::TextureView> {
-        let targets = self.of(kind)?;
-        if is_sparse(kind) { targets.sparse.as_ref() } else { targets.curvature.as_ref() }
-    }
-
-    fn curvature_slot(&mut self, kind: &PassKind) -> Option<&mut Option<wgpu::TextureView>> {
-        let targets = if is_detail(kind) { self.detail.as_mut() } else { self.surface.as_mut() }?;
-        Some(if is_sparse(kind) { &mut targets.sparse } else { &mut targets.curvature })
+    /// What a pass over normals draws into.
+    pub(super) fn made(&self, kind: &PassKind) -> Option<&wgpu::TextureView> {
+        self.of(kind)?.made(kind)
     }
 }
 
@@ -101,8 +103,9 @@ fn is_detail(kind: &PassKind) -> bool {
     matches!(kind, PassKind::DetailNormals | PassKind::DetailCurvature | PassKind::SparseDetailCurvature)
 }
 
-fn is_sparse(kind: &PassKind) -> bool {
-    matches!(kind, PassKind::SparseCurvature | PassKind::SparseDetailCurvature)
+/// The format of what a pass over normals draws.
+pub(super) fn format_of(kind: &PassKind) -> wgpu::TextureFormat {
+    if kind.channels() == 1 { NUMBER } else { NORMALS }
 }
 
 pub(super) fn texture(

@@ -397,6 +397,8 @@ impl Builder<'_> {
                 | Context::KappaDetailSparse => {
                     self.slot("kappa", Place::Kappa, Kind::Kappa, 1, MOST);
                 }
+                Context::Tensor | Context::TensorFast => self.slot("kappa", Place::Kappa, Kind::Kappa, 1, MOST),
+                Context::SmoothNormal(_) => self.slot("surface_normal", Place::Normal, Kind::Unit, 3, 1.0),
                 Context::Time | Context::Frame => self.slot("time", Place::Time, clock, 1, MOST_LIGHT),
                 Context::Pixel => self.slot("pixel", Place::Pixel, number, 2, MOST_PLACE),
                 Context::Anchor => self.slot("anchor", Place::Anchor, number, 3, MOST_PLACE),

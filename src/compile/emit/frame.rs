@@ -27,6 +27,11 @@ pub(super) const RESERVED: &[&str] = &[
     "curvature_sparse_map",
     "curvature_detail_map",
     "curvature_detail_sparse_map",
+    "curvature_tensor_map",
+    "smooth_normal_1_map",
+    "smooth_normal_2_map",
+    "smooth_normal_3_map",
+    "smooth_normal_4_map",
     "shade",
     "vs_main",
     "fs_main",
@@ -87,7 +92,7 @@ impl super::Needs {
         let mut attributes = vec![Attribute::Position];
         for context in &self.contexts {
             match context {
-                Context::Normal | Context::KappaFast => attributes.push(Attribute::Normal),
+                Context::Normal | Context::KappaFast | Context::TensorFast => attributes.push(Attribute::Normal),
                 Context::Tangent | Context::Bitangent => attributes.extend([Attribute::Normal, Attribute::Tangent]),
                 Context::Uv => attributes.push(Attribute::Uv),
                 Context::VertexColor => attributes.push(Attribute::Color),
@@ -150,6 +155,7 @@ impl Emitter<'_> {
             "curvature_on_screen" => self.options.stage == Stage::Draw && self.needs.context(Context::KappaFast),
             "anchor_on_screen" => is_mesh && self.needs.context(Context::Anchor),
             "size_on_screen" => is_mesh && self.needs.context(Context::Magnification),
+            "tensor_on_screen" => self.options.stage == Stage::Draw && self.needs.context(Context::TensorFast),
             "linear_from_display" => is_mesh && self.graph.color_space == ColorSpace::Linear,
             _ => false,
         }
@@ -232,6 +238,11 @@ impl Emitter<'_> {
                 (Context::KappaSparse, BindingKind::CurvatureSparse, "curvature_sparse_map"),
                 (Context::KappaDetail, BindingKind::CurvatureDetail, "curvature_detail_map"),
                 (Context::KappaDetailSparse, BindingKind::CurvatureDetailSparse, "curvature_detail_sparse_map"),
+                (Context::Tensor, BindingKind::CurvatureTensor, "curvature_tensor_map"),
+                (Context::SmoothNormal(1), BindingKind::SmoothNormal(1), "smooth_normal_1_map"),
+                (Context::SmoothNormal(2), BindingKind::SmoothNormal(2), "smooth_normal_2_map"),
+                (Context::SmoothNormal(3), BindingKind::SmoothNormal(3), "smooth_normal_3_map"),
+                (Context::SmoothNormal(4), BindingKind::SmoothNormal(4), "smooth_normal_4_map"),
             ] {
                 if reads(context) {
                     push(kind, name, format!("var {name}: {texture};"));
@@ -299,15 +310,10 @@ impl Emitter<'_> {
     /// Name, type and value of each varying.
     fn varyings(&self, attributes: &[Attribute]) -> Vec<(&'static str, &'static str, &'static str)> {
         let mut varyings = Vec::new();
-        let position = [
-            Context::Position,
-            Context::PositionCamera,
-            Context::View,
-            Context::Depth,
-            Context::KappaFast,
-            Context::Magnification,
-        ];
-        if self.options.stage.is_normals() || position.iter().any(|&context| self.needs.context(context)) {
+        let position =
+            [Context::Position, Context::PositionCamera, Context::View, Context::Depth, Context::Magnification];
+        let reads_it = |context: &Context| position.contains(context) || context.is_derived();
+        if self.options.stage.is_normals() || self.needs.contexts.iter().any(reads_it) {
             varyings.push(("position", "vec3f", "world.xyz"));
         }
         for attribute in attributes {
@@ -342,8 +348,7 @@ impl Emitter<'_> {
         }
         let result = if is_normals { "Fragment" } else { "@location(0) vec4f" };
         let uses_front = self.needs.contexts.iter().any(|c| {
-            matches!(c, Context::Normal | Context::Tangent | Context::Bitangent)
-                || (*c == Context::KappaFast && !is_normals)
+            matches!(c, Context::Normal | Context::Tangent | Context::Bitangent) || (c.is_derived() && !is_normals)
         });
         let front = if uses_front { ", @builtin(front_facing) is_front: bool" } else { "" };
         let _ = write!(self.out, "\n@fragment\nfn fs_main(in: Varyings{front}) -> {result} {{\n");
@@ -424,11 +429,23 @@ impl Emitter<'_> {
     }
 }
 
+/// Where a level of smoothed normals lies.
+macro_rules! smooth_normal {
+    ($level:literal) => {
+        concat!(
+            "(vec4f(textureLoad(smooth_normal_",
+            $level,
+            "_map, vec2i(in.clip.xy), 0).xyz, 0.0) * view.camera_from_world).xyz"
+        )
+    };
+}
+
 /// How a fragment's surroundings are found where a mesh is drawn.
 fn surface_value(context: Context, stage: Stage) -> &'static str {
     match context {
         // An alpha cutoff may depend on a colour that curvature tints; before the curvature pass everything is flat.
         curvature if curvature.is_curvature() && stage.is_normals() => "0.0",
+        vector if vector.is_measured_vector() && stage.is_normals() => "vec3f(0.0)",
         Context::Normal => "normal",
         Context::View => {
             "normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, vec3f(0.0, 0.0, 1.0)))"
@@ -462,6 +479,17 @@ fn surface_value(context: Context, stage: Stage) -> &'static str {
              length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)))"
         }
         Context::WorldFromNormal => "object.world_from_normal",
+        Context::Tensor => "textureLoad(curvature_tensor_map, vec2i(in.clip.xy), 0).xyz",
+        Context::TensorFast => {
+            "tensor_on_screen((view.camera_from_world * vec4f(normal, 0.0)).xyz, \
+             (view.camera_from_world * vec4f(in.position, 1.0)).xyz, view.eye.w, \
+             length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)))"
+        }
+        // Camera axes; a vector before a rotation is turned back by it.
+        Context::SmoothNormal(1) => smooth_normal!(1),
+        Context::SmoothNormal(2) => smooth_normal!(2),
+        Context::SmoothNormal(3) => smooth_normal!(3),
+        Context::SmoothNormal(_) => smooth_normal!(4),
         // Known before the fragment.
         Context::CameraFromWorld
         | Context::ObjectId

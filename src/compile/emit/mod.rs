@@ -59,6 +59,10 @@ pub enum BindingKind {
     CurvatureDetail,
     /// The same from four neighbours of a pixel.
     CurvatureDetailSparse,
+    /// The curvature tensor of the surface, one texel a pixel.
+    CurvatureTensor,
+    /// A level of smoothed normals, one texel a pixel.
+    SmoothNormal(u8),
     /// The samples of an evaluation.
     Samples,
 }
@@ -237,6 +241,7 @@ impl<'a> Emitter<'a> {
             "curvature_on_screen",
             "anchor_on_screen",
             "size_on_screen",
+            "tensor_on_screen",
         ] {
             if self.frame_uses(name) {
                 self.items.want(&built_in, name);

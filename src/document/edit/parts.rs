@@ -8,7 +8,7 @@ use indexmap::IndexMap;
 use super::graph::drop_targets;
 use super::{Applied, Edit, group, impossible, missing};
 use crate::diag::Diagnostic;
-use crate::document::{KeyDirection, Look, Target};
+use crate::document::{Look, Target};
 use crate::ids::{DefinitionId, LightId};
 
 pub(super) fn apply(look: &mut Look, edit: Edit) -> Applied<Edit> {
@@ -86,9 +86,8 @@ fn remove_light(look: &mut Look, id: LightId) -> Applied<Edit> {
     if !look.lights.contains_key(&id) {
         return Err(missing("light", id));
     }
-    let is_by_it = |by: &KeyDirection| matches!(by, KeyDirection::Light(light) if *light == id);
     let mut edits = drop_targets(look, |_, target| matches!(target, Target::Light { light, .. } if *light == id));
-    for (index, _) in look.direction_keys.iter().enumerate().rev().filter(|(_, keys)| is_by_it(&keys.by)) {
+    for (index, _) in look.direction_keys.iter().enumerate().rev().filter(|(_, keys)| keys.by.lights().contains(&&id)) {
         edits.push(Edit::RemoveDirectionKeys { index });
     }
     if edits.is_empty() {

@@ -8,8 +8,7 @@ use super::{Edit, SceneEdit, impossible, missing};
 use crate::diag::Diagnostic;
 use crate::document::check::check_target;
 use crate::document::{
-    DirectionKeys, Endpoint, Exposed, Frame, Graph, GraphId, KeyDirection, Look, Node, Object, Scene, Target, TimeKeys,
-    Wire,
+    DirectionKeys, Endpoint, Exposed, Frame, Graph, GraphId, Look, Node, Object, Scene, Target, TimeKeys, Wire,
 };
 use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, NodePath, is_slug};
 
@@ -214,9 +213,7 @@ fn check_exposed(look: &Look, exposed: &Exposed, own: usize) -> Check {
 }
 
 fn check_direction_keys(look: &Look, keys: &DirectionKeys) -> Check {
-    if let KeyDirection::Light(light) = &keys.by
-        && !look.lights.contains_key(light)
-    {
+    if let Some(light) = keys.by.lights().into_iter().find(|light| !look.lights.contains_key(*light)) {
         return Err(missing("light", light));
     }
     for target in keys.keys.iter().flat_map(|key| key.values.keys()) {

@@ -6,14 +6,14 @@ use super::reader::{Fields, Reader};
 use crate::diag::Diagnostic;
 use crate::document::json::{At, Kind};
 use crate::document::shape::{
-    BOOKMARK, DEFINITION, DIRECTION_KEY, DIRECTION_KEYS, EXPOSED, FRAME, INTERFACE_PORT, LIGHT, LOOK, NODE, NOTE,
+    self, BOOKMARK, DEFINITION, DIRECTION_KEY, DIRECTION_KEYS, EXPOSED, FRAME, INTERFACE_PORT, LIGHT, LOOK, NODE, NOTE,
     TIME_KEY, TIME_KEYS, WIRE,
 };
 use crate::document::{
-    Bookmark, Definition, DirectionKey, DirectionKeys, Exposed, Frame, Graph, InterfacePort, KeyDirection, Light, Look,
-    Node, Note, Target, TimeKey, TimeKeys, Unknown, Value, Wire,
+    Bookmark, Definition, DirectionKey, DirectionKeys, Driver, Exposed, Frame, Graph, InterfacePort, KeyDirection,
+    Light, Look, Node, Note, Target, TimeKey, TimeKeys, Unknown, Value, Wire,
 };
-use crate::ids::{NodeId, is_slug, make_slug};
+use crate::ids::{NodeId, ObjectId, is_slug, make_slug};
 
 /// The look at the top of a document.
 pub(super) fn look(r: &mut Reader<'_>, at: At) -> Option<Look> {
@@ -237,14 +237,19 @@ fn direction_keys(r: &mut Reader<'_>, fields: &Fields) -> Vec<DirectionKeys> {
         let name = r.text(&fields, "name").unwrap_or_default();
         let by = r.field(&fields, "by", |r, at, _| key_direction(r, at));
         let scheme = r.word(&fields, "scheme").unwrap_or_default();
-        let keys = r.items(&fields, "keys", direction_key);
+        let axes = by.as_ref().and_then(KeyDirection::axes);
+        let keys = r.items(&fields, "keys", |r, at| direction_key(r, at, axes));
         Some(DirectionKeys { name, by: by?, scheme, keys, unknown: fields.unknown })
     })
 }
 
-fn direction_key(r: &mut Reader<'_>, at: At) -> Option<DirectionKey> {
+/// A key of a set by so many drivers, or by a direction.
+fn direction_key(r: &mut Reader<'_>, at: At, axes: Option<usize>) -> Option<DirectionKey> {
     let mut fields = r.object(at, &DIRECTION_KEY)?;
-    let direction = r.array(&fields, "direction");
+    let direction = match axes {
+        Some(axes) => place_of_key(r, at, &fields, axes),
+        None => direction_of_key(r, at, &fields),
+    };
     let mut shadows = Vec::new();
     let values = r.field(&fields, "values", |r, at, kind| {
         r.members::<Target, Value>(at, kind, |r, member, key| {
@@ -261,10 +266,72 @@ fn direction_key(r: &mut Reader<'_>, at: At) -> Option<DirectionKey> {
     Some(DirectionKey { direction: direction?, values: values.unwrap_or_default(), unknown: fields.unknown })
 }
 
+fn direction_of_key(r: &mut Reader<'_>, at: At, fields: &Fields) -> Option<[f64; 3]> {
+    if fields.get("direction").is_none() {
+        let problem = Diagnostic::error("missing-field", "`direction` is missing");
+        r.report(at, problem.hint("write where the key lies: \"direction\": [0, 0, 1]"));
+        return None;
+    }
+    r.array(fields, "direction")
+}
+
+fn place_of_key(r: &mut Reader<'_>, at: At, fields: &Fields, axes: usize) -> Option<[f64; 3]> {
+    let numbers = ["0"; Driver::MOST][..axes.min(Driver::MOST)].join(", ");
+    if fields.get("at").is_none() {
+        let problem = Diagnostic::error("missing-field", "`at` is missing");
+        r.report(at, problem.hint(format!("write where the key lies, one number a driver: \"at\": [{numbers}]")));
+        return None;
+    }
+    r.field(fields, "at", |r, at, _| {
+        let found = r.numbers_at(at, axes, axes, shape::FAR)?;
+        let mut place = [0.0; 3];
+        place.iter_mut().zip(found).for_each(|(slot, number)| *slot = number);
+        Some(place)
+    })
+}
+
+fn drivers(r: &mut Reader<'_>, at: At) -> Option<KeyDirection> {
+    let tree = r.tree;
+    let items: Vec<At> = if tree.kind(at) == Kind::List { tree.children(at).collect() } else { Vec::new() };
+    if items.is_empty() || items.len() > Driver::MOST {
+        let problem = Diagnostic::error("wrong-count", "one to three drivers decide between keys");
+        r.report(at, problem.hint("write a list, such as [\"distance\"] or [\"facing\", {\"height\": \"key\"}]"));
+        return None;
+    }
+    let read: Vec<Option<Driver>> = items.into_iter().map(|at| driver(r, at)).collect();
+    read.into_iter().collect::<Option<Vec<_>>>().map(KeyDirection::Drivers)
+}
+
+fn driver(r: &mut Reader<'_>, at: At) -> Option<Driver> {
+    match r.tree.string(at).as_deref() {
+        Some("distance") => return Some(Driver::Distance),
+        Some("facing") => return Some(Driver::Facing),
+        _ if r.tree.kind(at) == Kind::Bad => return None,
+        _ => {}
+    }
+    let is_alone = r.tree.children(at).count() == 1;
+    let member = |name| r.tree.member(at, name).filter(|_| is_alone);
+    let (height, near) = (member("height"), member("near"));
+    if let Some(light) = height {
+        return r.slug_at(light).map(|id| Driver::Height(id.into()));
+    }
+    if let Some(object) = near {
+        return r.slug_at(object).map(|id| Driver::Near(ObjectId::new(id)));
+    }
+    let problem = Diagnostic::error("wrong-type", "this names no driver");
+    let hint = "write \"distance\", \"facing\", {\"height\": \"a light's id\"} or {\"near\": \"another object's id\"}";
+    r.report(at, problem.hint(hint));
+    None
+}
+
 fn key_direction(r: &mut Reader<'_>, at: At) -> Option<KeyDirection> {
     let light = r.tree.member(at, "light").filter(|_| r.tree.children(at).count() == 1);
     if let Some(light) = light {
         return r.slug_at(light).map(|id| KeyDirection::Light(id.into()));
+    }
+    let list = r.tree.member(at, "drivers").filter(|_| r.tree.children(at).count() == 1);
+    if let Some(list) = list {
+        return drivers(r, list);
     }
     match r.tree.string(at).as_deref() {
         Some("view") => return Some(KeyDirection::View),
@@ -272,7 +339,7 @@ fn key_direction(r: &mut Reader<'_>, at: At) -> Option<KeyDirection> {
         _ => {}
     }
     let problem = Diagnostic::error("wrong-type", "this names no direction");
-    r.report(at, problem.hint("write \"view\", or {\"light\": \"the light's id\"}"));
+    r.report(at, problem.hint("write \"view\", {\"light\": \"the light's id\"}, or {\"drivers\": [\"distance\"]}"));
     None
 }
 

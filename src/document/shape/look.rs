@@ -261,7 +261,7 @@ pub(in crate::document) static DIRECTION_KEYS: Shape = Shape {
     help: "Values pinned at directions and interpolated over the sphere between them.",
     fields: &[
         field("name", Text(LINE), Json("\"\""), "What the artist calls it."),
-        field("by", KeyDirection, Required, "Which direction decides."),
+        field("by", KeyDirection, Required, "Which direction decides, or which numbers: see [drivers](#drivers)."),
         field("scheme", Word(KeyScheme::WORDS), Json("\"biharmonic\""), "How weights are computed."),
         field("keys", List(&Object(&DIRECTION_KEY), 1000), Json("[]"), "The keys."),
     ],
@@ -274,8 +274,14 @@ pub(in crate::document) static DIRECTION_KEY: Shape = Shape {
         field(
             "direction",
             Direction,
-            Required,
-            "Where; any length but 0. By a light: in camera axes (x right, y up, z toward the viewer). By view: from the object's centre to the eye, in world space.",
+            Words("required, unless drivers decide"),
+            "Where, unless drivers decide; any length but 0. By a light: in camera axes (x right, y up, z toward the viewer). By view: from the object's centre to the eye, in world space.",
+        ),
+        field(
+            "at",
+            Numbers(1, 3, FAR),
+            Words("required, if drivers decide"),
+            "Where, if drivers decide: a number for each, in their order.",
         ),
         field(
             "values",

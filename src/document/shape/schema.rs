@@ -108,6 +108,12 @@ fn kind(of: &Kind, definitions: &mut Definitions) -> Value {
                 "properties": { "light": { "type": "string", "pattern": SLUG } },
                 "required": ["light"],
                 "additionalProperties": false
+            },
+            {
+                "type": "object",
+                "properties": { "drivers": { "type": "array", "minItems": 1, "maxItems": 3, "items": driver() } },
+                "required": ["drivers"],
+                "additionalProperties": false
             }
         ] }),
         Kind::Value => refer("value", definitions, value),
@@ -179,4 +185,17 @@ fn value(definitions: &mut Definitions) -> Value {
         kind(&Kind::Object(&CURVE), definitions),
         kind(&Kind::Object(&RAMP), definitions)
     ] })
+}
+
+/// A number that decides between keys.
+fn driver() -> Value {
+    let named = |kind: &str| {
+        json!({
+            "type": "object",
+            "properties": { kind: { "type": "string", "pattern": SLUG } },
+            "required": [kind],
+            "additionalProperties": false
+        })
+    };
+    json!({ "anyOf": [{ "const": "distance" }, { "const": "facing" }, named("height"), named("near")] })
 }

@@ -69,7 +69,7 @@ fn say(kind: &Kind) -> String {
         Kind::Output => "`\"node.port\"` or `\"node\"`".to_owned(),
         Kind::Input => "`\"node.port\"`".to_owned(),
         Kind::Target => "a [target](#targets)".to_owned(),
-        Kind::KeyDirection => "`\"view\"` or `{\"light\": id}`".to_owned(),
+        Kind::KeyDirection => "`\"view\"`, `{\"light\": id}` or `{\"drivers\": [...]}`".to_owned(),
         Kind::Value => "a [value](#values)".to_owned(),
         Kind::Looks => "a path, or an object of paths".to_owned(),
         Kind::Object(shape) => format!("{}, an object", linked(shape)),

@@ -8,8 +8,8 @@ use crate::document::shape::{
     TIME_KEY, TIME_KEYS, WIRE,
 };
 use crate::document::{
-    Definition, DirectionKey, DirectionKeys, Graph, Interpolation, KeyDirection, KeyScheme, Light, Look, Node, Note,
-    Tier, TimeKeys, Unknown,
+    Definition, DirectionKey, DirectionKeys, Driver, Graph, Interpolation, KeyDirection, KeyScheme, Light, Look, Node,
+    Note, Tier, TimeKeys, Unknown,
 };
 use crate::ids::{LightId, NodeId};
 use indexmap::IndexMap;
@@ -196,16 +196,33 @@ fn direction_keys(w: &mut Writer, keys: &DirectionKeys) {
         w.member("by", |w| match &keys.by {
             KeyDirection::View => w.string("view"),
             KeyDirection::Light(id) => w.object(Layout::Inline, |w| w.member("light", |w| w.string(id.as_str()))),
+            KeyDirection::Drivers(drivers) => {
+                w.object(Layout::Inline, |w| w.member("drivers", |w| w.list(Layout::Inline, drivers, driver)));
+            }
         });
         w.word_unless("scheme", keys.scheme, KeyScheme::default());
-        w.lines("keys", &keys.keys, direction_key);
+        w.lines("keys", &keys.keys, |w, key| direction_key(w, key, keys.by.axes()));
     });
 }
 
-fn direction_key(w: &mut Writer, key: &DirectionKey) {
+fn driver(w: &mut Writer, driver: &Driver) {
+    let named =
+        |w: &mut Writer, kind: &'static str, id: &str| w.object(Layout::Inline, |w| w.member(kind, |w| w.string(id)));
+    match driver {
+        Driver::Distance => w.string("distance"),
+        Driver::Facing => w.string("facing"),
+        Driver::Height(light) => named(w, "height", light.as_str()),
+        Driver::Near(object) => named(w, "near", object.as_str()),
+    }
+}
+
+fn direction_key(w: &mut Writer, key: &DirectionKey, axes: Option<usize>) {
     let unknown = Some(&key.unknown);
     w.shaped(Layout::Inline, &DIRECTION_KEY, unknown, |w| {
-        w.member("direction", |w| w.numbers(&key.direction));
+        match axes {
+            Some(axes) => w.member("at", |w| w.numbers(&key.direction[..axes.min(3)])),
+            None => w.member("direction", |w| w.numbers(&key.direction)),
+        }
         if key.values.is_empty() {
             return;
         }

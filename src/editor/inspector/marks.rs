@@ -123,12 +123,17 @@ fn keys_by_direction(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
         }
     }
     let lights = session.look().lights.keys().map(|id| KeyDirection::Light(id.clone()));
-    for by in lights.chain([KeyDirection::View]) {
+    let drivers = session.drivers().into_iter().map(|driver| KeyDirection::Drivers(vec![driver]));
+    for by in lights.chain([KeyDirection::View]).chain(drivers) {
         let text = match &by {
+            KeyDirection::Drivers(drivers) => {
+                let names: Vec<String> = drivers.iter().map(|driver| session.driver_name(driver)).collect();
+                format!("New keys by: {}", names.join(", "))
+            }
             KeyDirection::Light(id) => format!("New keys by the light {}", session.light_name(id)),
             KeyDirection::View => "New keys by the view".to_owned(),
         };
-        if ui.button(text).on_hover_text("Begins direction keys with one where that is now").clicked() {
+        if ui.button(text).on_hover_text("Begins keys with one where that is now").clicked() {
             out.push(Command::Edit(session.new_set(by, Some(&marked.target))));
             out.push(Command::SelectKey(Some((sets.len(), 0))));
             out.push(Command::ShowPanel(Panel::Keys));

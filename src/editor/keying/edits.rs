@@ -137,6 +137,9 @@ impl Session {
         let name = match &by {
             KeyDirection::View => "By the view".to_owned(),
             KeyDirection::Light(light) => format!("By {}", self.light_name(light)),
+            KeyDirection::Drivers(drivers) => {
+                drivers.iter().map(|driver| self.driver_name(driver)).collect::<Vec<_>>().join(", ")
+            }
         };
         let key = DirectionKey { direction: rounded(direction), values, unknown: Unknown::new() };
         let scheme = KeyScheme::default();

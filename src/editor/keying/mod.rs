@@ -7,15 +7,15 @@ mod edits;
 
 use std::collections::HashMap;
 
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 use indexmap::IndexMap;
 
 use super::catalog::Port;
 use super::orbit::Orbit;
 use super::session::Session;
 use super::still::Stamp;
-use crate::document::{DirectionKeys, KeyDirection, Light, LightKind, Node, Target, Value, Values};
-use crate::frame::{KeyedValues, Moment, Rig};
+use crate::document::{DirectionKeys, Driver, KeyDirection, Light, LightKind, Node, Target, Value, Values};
+use crate::frame::{KeyedValues, Moment, Rig, driver_value};
 use crate::ids::{LightId, NodeId, NodePath, PortName};
 use crate::library::Type;
 
@@ -53,21 +53,61 @@ impl Session {
         let base = |node: &NodePath, port: &PortName| {
             self.own_value(&Target::Input { node: node.clone(), port: port.clone() })
         };
+        let now = self.at_this_moment(|moment| rig.keyed_values(&base, moment));
+        self.keyed = Keyed { stamp: Some(stamp), rig: Some(rig), now };
+        let sets = &self.look().direction_keys;
+        let is_there = |&(set, key): &(usize, usize)| sets.get(set).is_some_and(|keys| key < keys.keys.len());
+        self.key = self.key.filter(is_there);
+    }
+
+    /// Asks something of this moment: the first object of the scene stands for whatever wears the look.
+    fn at_this_moment<R>(&self, ask: impl FnOnce(&Moment<'_>) -> R) -> R {
+        let scene = self.stage().map(super::stage::Stage::scene);
+        let place = |object: &crate::document::Object| DVec3::from(object.transform.translate);
+        let own = scene.and_then(|scene| scene.objects.iter().find(|(_, object)| object.visible));
+        let own_place = own.map_or(DVec3::ZERO, |(_, object)| place(object));
+        let front = own.map_or(DVec3::Z, |(_, object)| DQuat::from_array(object.transform.rotate) * DVec3::Z);
+        let others = scene.into_iter().flat_map(|scene| &scene.objects);
+        let others = others.filter(|(id, _)| own.is_none_or(|(own, _)| own != *id));
+        let near = others.map(|(id, object)| (id.clone(), place(object).distance(own_place))).collect();
         let none = IndexMap::new();
-        let moment = Moment {
+        ask(&Moment {
             time: self.time,
             illumination: self.view.illumination,
             camera_from_world: camera_from_world(&self.view),
             view: from_center_to_eye(&self.view),
             center: DVec3::ZERO,
+            distance: eye_of(&self.view).distance(own_place),
+            front,
+            near: &near,
             exposed: &Values::new(),
-            lights: self.stage().map_or(&none, |stage| &stage.scene().lights),
-        };
-        let now = rig.keyed_values(&base, &moment);
-        self.keyed = Keyed { stamp: Some(stamp), rig: Some(rig), now };
-        let sets = &self.look().direction_keys;
-        let is_there = |&(set, key): &(usize, usize)| sets.get(set).is_some_and(|keys| key < keys.keys.len());
-        self.key = self.key.filter(is_there);
+            lights: scene.map_or(&none, |scene| &scene.lights),
+        })
+    }
+
+    /// What a driver is now.
+    pub(crate) fn driver_now(&self, driver: &Driver) -> f64 {
+        let lights = &self.keyed.now.lights;
+        let lights = if lights.is_empty() { &self.look().lights } else { lights };
+        self.at_this_moment(|moment| driver_value(driver, lights, moment))
+    }
+
+    /// What a driver is called.
+    pub(crate) fn driver_name(&self, driver: &Driver) -> String {
+        match driver {
+            Driver::Distance => "Distance to the eye".to_owned(),
+            Driver::Facing => "Turned from the eye".to_owned(),
+            Driver::Height(light) => format!("Height of {}", self.light_name(light)),
+            Driver::Near(object) => format!("Distance to {object}"),
+        }
+    }
+
+    /// Everything that can drive keys.
+    pub(crate) fn drivers(&self) -> Vec<Driver> {
+        let heights = self.look().lights.keys().map(|id| Driver::Height(id.clone()));
+        let objects = self.stage().into_iter().flat_map(|stage| stage.scene().objects.keys());
+        let near = objects.map(|id| Driver::Near(id.clone()));
+        [Driver::Distance, Driver::Facing].into_iter().chain(heights).chain(near).collect()
     }
 
     /// What keys come to now.
@@ -78,6 +118,11 @@ impl Session {
     /// The direction that decides between the keys of a set now, and the weights.
     pub(crate) fn decided(&self, set: usize) -> Option<&(DVec3, Vec<f64>)> {
         self.keyed.now.decided.get(set)
+    }
+
+    /// How much each key of a set weighs now.
+    pub fn key_weights(&self, set: usize) -> Vec<f64> {
+        self.decided(set).map(|(_, weights)| weights.clone()).unwrap_or_default()
     }
 
     /// An input of a node of the open graph, as keys name it.
@@ -149,11 +194,16 @@ impl Session {
         }
     }
 
-    /// The direction that decides now, as the keys of a set by it would be given.
+    /// The direction that decides now, or the drivers' values, as the keys of a set by it would be given.
     pub(crate) fn direction_of(&self, by: &KeyDirection) -> DVec3 {
         match by {
             KeyDirection::View => from_center_to_eye(&self.view),
             KeyDirection::Light(id) => self.light(id).map_or(DVec3::Z, |light| light_in_camera(light, &self.view)),
+            KeyDirection::Drivers(drivers) => {
+                let mut values = [0.0; 3];
+                values.iter_mut().zip(drivers).for_each(|(value, driver)| *value = self.driver_now(driver));
+                values.into()
+            }
         }
     }
 }
@@ -177,7 +227,11 @@ pub(crate) fn camera_from_world(view: &Orbit) -> DMat3 {
 
 /// From the object's centre to the eye, in world space.
 fn from_center_to_eye(view: &Orbit) -> DVec3 {
-    (view.target + view.direction() * view.distance).try_normalize().unwrap_or_else(|| view.direction())
+    eye_of(view).try_normalize().unwrap_or_else(|| view.direction())
+}
+
+fn eye_of(view: &Orbit) -> DVec3 {
+    view.target + view.direction() * view.distance
 }
 
 /// A direction as files have it: four decimals are less than a hundredth of a degree.

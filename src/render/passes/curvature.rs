@@ -1,12 +1,12 @@
-//! Curvature of the normals that are on the screen: `shaders/passes/curvature.wgsl` and its cheaper sibling
-//! `curvature_sparse.wgsl`.
+//! What is found from the normals that are on the screen: curvature (`shaders/passes/curvature.wgsl` and its cheaper
+//! sibling `curvature_sparse.wgsl`), its tensor (`curvature_tensor.wgsl`), and smoothed normals (`smooth_normals_*.wgsl`).
 
 use wgpu::util::DeviceExt as _;
 
 use crate::frame::{FramePlan, PassKind};
 use crate::render::Renderer;
 use crate::render::gpu::Gpu;
-use crate::render::target::NUMBER;
+use crate::render::target::format_of;
 use crate::wgsl;
 
 /// The fixed pipeline of one of them.
@@ -16,7 +16,7 @@ pub(in crate::render) struct CurvaturePass {
 }
 
 impl CurvaturePass {
-    pub(in crate::render) fn new(gpu: &Gpu, name: &str) -> Self {
+    pub(in crate::render) fn new(gpu: &Gpu, name: &str, kind: &PassKind) -> Self {
         let source = wgsl::pass(name).unwrap_or_default().text;
         let descriptor =
             wgpu::ShaderModuleDescriptor { label: Some(name), source: wgpu::ShaderSource::Wgsl(source.into()) };
@@ -37,7 +37,7 @@ impl CurvaturePass {
                 module: &module,
                 entry_point: Some("fs_main"),
                 compilation_options: wgpu::PipelineCompilationOptions::default(),
-                targets: &[Some(NUMBER.into())],
+                targets: &[Some(format_of(kind).into())],
             }),
             multiview_mask: None,
             cache: None,
@@ -54,8 +54,14 @@ impl Renderer {
         encoder: &mut wgpu::CommandEncoder,
     ) {
         let (Some(targets), Some(name)) = (self.targets.of(kind), kind.shader()) else { return };
-        let Some(curvature) = self.targets.curvature(kind) else { return };
-        let fixed = self.curvature.entry(name).or_insert_with(|| CurvaturePass::new(&self.gpu, name));
+        let Some(made) = self.targets.made(kind) else { return };
+        // Each level of smoothed normals is made from the one before it.
+        let normals = match kind {
+            PassKind::SmoothNormals(level @ 2..) => targets.made(&PassKind::SmoothNormals(level - 1)),
+            _ => Some(&targets.normals),
+        };
+        let Some(normals) = normals else { return };
+        let fixed = self.curvature.entry(name).or_insert_with(|| CurvaturePass::new(&self.gpu, name, kind));
         let device = &self.gpu.device;
         let numbers = plan.view.curvature_numbers(plan.samples).map(|number| number as f32);
         let uniform = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
@@ -68,14 +74,14 @@ impl Renderer {
             label: Some(name),
             layout: &fixed.pipeline.get_bind_group_layout(0),
             entries: &[
-                entry(0, wgpu::BindingResource::TextureView(&targets.normals)),
+                entry(0, wgpu::BindingResource::TextureView(normals)),
                 entry(1, wgpu::BindingResource::TextureView(&targets.depths)),
                 entry(2, uniform.as_entire_binding()),
             ],
         });
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("curvature"),
-            color_attachments: &[Some(super::look::cleared(curvature, wgpu::Color::TRANSPARENT))],
+            color_attachments: &[Some(super::look::cleared(made, wgpu::Color::TRANSPARENT))],
             timestamp_writes: Self::stamps(&mut self.timer),
             ..wgpu::RenderPassDescriptor::default()
         });

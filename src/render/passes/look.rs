@@ -93,7 +93,7 @@ impl Renderer {
         let look = draw.look_uniforms.get(&stage).map(|uniform| &uniform.bytes);
         let look = look.filter(|bytes| !bytes.is_empty()).map(|bytes| self.uniform(bytes));
         let images = self.images.of(&self.gpu, draw.images_of(stage), &shader.needs.images)?;
-        let curvature = |kind: PassKind| self.targets.curvature(&kind).map(wgpu::BindingResource::TextureView);
+        let curvature = |kind: PassKind| self.targets.made(&kind).map(wgpu::BindingResource::TextureView);
         let mut entries = Vec::new();
         for binding in &shader.bindings {
             let resource = match &binding.kind {
@@ -108,6 +108,8 @@ impl Renderer {
                 BindingKind::CurvatureSparse => curvature(PassKind::SparseCurvature),
                 BindingKind::CurvatureDetail => curvature(PassKind::DetailCurvature),
                 BindingKind::CurvatureDetailSparse => curvature(PassKind::SparseDetailCurvature),
+                BindingKind::CurvatureTensor => curvature(PassKind::CurvatureTensor),
+                BindingKind::SmoothNormal(level) => curvature(PassKind::SmoothNormals(*level)),
                 BindingKind::Samples => None,
             };
             let missing = || RenderError::Refused { message: format!("nothing to bind to `{}`", binding.name) };

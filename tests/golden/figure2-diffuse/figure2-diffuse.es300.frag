@@ -156,17 +156,6 @@ vec4 mixed_vec4_(vec4 a_3, vec4 b_3, float t_2) {
     return vec4(_e5, _e8);
 }
 
-vec4 premultiplied(vec4 color) {
-    return vec4((color.xyz * color.w), color.w);
-}
-
-vec4 straight(vec4 composite) {
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return vec4((composite.xyz / vec3(composite.w)), composite.w);
-}
-
 float footprint_of(float x_4) {
     float _e1 = dFdx(x_4);
     float _e2 = dFdy(x_4);
@@ -182,12 +171,6 @@ float step_filtered(float x_5, float edge, float w) {
     }
     float _e13 = bounded((_e4 / w));
     return clamp((0.5 + _e13), 0.0, 1.0);
-}
-
-vec4 output_(vec4 color_1) {
-    vec4 _e1 = straight(color_1);
-    vec4 _e2 = finite_vec4_(_e1);
-    return _e2;
 }
 
 vec4 hermite(vec4 a_4, vec4 b_4, vec4 from_a, vec4 to_b, float t_3) {
@@ -224,7 +207,7 @@ vec4 ramp_slope(vec4 rise_before, float span_before_1, vec4 rise_after, float sp
 vec4 ramp_at(Ramp ramp, float x_6, float w_1) {
     vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
-    vec4 color_2 = vec4(0.0);
+    vec4 color = vec4(0.0);
     uint i = 1u;
     uint at = 0u;
     uint i_1 = 1u;
@@ -239,7 +222,7 @@ vec4 ramp_at(Ramp ramp, float x_6, float w_1) {
     places = ramp.places;
     if ((ramp.interpolation == INTERPOLATION_STEPPED)) {
         vec4 _e18 = colors[0];
-        color_2 = _e18;
+        color = _e18;
         bool loop_init = true;
         while(true) {
             if (!loop_init) {
@@ -253,7 +236,7 @@ vec4 ramp_at(Ramp ramp, float x_6, float w_1) {
                 break;
             }
             {
-                vec4 _e24 = color_2;
+                vec4 _e24 = color;
                 uint _e25 = i;
                 vec4 _e27 = colors[_e25];
                 uint _e28 = i;
@@ -262,10 +245,10 @@ vec4 ramp_at(Ramp ramp, float x_6, float w_1) {
                 uint _e38 = i;
                 float _e42 = places[(_e34 / 4u)][(_e38 % 4u)];
                 float _e43 = step_filtered(x_6, _e42, w_1);
-                color_2 = (_e24 + ((_e27 - _e32) * _e43));
+                color = (_e24 + ((_e27 - _e32) * _e43));
             }
         }
-        vec4 _e49 = color_2;
+        vec4 _e49 = color;
         vec4 _e50 = bounded_vec4_(_e49);
         return _e50;
     }
@@ -355,16 +338,33 @@ vec4 ramp_at(Ramp ramp, float x_6, float w_1) {
     return _e200;
 }
 
+vec4 premultiplied(vec4 color_1) {
+    return vec4((color_1.xyz * color_1.w), color_1.w);
+}
+
+vec4 straight(vec4 composite) {
+    if ((composite.w <= 0.0)) {
+        return composite;
+    }
+    return vec4((composite.xyz / vec3(composite.w)), composite.w);
+}
+
+vec4 output_(vec4 color_2) {
+    vec4 _e1 = straight(color_2);
+    vec4 _e2 = finite_vec4_(_e1);
+    return _e2;
+}
+
 Angle parametrization_diffuse(Light light, vec3 normal) {
     vec3 _e6 = normalize_or(normal, vec3(0.0, 0.0, 1.0));
     Angle _e8 = angle_between(_e6, light.direction);
     return _e8;
 }
 
-vec4 ramp_1(float value, Ramp ramp_2) {
+vec4 ramp_plain(float value, Ramp ramp_1) {
     float _e2 = footprint_of(value);
     float _e3 = bounded(value);
-    vec4 _e4 = ramp_at(ramp_2, _e3, _e2);
+    vec4 _e4 = ramp_at(ramp_1, _e3, _e2);
     return _e4;
 }
 
@@ -378,7 +378,7 @@ vec4 shade(Surface surface_1) {
     Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
     float _e6 = angle_radians(_e5);
     float _e8 = divide(_e6, 3.1415927);
-    vec4 _e10 = ramp_1(_e8, color_code);
+    vec4 _e10 = ramp_plain(_e8, color_code);
     vec4 _e11 = premultiplied(_e10);
     vec4 _e12 = output_(_e11);
     return _e12;

@@ -177,20 +177,6 @@ fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
     return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
 }
 
-/// Straight to premultiplied.
-fn premultiplied(color: Color) -> Composite {
-    return vec4f(color.xyz * color.w, color.w);
-}
-
-/// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
-/// transparency is not lost.
-fn straight(composite: Composite) -> Color {
-    if composite.w <= 0.0 {
-        return composite;
-    }
-    return vec4f(composite.xyz / composite.w, composite.w);
-}
-
 /// How far x changes over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
@@ -204,13 +190,6 @@ fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
         return select(0.0, 1.0, d >= 0.0);
     }
     return clamp(0.5 + bounded(d / w), 0.0, 1.0);
-}
-
-/// Output
-///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number becomes black here.
-fn output(color: Composite) -> Color {
-    return finite_vec4(straight(color));
 }
 
 const INTERPOLATION_SMOOTH: u32 = 1u;
@@ -286,6 +265,27 @@ fn harmonic_slope(before: f32, span_before: f32, after: f32, span_after: f32) ->
     return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
+/// Straight to premultiplied.
+fn premultiplied(color: Color) -> Composite {
+    return vec4f(color.xyz * color.w, color.w);
+}
+
+/// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
+/// transparency is not lost.
+fn straight(composite: Composite) -> Color {
+    if composite.w <= 0.0 {
+        return composite;
+    }
+    return vec4f(composite.xyz / composite.w, composite.w);
+}
+
+/// Output
+///
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number becomes black here.
+fn output(color: Composite) -> Color {
+    return finite_vec4(straight(color));
+}
+
 /// Parametrization
 ///
 /// The angle u between a light and a direction of the surface; it decides how shading moves. Diffuse stays on the
@@ -299,7 +299,7 @@ fn parametrization_diffuse(light: Light, normal: vec3f) -> Angle {
 ///
 /// Turns a number into a colour along a ramp: a tone into paint. Before the first stop and after the last one the
 /// colour stays; the edges of a stepped ramp are antialiased.
-fn ramp(value: f32, ramp: Ramp) -> Color {
+fn ramp_plain(value: f32, ramp: Ramp) -> Color {
     let w = footprint_of(value);
     return ramp_at(ramp, bounded(value), w);
 }
@@ -317,7 +317,7 @@ const color_code = Ramp(array(vec4f(1.0, 0.9686, 0.8392, 1.0), vec4f(1.0, 0.8196
 fn shade(surface: Surface) -> vec4f {
     let angle = parametrization_diffuse(look.key, surface.normal);
     let angle_over_pi = divide(angle_radians(angle), 3.1415927);
-    let color_code_2 = ramp(angle_over_pi, color_code);
+    let color_code_2 = ramp_plain(angle_over_pi, color_code);
     let output_2 = output(premultiplied(color_code_2));
     return output_2;
 }

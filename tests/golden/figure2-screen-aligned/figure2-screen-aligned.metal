@@ -219,21 +219,6 @@ metal::float4 mixed_vec4_(
     return metal::float4(_e5, _e8);
 }
 
-Composite premultiplied(
-    Color color
-) {
-    return metal::float4(color.xyz * color.w, color.w);
-}
-
-Color straight(
-    Composite composite
-) {
-    if (composite.w <= 0.0) {
-        return composite;
-    }
-    return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
-}
-
 float footprint_of(
     float x_4
 ) {
@@ -255,14 +240,6 @@ float step_filtered(
     }
     float _e13 = bounded(_e4 / w);
     return metal::clamp(0.5 + _e13, 0.0, 1.0);
-}
-
-Color output(
-    Composite color_1
-) {
-    Color _e1 = straight(color_1);
-    metal::float4 _e2 = finite_vec4_(_e1);
-    return _e2;
 }
 
 metal::float4 hermite(
@@ -327,7 +304,7 @@ Color ramp_at(
 ) {
     type_5 colors = {};
     type_6 places = {};
-    metal::float4 color_2 = {};
+    metal::float4 color = {};
     uint i = 1u;
     uint at = 0u;
     uint i_1 = 1u;
@@ -342,7 +319,7 @@ Color ramp_at(
     places = ramp.places;
     if (ramp.interpolation == INTERPOLATION_STEPPED) {
         metal::float4 _e18 = colors.inner[0];
-        color_2 = _e18;
+        color = _e18;
         uint2 loop_bound = uint2(4294967295u);
         bool loop_init = true;
         while(true) {
@@ -359,7 +336,7 @@ Color ramp_at(
                 break;
             }
             {
-                metal::float4 _e24 = color_2;
+                metal::float4 _e24 = color;
                 uint _e25 = i;
                 metal::float4 _e27 = colors.inner[_e25];
                 uint _e28 = i;
@@ -368,10 +345,10 @@ Color ramp_at(
                 uint _e38 = i;
                 float _e42 = places.inner[naga_div(_e34, 4u)][naga_mod(_e38, 4u)];
                 float _e43 = step_filtered(x_6, _e42, w_1);
-                color_2 = _e24 + ((_e27 - _e32) * _e43);
+                color = _e24 + ((_e27 - _e32) * _e43);
             }
         }
-        metal::float4 _e49 = color_2;
+        metal::float4 _e49 = color;
         metal::float4 _e50 = bounded_vec4_(_e49);
         return _e50;
     }
@@ -464,6 +441,29 @@ Color ramp_at(
     return _e200;
 }
 
+Composite premultiplied(
+    Color color_1
+) {
+    return metal::float4(color_1.xyz * color_1.w, color_1.w);
+}
+
+Color straight(
+    Composite composite
+) {
+    if (composite.w <= 0.0) {
+        return composite;
+    }
+    return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
+}
+
+Color output(
+    Composite color_2
+) {
+    Color _e1 = straight(color_2);
+    metal::float4 _e2 = finite_vec4_(_e1);
+    return _e2;
+}
+
 Angle parametrization_screen_aligned(
     Light light,
     metal::float3 normal,
@@ -476,13 +476,13 @@ Angle parametrization_screen_aligned(
     return _e15;
 }
 
-Color ramp_1(
+Color ramp_plain(
     float value,
-    Ramp ramp_2
+    Ramp ramp_1
 ) {
     float _e2 = footprint_of(value);
     float _e3 = bounded(value);
-    Color _e4 = ramp_at(ramp_2, _e3, _e2);
+    Color _e4 = ramp_at(ramp_1, _e3, _e2);
     return _e4;
 }
 
@@ -503,7 +503,7 @@ metal::float4 shade(
     Angle _e8 = parametrization_screen_aligned(_e3, surface_1.normal, _e7);
     float _e9 = angle_radians(_e8);
     float _e11 = divide(_e9, 3.1415927);
-    Color _e13 = ramp_1(_e11, color_code);
+    Color _e13 = ramp_plain(_e11, color_code);
     Composite _e14 = premultiplied(_e13);
     Color _e15 = output(_e14);
     return _e15;

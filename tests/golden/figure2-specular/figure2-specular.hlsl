@@ -244,19 +244,6 @@ float4 mixed_vec4_(float4 a_3, float4 b_3, float t_2)
     return float4(_e5, _e8);
 }
 
-float4 premultiplied(float4 color)
-{
-    return float4((color.xyz * color.w), color.w);
-}
-
-float4 straight(float4 composite)
-{
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return float4((composite.xyz / (composite.w).xxx), composite.w);
-}
-
 float footprint_of(float x_4)
 {
     float _e1 = ddx(x_4);
@@ -274,13 +261,6 @@ float step_filtered(float x_5, float edge, float w)
     }
     const float _e13 = bounded((_e4 / w));
     return clamp((0.5 + _e13), 0.0, 1.0);
-}
-
-float4 output(float4 color_1)
-{
-    const float4 _e1 = straight(color_1);
-    const float4 _e2 = finite_vec4_(_e1);
-    return _e2;
 }
 
 float4 hermite(float4 a_4, float4 b_4, float4 from_a, float4 to_b, float t_3)
@@ -329,7 +309,7 @@ float4 ramp_at(Ramp ramp, float x_6, float w_1)
 {
     float4 colors[16] = (float4[16])0;
     float4 places[4] = (float4[4])0;
-    float4 color_2 = (float4)0;
+    float4 color = (float4)0;
     uint i = 1u;
     uint at = 0u;
     uint i_1 = 1u;
@@ -345,7 +325,7 @@ float4 ramp_at(Ramp ramp, float x_6, float w_1)
     places = ramp.places;
     if ((ramp.interpolation == INTERPOLATION_STEPPED)) {
         float4 _e18 = colors[0];
-        color_2 = _e18;
+        color = _e18;
         uint2 loop_bound = uint2(4294967295u, 4294967295u);
         bool loop_init = true;
         while(true) {
@@ -362,7 +342,7 @@ float4 ramp_at(Ramp ramp, float x_6, float w_1)
                 break;
             }
             {
-                float4 _e24 = color_2;
+                float4 _e24 = color;
                 uint _e25 = i;
                 float4 _e27 = colors[min(uint(_e25), 15u)];
                 uint _e28 = i;
@@ -371,10 +351,10 @@ float4 ramp_at(Ramp ramp, float x_6, float w_1)
                 uint _e38 = i;
                 float _e42 = places[min(uint(naga_div(_e34, 4u)), 3u)][min(uint(naga_mod(_e38, 4u)), 3u)];
                 const float _e43 = step_filtered(x_6, _e42, w_1);
-                color_2 = (_e24 + ((_e27 - _e32) * _e43));
+                color = (_e24 + ((_e27 - _e32) * _e43));
             }
         }
-        float4 _e49 = color_2;
+        float4 _e49 = color;
         const float4 _e50 = bounded_vec4_(_e49);
         return _e50;
     }
@@ -467,6 +447,26 @@ float4 ramp_at(Ramp ramp, float x_6, float w_1)
     return _e200;
 }
 
+float4 premultiplied(float4 color_1)
+{
+    return float4((color_1.xyz * color_1.w), color_1.w);
+}
+
+float4 straight(float4 composite)
+{
+    if ((composite.w <= 0.0)) {
+        return composite;
+    }
+    return float4((composite.xyz / (composite.w).xxx), composite.w);
+}
+
+float4 output(float4 color_2)
+{
+    const float4 _e1 = straight(color_2);
+    const float4 _e2 = finite_vec4_(_e1);
+    return _e2;
+}
+
 Angle parametrization_specular(Light light, float3 normal, float3 view)
 {
     const float3 _e7 = normalize_or(normal, float3(0.0, 0.0, 1.0));
@@ -477,11 +477,11 @@ Angle parametrization_specular(Light light, float3 normal, float3 view)
     return angle_1;
 }
 
-float4 ramp_1(float value, Ramp ramp_2)
+float4 ramp_plain(float value, Ramp ramp_1)
 {
     const float _e2 = footprint_of(value);
     const float _e3 = bounded(value);
-    const float4 _e4 = ramp_at(ramp_2, _e3, _e2);
+    const float4 _e4 = ramp_at(ramp_1, _e3, _e2);
     return _e4;
 }
 
@@ -497,7 +497,7 @@ float4 shade(Surface surface_1)
     const Angle _e6 = parametrization_specular(_e3, surface_1.normal, surface_1.view);
     const float _e7 = angle_radians(_e6);
     const float _e9 = divide(_e7, 3.1415927);
-    const float4 _e11 = ramp_1(_e9, color_code);
+    const float4 _e11 = ramp_plain(_e9, color_code);
     const float4 _e12 = premultiplied(_e11);
     const float4 _e13 = output(_e12);
     return _e13;

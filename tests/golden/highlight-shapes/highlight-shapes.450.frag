@@ -303,19 +303,19 @@ float angle_of_point(float y_2, float x_10) {
     return ((y_2 < 0.0) ? -(turned_1) : turned_1);
 }
 
-vec4 straight(vec4 composite) {
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return vec4((composite.xyz / vec3(composite.w)), composite.w);
-}
-
 float footprint_of(float x_11) {
     float _e1 = dFdx(x_11);
     float _e2 = dFdy(x_11);
     vec2 d_1 = vec2(_e1, _e2);
     float _e6 = bounded(sqrt(dot(d_1, d_1)));
     return _e6;
+}
+
+vec4 straight(vec4 composite) {
+    if ((composite.w <= 0.0)) {
+        return composite;
+    }
+    return vec4((composite.xyz / vec3(composite.w)), composite.w);
 }
 
 vec3 any_orthogonal(vec3 n_1) {

@@ -408,14 +408,6 @@ float angle_of_point(float y_2, float x_10)
     return ((y_2 < 0.0) ? -(turned_1) : turned_1);
 }
 
-float4 straight(float4 composite)
-{
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return float4((composite.xyz / (composite.w).xxx), composite.w);
-}
-
 float footprint_of(float x_11)
 {
     float _e1 = ddx(x_11);
@@ -423,6 +415,14 @@ float footprint_of(float x_11)
     float2 d_1 = float2(_e1, _e2);
     const float _e6 = bounded(sqrt(dot(d_1, d_1)));
     return _e6;
+}
+
+float4 straight(float4 composite)
+{
+    if ((composite.w <= 0.0)) {
+        return composite;
+    }
+    return float4((composite.xyz / (composite.w).xxx), composite.w);
 }
 
 float3 any_orthogonal(float3 n_1)

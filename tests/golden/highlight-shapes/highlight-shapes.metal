@@ -389,15 +389,6 @@ float angle_of_point(
     return (y_2 < 0.0) ? -(turned_1) : turned_1;
 }
 
-Color straight(
-    Composite composite
-) {
-    if (composite.w <= 0.0) {
-        return composite;
-    }
-    return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
-}
-
 float footprint_of(
     float x_11
 ) {
@@ -406,6 +397,15 @@ float footprint_of(
     metal::float2 d_1 = metal::float2(_e1, _e2);
     float _e6 = bounded(metal::sqrt(metal::dot(d_1, d_1)));
     return _e6;
+}
+
+Color straight(
+    Composite composite
+) {
+    if (composite.w <= 0.0) {
+        return composite;
+    }
+    return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
 }
 
 metal::float3 any_orthogonal(

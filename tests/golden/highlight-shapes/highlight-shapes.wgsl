@@ -289,6 +289,12 @@ fn angle_of_point(y: f32, x: f32) -> f32 {
     return select(turned, -turned, y < 0.0);
 }
 
+/// How far x changes over one pixel: |grad x|, finite. Call it in uniform control flow.
+fn footprint_of(x: f32) -> f32 {
+    let d = vec2f(dpdx(x), dpdy(x));
+    return bounded(sqrt(dot(d, d)));
+}
+
 /// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
 /// transparency is not lost.
 fn straight(composite: Composite) -> Color {
@@ -296,12 +302,6 @@ fn straight(composite: Composite) -> Color {
         return composite;
     }
     return vec4f(composite.xyz / composite.w, composite.w);
-}
-
-/// How far x changes over one pixel: |grad x|, finite. Call it in uniform control flow.
-fn footprint_of(x: f32) -> f32 {
-    let d = vec2f(dpdx(x), dpdy(x));
-    return bounded(sqrt(dot(d, d)));
 }
 
 /// A unit vector at right angles to the unit vector n, smooth but at one pole (Duff et al. 2017).

@@ -17,6 +17,7 @@ pub(super) fn to(session: &Session, by: &KeyDirection, direction: DVec3) -> Opti
             let limit = std::f64::consts::FRAC_PI_2 - 0.01;
             view.pitch = direction.y.clamp(-1.0, 1.0).asin().clamp(-limit, limit);
         }
+        KeyDirection::Drivers(_) => return None,
         KeyDirection::Light(id) => {
             session.look().lights.get(id).filter(|light| light.space == LightSpace::Illumination)?;
             let world_from_camera = camera_from_world(&view).transpose();

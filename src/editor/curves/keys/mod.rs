@@ -1,6 +1,7 @@
 //! Direction keys (BADF 3.4): the sphere of a light's or the view's directions with the keys on it, and what each key
-//! sets.
+//! sets. Keys by drivers lie along one to three numbers instead, which are typed.
 
+mod drivers;
 mod jump;
 mod marks;
 mod sphere;
@@ -70,6 +71,11 @@ impl Keys {
         let shown = Shown { session, set: self.set, keys, key, weights, now };
         self.sets(ui, &shown, &mut commands);
         let room = ui.available_size();
+        if let KeyDirection::Drivers(axes) = &keys.by {
+            drivers::show(ui, &shown, axes, &mut self.ground, &mut commands);
+            self.beside(ui, &shown, &mut commands);
+            return commands;
+        }
         if room.x > 400.0 {
             ui.horizontal_top(|ui| {
                 let side = room.y.min(room.x * 0.42).max(120.0);
@@ -117,8 +123,10 @@ impl Keys {
             if edit.changed() {
                 out.push(Command::EditHeld(edit.id, session.change_set(*set, |keys| keys.name = called)));
             }
-            by(ui, shown, out);
-            scheme(ui, shown, out);
+            if keys.by.axes().is_none() {
+                by(ui, shown, out);
+                scheme(ui, shown, out);
+            }
             add_menu(ui, session, "Add set", out);
             let help = "Removes these keys: every value is the look's own again";
             if ui.button("Remove set").on_hover_text(help).clicked() {
@@ -259,9 +267,13 @@ fn add_menu(ui: &mut Ui, session: &Session, text: &str, out: &mut Vec<Command>) 
             add(ui, format!("By the light {}", session.light_name(id)), KeyDirection::Light(id.clone()));
         }
         add(ui, "By the view".to_owned(), KeyDirection::View);
+        ui.separator();
+        for driver in session.drivers() {
+            add(ui, session.driver_name(&driver), KeyDirection::Drivers(vec![driver]));
+        }
     })
     .response
-    .on_hover_text("Another set of keys, by the direction of a light or of the view");
+    .on_hover_text("Another set of keys, by the direction of a light or of the view, or by a number of the scene");
 }
 
 fn by(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
@@ -269,6 +281,7 @@ fn by(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
     let text = |by: &KeyDirection| match by {
         KeyDirection::View => "By the view".to_owned(),
         KeyDirection::Light(id) => format!("By {}", session.light_name(id)),
+        KeyDirection::Drivers(_) => String::new(),
     };
     let combo = ComboBox::from_id_salt("by").width(84.0).selected_text(text(&keys.by)).show_ui(ui, |ui| {
         let lights = session.look().lights.keys().map(|id| KeyDirection::Light(id.clone()));
@@ -342,9 +355,14 @@ fn add_here(shown: &Shown<'_>) -> Edit {
 
 fn copy(shown: &Shown<'_>, out: &mut Vec<Command>) {
     let Some(original) = shown.keys.keys.get(shown.key) else { return };
-    let direction = DVec3::from(original.direction).try_normalize().unwrap_or(DVec3::Z);
-    let side = direction.any_orthonormal_vector();
-    let direction = rounded(direction * BESIDE.cos() + side * BESIDE.sin());
+    let direction = match shown.keys.by.axes() {
+        Some(_) => drivers::beside(original.direction),
+        None => {
+            let direction = DVec3::from(original.direction).try_normalize().unwrap_or(DVec3::Z);
+            let side = direction.any_orthonormal_vector();
+            rounded(direction * BESIDE.cos() + side * BESIDE.sin())
+        }
+    };
     let copied = DirectionKey { direction, ..original.clone() };
     out.push(Command::Edit(shown.session.change_set(shown.set, |keys| keys.keys.push(copied))));
     out.push(Command::SelectKey(Some((shown.set, shown.keys.keys.len()))));

@@ -87,7 +87,10 @@ impl Ground {
         let is_known = |(known, scheme, _): &(Vec<[f64; 3]>, _, _)| *known == places && *scheme == keys.scheme;
         if !self.weights.as_ref().is_some_and(is_known) {
             let directions: Vec<DVec3> = places.iter().map(|&place| place.into()).collect();
-            let solved = KeyWeights::new(&directions, keys.scheme).0;
+            let solved = match keys.by.axes() {
+                Some(_) => KeyWeights::at_places(&directions).0,
+                None => KeyWeights::new(&directions, keys.scheme).0,
+            };
             self.vertices.clear();
             self.weights = Some((places, keys.scheme, solved));
         }
@@ -146,7 +149,7 @@ fn vertices(weights: &KeyWeights, turned: [f64; 2], inks: &[Color32], ground: Co
 }
 
 /// The mean of the keys' colours by their weights, over the ground.
-fn mixed(weights: &[f64], inks: &[Color32], ground: Color32, strength: f32) -> Color32 {
+pub(super) fn mixed(weights: &[f64], inks: &[Color32], ground: Color32, strength: f32) -> Color32 {
     let mut sum = [0.0_f32; 3];
     let mut total = 0.0;
     for (weight, ink) in weights.iter().zip(inks) {

@@ -1,0 +1,12 @@
+// Curvature by direction: its own number along, across and between the axes of the picture, from twelve neighbours.
+import chiaro::tensor_map;
+
+@vertex
+fn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
+    return whole_picture(index);
+}
+
+@fragment
+fn fs_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
+    return vec4f(tensor_at(vec2i(position.xy)), 1.0);
+}
