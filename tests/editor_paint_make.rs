@@ -260,7 +260,7 @@ fn pictures_are_imported_beside_the_window() {
     let source = hcbtf::load(&numbered(folder.path())).unwrap().0;
     let form = hcbtf::exchange::Form::Folder;
     let manner = hcbtf::exchange::Manner::default();
-    hcbtf::exchange::export(&all(&source), form, manner, &images, &mut |_, _| {}).unwrap();
+    hcbtf::exchange::export(&all(&source), form, manner, &images, &hcbtf::Progress::new()).unwrap();
     let mut hand = new_window();
     let ask = |hand: &mut Hand| {
         open_menu(hand, "Import painted pictures as an HCBTF...");
