@@ -299,15 +299,11 @@ vec2 sin_cos_of(float x_12) {
     return clamp(_e2, vec2(-1.0), vec2(1.0));
 }
 
-vec4 premultiplied(vec4 color) {
-    return vec4((color.xyz * color.w), color.w);
-}
-
-vec4 straight(vec4 composite) {
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return vec4((composite.xyz / vec3(composite.w)), composite.w);
+vec2 footprint_of_vec2_(vec2 v_6) {
+    vec2 dx_1 = dFdx(v_6);
+    vec2 dy_1 = dFdy(v_6);
+    vec2 _e7 = bounded_vec2_(sqrt(((dx_1 * dx_1) + (dy_1 * dy_1))));
+    return _e7;
 }
 
 vec4 color_mixed(vec4 a_3, vec3 blended, float factor) {
@@ -317,6 +313,17 @@ vec4 color_mixed(vec4 a_3, vec3 blended, float factor) {
     vec3 _e8 = mixed_vec3_(_e4, _e5, _e7);
     float _e10 = bounded(a_3.w);
     return vec4(_e8, _e10);
+}
+
+vec4 premultiplied(vec4 color) {
+    return vec4((color.xyz * color.w), color.w);
+}
+
+vec4 straight(vec4 composite) {
+    if ((composite.w <= 0.0)) {
+        return composite;
+    }
+    return vec4((composite.xyz / vec3(composite.w)), composite.w);
 }
 
 vec4 mix_colors_normal(vec4 a_4, vec4 b_3, float factor_1) {
@@ -330,13 +337,6 @@ vec4 mix_colors_normal(vec4 a_4, vec4 b_3, float factor_1) {
 vec4 mix_colors_multiply(vec4 a_5, vec4 b_4, float factor_2) {
     vec4 _e6 = color_mixed(a_5, (a_5.xyz * b_4.xyz), factor_2);
     return _e6;
-}
-
-vec2 footprint_of_vec2_(vec2 v_6) {
-    vec2 dx_1 = dFdx(v_6);
-    vec2 dy_1 = dFdy(v_6);
-    vec2 _e7 = bounded_vec2_(sqrt(((dx_1 * dx_1) + (dy_1 * dy_1))));
-    return _e7;
 }
 
 float facing(vec3 normal, vec3 view) {

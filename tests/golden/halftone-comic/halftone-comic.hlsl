@@ -401,6 +401,24 @@ float2 sin_cos_of(float x_12)
     return clamp(_e2, (-1.0).xx, (1.0).xx);
 }
 
+float2 footprint_of_vec2_(float2 v_6)
+{
+    float2 dx_1 = ddx(v_6);
+    float2 dy_1 = ddy(v_6);
+    const float2 _e7 = bounded_vec2_(sqrt(((dx_1 * dx_1) + (dy_1 * dy_1))));
+    return _e7;
+}
+
+float4 color_mixed(float4 a_3, float3 blended, float factor)
+{
+    const float3 _e4 = bounded_vec3_(a_3.xyz);
+    const float3 _e5 = bounded_vec3_(blended);
+    const float _e7 = factor_of(factor, true);
+    const float3 _e8 = mixed_vec3_(_e4, _e5, _e7);
+    const float _e10 = bounded(a_3.w);
+    return float4(_e8, _e10);
+}
+
 float4 premultiplied(float4 color)
 {
     return float4((color.xyz * color.w), color.w);
@@ -412,16 +430,6 @@ float4 straight(float4 composite)
         return composite;
     }
     return float4((composite.xyz / (composite.w).xxx), composite.w);
-}
-
-float4 color_mixed(float4 a_3, float3 blended, float factor)
-{
-    const float3 _e4 = bounded_vec3_(a_3.xyz);
-    const float3 _e5 = bounded_vec3_(blended);
-    const float _e7 = factor_of(factor, true);
-    const float3 _e8 = mixed_vec3_(_e4, _e5, _e7);
-    const float _e10 = bounded(a_3.w);
-    return float4(_e8, _e10);
 }
 
 float4 mix_colors_normal(float4 a_4, float4 b_3, float factor_1)
@@ -437,14 +445,6 @@ float4 mix_colors_multiply(float4 a_5, float4 b_4, float factor_2)
 {
     const float4 _e6 = color_mixed(a_5, (a_5.xyz * b_4.xyz), factor_2);
     return _e6;
-}
-
-float2 footprint_of_vec2_(float2 v_6)
-{
-    float2 dx_1 = ddx(v_6);
-    float2 dy_1 = ddy(v_6);
-    const float2 _e7 = bounded_vec2_(sqrt(((dx_1 * dx_1) + (dy_1 * dy_1))));
-    return _e7;
 }
 
 float facing(float3 normal, float3 view)

@@ -401,19 +401,13 @@ metal::float2 sin_cos_of(
     return metal::clamp(_e2, metal::float2(-1.0), metal::float2(1.0));
 }
 
-Composite premultiplied(
-    Color color
+metal::float2 footprint_of_vec2_(
+    metal::float2 v_6
 ) {
-    return metal::float4(color.xyz * color.w, color.w);
-}
-
-Color straight(
-    Composite composite
-) {
-    if (composite.w <= 0.0) {
-        return composite;
-    }
-    return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
+    metal::float2 dx_1 = metal::dfdx(v_6);
+    metal::float2 dy_1 = metal::dfdy(v_6);
+    metal::float2 _e7 = bounded_vec2_(metal::sqrt((dx_1 * dx_1) + (dy_1 * dy_1)));
+    return _e7;
 }
 
 metal::float4 color_mixed(
@@ -427,6 +421,21 @@ metal::float4 color_mixed(
     metal::float3 _e8 = mixed_vec3_(_e4, _e5, _e7);
     float _e10 = bounded(a_3.w);
     return metal::float4(_e8, _e10);
+}
+
+Composite premultiplied(
+    Color color
+) {
+    return metal::float4(color.xyz * color.w, color.w);
+}
+
+Color straight(
+    Composite composite
+) {
+    if (composite.w <= 0.0) {
+        return composite;
+    }
+    return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
 }
 
 Color mix_colors_normal(
@@ -448,15 +457,6 @@ Color mix_colors_multiply(
 ) {
     metal::float4 _e6 = color_mixed(a_5, a_5.xyz * b_4.xyz, factor_2);
     return _e6;
-}
-
-metal::float2 footprint_of_vec2_(
-    metal::float2 v_6
-) {
-    metal::float2 dx_1 = metal::dfdx(v_6);
-    metal::float2 dy_1 = metal::dfdy(v_6);
-    metal::float2 _e7 = bounded_vec2_(metal::sqrt((dx_1 * dx_1) + (dy_1 * dy_1)));
-    return _e7;
 }
 
 float facing(

@@ -290,6 +290,18 @@ fn sin_cos_of(x: f32) -> vec2f {
     return clamp(sin_cos(bounded(x)), vec2f(-1.0), vec2f(1.0));
 }
 
+/// How far each of a point's coordinates changes over one pixel, finite. Call it in uniform control flow.
+fn footprint_of_vec2(v: vec2f) -> vec2f {
+    let dx = dpdx(v);
+    let dy = dpdy(v);
+    return bounded_vec2(sqrt(dx * dx + dy * dy));
+}
+
+/// From the colour a to the blended numbers by a factor in [0, 1]; a keeps its alpha.
+fn color_mixed(a: vec4f, blended: vec3f, factor: f32) -> vec4f {
+    return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(blended), factor_of(factor, true)), bounded(a.w));
+}
+
 /// Straight to premultiplied.
 fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
@@ -304,11 +316,6 @@ fn straight(composite: Composite) -> Color {
     return vec4f(composite.xyz / composite.w, composite.w);
 }
 
-/// From the colour a to the blended numbers by a factor in [0, 1]; a keeps its alpha.
-fn color_mixed(a: vec4f, blended: vec3f, factor: f32) -> vec4f {
-    return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(blended), factor_of(factor, true)), bounded(a.w));
-}
-
 /// Mix colors
 ///
 /// Lays one colour on another as paint programs do. For a stack of shading layers take Blend, which knows tones and
@@ -319,13 +326,6 @@ fn mix_colors_normal(a: Color, b: Color, factor: f32) -> Color {
 
 fn mix_colors_multiply(a: Color, b: Color, factor: f32) -> Color {
     return color_mixed(a, a.xyz * b.xyz, factor);
-}
-
-/// How far each of a point's coordinates changes over one pixel, finite. Call it in uniform control flow.
-fn footprint_of_vec2(v: vec2f) -> vec2f {
-    let dx = dpdx(v);
-    let dy = dpdy(v);
-    return bounded_vec2(sqrt(dx * dx + dy * dy));
 }
 
 /// Facing ratio

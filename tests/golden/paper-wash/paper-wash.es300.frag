@@ -249,17 +249,6 @@ vec2 sin_cos_of(float x_10) {
     return clamp(_e2, vec2(-1.0), vec2(1.0));
 }
 
-vec4 premultiplied(vec4 color) {
-    return vec4((color.xyz * color.w), color.w);
-}
-
-vec4 straight(vec4 composite) {
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return vec4((composite.xyz / vec3(composite.w)), composite.w);
-}
-
 float footprint_of(float x_11) {
     float _e1 = dFdx(x_11);
     float _e2 = dFdy(x_11);
@@ -309,18 +298,6 @@ float stepped_tone(float value, float w_3, int count_2, float softness_1) {
     return clamp((_e17 / (n_1 - 1.0)), 0.0, 1.0);
 }
 
-vec4 output_(vec4 color_1) {
-    vec4 _e1 = straight(color_1);
-    vec4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
-float bands(float value_1, int count_3, float softness_2) {
-    float _e3 = footprint_of(value_1);
-    float _e4 = stepped_tone(value_1, _e3, count_3, softness_2);
-    return _e4;
-}
-
 vec4 hermite(vec4 a_4, vec4 b_4, vec4 from_a, vec4 to_b, float t_3) {
     vec4 d_2 = (b_4 - a_4);
     return (a_4 + (t_3 * (from_a + (t_3 * ((((3.0 * d_2) - (2.0 * from_a)) - to_b) + (t_3 * ((from_a + to_b) - (2.0 * d_2))))))));
@@ -355,7 +332,7 @@ vec4 ramp_slope(vec4 rise_before, float span_before_1, vec4 rise_after, float sp
 vec4 ramp_at(Ramp ramp, float x_15, float w_4) {
     vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
-    vec4 color_2 = vec4(0.0);
+    vec4 color = vec4(0.0);
     uint i = 1u;
     uint at = 0u;
     uint i_1 = 1u;
@@ -370,7 +347,7 @@ vec4 ramp_at(Ramp ramp, float x_15, float w_4) {
     places = ramp.places;
     if ((ramp.interpolation == INTERPOLATION_STEPPED)) {
         vec4 _e18 = colors[0];
-        color_2 = _e18;
+        color = _e18;
         bool loop_init = true;
         while(true) {
             if (!loop_init) {
@@ -384,7 +361,7 @@ vec4 ramp_at(Ramp ramp, float x_15, float w_4) {
                 break;
             }
             {
-                vec4 _e24 = color_2;
+                vec4 _e24 = color;
                 uint _e25 = i;
                 vec4 _e27 = colors[_e25];
                 uint _e28 = i;
@@ -393,10 +370,10 @@ vec4 ramp_at(Ramp ramp, float x_15, float w_4) {
                 uint _e38 = i;
                 float _e42 = places[(_e34 / 4u)][(_e38 % 4u)];
                 float _e43 = step_filtered(x_15, _e42, w_4);
-                color_2 = (_e24 + ((_e27 - _e32) * _e43));
+                color = (_e24 + ((_e27 - _e32) * _e43));
             }
         }
-        vec4 _e49 = color_2;
+        vec4 _e49 = color;
         vec4 _e50 = bounded_vec4_(_e49);
         return _e50;
     }
@@ -486,10 +463,33 @@ vec4 ramp_at(Ramp ramp, float x_15, float w_4) {
     return _e200;
 }
 
-vec4 ramp_1(float value_2, Ramp ramp_2) {
+vec4 premultiplied(vec4 color_1) {
+    return vec4((color_1.xyz * color_1.w), color_1.w);
+}
+
+vec4 straight(vec4 composite) {
+    if ((composite.w <= 0.0)) {
+        return composite;
+    }
+    return vec4((composite.xyz / vec3(composite.w)), composite.w);
+}
+
+vec4 output_(vec4 color_2) {
+    vec4 _e1 = straight(color_2);
+    vec4 _e2 = finite_vec4_(_e1);
+    return _e2;
+}
+
+float bands(float value_1, int count_3, float softness_2) {
+    float _e3 = footprint_of(value_1);
+    float _e4 = stepped_tone(value_1, _e3, count_3, softness_2);
+    return _e4;
+}
+
+vec4 ramp_plain(float value_2, Ramp ramp_1) {
     float _e2 = footprint_of(value_2);
     float _e3 = bounded(value_2);
-    vec4 _e4 = ramp_at(ramp_2, _e3, _e2);
+    vec4 _e4 = ramp_at(ramp_1, _e3, _e2);
     return _e4;
 }
 
@@ -727,7 +727,7 @@ vec4 shade(Surface surface_1) {
     float _e38 = mix_values(_e35, _e32, 0.35, true);
     vec2 _e47 = u_look.viewport;
     PaperGrain _e48 = paper_grain(_e38, _e13.place, _e13.stretch, 260.0, 0.2, 0.6, 0, _e47);
-    vec4 _e51 = ramp_1(_e48.tone, indigo_to_warm_paper);
+    vec4 _e51 = ramp_plain(_e48.tone, indigo_to_warm_paper);
     vec4 _e52 = premultiplied(_e51);
     vec4 _e53 = output_(_e52);
     return _e53;

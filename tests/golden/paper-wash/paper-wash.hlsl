@@ -334,19 +334,6 @@ float2 sin_cos_of(float x_10)
     return clamp(_e2, (-1.0).xx, (1.0).xx);
 }
 
-float4 premultiplied(float4 color)
-{
-    return float4((color.xyz * color.w), color.w);
-}
-
-float4 straight(float4 composite)
-{
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return float4((composite.xyz / (composite.w).xxx), composite.w);
-}
-
 float footprint_of(float x_11)
 {
     float _e1 = ddx(x_11);
@@ -402,20 +389,6 @@ float stepped_tone(float value, float w_3, int count_2, float softness_1)
     return clamp((_e17 / (n_1 - 1.0)), 0.0, 1.0);
 }
 
-float4 output(float4 color_1)
-{
-    const float4 _e1 = straight(color_1);
-    const float4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
-float bands(float value_1, int count_3, float softness_2)
-{
-    const float _e3 = footprint_of(value_1);
-    const float _e4 = stepped_tone(value_1, _e3, count_3, softness_2);
-    return _e4;
-}
-
 float4 hermite(float4 a_4, float4 b_4, float4 from_a, float4 to_b, float t_3)
 {
     float4 d_2 = (b_4 - a_4);
@@ -462,7 +435,7 @@ float4 ramp_at(Ramp ramp, float x_15, float w_4)
 {
     float4 colors[16] = (float4[16])0;
     float4 places[4] = (float4[4])0;
-    float4 color_2 = (float4)0;
+    float4 color = (float4)0;
     uint i = 1u;
     uint at = 0u;
     uint i_1 = 1u;
@@ -478,7 +451,7 @@ float4 ramp_at(Ramp ramp, float x_15, float w_4)
     places = ramp.places;
     if ((ramp.interpolation == INTERPOLATION_STEPPED)) {
         float4 _e18 = colors[0];
-        color_2 = _e18;
+        color = _e18;
         uint2 loop_bound = uint2(4294967295u, 4294967295u);
         bool loop_init = true;
         while(true) {
@@ -495,7 +468,7 @@ float4 ramp_at(Ramp ramp, float x_15, float w_4)
                 break;
             }
             {
-                float4 _e24 = color_2;
+                float4 _e24 = color;
                 uint _e25 = i;
                 float4 _e27 = colors[min(uint(_e25), 15u)];
                 uint _e28 = i;
@@ -504,10 +477,10 @@ float4 ramp_at(Ramp ramp, float x_15, float w_4)
                 uint _e38 = i;
                 float _e42 = places[min(uint(naga_div(_e34, 4u)), 3u)][min(uint(naga_mod(_e38, 4u)), 3u)];
                 const float _e43 = step_filtered(x_15, _e42, w_4);
-                color_2 = (_e24 + ((_e27 - _e32) * _e43));
+                color = (_e24 + ((_e27 - _e32) * _e43));
             }
         }
-        float4 _e49 = color_2;
+        float4 _e49 = color;
         const float4 _e50 = bounded_vec4_(_e49);
         return _e50;
     }
@@ -600,11 +573,38 @@ float4 ramp_at(Ramp ramp, float x_15, float w_4)
     return _e200;
 }
 
-float4 ramp_1(float value_2, Ramp ramp_2)
+float4 premultiplied(float4 color_1)
+{
+    return float4((color_1.xyz * color_1.w), color_1.w);
+}
+
+float4 straight(float4 composite)
+{
+    if ((composite.w <= 0.0)) {
+        return composite;
+    }
+    return float4((composite.xyz / (composite.w).xxx), composite.w);
+}
+
+float4 output(float4 color_2)
+{
+    const float4 _e1 = straight(color_2);
+    const float4 _e2 = finite_vec4_(_e1);
+    return _e2;
+}
+
+float bands(float value_1, int count_3, float softness_2)
+{
+    const float _e3 = footprint_of(value_1);
+    const float _e4 = stepped_tone(value_1, _e3, count_3, softness_2);
+    return _e4;
+}
+
+float4 ramp_plain(float value_2, Ramp ramp_1)
 {
     const float _e2 = footprint_of(value_2);
     const float _e3 = bounded(value_2);
-    const float4 _e4 = ramp_at(ramp_2, _e3, _e2);
+    const float4 _e4 = ramp_at(ramp_1, _e3, _e2);
     return _e4;
 }
 
@@ -909,7 +909,7 @@ float4 shade(Surface surface_1)
     const float _e38 = mix_values(_e35, _e32, 0.35, true);
     float2 _e47 = look.viewport;
     const PaperGrain _e48 = paper_grain(_e38, _e13.place, _e13.stretch, 260.0, 0.2, 0.6, int(0), _e47);
-    const float4 _e51 = ramp_1(_e48.tone, indigo_to_warm_paper);
+    const float4 _e51 = ramp_plain(_e48.tone, indigo_to_warm_paper);
     const float4 _e52 = premultiplied(_e51);
     const float4 _e53 = output(_e52);
     return _e53;

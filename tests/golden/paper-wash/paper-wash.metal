@@ -325,21 +325,6 @@ metal::float2 sin_cos_of(
     return metal::clamp(_e2, metal::float2(-1.0), metal::float2(1.0));
 }
 
-Composite premultiplied(
-    Color color
-) {
-    return metal::float4(color.xyz * color.w, color.w);
-}
-
-Color straight(
-    Composite composite
-) {
-    if (composite.w <= 0.0) {
-        return composite;
-    }
-    return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
-}
-
 float footprint_of(
     float x_11
 ) {
@@ -410,24 +395,6 @@ float stepped_tone(
     return metal::clamp(_e17 / (n_1 - 1.0), 0.0, 1.0);
 }
 
-Color output(
-    Composite color_1
-) {
-    Color _e1 = straight(color_1);
-    metal::float4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
-float bands(
-    float value_1,
-    int count_3,
-    float softness_2
-) {
-    float _e3 = footprint_of(value_1);
-    float _e4 = stepped_tone(value_1, _e3, count_3, softness_2);
-    return _e4;
-}
-
 metal::float4 hermite(
     metal::float4 a_4,
     metal::float4 b_4,
@@ -490,7 +457,7 @@ Color ramp_at(
 ) {
     type_6 colors = {};
     type_7 places = {};
-    metal::float4 color_2 = {};
+    metal::float4 color = {};
     uint i = 1u;
     uint at = 0u;
     uint i_1 = 1u;
@@ -505,7 +472,7 @@ Color ramp_at(
     places = ramp.places;
     if (ramp.interpolation == INTERPOLATION_STEPPED) {
         metal::float4 _e18 = colors.inner[0];
-        color_2 = _e18;
+        color = _e18;
         uint2 loop_bound = uint2(4294967295u);
         bool loop_init = true;
         while(true) {
@@ -522,7 +489,7 @@ Color ramp_at(
                 break;
             }
             {
-                metal::float4 _e24 = color_2;
+                metal::float4 _e24 = color;
                 uint _e25 = i;
                 metal::float4 _e27 = colors.inner[_e25];
                 uint _e28 = i;
@@ -531,10 +498,10 @@ Color ramp_at(
                 uint _e38 = i;
                 float _e42 = places.inner[naga_div(_e34, 4u)][naga_mod(_e38, 4u)];
                 float _e43 = step_filtered(x_15, _e42, w_4);
-                color_2 = _e24 + ((_e27 - _e32) * _e43);
+                color = _e24 + ((_e27 - _e32) * _e43);
             }
         }
-        metal::float4 _e49 = color_2;
+        metal::float4 _e49 = color;
         metal::float4 _e50 = bounded_vec4_(_e49);
         return _e50;
     }
@@ -627,13 +594,46 @@ Color ramp_at(
     return _e200;
 }
 
-Color ramp_1(
+Composite premultiplied(
+    Color color_1
+) {
+    return metal::float4(color_1.xyz * color_1.w, color_1.w);
+}
+
+Color straight(
+    Composite composite
+) {
+    if (composite.w <= 0.0) {
+        return composite;
+    }
+    return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
+}
+
+Color output(
+    Composite color_2
+) {
+    Color _e1 = straight(color_2);
+    metal::float4 _e2 = finite_vec4_(_e1);
+    return _e2;
+}
+
+float bands(
+    float value_1,
+    int count_3,
+    float softness_2
+) {
+    float _e3 = footprint_of(value_1);
+    float _e4 = stepped_tone(value_1, _e3, count_3, softness_2);
+    return _e4;
+}
+
+Color ramp_plain(
     float value_2,
-    Ramp ramp_2
+    Ramp ramp_1
 ) {
     float _e2 = footprint_of(value_2);
     float _e3 = bounded(value_2);
-    Color _e4 = ramp_at(ramp_2, _e3, _e2);
+    Color _e4 = ramp_at(ramp_1, _e3, _e2);
     return _e4;
 }
 
@@ -968,7 +968,7 @@ metal::float4 shade(
     float _e38 = mix_values(_e35, _e32, 0.35, true);
     metal::float2 _e47 = look.viewport;
     PaperGrain _e48 = paper_grain(_e38, _e13.place, _e13.stretch, 260.0, 0.2, 0.6, 0, _e47);
-    Color _e51 = ramp_1(_e48.tone, indigo_to_warm_paper);
+    Color _e51 = ramp_plain(_e48.tone, indigo_to_warm_paper);
     Composite _e52 = premultiplied(_e51);
     Color _e53 = output(_e52);
     return _e53;

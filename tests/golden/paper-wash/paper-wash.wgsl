@@ -225,20 +225,6 @@ fn sin_cos_of(x: f32) -> vec2f {
     return clamp(sin_cos(bounded(x)), vec2f(-1.0), vec2f(1.0));
 }
 
-/// Straight to premultiplied.
-fn premultiplied(color: Color) -> Composite {
-    return vec4f(color.xyz * color.w, color.w);
-}
-
-/// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
-/// transparency is not lost.
-fn straight(composite: Composite) -> Color {
-    if composite.w <= 0.0 {
-        return composite;
-    }
-    return vec4f(composite.xyz / composite.w, composite.w);
-}
-
 /// How far x changes over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
@@ -285,21 +271,6 @@ fn stairs_integral(x: f32, count: f32) -> f32 {
     let stair = min(floor(inside), count - 1.0);
     let beyond = max(x - count, 0.0);
     return stair * (0.5 * (stair - 1.0) + inside - stair) + beyond * (count - 1.0);
-}
-
-/// Output
-///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number becomes black here.
-fn output(color: Composite) -> Color {
-    return finite_vec4(straight(color));
-}
-
-/// Bands
-///
-/// Cuts a tone into flat bands of the same width, the first 0 and the last 1: cel shading. The edges are antialiased by
-/// their own width on the screen.
-fn bands(value: f32, count: i32, softness: f32) -> f32 {
-    return stepped_tone(value, footprint_of(value), count, softness);
 }
 
 const INTERPOLATION_SMOOTH: u32 = 1u;
@@ -375,11 +346,40 @@ fn harmonic_slope(before: f32, span_before: f32, after: f32, span_after: f32) ->
     return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
+/// Straight to premultiplied.
+fn premultiplied(color: Color) -> Composite {
+    return vec4f(color.xyz * color.w, color.w);
+}
+
+/// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
+/// transparency is not lost.
+fn straight(composite: Composite) -> Color {
+    if composite.w <= 0.0 {
+        return composite;
+    }
+    return vec4f(composite.xyz / composite.w, composite.w);
+}
+
+/// Output
+///
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number becomes black here.
+fn output(color: Composite) -> Color {
+    return finite_vec4(straight(color));
+}
+
+/// Bands
+///
+/// Cuts a tone into flat bands of the same width, the first 0 and the last 1: cel shading. The edges are antialiased by
+/// their own width on the screen.
+fn bands(value: f32, count: i32, softness: f32) -> f32 {
+    return stepped_tone(value, footprint_of(value), count, softness);
+}
+
 /// Color ramp
 ///
 /// Turns a number into a colour along a ramp: a tone into paint. Before the first stop and after the last one the
 /// colour stays; the edges of a stepped ramp are antialiased.
-fn ramp(value: f32, ramp: Ramp) -> Color {
+fn ramp_plain(value: f32, ramp: Ramp) -> Color {
     let w = footprint_of(value);
     return ramp_at(ramp, bounded(value), w);
 }
@@ -611,7 +611,7 @@ fn shade(surface: Surface) -> vec4f {
     let washes = bands(wet, 4i, 0.22);
     let pigment_in_them = mix_values(washes, wet, 0.35, true);
     let tooth_of_the_paper = paper_grain(pigment_in_them, paper_that_goes_along.place, paper_that_goes_along.stretch, 260.0, 0.2, 0.6, 0i, look.viewport);
-    let indigo_to_warm_paper_2 = ramp(tooth_of_the_paper.tone, indigo_to_warm_paper);
+    let indigo_to_warm_paper_2 = ramp_plain(tooth_of_the_paper.tone, indigo_to_warm_paper);
     let output_2 = output(premultiplied(indigo_to_warm_paper_2));
     return output_2;
 }

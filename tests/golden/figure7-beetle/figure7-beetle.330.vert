@@ -1,0 +1,74 @@
+#version 330 core
+// Beetle: made by Chiaro 0.1.0, GLSL 3.30.
+// The vertex shader. Draws a mesh with the look; the result is straight RGBA.
+// Uniform blocks (std140): ViewBlock 0, ObjectBlock 1, LookBlock 2.
+// Textures: u_curvature_map 0.
+// figure7-beetle.json says what to put there and how to draw.
+struct View {
+    mat4x4 clip_from_world;
+    mat4x4 camera_from_world;
+    vec4 eye;
+};
+struct Object {
+    mat4x4 world_from_object;
+    mat3x3 world_from_normal;
+    float id;
+    float cutoff;
+};
+struct ProfileShape {
+    float half_cos_offset;
+    float half_sin_offset;
+    float scale;
+    float exponent;
+    float offset;
+    float edge_mean;
+    float edge_deviation;
+    uint kind;
+};
+struct Vertex {
+    vec3 position;
+    vec3 normal;
+};
+struct Varyings {
+    vec4 clip;
+    vec3 position;
+    vec3 normal;
+};
+const float PI = 3.1415927;
+const float HALF_PI = 1.5707964;
+const float LN_2_ = 0.6931472;
+const float LOG2_E = 1.442695;
+const uint PROFILE_STEP = 1u;
+const uint PROFILE_AMBIENT = 2u;
+const ProfileShape wing_case_tone_shape = ProfileShape(0.9950042, 0.099833414, 1.3940078, 1.4345639, 0.2, 0.90231395, 0.36981526, 0u);
+const ProfileShape violet_tone_shape = ProfileShape(0.98472655, 0.17410813, 2.425296, 2.1444545, 0.35, 0.43399706, 0.1847509, 0u);
+const ProfileShape gold_tone_shape = ProfileShape(0.9887711, 0.14943813, 3.6826046, 2.8423793, 0.3, 0.2547288, 0.11251208, 0u);
+const ProfileShape green_sheen_tone_shape = ProfileShape(0.99820054, 0.059964005, 5.2949586, 2.6937559, 0.12, 0.1805348, 0.07889118, 0u);
+const ProfileShape glint_tone_shape = ProfileShape(0.99955004, 0.029995501, 25.006668, 2.4986002, 0.06, 0.039271776, 0.016918294, 0u);
+
+layout(std140) uniform ViewBlock { View u_view; };
+
+layout(std140) uniform ObjectBlock { Object u_object; };
+
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec3 a_normal;
+smooth out vec3 v_position;
+smooth out vec3 v_normal;
+
+void main() {
+    Vertex vertex = Vertex(a_position, a_normal);
+    Varyings out_ = Varyings(vec4(0.0), vec3(0.0), vec3(0.0));
+    mat4x4 _e3 = u_object.world_from_object;
+    vec4 world = (_e3 * vec4(vertex.position, 1.0));
+    mat4x4 _e12 = u_view.clip_from_world;
+    out_.clip = (_e12 * world);
+    out_.position = world.xyz;
+    mat3x3 _e19 = u_object.world_from_normal;
+    out_.normal = (_e19 * vertex.normal);
+    Varyings _e22 = out_;
+    gl_Position = _e22.clip;
+    v_position = _e22.position;
+    v_normal = _e22.normal;
+    return;
+}
+

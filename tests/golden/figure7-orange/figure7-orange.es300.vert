@@ -1,0 +1,87 @@
+#version 300 es
+// Orange peel: made by Chiaro 0.1.0, GLSL ES 3.00.
+// The vertex shader. Draws a mesh with the look; the result is straight RGBA.
+// Uniform blocks (std140): ViewBlock 0, ObjectBlock 1, LookBlock 2.
+// Textures: u_curvature_map 0.
+// figure7-orange.json says what to put there and how to draw.
+
+precision highp float;
+precision highp int;
+
+struct View {
+    mat4x4 clip_from_world;
+    mat4x4 camera_from_world;
+    vec4 eye;
+};
+struct Object {
+    mat4x4 world_from_object;
+    mat3x3 world_from_normal;
+    float id;
+    float cutoff;
+};
+struct ProfileShape {
+    float half_cos_offset;
+    float half_sin_offset;
+    float scale;
+    float exponent;
+    float offset;
+    float edge_mean;
+    float edge_deviation;
+    uint kind;
+};
+struct Vertex {
+    vec3 position;
+    vec3 normal;
+};
+struct Varyings {
+    vec4 clip;
+    vec3 position;
+    vec3 position_object;
+    vec3 normal;
+};
+const float PI = 3.1415927;
+const float HALF_PI = 1.5707964;
+const float LN_2_ = 0.6931472;
+const float LOG2_E = 1.442695;
+const float SMALLEST_NORMAL = 1.1754944e-38;
+const uint PROFILE_STEP = 1u;
+const uint PROFILE_AMBIENT = 2u;
+const uint NOISE_PERLIN = 1u;
+const uint NOISE_SIMPLEX = 2u;
+const uint NOISE_WORLEY = 3u;
+const float SIMPLEX_SCALE = 38.4553;
+const float WORLEY_MEAN = 0.5205;
+const ProfileShape flesh_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.1220733, 1.2466265, 0.1, 1.2259196, 0.51338285, 0u);
+const ProfileShape shade_tone_shape = ProfileShape(0.9950042, 0.099833414, 1.6523834, 1.9165641, 0.2, 0.67495763, 0.28714308, 0u);
+const ProfileShape waxy_sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 2.2990327, 2.8187852, 0.05, 0.41226318, 0.18345885, 0u);
+const ProfileShape glint_tone_shape = ProfileShape(0.9992001, 0.039989334, 14.297388, 3.2165964, 0.08, 0.062200632, 0.02781906, 0u);
+
+layout(std140) uniform ViewBlock { View u_view; };
+
+layout(std140) uniform ObjectBlock { Object u_object; };
+
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec3 a_normal;
+smooth out vec3 v_position;
+smooth out vec3 v_position_object;
+smooth out vec3 v_normal;
+
+void main() {
+    Vertex vertex = Vertex(a_position, a_normal);
+    Varyings out_ = Varyings(vec4(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+    mat4x4 _e3 = u_object.world_from_object;
+    vec4 world = (_e3 * vec4(vertex.position, 1.0));
+    mat4x4 _e12 = u_view.clip_from_world;
+    out_.clip = (_e12 * world);
+    out_.position = world.xyz;
+    out_.position_object = vertex.position;
+    mat3x3 _e21 = u_object.world_from_normal;
+    out_.normal = (_e21 * vertex.normal);
+    Varyings _e24 = out_;
+    gl_Position = _e24.clip;
+    v_position = _e24.position;
+    v_position_object = _e24.position_object;
+    v_normal = _e24.normal;
+    return;
+}
+
