@@ -1,4 +1,4 @@
-//! A small look around one node, and its picture: what the node gives on a sphere.
+//! A small look around one node, and its picture: what the node gives on a sphere or another shape.
 
 use std::path::Path;
 
@@ -8,15 +8,15 @@ use crate::catalog::{Catalog, Kind, Port};
 use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::{Endpoint, Light, Look, Node, Value, Values, Wire};
-use crate::frame::{Assets, Picture, PlanOptions, Planner, SetupLook, default_setup};
+use crate::frame::{Assets, Picture, PlanOptions, Planner, SHAPE_PREFIX, SetupLook, default_setup};
 use crate::library::{Fallback, Library, Type};
 use crate::render::{Renderer, block_on};
 
 /// What shows more of a node than its defaults, by kind: values as in a look's JSON, which source `feed`s which input, what
-/// the output is multiplied by (`times`), or `null` where there is nothing to see.
+/// the output is multiplied by (`times`), on which own shape it is seen (`mesh`), or `null` where there is nothing to see.
 const VALUES: &str = include_str!("samples.json");
-/// What a node is shown on.
-const MESH: &str = "shape:sphere";
+/// What a node is shown on where the table names no other of the own shapes.
+const MESH: &str = "sphere";
 /// The node itself, in its look.
 const NODE: &str = "node";
 /// An image for nodes that ask for one, beside the look.
@@ -32,11 +32,11 @@ struct Showing {
     /// Inputs, each with its source.
     feed: Vec<(String, String)>,
     times: Option<f64>,
+    mesh: String,
 }
 
 /// A look that shows the first output of a node of `kind`; `None` where there is nothing to see of it.
-fn look_of(kind: &Kind, catalog: &Catalog) -> Option<Look> {
-    let showing = Showing::of(kind)?;
+fn look_of(kind: &Kind, catalog: &Catalog, showing: Showing) -> Option<Look> {
     let mut build = Build { look: Look::default(), catalog };
     let lights = [("key", [-0.5, 0.6, 0.62]), ("back", [0.8, -0.1, 0.2])];
     for (id, direction) in lights {
@@ -82,12 +82,15 @@ impl Showing {
     /// What the table says of a kind, with files and lights for inputs that name some.
     fn of(kind: &Kind) -> Option<Self> {
         let table: serde_json::Map<String, Json> = serde_json::from_str(VALUES).unwrap_or_default();
-        let mut showing = Self::default();
+        let mut showing = Self { mesh: MESH.to_owned(), ..Self::default() };
         if let Some(own) = table.get(&kind.id) {
             let mut own = own.as_object()?.clone();
             if let Some(Json::Object(feed)) = own.remove("feed") {
                 let pair = |(port, source): (String, Json)| Some((port, source.as_str()?.to_owned()));
                 showing.feed = feed.into_iter().filter_map(pair).collect();
+            }
+            if let Some(Json::String(mesh)) = own.remove("mesh") {
+                showing.mesh = mesh;
             }
             showing.times = own.remove("times").and_then(|times| times.as_f64());
             // Read as a document's: numbers, colours, curves and ramps are told apart there.
@@ -233,16 +236,20 @@ pub(super) fn picture(
     renderer: &mut Renderer,
     (folder, side): (&Path, u32),
 ) -> Result<Option<Picture>, Vec<Diagnostic>> {
-    let Some(look) = look_of(kind, catalog) else { return Ok(None) };
+    let Some(showing) = Showing::of(kind) else { return Ok(None) };
+    let mesh = format!("{SHAPE_PREFIX}{}", showing.mesh);
+    let Some(look) = look_of(kind, catalog, showing) else { return Ok(None) };
     let mut assets = Assets::default();
     // No text of it is anywhere.
     let source = Look::read("{}", &kind.id).source.into();
     let look = SetupLook { look, source, folder: folder.to_path_buf() };
-    let (mut setup, _) = default_setup(look, MESH, &mut assets)?;
+    let (mut setup, _) = default_setup(look, &mesh, &mut assets)?;
     setup.scene.backdrop = None;
-    // The sphere fills its picture.
-    setup.scene.camera.eye = [0.0, 0.0, 4.2];
-    setup.scene.camera.target = [0.0; 3];
+    if mesh.ends_with(MESH) {
+        // It fills its picture.
+        setup.scene.camera.eye = [0.0, 0.0, 4.2];
+        setup.scene.camera.target = [0.0; 3];
+    }
     let options = PlanOptions { size: [side, side], samples: 4, time: 0.4 };
     let plan = Planner::new(assets).plan(&setup, library, &Live::Keyed, &options)?;
     Ok(Some(block_on(renderer.picture(&plan)).map_err(|error| vec![error.into()])?))
@@ -277,7 +284,7 @@ mod tests {
             let known = catalog.get(kind).unwrap_or_else(|| panic!("there is no kind `{kind}`"));
             let Some(values) = values.as_object() else { continue };
             let fed = values.get("feed").and_then(Json::as_object).into_iter().flat_map(|feed| feed.keys());
-            for port in values.keys().filter(|name| !matches!(name.as_str(), "feed" | "times")).chain(fed) {
+            for port in values.keys().filter(|name| !matches!(name.as_str(), "feed" | "times" | "mesh")).chain(fed) {
                 assert!(known.input(port).is_some(), "{kind} has no input `{port}`");
             }
         }
@@ -289,7 +296,7 @@ mod tests {
         let catalog = Catalog::new(library);
         let mut unseen = Vec::new();
         for kind in catalog.all().filter(|kind| kind.id != crate::catalog::CUSTOM_KIND) {
-            match look_of(kind, &catalog) {
+            match Showing::of(kind).and_then(|showing| look_of(kind, &catalog, showing)) {
                 None => unseen.push(kind.id.clone()),
                 Some(look) => {
                     let compiled = crate::compile::compile(&look, library, &Default::default());
