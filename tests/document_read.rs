@@ -294,7 +294,9 @@ fn keys_and_parameters_are_held_to_what_there_is() {
     );
     told(
         &look(r#""direction_keys": [{ "by": "veiw" }]"#),
-        &["wrong-type direction_keys[0].by @\"veiw\" }]  | write \"view\", or {\"light\": \"the light's id\"}"],
+        &[
+            "wrong-type direction_keys[0].by @\"veiw\" }]  | write \"view\", {\"light\": \"the light's id\"}, or {\"drivers\": [\"distance\"]}",
+        ],
     );
     told(
         &look(

@@ -1,5 +1,6 @@
 //! Whole looks against their truth: over the sphere of lights and views, from one pixel up, near and far.
 
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use glam::DVec3;
@@ -10,7 +11,7 @@ use crate::accuracy::station::stations;
 use crate::accuracy::{ErrorFigures, Progress, Stopped, Variant, truth::Truth};
 use crate::compile::Live;
 use crate::diag::Diagnostic;
-use crate::document::Tier;
+use crate::document::{Look, Tier};
 use crate::frame::{Assets, PlanOptions, Planner, Setup, open};
 use crate::library::Library;
 use crate::render::Renderer;
@@ -45,6 +46,19 @@ impl LookBound {
             Tier::Exact => Self { max: Some(VISIBLE), rms: 1e-5, edge_share: Some(EDGE_SHARE) },
             Tier::Balanced => Self { max: Some(VISIBLE), rms: 1e-4, edge_share: Some(EDGE_SHARE) },
             Tier::Fast => Self { max: None, rms: 0.1, edge_share: None },
+        }
+    }
+
+    /// That of a look in a tier. Where one of its nodes states that more than eight bits show is off (a threshold's edges, a
+    /// curvature that is wired on), what comes after may turn all of a pixel by that, and the look is held by its mean.
+    pub fn of_look(look: &Look, library: &Library, tier: Tier) -> Self {
+        let inner = look.definitions.values().map(|definition| &definition.graph);
+        let nodes = std::iter::once(&look.graph).chain(inner).flat_map(|graph| graph.nodes.values());
+        let errors = nodes.filter_map(|node| library.nodes.get(&node.kind)).flat_map(|def| &def.errors);
+        let stated = errors.filter(|error| error.tier == tier).map(|error| error.bound).fold(0.0, f64::max);
+        match tier {
+            Tier::Balanced if stated > VISIBLE => Self { max: None, rms: 0.05, edge_share: None },
+            _ => Self::of(tier),
         }
     }
 }
@@ -161,8 +175,12 @@ pub fn measure_look(
     let mut assets = Assets::default();
     let mut figures = vec![Vec::new(); effort.tiers.len()];
     let mut worst = vec![(0.0, String::new()); effort.tiers.len()];
+    let mut bounds: HashMap<Tier, LookBound> = HashMap::new();
     for mesh in &effort.meshes {
         let (setup, _) = open(path, Some(mesh), &mut assets)?;
+        for (tier, worn) in effort.tiers.iter().zip(setup.looks.iter().cycle()) {
+            bounds.insert(*tier, LookBound::of_look(&worn.look, library, *tier));
+        }
         let mut truths = Planner::for_truth(Assets::default());
         let mut planners: Vec<Planner> = effort.tiers.iter().map(|_| Planner::default()).collect();
         for (index, station) in stations(&setup, effort.stations).iter().enumerate() {
@@ -196,7 +214,7 @@ pub fn measure_look(
             pictures: figures.len(),
             error,
             worst_words,
-            bound: LookBound::of(tier),
+            bound: bounds.get(&tier).copied().unwrap_or(LookBound::of(tier)),
         }
     });
     Ok(measured.collect())

@@ -68,7 +68,7 @@ fn tiers_part(report: &AccuracyReport, text: &mut String) {
         text,
         "### In cheaper tiers\n\n\
          The same pictures with every node in a cheaper tier. *balanced* is held as exact is, but for an RMS of {balanced}: what\n\
-         nobody sees. *fast* may take curvature from each triangle's own normals: constant over it, 0 on one that is flat. Where\n\
+         nobody sees. A look with a node that states more than 1/255 is held by an RMS of 5e-2 there. *fast* may take curvature from each triangle's own normals: constant over it, 0 on one that is flat. Where\n\
          a warp works on that, single pixels are off by as much as the warp can do; it is held to be finite everywhere, and to\n\
          an RMS of {fast}. `chiaro tune` keeps such a tier away from looks that show it. A line is left out where the tier draws\n\
          as exact does.\n\n\
