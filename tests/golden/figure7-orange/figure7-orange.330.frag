@@ -776,8 +776,8 @@ vec4 shade(Surface surface_1) {
     float _e3 = transition(surface_1.kappa, 0.1);
     vec4 _e14 = curvature_color(_e3, vec4(0.9686, 0.6039, 0.1176, 1.0), vec4(0.8471, 0.4118, 0.0392, 1.0));
     vec3 _e16 = position_object(surface_1.position_object);
-    float _e21 = noise_perlin(_e16, 17.0, 2, 0.5, 0);
-    vec3 _e25 = bump_map(_e21, 0.05, surface_1.normal, surface_1.position);
+    float _e21 = noise_perlin(_e16, 14.0, 2, 0.5, 0);
+    vec3 _e25 = bump_map(_e21, 0.035, surface_1.normal, surface_1.position);
     Light _e28 = u_look.key;
     Angle _e29 = parametrization_diffuse(_e28, _e25);
     float _e31 = warp(_e3, 0.2);

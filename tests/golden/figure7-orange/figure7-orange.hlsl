@@ -953,8 +953,8 @@ float4 shade(Surface surface_1)
     const float _e3 = transition(surface_1.kappa, 0.1);
     const float4 _e14 = curvature_color(_e3, float4(0.9686, 0.6039, 0.1176, 1.0), float4(0.8471, 0.4118, 0.0392, 1.0));
     const float3 _e16 = position_object(surface_1.position_object);
-    const float _e21 = noise_perlin(_e16, 17.0, int(2), 0.5, int(0));
-    const float3 _e25 = bump_map(_e21, 0.05, surface_1.normal, surface_1.position);
+    const float _e21 = noise_perlin(_e16, 14.0, int(2), 0.5, int(0));
+    const float3 _e25 = bump_map(_e21, 0.035, surface_1.normal, surface_1.position);
     Light _e28 = look.key;
     const Angle _e29 = parametrization_diffuse(_e28, _e25);
     const float _e31 = warp(_e3, 0.2);

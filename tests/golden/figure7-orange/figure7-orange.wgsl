@@ -680,8 +680,8 @@ fn shade(surface: Surface) -> vec4f {
     let shade_convexity = transition(surface.kappa, 0.1);
     let flesh_color = curvature_color(shade_convexity, vec4f(0.9686, 0.6039, 0.1176, 1.0), vec4f(0.8471, 0.4118, 0.0392, 1.0));
     let place = position_object(surface.position_object);
-    let pores = noise_perlin(place, 17.0, 2i, 0.5, 0i);
-    let rind = bump_map(pores, 0.05, surface.normal, surface.position);
+    let pores = noise_perlin(place, 14.0, 2i, 0.5, 0i);
+    let rind = bump_map(pores, 0.035, surface.normal, surface.position);
     let flesh_angle = parametrization_diffuse(look.key, rind);
     let flesh_warp = warp(shade_convexity, 0.2);
     let flesh_tone = profile(flesh_angle, flesh_warp, flesh_tone_shape);
