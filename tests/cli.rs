@@ -3,9 +3,8 @@
 mod support;
 
 use std::fs;
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Command, Output};
 
 use serde_json::{Value as Json, json};
 
@@ -560,6 +559,9 @@ fn export_writes_files_and_lists_them() {
 
 #[cfg(feature = "gpu")]
 mod gpu {
+    use std::io::Write as _;
+    use std::process::Stdio;
+
     use super::*;
 
     #[test]
