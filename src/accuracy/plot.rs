@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use super::Measure;
 use super::report::{Report, Row, Subject, pareto_front_by, tier_word};
 use crate::document::Tier;
+use crate::drawing::escaped;
 
 const WIDTH: f64 = 900.0;
 const HEIGHT: f64 = 560.0;
@@ -166,8 +167,4 @@ fn number(number: f64) -> String {
         return text.trim_end_matches('0').trim_end_matches('.').to_owned();
     }
     format!("{number:.0e}")
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

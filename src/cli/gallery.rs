@@ -12,7 +12,7 @@ use crate::render::{Gpu, block_on};
 
 const EXAMPLES: &str = "\
 Examples:
-  chiaro gallery examples -o gallery/
+  chiaro gallery -o gallery/
   chiaro gallery my-looks/ -o out/ --mesh bunny.obj --size 800x800
   chiaro gallery a.json b.json -o out/ --rounds 0
 
@@ -24,8 +24,7 @@ Without one everything in the folder is, with a section for each folder in it. A
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
-    /// Looks, scenes, and folders that hold some
-    #[arg(default_value = "examples")]
+    /// Looks, scenes, and folders that hold some; all examples without any
     documents: Vec<PathBuf>,
     /// The folder to write the pages into
     #[arg(short, long)]
@@ -57,7 +56,7 @@ fn parse_rounds(text: &str) -> Result<u32, String> {
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     check_nodes_folder(arguments.nodes.as_deref())?;
-    let list = list::list(&arguments.documents)?;
+    let list = if arguments.documents.is_empty() { list::examples()? } else { list::list(&arguments.documents)? };
     let gpu = block_on(Gpu::headless()).map_err(|error| vec![error.into()])?;
     let options = Options {
         size: arguments.size.0,

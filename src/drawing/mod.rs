@@ -9,6 +9,7 @@ mod svg;
 
 pub use graph::{graph_svg, node_svg};
 pub use palette::Palette;
+pub use svg::escaped;
 
 use crate::library::Type;
 

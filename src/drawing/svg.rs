@@ -1,9 +1,10 @@
 //! Pieces of SVG: text that fits, and numbers that are short.
 
-/// Text as XML holds it.
-pub(super) fn escaped(text: &str) -> String {
+/// Text as XML and HTML hold it.
+pub fn escaped(text: &str) -> String {
     // What XML has no sign for would make the whole file unreadable.
-    let known: String = text.chars().filter(|c| !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}')).collect();
+    let is_known = |c: char| matches!(c, '\n' | '\t') || !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}');
+    let known: String = text.chars().filter(|c| is_known(*c)).collect();
     known.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 

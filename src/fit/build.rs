@@ -2,7 +2,8 @@
 
 use glam::DVec3;
 
-use super::stack::{Kind, Layer};
+use super::lit::Kind;
+use super::stack::Layer;
 use crate::document::{Endpoint, Graph, Light, Look, Node, Value, Values, Wire};
 use crate::ids::{LightId, NodeId};
 

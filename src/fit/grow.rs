@@ -3,17 +3,18 @@
 //! A layer is tried with lights from everywhere, and from where what is missing lies (its normal, or what a mirror would
 //! show there), with a few profiles, at every place in the stack. The best few are turned downhill, and the best stacks of
 //! those go on to the next layer, as one layer's best place is not always what is best with the next. Where the whole
-//! is not near enough, layers are taken out and searched for again.
+//! is not near enough, the lowest layer is turned over, and layers are taken out and searched for again.
 
 use glam::DVec3;
-use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
+use rayon::iter::{IntoParallelIterator as _, IntoParallelRefIterator as _, ParallelIterator as _};
 
 use super::build::layered;
 use super::choose::{Surface, evenly, pixels_of, telling, thinned, wearing, wishes_of};
+use super::lit::{Kind, Lit};
 use super::model::Shot;
 use super::report::{Report, compared_as_is};
 use super::solve::{Found, Until, check, descend};
-use super::stack::{Kind, Layer, Lit, MAX_LAYERS, Mode, Search};
+use super::stack::{Layer, MAX_LAYERS, Mode, Search};
 use super::state::{Shape, even_directions};
 use super::target::{Target, Wish};
 use super::turn::{Polished, polished};
@@ -130,21 +131,27 @@ impl Grower<'_> {
         Ok(best)
     }
 
-    /// Takes each layer out and searches for it again, while that brings the whole nearer.
+    /// Turns the lowest layer over, and takes each out and searches for it again, while that brings the whole nearer.
     fn again(&self, whole: &Search, mut best: Vec<Layer>) -> Result<Vec<Layer>, Diagnostic> {
         let mut error = whole.error(&whole.taken_over(&best));
         for _ in 0..ROUNDS {
             let before = error;
-            for index in 0..best.len() {
+            // First the lowest turned over, then each without the layer in turn.
+            for out in std::iter::once(None).chain((0..best.len()).map(Some)) {
                 if error <= whole.error_of(self.enough) {
                     return Ok(best);
                 }
                 let missing = missing(whole, &best);
                 let search = Search::new(self.surface, self.wishes, &telling(&missing, PIXELS));
                 let mut rest = search.taken_over(&best);
-                rest.remove(index);
-                let found = best_of(self.with_one_more(&search, &rest, &missing)?, 1);
-                let Some(Found { point, .. }) = found.into_iter().next() else { continue };
+                let found = match out {
+                    None => self.turned_over(&search, &rest)?,
+                    Some(index) => {
+                        rest.remove(index);
+                        self.with_one_more(&search, &rest, &missing)?
+                    }
+                };
+                let Some(Found { point, .. }) = best_of(found, 1).into_iter().next() else { continue };
                 let now = whole.error(&whole.taken_over(&point));
                 if now < 0.98 * error {
                     (best, error) = (point, now);
@@ -157,17 +164,41 @@ impl Grower<'_> {
         Ok(best)
     }
 
+    /// Stacks whose lowest layer is what lies around it, at any place: light that covers a dark base, and dark that covers
+    /// a light one from the other side, are so nearly the same picture that a search may take either.
+    fn turned_over(&self, search: &Search, layers: &[Layer]) -> Result<Vec<Stack>, Diagnostic> {
+        let Some((lowest, rest)) = layers.split_first() else { return Ok(Vec::new()) };
+        let lit = lowest.lit.turned_over();
+        let tone = search.tone(&lit);
+        let over = |(place, mode)| {
+            let mut point = rest.to_vec();
+            point.insert(place, Layer { lit, mode, tone: tone.clone() });
+            point
+        };
+        self.downhill(search, places(rest.len(), search).into_iter().map(over).collect())
+    }
+
+    /// The best of some stacks, turned downhill.
+    fn downhill(&self, search: &Search, stacks: Vec<Vec<Layer>>) -> Result<Vec<Stack>, Diagnostic> {
+        let turned = |stack: Vec<Layer>, steps: usize, share: f64| {
+            descend(search, stack, Until { steps, error: search.error_of(share * self.enough) }, self.progress)
+        };
+        let begun: Result<Vec<Stack>, Diagnostic> = stacks.into_par_iter().map(|stack| turned(stack, 8, 0.5)).collect();
+        best_of(begun?, BEAM).into_par_iter().map(|stack| turned(stack.point, 40, 0.2)).collect()
+    }
+
     /// Stacks with one more layer, turned downhill.
     fn with_one_more(&self, search: &Search, layers: &[Layer], missing: &[f64]) -> Result<Vec<Stack>, Diagnostic> {
         check(self.progress)?;
         let lights = self.lights(missing);
         let few = search.thinned(FEW_PIXELS);
         let below = few.taken_over(layers);
+        let places = places(layers.len(), search);
         let tried = |lit: &Lit| {
             check(self.progress)?;
             let tone = few.tone(lit);
             let mut best: Option<Stack> = None;
-            for (place, mode) in places(layers.len()) {
+            for &(place, mode) in &places {
                 let mut point = below.clone();
                 point.insert(place, Layer { lit: *lit, mode, tone: tone.clone() });
                 let error = few.error(&point);
@@ -180,16 +211,8 @@ impl Grower<'_> {
         let found: Result<Vec<_>, Diagnostic> = lights.par_iter().map(tried).collect();
         let mut found: Vec<(Lit, Stack)> = found?.into_iter().flatten().collect();
         found.sort_by(|a, b| a.1.error.total_cmp(&b.1.error));
-        let first = |stack: &Stack| {
-            let until = Until { steps: 8, error: search.error_of(0.5 * self.enough) };
-            descend(search, search.taken_over(&stack.point), until, self.progress)
-        };
-        let begun: Result<Vec<Stack>, Diagnostic> = apart(found, BEGINNINGS).par_iter().map(first).collect();
-        let far = |stack: &Stack| {
-            let until = Until { steps: 40, error: search.error_of(0.2 * self.enough) };
-            descend(search, stack.point.clone(), until, self.progress)
-        };
-        best_of(begun?, BEAM).par_iter().map(far).collect()
+        let begun = apart(found, BEGINNINGS).into_iter().map(|stack| search.taken_over(&stack.point));
+        self.downhill(search, begun.collect())
     }
 
     /// Lights to try: from everywhere, and from where most is missing.
@@ -221,11 +244,12 @@ fn missing(whole: &Search, layers: &[Layer]) -> Vec<f64> {
     misses.chunks_exact(3).map(|miss| miss.iter().map(|x| x * x).sum::<f64>().sqrt()).collect()
 }
 
-/// Where a layer may go among `count` others, and how it is laid. What lies lowest covers the base: adding to it is the
-/// same picture.
-fn places(count: usize) -> Vec<(usize, Mode)> {
+/// Where a layer may go among `count` others, and how it is laid. To add to the base is to cover it, unless the sum is cut
+/// off at white.
+fn places(count: usize, search: &Search) -> Vec<(usize, Mode)> {
     let at = |place: usize| {
-        let modes: &[Mode] = if place == 0 { &[Mode::Alpha] } else { &[Mode::Alpha, Mode::Add] };
+        let is_the_same = place == 0 && !search.is_cut_off();
+        let modes: &[Mode] = if is_the_same { &[Mode::Alpha] } else { &[Mode::Alpha, Mode::Add] };
         modes.iter().map(move |mode| (place, *mode))
     };
     (0..=count).flat_map(at).collect()

@@ -14,6 +14,7 @@ mod build;
 mod choose;
 mod grow;
 mod knobs;
+mod lit;
 mod model;
 mod report;
 mod solve;

@@ -3,18 +3,15 @@
 //! A layer mixes its colour over what is below by its tone, or adds it; so the picture is a sum of the colours of base and
 //! layers, each times a factor that is made of tones. For given tones the best colours are a small linear least squares
 //! problem within 0 and 1 for each channel.
-//!
-//! Tones come from the reference's normals and mirrored views by the formula of the BADF paper (eq. 5, 11), without
-//! antialiasing: a search tries tens of thousands of them, where the interpreter would take minutes. It only has to come
-//! near. What it finds becomes a look, and is turned on the reference from there.
 
 use std::sync::Arc;
 
 use glam::DVec3;
 
 use super::choose::evenly;
+use super::lit::{Kind, Lit};
 use super::solve::{Problem, solve_in_place};
-use super::state::{Setting, Shape};
+use super::state::Setting;
 use super::target::Wish;
 use crate::diag::Diagnostic;
 
@@ -24,25 +21,6 @@ pub(super) const MAX_LAYERS: usize = 7;
 const MOST: usize = MAX_LAYERS + 1;
 /// A channel that is wished as bright as this may be meant brighter.
 const SATURATED: f64 = 0.998;
-
-/// Which direction of the surface a layer's light is held against.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
-    Diffuse,
-    Specular,
-}
-
-impl Kind {
-    pub(super) const ALL: [Self; 2] = [Self::Diffuse, Self::Specular];
-
-    /// As documents say it.
-    pub(super) fn word(self) -> &'static str {
-        match self {
-            Self::Diffuse => "diffuse",
-            Self::Specular => "specular",
-        }
-    }
-}
 
 /// How a layer is laid over what is below.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,40 +39,12 @@ impl Mode {
     }
 }
 
-/// Where a layer's light comes from, and how it falls off.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Lit {
-    pub(super) kind: Kind,
-    pub(super) direction: DVec3,
-    pub(super) shape: Shape,
-}
-
 /// A layer with its tone at the pixels that are looked at.
 #[derive(Clone, Debug)]
 pub(super) struct Layer {
     pub(super) lit: Lit,
     pub(super) mode: Mode,
     pub(super) tone: Arc<[f64]>,
-}
-
-impl Lit {
-    /// The tone where the surface's direction is `direction`: 1 up to the offset, 0 from the cut-off on (BADF eq. 5).
-    pub(super) fn tone(&self, direction: DVec3) -> f64 {
-        let Shape { offset, width, share } = self.shape;
-        let beyond = self.direction.dot(direction).clamp(-1.0, 1.0).acos() - offset;
-        if beyond <= 0.0 {
-            return 1.0;
-        }
-        let q = (0.5 * beyond).sin() / (0.5 * width).sin();
-        if q >= 1.0 || width < 1e-6 {
-            return 0.0;
-        }
-        // BADF eq. 11: the fall-off is where the curve is steepest.
-        let falloff = share * width;
-        let (sum, difference) = ((0.5 * (width + falloff)).sin(), (0.5 * (width - falloff)).sin());
-        let exponent = (sum * sum + difference * difference) / falloff.sin().powi(2);
-        (1.0 - q * q).powf(if share >= 1.0 { 1.0 } else { exponent })
-    }
 }
 
 /// A search for layers at some of the painted pixels.
@@ -115,6 +65,11 @@ impl Search {
     /// The same at no more than so many pixels.
     pub(super) fn thinned(&self, most: usize) -> Self {
         Self::new(&self.surface, &self.wishes, &evenly(self.wishes.len(), most))
+    }
+
+    /// Whether a channel is as bright as can be wished somewhere, where sums may have been cut off.
+    pub(super) fn is_cut_off(&self) -> bool {
+        self.wishes.iter().any(|wish| wish.color.iter().any(|channel| *channel >= SATURATED))
     }
 
     /// The tone of a layer at each pixel.

@@ -6,6 +6,7 @@ use serde::Deserialize;
 
 use crate::diag::Diagnostic;
 use crate::document::read_text;
+use crate::examples;
 
 /// The file of a folder that says what its gallery shows.
 pub const LIST_FILE: &str = "gallery.json";
@@ -78,6 +79,15 @@ struct WithText {
     mesh: Option<String>,
 }
 
+/// What the program brings along, which needs no folder.
+///
+/// # Errors
+/// None, as a test holds.
+pub fn examples() -> Result<List, Vec<Diagnostic>> {
+    let in_examples = |file: &Path| PathBuf::from(format!("{}{}", examples::PREFIX, file.display()));
+    parsed(include_str!("../../examples/gallery.json"), Path::new(LIST_FILE), &in_examples).map_err(|one| vec![one])
+}
+
 /// What is shown of files and folders: a folder's `gallery.json` where it has one, else its looks and scenes by name,
 /// and those of the folders in it, a section a folder.
 ///
@@ -148,23 +158,31 @@ fn of_folder(folder: &Path) -> Result<List, Diagnostic> {
 
 fn read(file: &Path) -> Result<List, Diagnostic> {
     let text = read_text(file).map_err(|problem| *problem)?;
-    let list: ListText = serde_json::from_str(&text).map_err(|error| {
+    let folder = file.parent().unwrap_or(Path::new(""));
+    let mut list = parsed(&text, file, &|named| folder.join(named))?;
+    if list.title.is_empty() {
+        list.title = name_of(folder);
+    }
+    Ok(list)
+}
+
+/// The list that the text of `file` says; `place` tells where a file lies that it names.
+fn parsed(text: &str, file: &Path, place: &dyn Fn(&Path) -> PathBuf) -> Result<List, Diagnostic> {
+    let list: ListText = serde_json::from_str(text).map_err(|error| {
         Diagnostic::error("bad-gallery", error.to_string())
             .in_file(file.display().to_string())
             .hint("write {\"title\", \"about\", \"sections\": [{\"title\", \"about\", \"entries\": [\"look.json\"]}]}")
     })?;
-    let folder = file.parent().unwrap_or(Path::new(""));
     let shown = |entry| match entry {
-        EntryText::File(file) => Shown { file: folder.join(file), mesh: None },
-        EntryText::With(with) => Shown { file: folder.join(with.file), mesh: with.mesh },
+        EntryText::File(file) => Shown { file: place(&file), mesh: None },
+        EntryText::With(with) => Shown { file: place(&with.file), mesh: with.mesh },
     };
     let section = |section: SectionText| Section {
         title: section.title,
         about: section.about,
         shown: section.entries.into_iter().map(shown).collect(),
     };
-    let title = if list.title.is_empty() { name_of(folder) } else { list.title };
-    Ok(List { title, about: list.about, sections: list.sections.into_iter().map(section).collect() })
+    Ok(List { title: list.title, about: list.about, sections: list.sections.into_iter().map(section).collect() })
 }
 
 /// The documents right in a folder, by name.
@@ -234,5 +252,15 @@ mod tests {
         std::fs::write(&path, text.replace("\"a.json\", ", "\"b.json\", ")).unwrap();
         assert_eq!(list(&[folder.path().to_path_buf()]).unwrap_err()[0].code, "missing-file");
         assert_eq!(list(&[]).unwrap_err()[0].code, "nothing-to-show");
+    }
+
+    #[test]
+    fn the_examples_are_shown_without_a_folder() {
+        let found = examples().unwrap();
+        let shown: Vec<&PathBuf> = found.sections.iter().flat_map(|section| &section.shown).map(|s| &s.file).collect();
+        assert!(!shown.is_empty());
+        for file in shown {
+            assert!(examples::file(file).is_some(), "{}", file.display());
+        }
     }
 }

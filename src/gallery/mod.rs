@@ -11,7 +11,7 @@ mod page;
 mod sample;
 
 use std::collections::HashSet;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use crate::accuracy::Progress;
 use crate::catalog::Catalog;
@@ -70,7 +70,7 @@ pub fn build(
     let mut made = Made::default();
     let mut index = page::Index::new(list);
     let slugs = slugs(list);
-    let mut order = slugs.iter().map(|(_, slug)| slug.as_str());
+    let mut order = slugs.iter().map(String::as_str);
     progress.expect(slugs.len() as u64);
     for section in &list.sections {
         index.section(section);
@@ -103,14 +103,14 @@ pub fn build(
 }
 
 /// A page's name for each document in order, each used once: `index` and the like are taken by the gallery itself.
-fn slugs(list: &List) -> Vec<(PathBuf, String)> {
+fn slugs(list: &List) -> Vec<String> {
     let mut taken: HashSet<String> = HashSet::from(["index".to_owned(), "style".to_owned()]);
     let all = list.sections.iter().flat_map(|section| &section.shown);
     let slug = |shown: &Shown| {
         let stem = shown.file.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
         let slug = make_slug(&stem, |slug| taken.contains(slug));
         taken.insert(slug.clone());
-        (shown.file.clone(), slug.replace('_', "-"))
+        slug.replace('_', "-")
     };
     all.map(slug).collect()
 }

@@ -7,15 +7,10 @@ use super::{GENERATOR, List, Options, Section};
 use crate::accuracy::report::{Row, Subject, tier_word};
 use crate::catalog::Catalog;
 use crate::document::Look;
-use crate::drawing::graph_svg;
+use crate::drawing::{escaped, graph_svg};
 
 /// How all pages look.
 pub(super) const STYLE: &str = include_str!("style.css");
-
-/// Text as HTML holds it.
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
-}
 
 fn head(title: &str) -> String {
     format!(

@@ -1,6 +1,5 @@
 //! Whole looks against their truth: over the sphere of lights and views, from one pixel up, near and far.
 
-use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use glam::DVec3;
@@ -175,11 +174,11 @@ pub fn measure_look(
     let mut assets = Assets::default();
     let mut figures = vec![Vec::new(); effort.tiers.len()];
     let mut worst = vec![(0.0, String::new()); effort.tiers.len()];
-    let mut bounds: HashMap<Tier, LookBound> = HashMap::new();
+    let mut bounds = Vec::new();
     for mesh in &effort.meshes {
         let (setup, _) = open(path, Some(mesh), &mut assets)?;
-        for (tier, worn) in effort.tiers.iter().zip(setup.looks.iter().cycle()) {
-            bounds.insert(*tier, LookBound::of_look(&worn.look, library, *tier));
+        if let [worn, ..] = setup.looks.as_slice() {
+            bounds = effort.tiers.iter().map(|tier| LookBound::of_look(&worn.look, library, *tier)).collect();
         }
         let mut truths = Planner::for_truth(Assets::default());
         let mut planners: Vec<Planner> = effort.tiers.iter().map(|_| Planner::default()).collect();
@@ -206,16 +205,10 @@ pub fn measure_look(
             }
         }
     }
-    let measured = effort.tiers.iter().zip(figures).zip(worst).map(|((&tier, figures), (_, worst_words))| {
+    let measured = effort.tiers.iter().zip(bounds).zip(figures).zip(worst);
+    let measured = measured.map(|(((&tier, bound), figures), (_, worst_words))| {
         let error = ErrorFigures::join(&figures);
-        LookMeasured {
-            look: look.clone(),
-            tier,
-            pictures: figures.len(),
-            error,
-            worst_words,
-            bound: bounds.get(&tier).copied().unwrap_or(LookBound::of(tier)),
-        }
+        LookMeasured { look: look.clone(), tier, pictures: figures.len(), error, worst_words, bound }
     });
     Ok(measured.collect())
 }

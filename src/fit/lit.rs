@@ -1,0 +1,104 @@
+//! A layer's light and profile, and the tone that they make.
+//!
+//! The search has the formula of the BADF paper (eq. 5, 11) by hand and without antialiasing, at the reference's normals and
+//! mirrored views: it tries tens of thousands of tones, where the interpreter would take minutes. It only has to come near.
+//! What it finds becomes a look, and is turned on the reference from there.
+
+use std::f64::consts::PI;
+
+use glam::DVec3;
+
+use super::state::Shape;
+
+/// Angles, and beginnings of a profile, at which one is sought that shows what another leaves.
+const TURNED: u32 = 48;
+
+/// Which direction of the surface a layer's light is held against.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Diffuse,
+    Specular,
+}
+
+impl Kind {
+    pub(super) const ALL: [Self; 2] = [Self::Diffuse, Self::Specular];
+
+    /// As documents say it.
+    pub(super) fn word(self) -> &'static str {
+        match self {
+            Self::Diffuse => "diffuse",
+            Self::Specular => "specular",
+        }
+    }
+}
+
+/// Where a layer's light comes from, and how it falls off.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Lit {
+    pub(super) kind: Kind,
+    pub(super) direction: DVec3,
+    pub(super) shape: Shape,
+}
+
+impl Lit {
+    /// The tone where the surface's direction is `direction`: 1 up to the offset, 0 from the cut-off on (BADF eq. 5).
+    pub(super) fn tone(&self, direction: DVec3) -> f64 {
+        self.shape.tone(self.direction.dot(direction).clamp(-1.0, 1.0).acos())
+    }
+
+    /// What lies around it, from the other side, as nearly as a profile can show that.
+    pub(super) fn turned_over(&self) -> Self {
+        let around = |angle: f64| 1.0 - self.shape.tone(PI - angle);
+        let angles = || (0..=TURNED).map(|step| PI * f64::from(step) / f64::from(TURNED));
+        let cutoff = PI - self.shape.offset;
+        let shapes = (0..TURNED).flat_map(|begin| {
+            let offset = cutoff * f64::from(begin) / f64::from(TURNED);
+            // A steep profile is as good as gone long before its cut-off, so what is left of it begins anywhere.
+            [0.2, 0.35, 0.5, 0.65, 0.8, 0.95].map(|share| Shape { offset, width: cutoff - offset, share })
+        });
+        let miss = |shape: &Shape| angles().map(|angle| (shape.tone(angle) - around(angle)).powi(2)).sum::<f64>();
+        let nearest = shapes.map(|shape| (miss(&shape), shape)).min_by(|a, b| a.0.total_cmp(&b.0));
+        Self { direction: -self.direction, shape: nearest.map_or(self.shape, |(_, shape)| shape), ..*self }
+    }
+}
+
+impl Shape {
+    /// The tone at so many radians from the light.
+    fn tone(&self, angle: f64) -> f64 {
+        let Self { offset, width, share } = *self;
+        let beyond = angle - offset;
+        if beyond <= 0.0 {
+            return 1.0;
+        }
+        let q = (0.5 * beyond).sin() / (0.5 * width).sin();
+        if q >= 1.0 || width < 1e-6 {
+            return 0.0;
+        }
+        // BADF eq. 11: the fall-off is where the curve is steepest.
+        let falloff = share * width;
+        let (sum, difference) = ((0.5 * (width + falloff)).sin(), (0.5 * (width - falloff)).sin());
+        let exponent = (sum * sum + difference * difference) / falloff.sin().powi(2);
+        (1.0 - q * q).powf(if share >= 1.0 { 1.0 } else { exponent })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A profile and what is left of it make one together, nearly: no profile is exactly what another leaves.
+    #[test]
+    fn what_is_turned_over_lies_around() {
+        for ends in [[0.3, 0.8, 1.4], [1.9, 2.0, PI], [0.8, 1.2, 1.25], [0.0, 1.0, PI]] {
+            let lit = Lit { kind: Kind::Diffuse, direction: DVec3::Z, shape: Shape::new(ends) };
+            let over = lit.turned_over();
+            assert_eq!((over.kind, over.direction), (lit.kind, -lit.direction));
+            for step in 0..=180 {
+                let (sin, cos) = f64::from(step).to_radians().sin_cos();
+                let place = DVec3::new(sin, 0.0, cos);
+                let sum = lit.tone(place) + over.tone(place);
+                assert!((sum - 1.0).abs() < 0.12, "{ends:?} at {step} degrees: {sum}, {:?}", over.shape);
+            }
+        }
+    }
+}
