@@ -1,20 +1,23 @@
 //! The brushes, above the picture.
 
-use eframe::egui::{DragValue, Role, Ui, WidgetInfo};
+use eframe::egui::{self, DragValue, Response, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2};
 
 use super::tools::{Kind, SIZES};
 use super::{Fitting, Wish};
 use crate::document::ColorSpace;
 use crate::editor::command::Command;
 use crate::editor::inspector::color;
+use crate::editor::theme;
+
+/// The width of the button that begins it, in points.
+const SUN: f32 = 28.0;
 
 impl Fitting {
     /// What turns painting on and off.
     pub(crate) fn toggle(&self, ui: &mut Ui, out: &mut Vec<Command>) {
-        let mut is_on = self.is_on;
         let help = "Paint on the picture where it should be lighter or darker, and fit the look to that (L)";
-        if ui.toggle_value(&mut is_on, "Paint light").on_hover_text(help).changed() {
-            out.push(Command::Fit(Wish::Turn(is_on)));
+        if sun(ui, self.is_on).on_hover_text(help).clicked() {
+            out.push(Command::Fit(Wish::Turn(!self.is_on)));
         }
     }
 
@@ -49,11 +52,36 @@ impl Fitting {
         });
     }
 
-    fn swatch(&self, ui: &mut Ui) -> Option<(eframe::egui::Id, [f64; 4])> {
+    fn swatch(&self, ui: &mut Ui) -> Option<(egui::Id, [f64; 4])> {
         let [r, g, b] = self.tools.color;
         let shown = self.tools.kind == Kind::Color;
         shown.then(|| color::named_swatch(ui, "Color to paint", [r, g, b, 1.0], ColorSpace::Display, false)).flatten()
     }
+}
+
+/// A button with a sun, half of it painted: above the picture there is no room for words.
+fn sun(ui: &mut Ui, is_on: bool) -> Response {
+    let (rect, response) = ui.allocate_exact_size(vec2(SUN, ui.spacing().interact_size.y), Sense::click());
+    response.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, is_on, "Paint light"));
+    let colors = theme::of(ui);
+    let fill = match (is_on, response.hovered()) {
+        (true, _) => colors.accent_dim,
+        (false, true) => colors.field_hovered,
+        (false, false) => colors.field,
+    };
+    let painter = ui.painter();
+    painter.rect_filled(rect, 4.0, fill);
+    if is_on || response.has_focus() {
+        painter.rect_stroke(rect, 4.0, Stroke::new(1.0, colors.accent), StrokeKind::Inside);
+    }
+    let (at, stroke) = (rect.center(), Stroke::new(1.4, colors.text));
+    painter.circle_stroke(at, 3.6, stroke);
+    painter.with_clip_rect(rect.split_left_right_at_x(at.x).1).circle_filled(at, 3.6, colors.text);
+    for ray in 0..8_u8 {
+        let way = egui::Vec2::angled(f32::from(ray) * std::f32::consts::FRAC_PI_4);
+        painter.line_segment([at + way * 5.6, at + way * 8.0], stroke);
+    }
+    response
 }
 
 /// A part of a whole, shown in percent.

@@ -44,22 +44,21 @@ pub(super) struct Ground {
 }
 
 impl Ground {
-    /// The colour at a place in pixels, mixed of those around it that wear the look, and how much of what is around
-    /// does, from 0 to 1.
+    /// The colour of the pixel at a place in pixels, and how much of what is around there wears the look, from 0 to 1. It
+    /// is not mixed of pixels: what is to stay as it is would be a wish for another picture.
     pub(super) fn at(&self, x: f64, y: f64) -> ([f64; 3], f64) {
         let [width, height] = self.size.map(|side| side as usize);
+        let pixel = |at: f64, side: usize| (at.max(0.0) as usize).min(side - 1);
+        let color = self.colors[pixel(y, height) * width + pixel(x, width)];
         let (x, y) = (x - 0.5, y - 0.5);
-        let (mut color, mut sum) = ([0.0; 3], 0.0);
+        let mut share = 0.0;
         for (down, weight_y) in [(0.0, 1.0 - (y - y.floor())), (1.0, y - y.floor())] {
             for (across, weight_x) in [(0.0, 1.0 - (x - x.floor())), (1.0, x - x.floor())] {
-                let at = |x: f64, side: usize| (x.max(0.0) as usize).min(side - 1);
-                let pixel = at(y.floor() + down, height) * width + at(x.floor() + across, width);
-                let weight = weight_x * weight_y * f64::from(u8::from(self.wears[pixel]));
-                (0..3).for_each(|channel| color[channel] += weight * self.colors[pixel][channel]);
-                sum += weight;
+                let place = pixel(y.floor() + down, height) * width + pixel(x.floor() + across, width);
+                share += weight_x * weight_y * f64::from(u8::from(self.wears[place]));
             }
         }
-        (color.map(|channel| if sum > 0.0 { channel / sum } else { 0.0 }), sum)
+        (color, share)
     }
 }
 

@@ -195,6 +195,11 @@ impl Fitting {
         self.how.starts = starts.max(1);
     }
 
+    /// Lays up to so many layers from nothing; for programs that drive the window.
+    pub fn set_layers(&mut self, layers: usize) {
+        self.how.layers = layers.clamp(1, panel::MOST_LAYERS);
+    }
+
     /// What may be done at the pointer; empty while nothing is painted on.
     pub(crate) fn hint(&self) -> &str {
         if self.is_on { self.hint } else { "" }
@@ -230,7 +235,9 @@ impl Fitting {
     /// Gives up the nearest thing that is going on: a stroke, a fit, what was fitted, the painting.
     pub(crate) fn leave(&mut self, session: &mut Session) {
         if self.going.take().is_some() {
-        } else if self.running.is_some() {
+            return;
+        }
+        if self.running.is_some() {
             self.stop();
         } else if self.awaits() {
             self.discard(session);

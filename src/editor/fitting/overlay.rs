@@ -160,19 +160,16 @@ fn whole() -> Rect {
     Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0))
 }
 
-/// The strokes as a picture: their colours as much as they cover, hatched where it stays as it is, with a dashed outline
+/// The strokes as a picture: veils over what is shown, hatched where it stays as it is, with a dashed outline
 /// that is seen on anything.
 fn strokes(tile: &Tile, ground: Option<&Ground>, outlines_only: bool) -> ColorImage {
     let [width, height] = tile.size();
     let (texels, _) = tile.bytes().as_chunks::<4>();
     let at = |x: u32, y: u32| texels[(y * width + x) as usize];
     let is_in = |x: u32, y: u32| at(x, y)[3] >= 128;
-    let stays = |x: u32, y: u32| {
+    let shown = |x: u32, y: u32| {
         let place = |x: u32| (f64::from(x) + 0.5) / f64::from(FINENESS);
-        ground.is_some_and(|ground| {
-            let (shown, _) = ground.at(place(x), place(y));
-            at(x, y)[..3].iter().zip(shown).all(|(wish, shown)| (f64::from(*wish) / 255.0 - shown).abs() < SAME)
-        })
+        ground.map(|ground| ground.at(place(x), place(y)).0)
     };
     let mut image = ColorImage::filled([width as usize, height as usize], Color32::TRANSPARENT);
     for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
@@ -193,13 +190,30 @@ fn strokes(tile: &Tile, ground: Option<&Ground>, outlines_only: bool) -> ColorIm
         if is_edge {
             let is_light = (x + y) / DASH % 2 == 0;
             *pixel = if is_light { Color32::from_white_alpha(220) } else { Color32::from_black_alpha(200) };
-        } else if !outlines_only {
-            let is_line = (x + y) % HATCH < 2 && is_in(x, y) && stays(x, y);
-            *pixel =
-                if is_line { Color32::from_white_alpha(110) } else { Color32::from_rgba_unmultiplied(r, g, b, alpha) };
+        } else if !outlines_only && let Some(shown) = shown(x, y) {
+            let wish = [r, g, b].map(|byte| f64::from(byte) / 255.0);
+            let stays = wish.iter().zip(shown).all(|(wish, shown)| (wish - shown).abs() < SAME);
+            *pixel = match (stays, (x + y) % HATCH < 2 && is_in(x, y)) {
+                (true, true) => Color32::from_white_alpha(110),
+                (true, false) => Color32::TRANSPARENT,
+                (false, _) => veil(shown, wish, f64::from(alpha) / 255.0),
+            };
         }
     }
     image
+}
+
+/// The thinnest veil over what is shown through which it looks as wished, so that the picture's own detail is seen through
+/// it; as much of it as there is of the wish.
+fn veil(shown: [f64; 3], wish: [f64; 3], share: f64) -> Color32 {
+    let cover = shown.iter().zip(wish).map(|(shown, wish)| {
+        let room = if wish > *shown { 1.0 - shown } else { *shown };
+        ((wish - shown).abs() / room.max(1e-6)).min(1.0)
+    });
+    let cover = cover.fold(0.0, f64::max).max(1e-6);
+    let byte = |x: f64| x.clamp(0.0, 1.0).mul_add(255.0, 0.5) as u8;
+    let color = |c: usize| byte((wish[c] - shown[c] * (1.0 - cover)) / cover);
+    Color32::from_rgba_unmultiplied(color(0), color(1), color(2), byte(cover * share))
 }
 
 /// What is seen now, in a corner of the picture.

@@ -13,14 +13,17 @@ use crate::editor::theme;
 use crate::fit::Changed;
 
 /// The most layers that are fitted from nothing here.
-const MOST_LAYERS: usize = 5;
+pub(super) const MOST_LAYERS: usize = 5;
 
 impl Fitting {
     /// The panel's content.
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut out = Vec::new();
         if !self.is_on {
-            self.toggle(ui, &mut out);
+            let help = "Paint on the picture where it should be lighter or darker (L)";
+            if ui.button("Paint light on the picture").on_hover_text(help).clicked() {
+                out.push(Command::Fit(Wish::Turn(true)));
+            }
             hint(
                 ui,
                 "Paint on the picture where it should be lighter, darker or of a color (L). The lights, profiles and \
@@ -62,15 +65,15 @@ impl Fitting {
                  picture shows it now"
             );
             ui.label(text).on_hover_text(help);
-            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                let help = "Takes all strokes away; undo brings them back";
-                if ui.add_enabled(!is_empty, Button::new("Clear").small()).on_hover_text(help).clicked() {
-                    out.push(Command::Fit(Wish::Clear));
-                }
-                let help = "Where the picture is not as painted: black where it is, over red and yellow to white";
-                ui.toggle_value(&mut self.shows.misses, "Misses").on_hover_text(help);
-                ui.toggle_value(&mut self.shows.strokes, "Strokes").on_hover_text("Shows what the strokes wish");
-            });
+        });
+        ui.horizontal_wrapped(|ui| {
+            ui.toggle_value(&mut self.shows.strokes, "Strokes").on_hover_text("Shows what the strokes wish");
+            let help = "Where the picture is not as painted: black where it is, over red and yellow to white";
+            ui.toggle_value(&mut self.shows.misses, "Misses").on_hover_text(help);
+            let help = "Takes all strokes away; undo brings them back";
+            if ui.add_enabled(!is_empty, Button::new("Clear")).on_hover_text(help).clicked() {
+                out.push(Command::Fit(Wish::Clear));
+            }
         });
     }
 

@@ -57,7 +57,10 @@ impl Viewport {
                     out.push(Command::Probe(is_on));
                 }
                 fitting.toggle(ui, out);
-                wipe.choice(ui);
+                // Pictures beside it would be in the way of strokes.
+                if !fitting.is_on() {
+                    wipe.choice(ui);
+                }
                 if session.is_compiling() {
                     ui.label(egui::RichText::new("compiling").color(theme::of(ui).dim));
                 }
