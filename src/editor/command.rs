@@ -4,6 +4,7 @@ use eframe::egui;
 use std::path::PathBuf;
 
 use super::dock::Panel;
+use super::fitting;
 use super::orbit::Orbit;
 use super::painting;
 use super::panels::solo::Solo;
@@ -97,6 +98,8 @@ pub(crate) enum Command {
     Stage(stage::Wish),
     /// What is asked for of the HCBTF that is being painted.
     Paint(painting::Wish),
+    /// What is asked for of painting light on the picture.
+    Fit(fitting::Wish),
     /// What the bar of unsaved work and changed files asks for.
     Safety(Wish),
 }

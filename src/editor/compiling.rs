@@ -33,6 +33,8 @@ pub(crate) struct Request {
     pub(crate) only_baked: bool,
     /// Which solo it is shown in.
     pub(crate) solo: u64,
+    /// Which look is shown in place of the open one.
+    pub(crate) preview: u64,
 }
 
 /// What became of a request.

@@ -101,7 +101,7 @@ fn show_shortcuts(ui: &mut Ui, height: f32) {
                 rows.iter().map(|(key, what)| ((*key).to_owned(), *what)).collect()
             };
             list(middle, "With the pointer, on the tile", &told(PAINTING_POINTER));
-            for place in [Place::Window, Place::Picture] {
+            for place in [Place::Window, Place::Picture, Place::Light] {
                 list(right, place.label(), &rows(place).collect::<Vec<_>>());
             }
             list(right, "With the pointer, in the graph", &told(POINTER));

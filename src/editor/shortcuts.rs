@@ -4,6 +4,7 @@
 use eframe::egui;
 use eframe::egui::{Key, Modifiers};
 
+use super::fitting;
 use super::painting::{Kind, Preset};
 use crate::export;
 use crate::hcbtf::exchange::Form;
@@ -17,6 +18,8 @@ pub(crate) enum Place {
     Graph,
     /// Over the picture.
     Picture,
+    /// Over the picture while light is painted on it, beside the others there.
+    Light,
     /// Over the tile that is painted on.
     Painting,
 }
@@ -27,6 +30,7 @@ impl Place {
             Self::Window => "Everywhere",
             Self::Graph => "In the graph",
             Self::Picture => "In the picture",
+            Self::Light => "In the picture, painting light",
             Self::Painting => "On the tile that is painted",
         }
     }
@@ -122,6 +126,12 @@ pub(crate) enum Action {
     FitTile,
     StepView(Way),
     StepLight(Way),
+    PaintLight,
+    FitLook,
+    LightTool(fitting::Kind),
+    LightBrush {
+        is_larger: bool,
+    },
 }
 
 /// A way on the canvas.
@@ -201,6 +211,7 @@ pub(crate) static ALL: &[Shortcut] = &[
     row(A::ExportPicture, "Export the picture as PNG...", &[], Window),
     row(A::Commands, "Find a command or a node", &[(CTRL, Key::P), (CTRL, Key::F)], Window),
     row(A::Shortcuts, "Show all shortcuts", &[(NONE, Key::Questionmark), (SHIFT, Key::Questionmark), (NONE, Key::F1)], Window),
+    row(A::PaintLight, "Paint light on the picture", &[(NONE, Key::L)], Place::Picture),
     row(A::Paint, "Paint a surface (HCBTF)", &[], Window),
     row(A::NewHcbtf(Preset::Small), "New HCBTF, small (16 x 16, 3 x 6 directions)", &[], Window),
     row(A::NewHcbtf(Preset::Thesis), "New HCBTF, as the thesis (32 x 32, 6 x 10 directions)", &[], Window),
@@ -225,6 +236,14 @@ pub(crate) static ALL: &[Shortcut] = &[
     row(A::Projection, "Perspective or parallel", &[(NONE, Key::P)], Place::Picture),
     row(A::Turntable, "Start or stop the turntable", &[(NONE, Key::T)], Place::Picture),
     row(A::Handles, "Show or hide handles on the object", &[(NONE, Key::H)], Place::Picture),
+    row(A::FitLook, "Fit this look to the painted light", &[(CTRL, Key::Enter)], Place::Light),
+    row(A::LightTool(fitting::Kind::Light), "Paint where it should be lighter", &[(NONE, Key::B)], Place::Light),
+    row(A::LightTool(fitting::Kind::Dark), "Paint where it should be darker", &[(NONE, Key::D)], Place::Light),
+    row(A::LightTool(fitting::Kind::Color), "Paint a color that it should have", &[(NONE, Key::C)], Place::Light),
+    row(A::LightTool(fitting::Kind::Keep), "Paint what should stay", &[(NONE, Key::K)], Place::Light),
+    row(A::LightTool(fitting::Kind::Erase), "Erase painted light", &[(NONE, Key::E)], Place::Light),
+    row(A::LightBrush { is_larger: false }, "Smaller brush of light", &[(NONE, Key::OpenBracket)], Place::Light),
+    row(A::LightBrush { is_larger: true }, "Larger brush of light", &[(NONE, Key::CloseBracket)], Place::Light),
     row(A::Tool(Kind::Paint), "Brush", &[(NONE, Key::B)], Painting),
     row(A::Tool(Kind::Erase), "Eraser", &[(NONE, Key::E)], Painting),
     row(A::Tool(Kind::Smudge), "Smudge", &[(NONE, Key::S)], Painting),
@@ -405,7 +424,9 @@ mod tests {
     fn no_key_does_two_things_in_one_place() {
         for (index, row) in ALL.iter().enumerate() {
             for other in &ALL[index + 1..] {
+                let are_over_picture = |place| matches!(place, Place::Picture | Place::Light);
                 let meet = row.place == other.place || row.place == Window || other.place == Window;
+                let meet = meet || are_over_picture(row.place) && are_over_picture(other.place);
                 let same = row.keys.iter().any(|key| other.keys.contains(key));
                 assert!(!(meet && same), "{:?} and {:?}", row.action, other.action);
                 assert_ne!(row.action, other.action);

@@ -95,6 +95,7 @@ pub(crate) struct Stamp {
     orbit: Orbit,
     time: f64,
     solo: Solo,
+    preview: u64,
     /// Of what there is of a scene.
     stage: Option<u64>,
     painting: Option<u64>,
@@ -139,6 +140,7 @@ impl Session {
             orbit: self.view.clone(),
             time: self.time,
             solo: self.solo().clone(),
+            preview: self.preview_number(),
             stage: self.stage_version(),
             painting: self.painting().map(Work::version),
         }

@@ -6,7 +6,9 @@
 //! is not near enough, the lowest layer is turned over, and layers are taken out and searched for again.
 
 use glam::DVec3;
-use rayon::iter::{IntoParallelIterator as _, IntoParallelRefIterator as _, ParallelIterator as _};
+use rayon::iter::{
+    IntoParallelIterator as _, IntoParallelRefIterator as _, IntoParallelRefMutIterator as _, ParallelIterator as _,
+};
 
 use super::build::layered;
 use super::choose::{Surface, evenly, pixels_of, telling, thinned, wearing, wishes_of};
@@ -117,7 +119,8 @@ impl Grower<'_> {
             for stack in &beam {
                 found.extend(self.with_one_more(&search, &search.taken_over(stack), &missing)?);
             }
-            let found = best_of(found, BEAM);
+            let mut found = best_of(found, BEAM);
+            self.evened(&whole, &mut found)?;
             let Some(first) = found.first() else { break };
             best.clone_from(&first.point);
             beam = found.iter().map(|stack| stack.point.clone()).collect();
@@ -129,6 +132,27 @@ impl Grower<'_> {
         let best = self.again(&whole, best)?;
         self.progress.add(1);
         Ok(best)
+    }
+
+    /// Where not all that is wished can be had, what is farthest off must not have its way alone: stacks go on downhill at
+    /// pixels that stand for all. The nearest by all pixels comes first.
+    fn evened(&self, whole: &Search, stacks: &mut [Stack]) -> Result<(), Diagnostic> {
+        let even = Search::new(self.surface, self.wishes, &evenly(self.wishes.len(), PIXELS));
+        let step = |stack: &mut Stack| -> Result<(), Diagnostic> {
+            stack.error = whole.error(&whole.taken_over(&stack.point));
+            if stack.error > whole.error_of(self.enough) {
+                let until = Until { steps: 20, error: even.error_of(0.5 * self.enough) };
+                let point = descend(&even, even.taken_over(&stack.point), until, self.progress)?.point;
+                let error = whole.error(&whole.taken_over(&point));
+                if error < stack.error {
+                    *stack = Found { point, error };
+                }
+            }
+            Ok(())
+        };
+        stacks.par_iter_mut().try_for_each(step)?;
+        stacks.sort_by(|a, b| a.error.total_cmp(&b.error));
+        Ok(())
     }
 
     /// Turns the lowest layer over, and takes each out and searches for it again, while that brings the whole nearer.

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use glam::{DQuat, DVec3};
 use indexmap::IndexMap;
 
-use super::choose::telling;
+use super::choose::{evenly, telling};
 use super::knobs::Knob;
 use super::solve::Problem;
 use super::state::Setting;
@@ -128,18 +128,25 @@ impl Model {
     /// Places in [`pixels`](Self::pixels) that tell most about what is `missing` at each, of up to `most` quads: a quad is
     /// shaded whole, whoever of it is looked at.
     pub(super) fn telling(&self, missing: &[f64], most: usize) -> Vec<usize> {
-        let mut quads: BTreeMap<usize, (f64, Vec<usize>)> = BTreeMap::new();
+        let quads = self.quads();
+        let of_quad = |quad: &Vec<usize>| quad.iter().map(|&place| missing.get(place).copied().unwrap_or(0.0)).sum();
+        let missing: Vec<f64> = quads.iter().map(of_quad).collect();
+        of_quads(&quads, telling(&missing, most))
+    }
+
+    /// Places in [`pixels`](Self::pixels) of up to `most` quads, evenly spread: they stand for all pixels.
+    pub(super) fn even(&self, most: usize) -> Vec<usize> {
+        let quads = self.quads();
+        of_quads(&quads, evenly(quads.len(), most))
+    }
+
+    /// Places in [`pixels`](Self::pixels) by quads.
+    fn quads(&self) -> Vec<Vec<usize>> {
+        let mut quads: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         for (place, &index) in self.places.iter().enumerate() {
-            let quad = quads.entry(self.gathered.seen[index].quad()).or_default();
-            quad.0 += missing.get(place).copied().unwrap_or(0.0);
-            quad.1.push(place);
+            quads.entry(self.gathered.seen[index].quad()).or_default().push(place);
         }
-        let quads: Vec<(f64, Vec<usize>)> = quads.into_values().collect();
-        let missing: Vec<f64> = quads.iter().map(|(missing, _)| *missing).collect();
-        let mut places: Vec<usize> =
-            telling(&missing, most).into_iter().flat_map(|quad| quads[quad].1.clone()).collect();
-        places.sort_unstable();
-        places
+        quads.into_values().collect()
     }
 
     /// Unit, from what is seen in the middle of a pixel toward the viewer, world space.
@@ -219,6 +226,13 @@ impl Model {
         };
         Ok(part.shader.host.uniform(&inputs)?.numbers)
     }
+}
+
+/// The places of some quads, in order.
+fn of_quads(quads: &[Vec<usize>], chosen: Vec<usize>) -> Vec<usize> {
+    let mut places: Vec<usize> = chosen.into_iter().flat_map(|quad| quads[quad].clone()).collect();
+    places.sort_unstable();
+    places
 }
 
 fn plan_numbers(draw: &crate::frame::Draw) -> Vec<f64> {

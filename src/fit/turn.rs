@@ -16,12 +16,14 @@ use crate::library::Library;
 
 /// Quads of pixels that are looked at.
 const QUADS: usize = 96;
+/// Quads that stand for all, where not all that is wished can be had.
+const EVEN_QUADS: usize = 192;
 /// Steps of a beginning.
 const FIRST_STEPS: usize = 10;
 /// Beginnings that go on.
 const GOING_ON: usize = 2;
 /// How often a look that is near is turned at other pixels.
-const ROUNDS: usize = 4;
+const ROUNDS: usize = 5;
 /// Radians that a soft edge is wide.
 const SOFT: f64 = 0.6;
 
@@ -45,7 +47,7 @@ pub fn fit_look(
     let (model, begin) = model(&shot, &given, options)?;
     let wishes = wishes_of(&model.pixels, &given)?;
     let before = compared(&model, &wishes, &begin).map_err(one)?;
-    let missing = missing(&before);
+    let missing = missing_of(&before);
     let painted = Painted::new(&model, &wishes, &model.telling(&missing, QUADS));
     let enough = error_of(&painted.wishes, options.enough);
     let mut found: Vec<Found<Vec<Setting>>> = Vec::new();
@@ -59,19 +61,33 @@ pub fn fit_look(
         }
     }
     found.truncate(GOING_ON);
-    let mut best: Option<Found<Vec<Setting>>> = None;
+    let mut best = Nearest::new(&model, &wishes, begin.clone()).map_err(one)?;
     for start in found {
         let far = descend(&painted, start.point, Until { steps: 40, error: 0.25 * enough }, progress).map_err(one)?;
         progress.add(1);
-        if best.as_ref().is_none_or(|best| far.error < best.error) {
-            best = Some(far);
+        best.offer(&model, &wishes, far.point).map_err(one)?;
+    }
+    if best.error > error_of(&wishes, options.enough) {
+        // Not all of it can be had, and what is farthest off must not have its way alone.
+        let even = Painted::new(&model, &wishes, &model.even(EVEN_QUADS));
+        let until = Until { steps: 20, error: error_of(&even.wishes, 0.5 * options.enough) };
+        for start in [best.state.clone(), begin] {
+            let next = descend(&even, start, until, progress).map_err(one)?;
+            best.offer(&model, &wishes, next.point).map_err(one)?;
         }
     }
-    let state = best.map_or(begin, |best| best.point);
+    let state = best.state;
     let (turned, first) = applied(&model, &state, &setup.looks[look].look).map_err(one)?;
     let worn = wearing(&shot, turned);
     let Polished { look: fitted, edits, after } = polished(&Shot { setup: &worn, ..shot }, &given, options, progress)?;
     progress.add(1);
+    if squares(&missing_of(&after)) >= squares(&missing_of(&before)) {
+        // What is written in numbers that people read is no nearer: it stays.
+        let report = Report::new(&shot, &setup.looks[look].look, target, &before, &before)?;
+        let misses = before.into_iter().map(|(missed, _)| missed).collect();
+        let edit = Edit::Group { edits: Vec::new() };
+        return Ok(Fitted { edit, look: setup.looks[look].look.clone(), report, misses });
+    }
     let report = Report::new(&shot, &fitted, target, &before, &after)?;
     let edit = Edit::Group { edits: first.into_iter().chain(edits).collect() };
     let misses = after.into_iter().map(|(missed, _)| missed).collect();
@@ -100,25 +116,63 @@ pub(super) fn polished(
     let one = |problem| vec![problem];
     let (model, begin) = model(shot, given, options)?;
     let wishes = wishes_of(&model.pixels, given)?;
-    let (mut best, mut state) = (f64::INFINITY, begin);
+    let mut best = Nearest::new(&model, &wishes, begin).map_err(one)?;
+    let mut is_even = false;
     for _ in 0..ROUNDS {
-        let missing = missing(&compared(&model, &wishes, &state).map_err(one)?);
-        let error: f64 = missing.iter().map(|miss| miss * miss).sum();
-        // What is painted in eight bits is off by a third of a step; and what no round has mended no other will.
-        if error <= error_of(&wishes, 0.4 / 255.0) || error > 0.95 * best {
+        // What is painted in eight bits is off by a third of a step.
+        if best.error <= error_of(&wishes, 0.4 / 255.0) {
             break;
         }
-        best = error;
-        let painted = Painted::new(&model, &wishes, &model.telling(&missing, QUADS));
+        let chosen = if is_even { model.even(EVEN_QUADS) } else { model.telling(&best.missing, QUADS) };
+        let painted = Painted::new(&model, &wishes, &chosen);
         let until = Until { steps: 25, error: error_of(&painted.wishes, 0.1 / 255.0) };
-        state = descend(&painted, state, until, progress).map_err(one)?.point;
+        let before = best.error;
+        let next = descend(&painted, best.state.clone(), until, progress).map_err(one)?.point;
+        best.offer(&model, &wishes, next).map_err(one)?;
+        if best.error > 0.95 * before {
+            // What is farthest off cannot be mended: then all of it counts alike, and after that no more is to be had.
+            if is_even {
+                break;
+            }
+            is_even = true;
+        }
     }
+    let state = best.state;
     let (look, edits) = applied(&model, &state, &shot.setup.looks[shot.look].look).map_err(one)?;
     // As it is written, in numbers that people can read.
     let written = knobs_of(&wearing(shot, look.clone()), shot.look, shot.library, &options.keep)?;
     let written: Vec<Setting> = written.into_iter().map(|(_, setting)| setting).collect();
     let after = compared(&model, &wishes, &written).map_err(one)?;
     Ok(Polished { look, edits, after })
+}
+
+/// What is nearest so far at all painted pixels, however few a descent looks at.
+struct Nearest {
+    state: Vec<Setting>,
+    /// The sum of squared residuals.
+    error: f64,
+    /// How far off each pixel is, as much as it counts.
+    missing: Vec<f64>,
+}
+
+impl Nearest {
+    fn new(model: &Model, wishes: &[Wish], state: Vec<Setting>) -> Result<Self, Diagnostic> {
+        let missing = missing_of(&compared(model, wishes, &state)?);
+        Ok(Self { state, error: squares(&missing), missing })
+    }
+
+    /// Takes another one if it is nearer.
+    fn offer(&mut self, model: &Model, wishes: &[Wish], state: Vec<Setting>) -> Result<(), Diagnostic> {
+        let other = Self::new(model, wishes, state)?;
+        if other.error < self.error {
+            *self = other;
+        }
+        Ok(())
+    }
+}
+
+fn squares(missing: &[f64]) -> f64 {
+    missing.iter().map(|miss| miss * miss).sum()
 }
 
 /// The look at the painted pixels, with where everything stands.
@@ -147,7 +201,7 @@ fn error_of(wishes: &[Wish], enough: f64) -> f64 {
 }
 
 /// How far off each pixel is, as much as it counts.
-fn missing(compared: &Compared) -> Vec<f64> {
+fn missing_of(compared: &Compared) -> Vec<f64> {
     compared.iter().map(|(missed, weight)| (3.0 * weight).sqrt() * missed.error).collect()
 }
 

@@ -13,6 +13,7 @@ use crate::editor::canvas::edits;
 use crate::editor::command::Command;
 use crate::editor::dialogs::Purpose;
 use crate::editor::dock;
+use crate::editor::fitting;
 use crate::editor::look_export::stem_of;
 use crate::editor::painting;
 use crate::editor::session::Session;
@@ -73,6 +74,7 @@ impl App {
             Command::Probe(on) => {
                 self.probe.turn(on);
                 if on {
+                    self.turn_fitting(false);
                     self.dock.open(dock::Panel::Probe);
                 }
             }
@@ -109,6 +111,7 @@ impl App {
             Command::TurnTo(view) => self.session.view = *view,
             Command::Stage(wish) => self.apply_to_stage(ui, wish),
             Command::Paint(wish) => self.apply_to_painting(ui, wish),
+            Command::Fit(wish) => self.apply_to_fitting(wish),
             Command::Safety(wish) => {
                 let painting = self.painting_number();
                 self.message = self.safety.apply(wish, &mut self.session);
@@ -138,6 +141,9 @@ impl App {
             Action::Undo => Command::Undo,
             Action::Redo => Command::Redo,
             Action::Probe => Command::Probe(!self.probe.is_on()),
+            Action::PaintLight => Command::Fit(fitting::Wish::Turn(!self.fitting.is_on())),
+            Action::FitLook => Command::Fit(fitting::Wish::Fit(fitting::What::ThisLook)),
+            Action::LightTool(_) | Action::LightBrush { .. } => return self.fitting.act(action),
             Action::OpenPath => Command::OpenPath,
             Action::Start => Command::ShowStart(true),
             Action::Tour => Command::StartTour,

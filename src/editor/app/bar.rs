@@ -44,11 +44,18 @@ impl App {
                     BakeLook, CloseHcbtf, ExportHcbtf, GridOfHcbtf, ImportHcbtf, NewHcbtf, NewHcbtfOf, SaveHcbtf,
                     SaveHcbtfAs, TileOfHcbtf,
                 };
+                let is_light = action == Action::PaintLight;
                 let is_new = matches!(action, NewHcbtf(_) | NewHcbtfOf | ImportHcbtf | TileOfHcbtf | BakeLook);
                 let is_of_open = matches!(action, GridOfHcbtf | SaveHcbtf | SaveHcbtfAs | CloseHcbtf | ExportHcbtf(_));
-                is_new || is_of_open
+                is_light || is_new || is_of_open
             });
-            menu(ui, "Paint", "Surfaces that change with the light and the eye, painted by hand", &news, commands);
+            menu(
+                ui,
+                "Paint",
+                "Light on the picture; surfaces that change with the light and the eye, painted by hand",
+                &news,
+                commands,
+            );
             let exports = of_kind(|action| matches!(action, Action::Export(_) | Action::ExportPicture));
             menu(ui, "Export", "The look as shaders for other programs, or the picture, as files", &exports, commands);
             let shaders = of_kind(|action| matches!(action, Action::CopyShader(..)));

@@ -3,6 +3,7 @@
 mod apply;
 mod bar;
 mod files;
+mod fitting;
 mod painting;
 mod stage;
 mod welcome;
@@ -23,6 +24,7 @@ use super::curves::timeline::Timeline;
 use super::dialogs::{Dialogs, IMAGES, MESHES, Purpose, Way};
 use super::dock::Dock;
 use super::dock::effects::Effects;
+use super::fitting::{Fitting, Wish as FitWish};
 use super::look_export::{self, LookExports};
 use super::painting::Painting;
 use super::panels::{Panels, library, solo};
@@ -62,6 +64,7 @@ pub struct App {
     effects: Effects,
     probe: Probe,
     wipe: Wipe,
+    fitting: Fitting,
     cost: Cost,
     profile: Profile,
     keys: Keys,
@@ -114,6 +117,7 @@ impl App {
             effects: Effects::default(),
             probe: Probe::new(waker()),
             wipe,
+            fitting: Fitting::new(waker()),
             cost,
             profile: Profile::default(),
             keys: Keys::default(),
@@ -267,6 +271,16 @@ impl App {
         &self.wipe
     }
 
+    /// Painted light.
+    pub fn fitting(&self) -> &Fitting {
+        &self.fitting
+    }
+
+    /// Painted light, for programs that drive the window.
+    pub fn fitting_mut(&mut self) -> &mut Fitting {
+        &mut self.fitting
+    }
+
     /// What was measured.
     pub fn cost(&self) -> &Cost {
         &self.cost
@@ -290,6 +304,7 @@ impl App {
             || self.canvas.is_busy()
             || self.probe.is_busy()
             || self.wipe.is_busy()
+            || self.fitting.is_busy()
             || self.cost.is_busy()
             || self.panels.is_busy()
             || self.painting.is_busy()
@@ -303,6 +318,7 @@ impl App {
         self.probe.wait();
         self.viewport.wait();
         self.wipe.wait();
+        self.fitting.wait();
         self.cost.wait();
         self.panels.wait();
         self.painting.wait();
@@ -370,6 +386,7 @@ impl App {
         }
         self.session.refresh_keys();
         self.painting.tick(&mut self.session);
+        self.fitting.tick(ui, &mut self.session);
         let (told, again) = self.safety.tick(ui, &mut self.session);
         self.message = told.or(self.message.take());
         if let Some(again) = again {
@@ -433,8 +450,8 @@ impl App {
         spots::note(ui, spots::Spot::Panel(panel), ui.max_rect());
         commands.extend(match panel {
             dock::Panel::Picture => {
-                let Self { viewport, session, picture, probe, wipe, .. } = self;
-                viewport.show(ui, session, picture.as_mut(), probe, wipe)
+                let Self { viewport, session, picture, probe, wipe, fitting, .. } = self;
+                viewport.show(ui, session, picture.as_mut(), probe, wipe, fitting)
             }
             dock::Panel::Graph => {
                 let rect = ui.max_rect();
@@ -455,6 +472,7 @@ impl App {
                 self.cost.show(ui, &self.session, size)
             }
             dock::Panel::Probe => self.probe.show(ui, &self.session),
+            dock::Panel::Fit => self.fitting.show(ui, &self.session),
             dock::Panel::Profile => self.profile.show(ui, &self.session),
             dock::Panel::Keys => self.keys.show(ui, &self.session),
             dock::Panel::Timeline => self.timeline.show(ui, &self.session),
@@ -504,7 +522,8 @@ impl App {
         // A field that is being typed in has an undo of its own, and question marks.
         let is_text = |action| matches!(action, Action::Undo | Action::Redo | Action::Shortcuts);
         // The other keys of the picture work over it alone, where it takes them itself.
-        let is_here = |row: &&Shortcut| row.place == Place::Window || row.action == Action::Probe;
+        let is_here =
+            |row: &&Shortcut| row.place == Place::Window || matches!(row.action, Action::Probe | Action::PaintLight);
         for row in shortcuts::ALL.iter().filter(is_here) {
             if row.place == Place::Picture && (is_typing || self.start.is_some() || self.painting.has_pointer())
                 || is_typing && is_text(row.action)
@@ -524,6 +543,10 @@ impl App {
         let is_open = egui::Popup::is_any_open(ui.ctx());
         if self.probe.is_on() && !is_typing && !is_open && shortcuts::take(ui, escape) {
             commands.push(Command::LeaveProbe);
+        }
+        let paints = self.fitting.is_on() && self.start.is_none();
+        if paints && is_free && !is_typing && !is_open && shortcuts::take(ui, escape) {
+            commands.push(Command::Fit(FitWish::Leave));
         }
     }
 }

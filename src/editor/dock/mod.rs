@@ -49,11 +49,12 @@ pub(crate) enum Panel {
     Problems,
     History,
     Library,
+    Fit,
 }
 
 impl Panel {
     /// All, in the order of menus.
-    pub(crate) const ALL: [Self; 21] = [
+    pub(crate) const ALL: [Self; 22] = [
         Self::Picture,
         Self::Graph,
         Self::Paint,
@@ -75,6 +76,7 @@ impl Panel {
         Self::Effects,
         Self::Cost,
         Self::Probe,
+        Self::Fit,
     ];
 
     /// What its tab says.
@@ -101,6 +103,7 @@ impl Panel {
             Self::Problems => "Problems",
             Self::History => "History",
             Self::Library => "Library",
+            Self::Fit => "Paint light",
         }
     }
 
@@ -132,6 +135,7 @@ impl Panel {
             Self::Problems => "What is wrong, where, and what mends it",
             Self::History => "Everything that was done; a click goes there and back",
             Self::Library => "Nodes to drag onto the canvas, and finished looks to begin with",
+            Self::Fit => "Paint on the picture where it should be lighter or darker: the look is fitted to that (L)",
         }
     }
 
@@ -144,7 +148,7 @@ impl Panel {
             Self::Rules => &[Self::Inspector],
             Self::Samples => &[Self::Profile, Self::Keys, Self::Code, Self::Effects, Self::Problems],
             Self::Profile | Self::Keys | Self::Timeline => &[Self::Profile, Self::Keys, Self::Code, Self::Effects],
-            Self::Code | Self::Problems | Self::Effects | Self::Cost | Self::Probe => {
+            Self::Code | Self::Problems | Self::Effects | Self::Cost | Self::Probe | Self::Fit => {
                 &[Self::Code, Self::Problems, Self::Effects, Self::Cost, Self::Probe, Self::Profile, Self::Keys]
             }
             Self::Directions | Self::Layers | Self::Lights | Self::Objects | Self::Library | Self::History => {

@@ -7,6 +7,7 @@ mod place;
 mod project;
 mod shading;
 mod sharing;
+mod sketch;
 mod stage;
 pub(super) mod times;
 
@@ -19,6 +20,7 @@ use indexmap::IndexSet;
 
 use super::catalog::Catalog;
 use super::compiling::{self, Compiler};
+use super::fitting::Sketch;
 use super::orbit::Orbit;
 use super::painting::Work;
 use super::panels::solo::Solo;
@@ -42,7 +44,12 @@ pub struct Session {
     stage: Option<Stage>,
     /// The HCBTF that is being painted, where there is one.
     painting: Option<Work>,
-    /// Grows with every step that is done, in the look, in the scene or in the painting.
+    /// What is painted on the picture.
+    sketch: Sketch,
+    /// A look that is shown in place of the open one, and how often that changed.
+    preview: Option<Arc<Look>>,
+    preview_number: u64,
+    /// Grows with every step that is done, in the look, in the scene, in the painting or on the picture.
     now: u64,
     source: Arc<SourceMap>,
     /// As it was opened: what says the same again after a save is written as it was.
@@ -101,6 +108,9 @@ impl Session {
             kept: Kept::new(History::new(Look::default())),
             stage: None,
             painting: None,
+            sketch: Sketch::default(),
+            preview: None,
+            preview_number: 0,
             now: 0,
             opened: source.clone(),
             source,
@@ -230,6 +240,8 @@ impl Session {
 
     fn replace(&mut self, look: Look, source: SourceMap, path: Option<PathBuf>) {
         self.document_number += 1;
+        self.set_preview(None);
+        self.leave_sketch();
         self.remember_times();
         self.kept.history = History::new(look);
         self.source = Arc::new(source);
@@ -361,9 +373,12 @@ impl Session {
         !self.solo.is_dark(&light.into())
     }
 
-    /// The look as it is shown: what is soloed alone, and without what is muted.
+    /// The look as it is shown: what is soloed alone, and without what is muted; or the preview of another.
     pub(crate) fn shown_look(&self) -> Cow<'_, Look> {
-        self.solo.of(self.look(), &self.catalog)
+        match &self.preview {
+            Some(preview) => Cow::Borrowed(preview),
+            None => self.solo.of(self.look(), &self.catalog),
+        }
     }
 
     /// What a node of the look's own graph is called.
@@ -421,6 +436,7 @@ impl Session {
     }
 
     fn changed(&mut self, is_structural: bool) {
+        self.set_preview(None);
         if is_structural {
             self.shaders.structure = self.kept.history.revision();
             self.catalog.sync(self.kept.history.document(), &self.library);

@@ -119,7 +119,10 @@ impl Session {
             self.shaders.requested_touched = self.shaders.touched.len();
         }
         let request = Request {
-            look: Arc::new(self.solo.alone(self.look(), &self.catalog).into_owned()),
+            look: match &self.preview {
+                Some(preview) => preview.clone(),
+                None => Arc::new(self.solo.alone(self.look(), &self.catalog).into_owned()),
+            },
             document: self.document_number,
             revision: self.kept.history.revision(),
             structure: self.shaders.structure,
@@ -131,6 +134,7 @@ impl Session {
             library: self.library.clone(),
             only_baked,
             solo: self.solo_number,
+            preview: self.preview_number,
         };
         // What waited for both must not be lost to a wish for less.
         self.compiler.request(|waiting| Request {
@@ -142,7 +146,7 @@ impl Session {
     fn take(&mut self, Answer { request, result }: Answer) {
         let is_current = request.document == self.document_number && request.structure == self.shaders.structure;
         let is_current = is_current && request.wire.as_ref().map(|(wire, _)| wire) == self.wire.as_ref();
-        let is_current = is_current && request.solo == self.solo_number;
+        let is_current = is_current && request.solo == self.solo_number && request.preview == self.preview_number;
         if !is_current {
             // A newer one is on its way, and what this one is about is gone.
             return;

@@ -17,6 +17,7 @@ enum Of {
     Look,
     Scene,
     Painting,
+    Sketch,
 }
 
 impl Session {
@@ -270,7 +271,7 @@ impl Session {
     }
 }
 
-/// One order of undo for the look, the scene and the painting.
+/// One order of undo for the look, the scene, the painting and what is painted on the picture.
 impl Session {
     /// Notes that a step of the look was done.
     pub(super) fn step_done(&mut self) {
@@ -304,8 +305,11 @@ impl Session {
         let of_look = self.kept.history.undo_label().and(self.kept.times.last());
         let of_scene = self.stage.as_ref().and_then(|stage| stage.kept.times.last());
         let of_painting = self.painting.as_ref().and_then(|work| work.kept.times.last());
+        let of_sketch = self.sketch.is_open.then(|| self.sketch.times.last()).flatten();
         // Of what journals brought back, the look's comes first.
-        if of_painting.is_some() && of_painting > of_look.max(of_scene) {
+        if of_sketch.is_some() && of_sketch > of_look.max(of_scene).max(of_painting) {
+            Of::Sketch
+        } else if of_painting.is_some() && of_painting > of_look.max(of_scene) {
             Of::Painting
         } else if of_scene.is_some() && of_scene > of_look {
             Of::Scene
@@ -319,7 +323,9 @@ impl Session {
         let of_scene = self.stage.as_ref().and_then(|stage| stage.kept.times.next());
         let of_look = self.kept.history.redo_label().and(self.kept.times.next());
         let of_painting = self.painting.as_ref().and_then(|work| work.kept.times.next());
-        let all = [(of_look, Of::Look), (of_scene, Of::Scene), (of_painting, Of::Painting)];
+        let of_sketch = self.sketch.is_open.then(|| self.sketch.times.next()).flatten();
+        let of_sketch = (of_sketch, Of::Sketch);
+        let all = [(of_look, Of::Look), (of_scene, Of::Scene), (of_painting, Of::Painting), of_sketch];
         let there = all.into_iter().filter_map(|(time, of)| Some((time?, of)));
         there.min_by_key(|(time, _)| *time).map_or(Of::Look, |(_, of)| of)
     }
@@ -329,6 +335,7 @@ impl Session {
         match (self.last(), &self.stage, &self.painting) {
             (Of::Scene, Some(stage), _) => stage.history().undo_label(),
             (Of::Painting, _, Some(work)) => work.history().undo_label(),
+            (Of::Sketch, ..) => self.sketch.undo_label(),
             _ => self.kept.history.undo_label(),
         }
     }
@@ -338,6 +345,7 @@ impl Session {
         match (self.next(), &self.stage, &self.painting) {
             (Of::Scene, Some(stage), _) => stage.history().redo_label(),
             (Of::Painting, _, Some(work)) => work.history().redo_label(),
+            (Of::Sketch, ..) => self.sketch.redo_label(),
             _ => self.kept.history.redo_label(),
         }
     }
@@ -356,6 +364,7 @@ impl Session {
                 self.painting_changed();
                 did
             }
+            (Of::Sketch, ..) => self.sketch.undo(),
             _ => self.undo_look(),
         }
     }
@@ -376,6 +385,10 @@ impl Session {
                 self.painting_changed();
                 did
             }
+            (Of::Sketch, ..) => {
+                self.now += 1;
+                self.sketch.redo(self.now)
+            }
             _ => self.redo_look(),
         }
     }
@@ -391,6 +404,9 @@ impl Session {
         if let Some(work) = &self.painting {
             steps.splice(0..0, work.kept.times.all().zip(work.history().labels()));
         }
+        if self.sketch.is_open {
+            steps.extend(self.sketch.times.all().zip(self.sketch.labels().map(|label| -> &str { label })));
+        }
         steps.sort_by_key(|(time, _)| *time);
         steps.into_iter().map(|(_, label)| label)
     }
@@ -398,7 +414,9 @@ impl Session {
     /// How many of the steps are done.
     pub fn place(&self) -> usize {
         let of_scene = self.stage.as_ref().map_or(0, |stage| stage.history().place());
-        self.kept.history.place() + of_scene + self.painting.as_ref().map_or(0, |work| work.history().place())
+        let of_painting = self.painting.as_ref().map_or(0, |work| work.history().place());
+        let of_sketch = if self.sketch.is_open { self.sketch.place() } else { 0 };
+        self.kept.history.place() + of_scene + of_painting + of_sketch
     }
 
     /// Takes steps back or repeats them until so many are done.

@@ -7,6 +7,7 @@ use std::path::Path;
 
 use super::super::command::Command;
 use super::super::dock::Panel;
+use super::super::fitting::Fitting;
 use super::super::inspector::color;
 use super::super::panels::solo;
 use super::super::probe::{Probe, wire_name};
@@ -29,6 +30,7 @@ impl Viewport {
         session: &mut Session,
         probe: &Probe,
         wipe: &mut Wipe,
+        fitting: &Fitting,
         out: &mut Vec<Command>,
     ) {
         ui.horizontal(|ui| {
@@ -54,7 +56,11 @@ impl Viewport {
                 if ui.toggle_value(&mut is_on, "Probe pixel").on_hover_text(help).changed() {
                     out.push(Command::Probe(is_on));
                 }
-                wipe.choice(ui);
+                fitting.toggle(ui, out);
+                // Pictures beside it would be in the way of strokes.
+                if !fitting.is_on() {
+                    wipe.choice(ui);
+                }
                 if session.is_compiling() {
                     ui.label(egui::RichText::new("compiling").color(theme::of(ui).dim));
                 }

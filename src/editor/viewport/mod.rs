@@ -22,6 +22,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::command::Command;
+use super::fitting::Fitting;
 use super::orbit::Orbit;
 use super::picture::Picture;
 use super::probe::{Probe, picture_size};
@@ -122,10 +123,12 @@ impl Viewport {
         picture: Option<&mut Picture>,
         probe: &mut Probe,
         wipe: &mut Wipe,
+        fitting: &mut Fitting,
     ) -> Vec<Command> {
         let mut out = Vec::new();
-        self.bar(ui, session, probe, wipe, &mut out);
+        self.bar(ui, session, probe, wipe, fitting, &mut out);
         wipe.bar(ui, session);
+        fitting.bar(ui);
         self.take_exports(ui, &mut out);
         let (room, _) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
         let (rect, beside) = self.reference.as_ref().map_or((room, None), |reference| reference.split(room));
@@ -134,20 +137,23 @@ impl Viewport {
         self.rect = Some(rect);
         spots::note(ui, Spot::Picture, rect);
         let pointer = response.contains_pointer().then(|| ui.input(|input| input.pointer.hover_pos())).flatten();
-        let handles = self.handles(rect, session, probe);
+        let is_free = !probe.is_on() && !fitting.is_on();
+        let handles = self.handles(rect, session, is_free);
         let seen = objects::seen(session, handles.surface.as_deref(), rect, pointer.filter(|_| self.drag.is_none()));
         self.hovered = seen.as_ref().map(|seen| seen.object().clone());
-        if response.clicked() && !probe.is_on() {
+        if response.clicked() && is_free {
             out.extend(objects::pick(session, handles.surface.as_deref(), seen.as_ref()));
         }
-        self.drags(ui, &response, rect, session, &handles, &mut out);
-        self.wheel_and_keys(ui, pointer, session);
+        self.drags(ui, &response, rect, session, &handles, fitting.is_on(), &mut out);
+        self.wheel_and_keys(ui, pointer, session, fitting, &mut out);
         self.turn(ui, session);
         match picture {
             Some(picture) => show_picture(ui, rect, session, picture, self.turns, self.exposure),
             None => {
-                ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
-                stand_in(ui, rect, session);
+                if !fitting.stand_in(ui, rect) {
+                    ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
+                    stand_in(ui, rect, session);
+                }
             }
         }
         match (&self.reference, beside) {
@@ -157,24 +163,29 @@ impl Viewport {
         }
         wipe.update(ui, session, picture_size(rect, ui.pixels_per_point()));
         wipe.over(ui, rect);
+        fitting.over(ui, &response, rect, session, &mut out);
         probe.update(ui, session, rect, pointer.filter(|_| self.drag.is_none()), response.clicked());
-        let is_free = self.drag.is_none() && self.handles && !probe.is_on() && response.hovered();
+        let is_free = self.drag.is_none() && self.handles && is_free && response.hovered();
         let hovered = pointer.filter(|_| is_free);
         let hovered = hovered.and_then(|at| self.grip(ui, rect, at, session, &handles));
         self.hint = if probe.is_on() {
             probe_hint(probe).to_owned()
+        } else if fitting.is_on() && self.drag.is_none() {
+            fitting.hint().to_owned()
         } else {
             let hint = self.hint_at(pointer, rect, session, &handles, hovered.as_ref());
             seen.as_ref().filter(|_| hovered.is_none()).map_or(String::new(), objects::Seen::hint) + &hint
         };
-        objects::paint(ui, rect, session, handles.surface.as_deref(), seen.as_ref());
+        if !fitting.is_on() {
+            objects::paint(ui, rect, session, handles.surface.as_deref(), seen.as_ref());
+        }
         let surface = handles.surface.as_deref().filter(|_| self.has_arrows);
         self.arrows = surface.map(|surface| arrows::of(session, surface, rect, pointer)).unwrap_or_default();
         arrows::paint(ui, rect, &self.arrows);
         if probe.is_on() {
             response.on_hover_cursor(CursorIcon::Crosshair);
             probe.mark(ui, rect);
-        } else if self.handles {
+        } else if self.handles && !fitting.is_on() {
             self.paint(ui, rect, session, &handles, hovered.as_ref(), response.hovered());
             let is_held = matches!(self.drag, Some(Drag::Curve(_) | Drag::Light(_)));
             if is_held || hovered.is_some() {
@@ -189,8 +200,8 @@ impl Viewport {
     }
 
     /// Finds out what is handled, and brings its lines up to date.
-    fn handles(&mut self, rect: Rect, session: &mut Session, probe: &Probe) -> Handles {
-        let layer = layer::selected(session).filter(|_| self.handles && !probe.is_on());
+    fn handles(&mut self, rect: Rect, session: &mut Session, is_free: bool) -> Handles {
+        let layer = layer::selected(session).filter(|_| self.handles && is_free);
         let wants_lines = self.handles && (layer.is_some() || layer::selected_light(session).is_some());
         // Of a scene one wants to know what is where, in any case.
         if !(wants_lines || self.has_arrows || session.stage().is_some()) || rect.area() < 16.0 {
@@ -273,10 +284,14 @@ impl Viewport {
         rect: Rect,
         session: &mut Session,
         handles: &Handles,
+        paints: bool,
         out: &mut Vec<Command>,
     ) {
         let is_alt = ui.input(|input| input.modifiers.alt);
+        // Where the hand paints, only what else turns the camera turns it.
+        let is_paint = paints && response.dragged_by(PointerButton::Primary) && !is_alt;
         if response.drag_started()
+            && !is_paint
             && let Some(origin) = ui.input(|input| input.pointer.press_origin())
         {
             self.before = Some(Before { view: session.view.clone(), place: session.place() });
@@ -309,17 +324,31 @@ impl Viewport {
         }
     }
 
-    fn wheel_and_keys(&mut self, ui: &Ui, pointer: Option<Pos2>, session: &mut Session) {
+    fn wheel_and_keys(
+        &mut self,
+        ui: &Ui,
+        pointer: Option<Pos2>,
+        session: &mut Session,
+        fitting: &mut Fitting,
+        out: &mut Vec<Command>,
+    ) {
         if pointer.is_none() {
             return;
         }
         let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
         let factor = f64::from((-scroll / 300.0).exp() / pinch);
-        if factor != 1.0 {
+        // Strokes belong to the view that they were painted in, which a wheel leaves too easily.
+        let is_held = fitting.is_on() && !session.sketch().is_empty();
+        if factor != 1.0 && !is_held {
             session.view.dolly(factor);
         }
         if ui.ctx().egui_wants_keyboard_input() {
             return;
+        }
+        if fitting.is_on() {
+            for action in shortcuts::pressed(ui, shortcuts::Place::Light) {
+                out.push(Command::Act(action));
+            }
         }
         for action in shortcuts::pressed(ui, shortcuts::Place::Picture) {
             self.act(action, session);
@@ -346,6 +375,11 @@ impl Viewport {
             }
             _ => {}
         }
+    }
+
+    /// Stops the turntable.
+    pub(crate) fn stop_turning(&mut self) {
+        self.turns = false;
     }
 
     /// Whether something is dragged on the picture.

@@ -1,0 +1,61 @@
+//! What is painted on the picture, and the look that was fitted to it and is only shown.
+
+use std::sync::Arc;
+
+use super::super::fitting::{Sketch, Standpoint};
+use super::Session;
+use crate::document::{Look, Tile};
+
+impl Session {
+    /// What is painted on the picture.
+    pub fn sketch(&self) -> &Sketch {
+        &self.sketch
+    }
+
+    /// Whether strokes are seen: only then undo takes them back.
+    pub(crate) fn open_sketch(&mut self, is_open: bool) {
+        self.sketch.is_open = is_open;
+    }
+
+    /// Paints on the picture, as a step; no tile for nothing.
+    pub(crate) fn paint_sketch(&mut self, what: &'static str, from: Standpoint, tile: Option<Tile>) {
+        self.now += 1;
+        self.sketch.did(what, from, tile, self.now);
+        self.kept.end_gesture();
+        if let Some(stage) = &mut self.stage {
+            stage.end_gesture();
+        }
+        if let Some(work) = &mut self.painting {
+            work.end_gesture();
+        }
+    }
+
+    /// Forgets the strokes: they are of a look that is gone.
+    pub(super) fn leave_sketch(&mut self) {
+        let is_open = self.sketch.is_open;
+        self.sketch = Sketch::default();
+        self.sketch.is_open = is_open;
+    }
+
+    /// The look that is shown in place of the open one.
+    pub fn preview(&self) -> Option<&Arc<Look>> {
+        self.preview.as_ref()
+    }
+
+    /// Shows another look in place of the open one, until that is changed; or the open one again. The document stays as
+    /// it is.
+    pub(crate) fn set_preview(&mut self, look: Option<Arc<Look>>) {
+        if look.is_none() && self.preview.is_none() {
+            return;
+        }
+        self.preview = look;
+        self.preview_number += 1;
+        self.shaders.structure_changed();
+        self.picture += 1;
+    }
+
+    /// Which look is shown in place of the open one: grows with each, and when it is gone.
+    pub(crate) fn preview_number(&self) -> u64 {
+        self.preview_number
+    }
+}
