@@ -14,6 +14,7 @@ mod plan;
 mod samples;
 mod setup;
 mod tiles;
+mod uvs;
 mod values;
 mod visibility;
 
@@ -37,5 +38,6 @@ pub use setup::{
     place_objects, scene_setup,
 };
 pub use tiles::{MAX_TILE_SAMPLES, TileView, moving_light, tile_assets};
+pub use uvs::missing_uvs;
 pub use values::check_exposed_value;
 pub use visibility::Cull;
