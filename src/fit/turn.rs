@@ -72,7 +72,7 @@ pub fn fit_look(
     let worn = wearing(&shot, turned);
     let Polished { look: fitted, edits, after } = polished(&Shot { setup: &worn, ..shot }, &given, options, progress)?;
     progress.add(1);
-    let report = Report::new(&shot, &fitted, target, &before, &after)?;
+    let report = Report::new(&shot, &fitted, target, &before, &after, &options.keep)?;
     let edit = Edit::Group { edits: first.into_iter().chain(edits).collect() };
     let misses = after.into_iter().map(|(missed, _)| missed).collect();
     Ok(Fitted { edit, look: fitted, report, misses })
