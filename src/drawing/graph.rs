@@ -431,7 +431,7 @@ mod tests {
             let look = Look::read(&json, "test").value.unwrap();
             overlapping(&look.graph, &Catalog::new(Library::built_in())).len()
         };
-        let high = node_height(2);
+        let high = node_height(1);
         assert_eq!([two(0.0), two(high - 1.0), two(high), two(-high)], [1, 1, 0, 0]);
     }
 

@@ -162,6 +162,7 @@ fn cannot_remove(path: &Path, error: &std::io::Error) -> Vec<Diagnostic> {
 }
 
 /// A problem that comes alone.
+#[expect(clippy::boxed_local, reason = "it is handed to map_err, of results whose errors are boxed")]
 fn alone(problem: Box<Diagnostic>) -> Vec<Diagnostic> {
     vec![*problem]
 }

@@ -163,7 +163,8 @@ mod tests {
             let mut written: Vec<&str> =
                 written.as_object().unwrap().keys().map(String::as_str).filter(|name| *name != "rule").collect();
             let mut listed: Vec<&str> = about.fields.iter().map(|(name, _)| *name).collect();
-            (written.sort_unstable(), listed.sort_unstable());
+            written.sort_unstable();
+            listed.sort_unstable();
             assert_eq!(written, listed, "{}", about.word);
         }
         let blend = &Rule::ABOUT[2].defaults()[0];
