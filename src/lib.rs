@@ -14,6 +14,7 @@ mod base64;
 pub mod clock;
 pub mod diag;
 pub mod examples;
+pub mod figures;
 pub mod ids;
 pub mod milestones;
 

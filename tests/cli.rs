@@ -169,6 +169,20 @@ fn a_look_is_fitted_to_what_was_painted() {
     }
     assert_eq!(png_size(&shop.path("misses.png")), [32, 32]);
     assert_eq!(fs::read_to_string(shop.path("look.json")).unwrap(), look("#808080"));
+    // Two dots tell too little, which is said; and another look is not replaced unasked.
+    let told: Json = serde_json::from_str(&shop.run(&[&fit[..], &["--dry-run", "--json"]].concat()).ok().out).unwrap();
+    assert_eq!(told["report"]["turned"], json!(2 + 3 + 2 * 3), "a light, a profile, and two colors");
+    let mut dots = image::open(shop.path("painted.png")).unwrap().into_rgba8();
+    dots.enumerate_pixels_mut().filter(|(x, y, _)| ![[12, 16], [20, 16]].contains(&[*x, *y])).for_each(
+        |(_, _, pixel)| {
+            pixel.0 = [0; 4];
+        },
+    );
+    dots.save(shop.path("dots.png")).unwrap();
+    let two = ["fit", "look.json", "--target", "dots.png", "--mesh", "shape:sphere", "--starts", "1", "-o"];
+    shop.run(&[&two[..], &["fitted.json"]].concat()).fails(1, &["file-exists", "--force"]);
+    let warned = ["warning[fit-few-places]", "2 painted pixels in 2 places", "11 numbers"];
+    shop.run(&[&two[..], &["fitted.json", "--force"]].concat()).fails(0, &warned);
     shop.run(&["fit", "look.json"]).fails(2, &["--target"]);
     shop.run(&["fit", "--target", "painted.png"]).fails(2, &["LOOK"]);
     shop.run(&["fit", "look.json", "--target", "none.png"]).fails(1, &["none.png"]);
@@ -190,9 +204,9 @@ fn hcbtfs_are_made_told_of_and_exchanged() {
         "12 samples",
         "painted  1",
         "copy fills 11",
-        "quick    8 x 15 in 2 layers, 0.00 MiB of at most 0.00: fits every GPU",
+        "quick    8 x 15 in 2 layers, 960 bytes of at most 2.3 KiB: fits every GPU",
         "quick    12 x 15 in 2 layers",
-        "compact  38 x 1 in 1 layer, 0.00 MiB",
+        "compact  38 x 1 in 1 layer, 152 bytes",
         "lambert changes 9",
         "empty    0",
     ] {
@@ -207,6 +221,21 @@ fn hcbtfs_are_made_told_of_and_exchanged() {
     assert_eq!(shop.run(&["hcbtf", "rules", "other.hcbtf"]).ok().out, rules.out);
     shop.write("rules.json", r#"[{"rule": "blend", "sharpness": 99}]"#);
     shop.run(&["hcbtf", "rules", "other.hcbtf", "--set", "rules.json"]).fails(1, &["hcbtf-rule", "`sharpness` is 99"]);
+    shop.write("rules.json", r#"[{"rule": "blnd"}, {"rule": "lambert", "amont": 1}, {}]"#);
+    let told =
+        ["no rule `blnd`", "did you mean `blend`?", "one of copy, lock, blend", "`amont`", "did you mean `amount`?"];
+    shop.run(&["hcbtf", "rules", "other.hcbtf", "--set", "rules.json"]).fails(1, &told);
+    shop.run(&["hcbtf", "new", "short", "--grid", grid]).ok();
+    shop.write("short.json", r#"[{"rule": "blend"}, {"rule": "lambert", "amount": 0.5}]"#);
+    shop.run(&["hcbtf", "rules", "short.hcbtf", "--set", "short.json"]).ok();
+    let set = shop.run(&["hcbtf", "rules", "short.hcbtf"]).ok().json();
+    assert_eq!(set[0], json!({"rule": "blend", "sharpness": 4.0}));
+    let help = shop.run(&["hcbtf", "rules", "--help"]).ok().out;
+    for told in ["  mirror    Highlight\n", "sharpness (4): 0 to 64", "from (straight above): a painted sample"] {
+        assert!(help.contains(told), "no `{told}` in {help}");
+    }
+    let storages = ["palette", "BC7"].map(|word| shop.run(&["hcbtf", "info", "--help"]).ok().out.contains(word));
+    assert_eq!(storages, [true; 2]);
     shop.write("rules.json", r#"[{"rule": "strokes", "bundle": []}]"#);
     shop.run(&["hcbtf", "rules", "other.hcbtf", "--set", "rules.json"]).fails(1, &["unknown field `bundle`"]);
     assert_eq!(shop.run(&["hcbtf", "rules", "other.hcbtf"]).ok().out, rules.out);
@@ -224,29 +253,140 @@ fn hcbtfs_are_made_told_of_and_exchanged() {
     for (from, more) in [("sheet.png", &[][..]), ("all", &[]), ("contact.png", &["--as", "contact", "--gap", "2"])] {
         let import = ["hcbtf", "import", from, "-o", "back.hcbtf", "--grid", grid, "--force"];
         let told = shop.run(&[&import[..], more].concat()).ok().err;
-        assert!(told.contains("12 of 12 samples are painted"), "{told}");
-        shop.run(&["hcbtf", "export", "back.hcbtf", "-o", "again.png"]).ok();
+        // A folder alone knows what was painted.
+        let painted = if from == "all" { "1 of 12" } else { "12 of 12" };
+        assert!(told.contains(&format!("{painted} samples are painted")), "{told}");
+        shop.run(&["hcbtf", "export", "back.hcbtf", "-o", "again.png", "--force"]).ok();
         assert_eq!(fs::read(shop.path("again.png")).unwrap(), fs::read(shop.path("sheet.png")).unwrap(), "{from}");
     }
-    shop.run(&["hcbtf", "export", "grass.hcbtf", "--to", "ktx2", "-o", "grass.ktx2"]).ok();
+    shop.run(&["hcbtf", "export", "grass.hcbtf", "-o", "grass.ktx2"]).ok();
     let told = shop.run(&["hcbtf", "import", "grass.ktx2", "-o", "back.hcbtf", "--force"]).ok().err;
     assert!(told.contains("12 of 12 samples are painted"), "{told}");
-    shop.run(&["hcbtf", "export", "back.hcbtf", "-o", "again.png"]).ok();
+    shop.run(&["hcbtf", "export", "back.hcbtf", "-o", "again.png", "--force"]).ok();
     assert_eq!(fs::read(shop.path("again.png")).unwrap(), fs::read(shop.path("sheet.png")).unwrap(), "KTX2");
     shop.run(&["hcbtf", "export", "grass.hcbtf", "--to", "ktx2", "--compact", "-o", "small.ktx2"]).ok();
     shop.run(&["hcbtf", "import", "small.ktx2", "-o", "back.hcbtf", "--force"]).ok();
-    shop.run(&["hcbtf", "export", "back.hcbtf", "-o", "again.png"]).ok();
+    shop.run(&["hcbtf", "export", "back.hcbtf", "-o", "again.png", "--force"]).ok();
     assert_eq!(fs::read(shop.path("again.png")).unwrap(), fs::read(shop.path("sheet.png")).unwrap(), "compact");
     shop.run(&["hcbtf", "export", "grass.hcbtf", "--compact", "-o", "x.png"]).fails(2, &["--to ktx2"]);
     shop.run(&["hcbtf", "import", "sheet.png", "--as", "ktx2", "-o", "x"]).fails(1, &["sheet.png", "bad-ktx2"]);
     let told = shop.run(&["hcbtf", "export", "grass.hcbtf", "--to", "folder", "--painted", "-o", "one"]).ok();
-    assert!(told.err.contains("1 images"), "{}", told.err);
+    assert!(told.err.contains("1 image, and hcbtf.json"), "{}", told.err);
 
     shop.run(&["hcbtf", "import", "sheet.png", "-o", "x"]).fails(1, &["sheet.png: error[hcbtf-sheet]", "1152 x 3840"]);
     shop.run(&["hcbtf", "info", "none.hcbtf"]).fails(1, &["none.hcbtf", "cannot-read"]);
     shop.run(&["hcbtf", "info", "sheet.png"]).fails(1, &["hcbtf-archive"]);
     shop.run(&["hcbtf", "export", "grass.hcbtf", "--painted", "-o", "x.png"]).fails(2, &["--to folder"]);
     assert!(!shop.path("x.hcbtf").exists());
+}
+
+#[test]
+fn nothing_that_was_exported_is_replaced_unasked_and_names_say_what_is_written() {
+    let shop = Shop::new();
+    shop.run(&["hcbtf", "new", "grass", "--color", "#204080", "--grid", "2x2,2x3,1x1"]).ok();
+    let export = |to: &[&str]| shop.run(&[&["hcbtf", "export", "grass.hcbtf"], to].concat());
+    for to in [&["-o", "a.png"][..], &["-o", "a.ktx2"], &["-o", "images/"], &["--to", "contact", "-o", "b.png"]] {
+        export(to).ok();
+        let path = shop.path(to.last().unwrap());
+        let before = if path.is_file() { fs::read(&path).unwrap() } else { Vec::new() };
+        export(to).fails(1, &["file-exists", "--force", to.last().unwrap().trim_end_matches('/')]);
+        assert!(!path.is_file() || fs::read(&path).unwrap() == before);
+        export(&[to, &["--force"]].concat()).ok();
+    }
+    assert_eq!(&fs::read(shop.path("a.ktx2")).unwrap()[..7], b"\xabKTX 20");
+    // What an earlier export left is no part of the next; other files stay.
+    shop.write("images/notes.txt", "mine");
+    assert_eq!(fs::read_dir(shop.path("images")).unwrap().count(), 4 + 1 + 1);
+    export(&["-o", "images/", "--painted", "--force"]).ok();
+    assert_eq!(fs::read_dir(shop.path("images")).unwrap().count(), 1 + 1 + 1);
+    export(&["-o", "a.jpg"]).fails(2, &["a.jpg", ".png", ".ktx2"]);
+    export(&["--to", "sheet", "-o", "c.ktx2"]).fails(2, &["--to sheet", ".png"]);
+    export(&["--to", "folder", "-o", "c.png"]).fails(2, &["--to folder"]);
+    assert!(!shop.path("c.ktx2").exists() && !shop.path("c.png").exists());
+}
+
+#[test]
+fn a_folder_knows_its_grid_its_rules_and_what_was_painted() {
+    let shop = Shop::new();
+    shop.run(&["hcbtf", "new", "grass", "--color", "#204080", "--grid", "4x4,3x6,3x6", "--no-tiling"]).ok();
+    let import = |from: &str, more: &[&str]| {
+        shop.run(&[&["hcbtf", "import", from, "-o", "back.hcbtf", "--force"], more].concat())
+    };
+    for (folder, more) in [("all", &[][..]), ("some", &["--painted"])] {
+        shop.run(&[&["hcbtf", "export", "grass.hcbtf", "--to", "folder", "-o", folder], more].concat()).ok();
+        assert!(import(folder, &[]).ok().err.contains("1 of 169 samples are painted"));
+        assert_eq!(fs::read(shop.path("back.hcbtf")).unwrap(), fs::read(shop.path("grass.hcbtf")).unwrap());
+    }
+    import("all", &["--grid", "4x4,6x10,6x10"]).fails(2, &["--grid"]);
+    import("all", &["--grid", "4x4,3x6,3x6"]).ok();
+    // What was painted over in another program is painted.
+    fs::copy(shop.path("all/l0.0_v0.0.png"), shop.path("all/l2.5_v2.5.png")).unwrap();
+    assert!(import("all", &[]).ok().err.contains("2 of 169 samples are painted"));
+    shop.run(&["check", "all"]).fails(0, &["no-documents"]);
+    // Without what Chiaro wrote beside them, names alone tell that they are of another grid.
+    fs::remove_file(shop.path("all/hcbtf.json")).unwrap();
+    let ran = import("all", &[]).ok();
+    let told = ["warning[hcbtf-other-grid]", "--grid 4x4,3x6,3x6", "169 of 2601 samples"];
+    ran.fails(0, &told);
+    assert!(!import("all", &["--grid", "4x4,3x6,3x6"]).ok().err.contains("warning"));
+    fs::create_dir(shop.path("numbered")).unwrap();
+    for number in 1..=5 {
+        fs::copy(shop.path("all/l0.0_v0.0.png"), shop.path(&format!("numbered/b{number}.png"))).unwrap();
+    }
+    import("numbered", &[]).fails(0, &["5 numbered images", "2601 samples", "--grid"]);
+    assert!(!import("numbered", &["--grid", "4x4,2x4,1x1"]).ok().err.contains("warning"));
+    fs::write(shop.path("numbered/hcbtf.json"), "{").unwrap();
+    import("numbered", &[]).fails(1, &["hcbtf.json", "not-json"]);
+}
+
+#[test]
+fn a_painting_is_told_from_a_text_wherever_a_document_is_asked_for() {
+    let shop = Shop::new();
+    shop.run(&["hcbtf", "new", "grass", "--color", "#204080", "--grid", "2x2,2x3,1x1"]).ok();
+    fs::copy(shop.path("grass.hcbtf"), shop.path("renamed.json")).unwrap();
+    let told = ["this is a painting", "chiaro hcbtf", "hcbtf_lookup", "example:hcbtf/brick.json"];
+    for file in ["grass.hcbtf", "renamed.json", "example:hcbtf/brick.hcbtf"] {
+        for command in [&["check"][..], &["explain"], &["render", "-o", "a.png"], &["fit", "--target", "a.png"]] {
+            if command[0] == "render" && cfg!(not(feature = "gpu")) {
+                continue;
+            }
+            shop.run(&[command, &[file]].concat()).fails(1, &told);
+        }
+    }
+    shop.run(&["export", "grass.hcbtf", "--to", "wgsl"]).fails(1, &told);
+}
+
+#[test]
+fn a_mesh_without_uvs_is_told_of_where_a_look_reads_them() {
+    let shop = Shop::new();
+    shop.write("bare.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    shop.write("mapped.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
+    let look = |wired: &str| {
+        format!(
+            r#"{{"nodes": [{{"id": "paper", "kind": "base"}}, {{"id": "squares", "kind": "checker"}}, {{"kind": "output"}}],
+            "wires": [{{"from": "{wired}", "to": "output.color"}}]}}"#
+        )
+    };
+    shop.write("look.json", &look("squares"));
+    shop.write("plain.json", &look("paper"));
+    let object = |mesh: &str, look: &str| format!(r#"{{"mesh": "{mesh}", "looks": "{look}"}}"#);
+    for (mesh, look, is_told) in
+        [("bare.obj", "look.json", true), ("mapped.obj", "look.json", false), ("bare.obj", "plain.json", false)]
+    {
+        shop.write("scene.json", &format!(r#"{{"objects": [{}]}}"#, object(mesh, look)));
+        let drawn = ["render", look, "--mesh", mesh, "-o", "a.png", "--size", "8x8", "--on", "reference"];
+        let commands: [&[&str]; 4] =
+            [&["check", "scene.json"], &["explain", "scene.json"], &["explain", look, "--mesh", mesh], &drawn];
+        for command in commands {
+            let err = shop.run(command).ok().err;
+            assert_eq!(err.matches("warning[no-uvs]").count(), usize::from(is_told), "{command:?}: {err}");
+            if is_told {
+                for told in ["`bare`", "`squares`", "unwrap", "look.json:1:"] {
+                    assert!(err.contains(told), "no `{told}` in {err}");
+                }
+            }
+        }
+    }
 }
 
 #[test]
@@ -550,6 +690,11 @@ fn export_writes_files_and_lists_them() {
     shop.run(&["export", "flat.json", "--to", "hlsl"]).fails(2, &["-o"]);
     shop.run(&["export", "flat.json", "--to", "glsl"]).fails(2, &["did you mean", "glsl-330"]);
     shop.run(&["export", "flat.json", "-o", "out"]).fails(2, &["--to"]);
+    for file in ["flat.json", "new.wgsl", "new.FRAG"] {
+        shop.run(&["export", "flat.json", "--to", "wgsl", "-o", file])
+            .fails(2, &["-o names a folder", file, "shaders/"]);
+        assert!(!shop.path(file).is_dir());
+    }
     // The description has the look's own name: here it would take its place.
     shop.run(&["export", "flat.json", "--to", "wgsl", "-o", "."]).fails(1, &["would-overwrite"]);
     assert_eq!(fs::read_to_string(shop.path("flat.json")).unwrap(), LOOK);

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use chiaro::diag::has_errors;
-use chiaro::document::{Document, Look, Scene, field_tables, look_schema, scene_schema};
+use chiaro::document::{Document, Look, Scene, Storage, field_tables, look_schema, scene_schema};
 use serde_json::Value;
 
 fn docs(file: &str) -> PathBuf {
@@ -54,6 +54,15 @@ fn the_tables_are_those_of_the_code() {
     seen.sort_unstable();
     assert_eq!(seen, tables.keys().copied().collect::<Vec<_>>(), "every table is in docs/format.md once");
     held("format.md", &made);
+}
+
+#[test]
+fn storages_are_told_of_in_the_words_of_the_code() {
+    let text = std::fs::read_to_string(docs("format.md")).unwrap();
+    for storage in Storage::ALL {
+        let line = format!("- `{}`: {}", storage.word(), storage.about());
+        assert!(text.contains(&line), "docs/format.md does not say `{line}`");
+    }
 }
 
 /// The links of docs/format.md lead to its headings.

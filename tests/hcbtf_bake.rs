@@ -4,14 +4,14 @@
 mod support;
 
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, OnceLock};
 
 use chiaro::document::relief::PRESETS;
 use chiaro::document::{Directions, Grid, Hcbtf, Look, Rule};
 use chiaro::frame::{Assets, EvalSample, LightOverride, SetupLook, moving_light, tile_assets};
 use chiaro::hcbtf::Progress;
 use chiaro::library::Library;
-use chiaro::reference::bake_look;
+use chiaro::reference::{bake_look, bake_look_sampled};
 use glam::{DMat3, DQuat, DVec2, DVec3};
 use serde_json::json;
 use support::eval::{eval, look};
@@ -71,7 +71,11 @@ fn a_baked_look_is_the_look_at_the_grids_directions() {
     for name in ["figure6-comics.json", "figure5-directional.json"] {
         let setup = example(name);
         let light = moving_light(&setup, Some("key")).unwrap();
-        let hcbtf = bake_look(&setup, Library::built_in(), GRID, &light, &Assets::default(), &Progress::new()).unwrap();
+        // With one sample, which is where the look is evaluated.
+        let (assets, progress) = (Assets::default(), Progress::new());
+        let baked = bake_look_sampled(&setup, Library::built_in(), GRID, &light, &assets, 1, &progress).unwrap();
+        let hcbtf = baked.hcbtf;
+        assert_eq!(baked.halves_off, None);
         assert_eq!(hcbtf.painted.len() as u64, GRID.sample_count());
         let path = file(&format!("{name}.hcbtf"));
         std::fs::write(&path, chiaro::hcbtf::write(&hcbtf).unwrap()).unwrap();
@@ -84,6 +88,75 @@ fn a_baked_look_is_the_look_at_the_grids_directions() {
             assert!(off < 1.0 / 255.0, "{name}: {own:?} {shown:?} at {sample:?}");
         }
     }
+}
+
+/// A look of two colours that meet in a straight line at u = 0.3, and of an alpha that ends at v = 0.45.
+fn edges(color_space: &str) -> SetupLook {
+    let code = "fn edges(at: vec2f) -> vec4f { return vec4f(select(vec3f(1.0), vec3f(0.0), at.x < 0.3), \
+                select(0.0, 1.0, at.y < 0.45)); }";
+    look(&json!({
+        "color_space": color_space,
+        "lights": {"key": {"direction": [0, 0, 1]}},
+        "nodes": [
+            {"id": "uv", "kind": "uv"},
+            {"id": "edges", "kind": "wgsl", "values": {"code": code}},
+            {"id": "output", "kind": "output"}
+        ],
+        "wires": [{"from": "uv", "to": "edges.at"}, {"from": "edges", "to": "output.color"}]
+    }))
+}
+
+/// The share of a texel that an edge leaves is what it shows, as nearly as so many samples in rows of their own come.
+#[test]
+fn edges_are_smooth_with_samples_enough() {
+    let one = Directions { theta: 1, phi: 1 };
+    let grid = Grid { size: [4, 4], light: one, view: one };
+    let (assets, progress) = (Assets::default(), Progress::new());
+    for (color_space, samples) in [("display", 1), ("display", 4), ("display", 16), ("display", 64), ("linear", 64)] {
+        let setup = edges(color_space);
+        let light = moving_light(&setup, None).unwrap();
+        let baked = bake_look_sampled(&setup, Library::built_in(), grid, &light, &assets, samples, &progress).unwrap();
+        let tile = baked.hcbtf.painted.values().next().unwrap().clone();
+        let within = 0.5 / f64::from(samples) + 1.0 / 255.0;
+        // The second column has 0.3 - 0.25 of 0.25 black; of the third row from the top as much of v is below 0.45.
+        let (white, opaque) = (0.8, 0.8);
+        let decoded = |byte: u8| match (color_space, f64::from(byte) / 255.0) {
+            ("linear", shown) => chiaro::document::srgb_to_linear(shown),
+            (_, shown) => shown,
+        };
+        let [r, _, _, a] = tile.texel(1, 3).map(|byte| byte);
+        assert!((decoded(r) - white).abs() < within && a == 255, "{samples} {color_space}: {r} {a}");
+        let [r, _, _, a] = tile.texel(3, 2);
+        assert!((f64::from(a) / 255.0 - opaque).abs() < within && r == 255, "{samples}: {r} {a}");
+        assert_eq!([tile.texel(0, 3), tile.texel(2, 3), tile.texel(2, 0)].map(|texel| texel[3]), [255, 255, 0]);
+        assert_eq!([tile.texel(0, 3), tile.texel(2, 3)].map(|texel| texel[0]), [0, 255]);
+        // Half of the samples are off where edges are, and nowhere else.
+        assert_eq!(baked.halves_off.is_some_and(|off| off > 0.001 && off < 0.2), samples > 1, "{:?}", baked.halves_off);
+    }
+    let setup = edges("display");
+    let light = moving_light(&setup, None).unwrap();
+    let told = bake_look_sampled(&setup, Library::built_in(), grid, &light, &assets, 3, &progress).unwrap_err();
+    assert_eq!(told[0].code, "out-of-range");
+}
+
+/// One tile alone is many pieces, and none is begun once it is stopped.
+#[test]
+fn a_tile_that_is_not_wanted_any_more_is_left_in_the_middle() {
+    let one = Directions { theta: 1, phi: 1 };
+    let grid = Grid { size: [128, 64], light: one, view: one };
+    let setup = edges("display");
+    let light = moving_light(&setup, None).unwrap();
+    let stopping: Arc<OnceLock<Arc<Progress>>> = Arc::default();
+    let steps: Arc<Mutex<Vec<[u64; 2]>>> = Arc::default();
+    let (own, told) = (stopping.clone(), steps.clone());
+    let progress = Arc::new(Progress::telling(move |step| {
+        told.lock().unwrap().push(step);
+        own.get().unwrap().stop();
+    }));
+    stopping.set(progress.clone()).unwrap();
+    let made = bake_look(&setup, Library::built_in(), grid, &light, &Assets::default(), &progress);
+    assert_eq!(made.unwrap_err()[0].code, "stopped");
+    assert_eq!(*steps.lock().unwrap(), [[1, 8]]);
 }
 
 #[test]

@@ -11,7 +11,8 @@ use super::scene;
 use crate::compile::{Live, Options, TypedSource, check as check_look, compile_typed};
 use crate::diag::{Diagnostic, Severity, has_errors};
 use crate::document::{Document, Loaded, Look, Scene, Value};
-use crate::frame::{Assets, Rig, scene_setup};
+use crate::figures::count;
+use crate::frame::{Assets, Rig, missing_uvs, scene_setup};
 use crate::hcbtf::LayerOptions;
 use crate::library::{Library, Type};
 
@@ -64,13 +65,12 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<bool, Vec<Di
 }
 
 fn summary(files: usize, problems: &[Diagnostic]) -> String {
-    let count = |severity: Severity| problems.iter().filter(|problem| problem.severity == severity).count();
-    let plural = |n: usize, word: &str| format!("{n} {word}{}", if n == 1 { "" } else { "s" });
+    let of = |severity: Severity| problems.iter().filter(|problem| problem.severity == severity).count();
     let kinds = [(Severity::Error, "error"), (Severity::Warning, "warning"), (Severity::Note, "note")];
-    let found = kinds.map(|(severity, word)| (count(severity), word));
-    let told: Vec<String> = found.iter().filter(|(n, _)| *n > 0).map(|(n, word)| plural(*n, word)).collect();
+    let found = kinds.map(|(severity, word)| (of(severity) as u64, word));
+    let told: Vec<String> = found.iter().filter(|(n, _)| *n > 0).map(|(n, word)| count(*n, word)).collect();
     let told = if told.is_empty() { "nothing is wrong".to_owned() } else { told.join(", ") };
-    format!("{} checked: {told}", plural(files, "document"))
+    format!("{} checked: {told}", count(files as u64, "document"))
 }
 
 #[derive(Default)]
@@ -182,7 +182,8 @@ impl Checker<'_> {
         let mut all = scene.clone();
         all.objects.values_mut().for_each(|object| object.visible = true);
         let mut of_setup = Vec::new();
-        scene_setup(all, folder, &loaded.source, None, &mut self.assets, &mut of_setup);
+        let setup = scene_setup(all, folder, &loaded.source, None, &mut self.assets, &mut of_setup);
+        self.problems.extend(missing_uvs(&setup, library));
         // Those of the looks were told with the looks.
         let file = path.display().to_string();
         found.extend(of_setup.into_iter().filter(|problem| {
@@ -201,6 +202,8 @@ const FOLLOWS: [&str; 5] = ["no-output", "unwired", "unknown-node", "unknown-tar
 fn may_be_document(path: &Path) -> bool {
     let Ok(text) = crate::document::read_text(path) else { return true };
     match serde_json::from_str::<serde_json::Value>(&text) {
+        // What lies beside the images of an exported HCBTF is neither look nor scene.
+        Ok(serde_json::Value::Object(fields)) if fields.get("chiaro").is_some_and(|kind| kind == "hcbtf") => false,
         Ok(serde_json::Value::Object(fields)) => ["chiaro", "nodes", "objects"]
             .iter()
             .any(|field| fields.get(*field).is_some_and(|value| !value.is_object())),

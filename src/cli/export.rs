@@ -1,6 +1,6 @@
 //! `chiaro export`: a look as shaders for other programs, with a description of all that they need.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
@@ -46,6 +46,9 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         let problem = Diagnostic::error("bad-argument", "only WGSL is printed; other languages are files");
         return Err(vec![problem.hint("name a folder for them: -o shaders/")]);
     }
+    if let Some(folder) = &arguments.output {
+        check_folder(folder).map_err(|problem| vec![problem])?;
+    }
     check_nodes_folder(arguments.nodes.as_deref())?;
     let library = library_for(&arguments.look, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);
@@ -80,6 +83,20 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     }
     if let Some(told) = export::unverified(&languages) {
         output.message(&told);
+    }
+    Ok(())
+}
+
+/// Refuses what is no folder, or is called like a file of some language: nobody looks for shaders in a folder `rim.wgsl`.
+fn check_folder(path: &Path) -> Result<(), Diagnostic> {
+    const ENDINGS: [&str; 12] =
+        ["wgsl", "glsl", "vert", "frag", "hlsl", "msl", "metal", "spv", "spirv", "json", "png", "ktx2"];
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+    let is_like_file = ending.is_some_and(|ending| ENDINGS.contains(&ending.as_str()));
+    if path.is_file() || (is_like_file && !path.is_dir()) {
+        let message = format!("-o names a folder, and `{}` is a file or is called like one", path.display());
+        let hint = "name a folder, as -o shaders/: an export is several files, named after the look";
+        return Err(Diagnostic::error("bad-argument", message).hint(hint));
     }
     Ok(())
 }

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use clap::ValueEnum;
 use serde_json::json;
 
-use super::open::{check_nodes_folder, library_for};
+use super::open::{check_nodes_folder, check_replaced, library_for};
 use super::output::Output;
 use super::render::{adjust_camera, check_target, parse_time};
 use crate::diag::Diagnostic;
@@ -58,6 +58,9 @@ pub(super) struct Arguments {
     /// Where the fitted look goes, in place of the look itself
     #[arg(short, long, required_unless_present_any = ["look", "dry_run"])]
     output: Option<PathBuf>,
+    /// Replace another look that is there
+    #[arg(long)]
+    force: bool,
     /// A PNG of where it misses: black where it does not, over red to white where by a tenth and more
     #[arg(long)]
     misses: Option<PathBuf>,
@@ -91,6 +94,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     if let Some(path) = &arguments.misses {
         check_target(path).map_err(one)?;
     }
+    let written = arguments.output.as_deref().filter(|_| !arguments.dry_run);
+    check_replaced(written, arguments.look.as_deref(), arguments.force).map_err(one)?;
     let beside = arguments.look.as_deref().unwrap_or(Path::new(""));
     let library = library_for(beside, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);
@@ -116,6 +121,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     };
     output.end_progress();
     let fitted = fitted?;
+    output.diagnostics(fitted.report.warning().as_slice());
     if let Some(path) = &arguments.misses {
         let png = picture_of(target.size, &fitted.misses).to_png().map_err(one)?;
         write_atomic(path, &png).map_err(|problem| one(*problem))?;

@@ -47,13 +47,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let files = files(&arguments.name, arguments.template).map_err(|problem| vec![problem])?;
     // All or none: a scene without its look would be no start.
     let taken = files.iter().filter(|(path, _)| !arguments.force && path.exists());
-    let taken: Vec<Diagnostic> = taken
-        .map(|(path, _)| {
-            Diagnostic::error("file-exists", "this file is there already")
-                .in_file(path.display().to_string())
-                .hint("choose another name, or replace it with --force")
-        })
-        .collect();
+    let taken: Vec<Diagnostic> = taken.map(|(path, _)| super::open::taken(path)).collect();
     if !taken.is_empty() {
         return Err(taken);
     }

@@ -51,8 +51,9 @@ pub(super) struct Arguments {
     /// Samples a pixel: 1, or 4 for smooth edges
     #[arg(long, default_value_t = 4, value_parser = parse_samples)]
     samples: u32,
-    /// Where the picture is taken from: `eye=X,Y,Z`, `target=X,Y,Z`, `up=X,Y,Z`, `orbit=YAW,PITCH` in degrees around the
-    /// target, `distance=D` from it, `ortho=HEIGHT`, `fov=DEGREES`; joined by `;`, taken in order
+    /// Where the picture is taken from: `orbit=YAW,PITCH` from so many degrees to the right of the front and above it,
+    /// `distance=D` from so far away in scene units, `fov=DEGREES` with so high a view, `ortho=HEIGHT` without perspective and so
+    /// many units high, `eye=X,Y,Z`, `target=X,Y,Z`, `up=X,Y,Z` outright; joined by `;`, taken in order
     #[arg(short, long)]
     camera: Option<String>,
     /// Turns the illumination frame, and every light in it: degrees around the vertical axis, or `YAW,PITCH`

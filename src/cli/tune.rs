@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::open::{check_nodes_folder, library_for};
+use super::open::{check_nodes_folder, check_replaced, library_for};
 use super::output::Output;
 use super::render::Size;
 use crate::accuracy::report::tier_word;
@@ -60,6 +60,9 @@ pub(super) struct Arguments {
     /// Where the tuned look goes, in place of the look itself
     #[arg(short, long)]
     output: Option<PathBuf>,
+    /// Replace another look that is there
+    #[arg(long)]
+    force: bool,
     /// Tell what would be chosen, and write nothing
     #[arg(long)]
     dry_run: bool,
@@ -88,6 +91,8 @@ fn parse_milliseconds(text: &str) -> Result<f64, String> {
 }
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+    let written = arguments.output.as_deref().filter(|_| !arguments.dry_run);
+    check_replaced(written, Some(&arguments.look), arguments.force).map_err(|problem| vec![problem])?;
     check_nodes_folder(arguments.nodes.as_deref())?;
     let library = library_for(&arguments.look, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);

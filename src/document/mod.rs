@@ -32,8 +32,8 @@ pub use color::{linear_to_srgb, parse_hex, srgb_to_linear};
 pub use edit::{Applied, Edit, Editable, HcbtfEdit, History, Patch, SceneEdit};
 pub use hcbtf::{
     Address, Angle as HcbtfAngle, Bundle, Direction, Directions, Grid, Hcbtf, MAX_ANGLE_STEPS, MAX_TILE_SIDE,
-    Placement, Relief, Rule, StrokeGround, StrokeHighlight, StrokeShadow, StrokeShape, StrokeTones, Strokes, Tile,
-    relief,
+    Placement, Relief, Rule, RuleAbout, StrokeGround, StrokeHighlight, StrokeShadow, StrokeShape, StrokeTones, Strokes,
+    Tile, relief,
 };
 pub use look::*;
 pub use read::Document;

@@ -25,6 +25,19 @@ impl Storage {
         }
     }
 
+    /// What it is, in a line without a full stop: for help, documentation and menus.
+    pub fn about(self) -> &'static str {
+        match self {
+            Self::Quick => "for each texel all its lights side by side: the fewest reads, and the most memory; exact",
+            Self::Compact => {
+                "every tile that differs once, with a palette where that is smaller: less memory, more reads; exact"
+            }
+            Self::Blocks => {
+                "every tile that differs once, compressed to a byte a texel (BC7): colors are off by a little"
+            }
+        }
+    }
+
     /// The one that looks call so.
     pub fn of(word: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|storage| storage.word() == word)

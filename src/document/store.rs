@@ -40,13 +40,32 @@ pub fn read_text(path: &Path) -> Result<String, Box<Diagnostic>> {
         };
         fail("cannot-read", format!("cannot read the file: {error}"), hint)
     };
-    let file = File::open(path).map_err(cannot)?;
     let mut bytes = Vec::new();
-    // One byte beyond the bound tells that there is more, whatever the file's length is said to be.
-    file.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(cannot)?;
+    match crate::examples::file(path) {
+        Some(example) => bytes.extend(example),
+        // One byte beyond the bound tells that there is more, whatever the file's length is said to be.
+        None => {
+            let file = File::open(path).map_err(cannot)?;
+            file.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(cannot)?;
+        }
+    }
     if bytes.len() > MAX_BYTES {
         let message = format!("the file is larger than {} MiB, the bound for documents", MAX_BYTES >> 20);
         return Err(fail("too-large", message, "keep big data in files that the document names"));
+    }
+    if is_painting(path, &bytes) {
+        let message = "this is a painting (an HCBTF), and no text".to_owned();
+        let mut problem = fail(
+            "wrong-document",
+            message,
+            "`chiaro edit` opens it to be painted on, and `chiaro hcbtf` tells what it holds, \
+             fills, exports and imports it",
+        );
+        problem.hints.push(
+            "a look shows it by a node of the kind `hcbtf_lookup`, whose value `sheet` names it: `example:hcbtf/brick.json` is one"
+                .to_owned(),
+        );
+        return Err(problem);
     }
     String::from_utf8(bytes).map_err(|error| {
         let bytes = error.as_bytes();
@@ -60,6 +79,13 @@ pub fn read_text(path: &Path) -> Result<String, Box<Diagnostic>> {
         problem.place.at = Some(LineColumn::of(&before, valid));
         problem
     })
+}
+
+/// Whether bytes are those of an `.hcbtf` file, or of another zip that is called so.
+fn is_painting(path: &Path, bytes: &[u8]) -> bool {
+    let is_called_so = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("hcbtf"));
+    // Our own have the manifest first.
+    bytes.starts_with(b"PK") && (is_called_so || bytes.get(30..43) == Some(b"manifest.json"))
 }
 
 /// Writes a file whole or not at all: into a temporary file in the same folder, which then takes the old one's name,

@@ -90,6 +90,27 @@ pub fn node_svg(kind: &str, catalog: &Catalog) -> String {
     graph_svg(&look, &look.graph, catalog, None)
 }
 
+/// Where a node is, as large as it is drawn.
+fn rect_of(node: &Node, kind: &Kind) -> Rect {
+    // A position may be any finite number.
+    let [x, y] = node.position.map(|x| (x as f32).clamp(-1e6, 1e6));
+    let rows = kind.inputs.len() + kind.outputs.len();
+    [x, y, NODE_WIDTH, if node.collapsed { TITLE_HEIGHT } else { node_height(rows) }]
+}
+
+/// Pairs of nodes of a graph that lie on each other, wholly or in part, as it is drawn. The catalog must know the look's
+/// groups ([`Catalog::sync`]).
+pub fn overlapping(graph: &Graph, catalog: &Catalog) -> Vec<[NodeId; 2]> {
+    let missing = catalog.missing_in(graph);
+    let kind = |id: &NodeId, node: &Node| missing.get(id).or_else(|| catalog.of(node)).cloned();
+    let placed = graph.nodes.iter().filter_map(|(id, node)| Some((id, rect_of(node, &*kind(id, node)?))));
+    let placed: Vec<(&NodeId, Rect)> = placed.collect();
+    let overlap = |[x, y, w, h]: Rect, [u, v, wide, high]: Rect| x < u + wide && u < x + w && y < v + high && v < y + h;
+    let pairs =
+        placed.iter().enumerate().flat_map(|(index, one)| placed[..index].iter().map(move |other| (other, one)));
+    pairs.filter(|(one, other)| overlap(one.1, other.1)).map(|(one, other)| [one.0.clone(), other.0.clone()]).collect()
+}
+
 impl<'a> Drawing<'a> {
     fn new(look: &'a Look, graph: &Graph, catalog: &Catalog, group: Option<&str>) -> Self {
         let missing = catalog.missing_in(graph);
@@ -97,14 +118,11 @@ impl<'a> Drawing<'a> {
         let mut rows = Vec::new();
         for (id, node) in &graph.nodes {
             let Some(kind) = missing.get(id).or_else(|| catalog.of(node)).cloned() else { continue };
-            // A position may be any finite number.
-            let [x, y] = node.position.map(|x| (x as f32).clamp(-1e6, 1e6));
-            let rows_shown = kind.inputs.len() + kind.outputs.len();
-            let height = if node.collapsed { TITLE_HEIGHT } else { node_height(rows_shown) };
+            let rect = rect_of(node, &kind);
             let title = if node.name.is_empty() { kind.label.to_string() } else { node.name.clone() };
             by_id.insert(id.clone(), rows.len());
             let (node, wired) = (node.clone(), vec![false; kind.inputs.len()]);
-            rows.push(Row { title, rect: [x, y, NODE_WIDTH, height], wired, kind, node });
+            rows.push(Row { title, rect, wired, kind, node });
         }
         for (index, kind) in group.and_then(|group| catalog.ends(group)).into_iter().flatten().enumerate() {
             let [left, top, right, bottom] = bounds(rows.iter().map(|row| row.rect)).unwrap_or([0.0; 4]);
@@ -367,6 +385,8 @@ fn theme(palette: &Palette) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use super::*;
     use crate::library::Library;
 
@@ -386,6 +406,33 @@ mod tests {
         assert!(svg.contains("Skin &lt;1&gt;") && svg.contains("#ff8000"), "{svg}");
         assert_eq!(svg.matches("class=\"w tk\"").count(), 1, "one wire, of a composite: {svg}");
         assert_eq!(svg.matches("class=\"n\"").count(), 2);
+    }
+
+    #[test]
+    fn no_nodes_of_an_example_lie_on_each_other() {
+        let mut problems = Vec::new();
+        for name in crate::examples::documents().filter(|name| !name.starts_with("scenes/")) {
+            let text = crate::examples::text(Path::new(&format!("{}{name}", crate::examples::PREFIX))).unwrap();
+            let look = Look::read(&text, name).value.unwrap();
+            let mut catalog = Catalog::new(Library::built_in());
+            catalog.sync(&look, Library::built_in());
+            let inner = look.definitions.iter().map(|(id, definition)| (id.to_string(), &definition.graph));
+            for (graph_name, graph) in inner.chain([(String::new(), &look.graph)]) {
+                let found = overlapping(graph, &catalog);
+                problems.extend(found.iter().map(|[one, other]| format!("{name} {graph_name}: {one} and {other}")));
+            }
+        }
+        assert!(problems.is_empty(), "{problems:#?}");
+        // A row lower they touch, which is no overlap.
+        let two = |y: f32| {
+            let json = format!(
+                r#"{{"nodes": [{{"id": "a", "kind": "uv", "at": [0, 0]}}, {{"id": "b", "kind": "uv", "at": [100, {y}]}}]}}"#
+            );
+            let look = Look::read(&json, "test").value.unwrap();
+            overlapping(&look.graph, &Catalog::new(Library::built_in())).len()
+        };
+        let high = node_height(1);
+        assert_eq!([two(0.0), two(high - 1.0), two(high), two(-high)], [1, 1, 0, 0]);
     }
 
     #[test]

@@ -7,7 +7,7 @@ mod graph;
 pub mod palette;
 mod svg;
 
-pub use graph::{graph_svg, node_svg};
+pub use graph::{graph_svg, node_svg, overlapping};
 pub use palette::Palette;
 pub use svg::escaped;
 

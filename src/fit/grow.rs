@@ -89,7 +89,7 @@ pub fn fit_layers(
     let before = compared_as_is(&shot, &given)?;
     let Polished { look: fitted, after, .. } = polished(&Shot { setup: &worn, ..shot }, &given, options, progress)?;
     progress.add(1);
-    let report = Report::new(&shot, &fitted, target, &before, &after)?;
+    let report = Report::new(&shot, &fitted, target, &before, &after, &options.keep)?;
     let misses = after.into_iter().map(|(missed, _)| missed).collect();
     Ok(Fitted { edit: Edit::Replace { look: Box::new(fitted.clone()) }, look: fitted, report, misses })
 }

@@ -1,5 +1,7 @@
 //! How far a look is from what was painted, before and after, and what was turned.
 
+use std::collections::HashSet;
+
 use serde::Serialize;
 
 use super::Keep;
@@ -10,8 +12,11 @@ use super::state::Setting;
 use super::target::{Target, Wish};
 use crate::diag::Diagnostic;
 use crate::document::Look;
+use crate::figures::count;
 use crate::frame::Picture;
 
+/// Cells along the picture that count as places of their own.
+const CELLS: u64 = 32;
 /// Pixels that are told of.
 const WORST: usize = 5;
 
@@ -22,6 +27,10 @@ pub struct Report {
     pub painted: usize,
     /// Pixels that were compared: painted ones within the objects, thinned where there are very many.
     pub compared: usize,
+    /// Cells of the picture that pixels were compared in, of 32 by 32: two dots are a few, however many pixels they have.
+    pub places: usize,
+    /// Numbers that could be turned: two of a light, three of a profile and of a colour.
+    pub turned: usize,
     /// The RMS error of the look as it was.
     pub before: f64,
     /// The RMS error now.
@@ -86,7 +95,9 @@ impl Report {
         target: &Target,
         before: &Compared,
         after: &Compared,
+        keep: &Keep,
     ) -> Result<Self, Vec<Diagnostic>> {
+        let turned = knobs_of(&wearing(shot, fitted.clone()), shot.look, shot.library, keep)?;
         let all = Keep::default();
         let old = knobs_of(shot.setup, shot.look, shot.library, &all)?;
         let new = knobs_of(&wearing(shot, fitted.clone()), shot.look, shot.library, &all)?;
@@ -96,12 +107,35 @@ impl Report {
         Ok(Self {
             painted: target.wishes.len(),
             compared: after.len(),
+            places: places(target.size, after),
+            turned: turned.iter().map(|(knob, _)| knob.numbers()).sum(),
             before: rms(before),
             after: rms(after),
             changed: changed(&old, &new),
             worst,
         })
     }
+}
+
+impl Report {
+    /// What there is to warn of: more was turned than so few places can tell.
+    pub fn warning(&self) -> Option<Diagnostic> {
+        let Self { places, turned, compared, .. } = self;
+        let message = format!(
+            "{} in {} of the picture cannot tell what {} should be: much of the look is a guess",
+            count(*compared as u64, "painted pixel"),
+            count(*places as u64, "place"),
+            count(*turned as u64, "number")
+        );
+        let problem = Diagnostic::warning("fit-few-places", message);
+        (places < turned).then(|| problem.hint("paint more of the light, of the shade, and of where one becomes the other; or keep what is right already"))
+    }
+}
+
+/// The cells that pixels lie in, of a picture that is cut into 32 by 32.
+fn places(size: [u32; 2], compared: &Compared) -> usize {
+    let cell = |pixel: [u32; 2]| [0, 1].map(|axis| u64::from(pixel[axis]) * CELLS / u64::from(size[axis].max(1)));
+    compared.iter().map(|(missed, _)| cell(missed.pixel)).collect::<HashSet<_>>().len()
 }
 
 /// How far the look of `shot` is off as it is.

@@ -83,12 +83,12 @@ pub fn fit_look(
     progress.add(1);
     if squares(&missing_of(&after)) >= squares(&missing_of(&before)) {
         // What is written in numbers that people read is no nearer: it stays.
-        let report = Report::new(&shot, &setup.looks[look].look, target, &before, &before)?;
+        let report = Report::new(&shot, &setup.looks[look].look, target, &before, &before, &options.keep)?;
         let misses = before.into_iter().map(|(missed, _)| missed).collect();
         let edit = Edit::Group { edits: Vec::new() };
         return Ok(Fitted { edit, look: setup.looks[look].look.clone(), report, misses });
     }
-    let report = Report::new(&shot, &fitted, target, &before, &after)?;
+    let report = Report::new(&shot, &fitted, target, &before, &after, &options.keep)?;
     let edit = Edit::Group { edits: first.into_iter().chain(edits).collect() };
     let misses = after.into_iter().map(|(missed, _)| missed).collect();
     Ok(Fitted { edit, look: fitted, report, misses })

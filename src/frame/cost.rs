@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::plan::{Draw, PassKind, PlanOptions};
 use crate::compile::{Attribute, CompiledShader};
+use crate::figures;
 use crate::wgsl::{self, Operations, Valid};
 
 /// What an effect costs; of what is dropped, what it would cost.
@@ -39,21 +40,11 @@ impl std::fmt::Display for EffectCost {
         let milliseconds = self
             .milliseconds
             .map(|ms| format!("{} ms", if ms < 9.95 { format!("{ms:.2}") } else { format!("{ms:.0}") }));
-        let operations = (self.operations > 0)
-            .then(|| format!("{} operation{}", self.operations, if self.operations == 1 { "" } else { "s" }));
-        let bytes = (self.bytes > 0).then(|| bytes_text(self.bytes));
+        let operations = (self.operations > 0).then(|| figures::count(self.operations, "operation"));
+        let bytes = (self.bytes > 0).then(|| figures::bytes(self.bytes));
         let parts: Vec<String> = [milliseconds, operations, bytes].into_iter().flatten().collect();
         f.write_str(if parts.is_empty() { "nothing" } else { "" })?;
         f.write_str(&parts.join(", "))
-    }
-}
-
-/// Bytes in a unit of a handy size.
-fn bytes_text(bytes: u64) -> String {
-    match bytes {
-        0..1024 => format!("{bytes} B"),
-        1024..0x10_0000 => format!("{:.1} KiB", bytes as f64 / 1024.0),
-        _ => format!("{:.1} MiB", bytes as f64 / f64::from(0x10_0000)),
     }
 }
 

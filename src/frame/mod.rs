@@ -14,6 +14,7 @@ mod plan;
 mod samples;
 mod setup;
 mod tiles;
+mod uvs;
 mod values;
 mod visibility;
 
@@ -31,11 +32,12 @@ pub use keys::{
 };
 pub use picture::Picture;
 pub use plan::{Draw, Dropped, FramePlan, LookShaders, Pass, PassKind, PlanOptions, Planner};
-pub use samples::{EvalBatch, EvalSample, LightOverride, eval_batches};
+pub use samples::{EvalBatch, EvalSample, Evaluable, LightOverride, eval_batches};
 pub use setup::{
     ANY_MATERIAL, DEFAULT_MESH, Setup, SetupLook, SetupObject, Wardrobe, default_setup, look_of, object_matrix, open,
     place_objects, scene_setup,
 };
-pub use tiles::{moving_light, tile_assets, tile_batches, tiles_of};
+pub use tiles::{MAX_TILE_SAMPLES, TileView, moving_light, tile_assets};
+pub use uvs::missing_uvs;
 pub use values::check_exposed_value;
 pub use visibility::Cull;

@@ -15,6 +15,7 @@ use super::cost::{self, EffectCost};
 use super::effects::EffectKind;
 use super::keys::{Moment, ParamTable, Rig, structural_look};
 use super::setup::{Setup, SetupLook, SetupObject};
+use super::uvs;
 use super::values::live_for_values;
 use super::visibility::{Cull, KnownBounds, Placed, dark_lights, fields, hidden};
 use crate::compile::{CompiledShader, HostInputs, ImageShape, Live, Options, Param, Proof, Stage, Uniform, compile};
@@ -22,7 +23,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Driver, Graph, KeyDirection, Light, Look, Value};
 use crate::geometry::Mesh;
 use crate::hcbtf::LayerOptions;
-use crate::ids::{LightId, ObjectId};
+use crate::ids::{LightId, NodePath, ObjectId};
 use crate::library::{Context, Library, LightField, SMOOTH_LEVELS};
 
 /// What a picture is asked for.
@@ -241,6 +242,8 @@ pub struct Planner {
     shaders: HashMap<u64, LookShaders>,
     /// Those that the last plan used.
     used: HashSet<u64>,
+    /// The nodes of compiled looks that read UVs, where a mesh has none.
+    uv_readers: HashMap<u64, Vec<NodePath>>,
     /// What was odd, but stopped nothing.
     pub warnings: Vec<Diagnostic>,
     /// Whether looks are compiled as they are written: nothing folded, merged or removed.
@@ -330,6 +333,7 @@ impl Planner {
             return Err(problems);
         }
         self.used = keys.values().map(|(key, _)| *key).collect();
+        self.warn_of_uvs(setup, &seen, &keys, library);
         push_equal_looks(&mut dropped, setup, &keys);
         let needs = |context: Context, what: &str| {
             seen.iter().find_map(|(number, object)| {
@@ -389,6 +393,26 @@ impl Planner {
             }
         }
         seen
+    }
+
+    /// Tells of objects whose looks read UVs that their meshes do not have.
+    fn warn_of_uvs(&mut self, setup: &Setup, seen: &[(usize, &SetupObject)], keys: &Keys, library: &Library) {
+        self.uv_readers.retain(|key, _| self.used.contains(key));
+        for &(number, object) in seen.iter().filter(|(_, object)| !object.mesh.has_uvs) {
+            for &index in object.looks.iter().flatten().collect::<BTreeSet<_>>() {
+                let look = &setup.looks[index];
+                let Some((key, _)) = keys.get(&(number, index)) else { continue };
+                let Some(LookShaders { draw, .. }) = self.shaders.get(key) else { continue };
+                if !draw.needs.context(Context::Uv) {
+                    continue;
+                }
+                let readers = self.uv_readers.entry(*key).or_insert_with(|| uvs::readers(look, draw, library));
+                let problem = uvs::without_uvs(object, look, readers);
+                if !self.warnings.contains(&problem) {
+                    self.warnings.push(problem);
+                }
+            }
+        }
     }
 
     /// Tells of keys by the distance to an object that is not in the scene.

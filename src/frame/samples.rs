@@ -117,6 +117,60 @@ pub struct EvalBatch {
     pub images: Vec<Arc<Image>>,
 }
 
+/// A look compiled for the evaluation of samples, as many batches of them as are wanted.
+#[derive(Debug)]
+pub struct Evaluable<'a> {
+    setup: &'a SetupLook,
+    /// The module, of [`Stage::Eval`].
+    pub shader: Arc<CompiledShader>,
+    /// The images of the module's needs.
+    pub images: Vec<Arc<Image>>,
+    rig: Rig,
+    table: ParamTable,
+}
+
+impl<'a> Evaluable<'a> {
+    /// Compiles a look for samples that set no values, at time 0.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the look, and images that cannot be read.
+    pub fn new(setup: &'a SetupLook, library: &Library, assets: &mut Assets) -> Result<Self, Vec<Diagnostic>> {
+        let look = structural_look(&setup.look, 0.0, &Values::new());
+        let shader = compile(&look, library, &Options { stage: Stage::Eval, ..Options::default() });
+        let shader = shader.map_err(|mut problems| {
+            setup.source.locate_all(&mut problems);
+            problems
+        })?;
+        Self::of(setup, &look, shader.into(), assets)
+    }
+
+    fn of(
+        setup: &'a SetupLook,
+        look: &Look,
+        shader: Arc<CompiledShader>,
+        assets: &mut Assets,
+    ) -> Result<Self, Vec<Diagnostic>> {
+        let images = images(assets, &shader, setup)?;
+        let (rig, _) = Rig::new(look);
+        let table = ParamTable::new(&shader.params);
+        Ok(Self { setup, shader, images, rig, table })
+    }
+
+    /// Packs samples, of which there is at least one.
+    ///
+    /// # Errors
+    /// Values that cannot be packed.
+    pub fn pack<'s>(&self, samples: impl ExactSizeIterator<Item = &'s EvalSample>) -> Result<Uniform, Diagnostic> {
+        let packer = Packer::new(&self.shader);
+        let mut packed = Uniform { bytes: vec![0; packer.stride * samples.len()], numbers: Vec::new() };
+        for (place, sample) in samples.enumerate() {
+            let at = place * packer.stride;
+            packer.pack(sample, &self.setup.look.lights, &self.rig, &self.table, at, &mut packed)?;
+        }
+        Ok(packed)
+    }
+}
+
 /// Packs samples for the GPU. Samples whose values change what is compiled (a choice's word) go into batches of their
 /// own.
 ///
@@ -153,18 +207,9 @@ pub fn eval_batches(
                 |problem: Diagnostic| problem.hint(format!("this is with the values of sample [{}]", indices[0]));
             located(problems.into_iter().map(|problem| if is_set { told(problem) } else { problem }).collect())
         })?;
-        let shader = Arc::new(shader);
-        let images = images(assets, &shader, setup)?;
-        let (rig, _) = Rig::new(&look);
-        let table = ParamTable::new(&shader.params);
-        let packer = Packer::new(&shader);
-        let mut packed = Uniform { bytes: vec![0; packer.stride * indices.len()], numbers: Vec::new() };
-        for (place, &index) in indices.iter().enumerate() {
-            packer
-                .pack(&samples[index], &setup.look.lights, &rig, &table, place * packer.stride, &mut packed)
-                .map_err(|p| vec![p])?;
-        }
-        batches.push(EvalBatch { shader, indices, samples: packed, images });
+        let made = Evaluable::of(setup, &look, Arc::new(shader), assets)?;
+        let packed = made.pack(indices.iter().map(|&index| &samples[index])).map_err(|problem| vec![problem])?;
+        batches.push(EvalBatch { shader: made.shader, indices, samples: packed, images: made.images });
     }
     Ok(batches)
 }

@@ -6,11 +6,10 @@ use glam::{DMat3, DQuat, DVec2, DVec3};
 use indexmap::IndexMap;
 
 use super::assets::Assets;
-use super::samples::{EvalBatch, EvalSample, LightOverride, eval_batches};
+use super::samples::{EvalSample, Evaluable, LightOverride};
 use super::setup::SetupLook;
-use crate::compile::Options;
 use crate::diag::Diagnostic;
-use crate::document::{Address, ColorSpace, Direction, Directions, Grid, LightKind, LightSpace, Tile, linear_to_srgb};
+use crate::document::{Address, Grid, LightKind, LightSpace};
 use crate::hcbtf::Progress;
 use crate::ids::LightId;
 use crate::library::Library;
@@ -54,68 +53,88 @@ pub fn tile_assets(
     mut assets: Assets,
     progress: &Arc<Progress>,
 ) -> Result<Assets, Vec<Diagnostic>> {
-    let one = Directions { theta: 1, phi: 1 };
-    let grid = Grid { size: [1, 1], light: one, view: one };
+    if !setup.look.lights.contains_key(light) {
+        return Err(vec![Diagnostic::error("unknown-light", format!("the look has no light `{light}`"))]);
+    }
     assets.watch(Some(progress.clone()));
-    tile_batches(setup, library, &grid, light, Direction::default(), &mut assets)?;
+    Evaluable::new(setup, library, &mut assets)?;
     assets.watch(None);
     Ok(assets)
 }
 
-/// What is to be evaluated for all lights of a view: for each light in the grid's order the texels of a tile, rows from the
-/// top. The tile lies at z = 0 with its middle at the origin, as wide as 1, u along x and v along y; the camera is far away,
-/// its right and up turned from u and v as the view is from the normal. Other lights than `light` stay where they are.
-///
-/// # Errors
-/// Everything that is wrong with the look.
-pub fn tile_batches(
-    setup: &SetupLook,
-    library: &Library,
-    grid: &Grid,
-    light: &LightId,
-    view: Direction,
-    assets: &mut Assets,
-) -> Result<Vec<EvalBatch>, Vec<Diagnostic>> {
-    let toward_eye = grid.view.vector(view);
-    let turn = DQuat::from_rotation_arc(DVec3::Z, toward_eye);
-    let camera = DMat3::from_cols(turn * DVec3::X, turn * DVec3::Y, toward_eye).transpose();
-    let space = setup.look.lights.get(light).map(|light| light.space).unwrap_or_default();
-    let [width, height] = grid.size;
-    let mut samples = Vec::with_capacity(grid.texels() * grid.light.distinct().count());
-    for direction in grid.light.distinct() {
-        let toward_light = grid.light.vector(direction);
-        let direction = if space == LightSpace::Camera { camera * toward_light } else { toward_light };
-        let moved = LightOverride { direction: Some(direction), ..LightOverride::default() };
-        let lights = IndexMap::from([(light.clone(), moved)]);
-        for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
-            let uv =
-                DVec2::new((f64::from(x) + 0.5) / f64::from(width), 1.0 - (f64::from(y) + 0.5) / f64::from(height));
-            let aspect = f64::from(height) / f64::from(width);
-            samples.push(EvalSample {
-                normal: DVec3::Z,
-                tangent: Some(DVec3::X),
-                view: toward_eye,
-                position: DVec3::new(uv.x - 0.5, (uv.y - 0.5) * aspect, 0.0),
-                camera,
-                uv,
-                lights: lights.clone(),
-                ..EvalSample::default()
-            });
-        }
-    }
-    eval_batches(setup, library, &samples, &Options::default(), assets)
+/// The most samples of a texel.
+pub const MAX_TILE_SAMPLES: u32 = 64;
+
+/// A tile as one eye sees it under one light. It lies at z = 0 with its middle at the origin, as wide as 1, u along x and v
+/// along y; the camera is far away, its right and up turned from u and v as the view is from the normal. Other lights than
+/// the one that goes around stay where they are.
+#[derive(Clone, Debug)]
+pub struct TileView {
+    size: [u32; 2],
+    /// All that its samples have in common.
+    common: EvalSample,
 }
 
-/// The tiles of a view by their lights, from what [`tile_batches`] evaluates to, in its order.
-pub fn tiles_of(setup: &SetupLook, grid: &Grid, view: Direction, values: &[[f64; 4]]) -> Vec<(Address, Tile)> {
-    let is_linear = setup.look.color_space == ColorSpace::Linear;
-    let byte = |(channel, value): (usize, f64)| {
-        let shown = if is_linear && channel < 3 { linear_to_srgb(value) } else { value };
-        (255.0 * shown.clamp(0.0, 1.0)).round() as u8
-    };
-    let tile = |(light, texels): (Direction, &[[f64; 4]])| {
-        let rgba = texels.iter().flat_map(|texel| texel.iter().copied().enumerate().map(byte)).collect();
-        Some((Address { view, light }.canonical(), Tile::new(grid.size, rgba)?))
-    };
-    grid.light.distinct().zip(values.chunks_exact(grid.texels().max(1))).filter_map(tile).collect()
+impl TileView {
+    /// The tile of a look that `light` goes around.
+    pub fn new(setup: &SetupLook, grid: &Grid, light: &LightId, address: Address) -> Self {
+        let toward_eye = grid.view.vector(address.view);
+        let turn = DQuat::from_rotation_arc(DVec3::Z, toward_eye);
+        let camera = DMat3::from_cols(turn * DVec3::X, turn * DVec3::Y, toward_eye).transpose();
+        let space = setup.look.lights.get(light).map(|light| light.space).unwrap_or_default();
+        let toward_light = grid.light.vector(address.light);
+        let direction = if space == LightSpace::Camera { camera * toward_light } else { toward_light };
+        let moved = LightOverride { direction: Some(direction), ..LightOverride::default() };
+        let common = EvalSample {
+            normal: DVec3::Z,
+            tangent: Some(DVec3::X),
+            view: toward_eye,
+            camera,
+            lights: IndexMap::from([(light.clone(), moved)]),
+            ..EvalSample::default()
+        };
+        Self { size: grid.size, common }
+    }
+
+    /// One of `count` samples of a texel, both counted from 0, texels by rows from the top. `count` is a power of 2, up to
+    /// [`MAX_TILE_SAMPLES`]: each column and each row of the `count` that a texel is cut into has one sample, in its middle; 1
+    /// is the middle of the texel, 4 are the samples of a pixel on GPUs.
+    pub fn sample(&self, texel: usize, index: u32, count: u32) -> EvalSample {
+        let [width, height] = self.size;
+        let [x, y] = [texel as u32 % width, texel as u32 / width];
+        let [right, down] = within(index, count);
+        let u = (f64::from(x) + right) / f64::from(width);
+        let uv = DVec2::new(u, 1.0 - (f64::from(y) + down) / f64::from(height));
+        let aspect = f64::from(height) / f64::from(width);
+        EvalSample { position: DVec3::new(uv.x - 0.5, (uv.y - 0.5) * aspect, 0.0), uv, ..self.common.clone() }
+    }
+}
+
+/// Where in a texel a sample is, 0 to 1 from the upper left: Hammersley's points, their rows exchanged by halves so that
+/// four of them are turned and not on a diagonal.
+fn within(index: u32, count: u32) -> [f64; 2] {
+    let bits = count.trailing_zeros();
+    let reversed = if bits == 0 { 0 } else { index.reverse_bits() >> (u32::BITS - bits) };
+    [index, reversed ^ (count >> 1)].map(|place| (f64::from(place) + 0.5) / f64::from(count))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn samples_lie_in_rows_and_columns_of_their_own() {
+        assert_eq!(within(0, 1), [0.5; 2]);
+        // In sixteenths, as Direct3D and Vulkan have them.
+        let four: Vec<[f64; 2]> = (0..4).map(|index| within(index, 4).map(|at| 16.0 * at)).collect();
+        assert_eq!(four, [[2.0, 10.0], [6.0, 2.0], [10.0, 14.0], [14.0, 6.0]]);
+        for count in [2, 8, 16, 32, MAX_TILE_SAMPLES] {
+            for axis in 0..2 {
+                let place = |index| (within(index, count)[axis] * f64::from(count)) as u32;
+                let mut places: Vec<u32> = (0..count).map(place).collect();
+                places.sort_unstable();
+                assert_eq!(places, (0..count).collect::<Vec<_>>(), "{count}");
+            }
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! HCBTFs in the forms of other programs: what the command line and the window import and export is the same.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::blocks::{Loss, loss};
 use super::fill::{Filled, NotFilled, Which};
@@ -8,6 +8,7 @@ use super::layers::{LayerOptions, from_layers, stored};
 use super::{Progress, contact, folder, ktx2, read_bytes, sheet};
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Hcbtf, Storage, write_atomic};
+use crate::figures::{bytes, count};
 
 /// How samples lie in other programs' files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -38,11 +39,15 @@ impl Form {
 }
 
 /// The grid with as many texels a tile as the pictures at `from` have, with `gap` texels between tiles on a contact sheet.
-/// Where that cannot be told it is as it was, and importing tells what is wrong.
+/// A folder that Chiaro wrote tells all of its grid. Where nothing can be told it is as it was, and importing tells what is
+/// wrong.
 pub fn fitted(from: &Path, form: Form, grid: Grid, gap: u32) -> Grid {
     let size_of = |path: &Path| image::image_dimensions(path).ok().map(|(width, height)| [width, height]);
     let per = |side: u32, count: u64| u32::try_from(u64::from(side) / count.max(1)).unwrap_or(u32::MAX);
     let (light, view) = (grid.light, grid.view);
+    if let Some(told) = Some(from).filter(|_| form == Form::Folder).and_then(folder::told_grid) {
+        return told;
+    }
     let size = match form {
         Form::Folder => first_image(from).and_then(|path| size_of(&path)),
         Form::Contact => size_of(from).map(|[width, height]| {
@@ -61,13 +66,13 @@ pub fn fitted(from: &Path, form: Form, grid: Grid, gap: u32) -> Grid {
 }
 
 /// The PNG of a folder that comes first by its name.
-fn first_image(folder: &Path) -> Option<std::path::PathBuf> {
+fn first_image(folder: &Path) -> Option<PathBuf> {
     let files = std::fs::read_dir(folder).ok()?.flatten().map(|entry| entry.path());
     files.filter(|path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"))).min()
 }
 
 /// An HCBTF of what other programs made, with what was odd about it. `gap` is between the tiles of a contact sheet, in
-/// texels. A KTX2 file tells its grid itself. `progress` counts samples.
+/// texels. A KTX2 file and a folder that Chiaro wrote tell their grid themselves. `progress` counts samples.
 ///
 /// # Errors
 /// Everything that keeps the files from being used, and where it is stopped.
@@ -122,7 +127,6 @@ pub fn export(
     path: &Path,
     progress: &Progress,
 ) -> Result<Option<String>, Vec<Diagnostic>> {
-    let alone = |problem: Box<Diagnostic>| vec![*problem];
     let picture = match form {
         Form::Ktx2 => return export_texture(filled, manner.storage, path, progress).map(Some),
         Form::Folder => return export_folder(filled, manner.which, path, progress).map(Some),
@@ -134,6 +138,35 @@ pub fn export(
     Ok(None)
 }
 
+/// What an export in this form would replace, or lie beside: the file, or what a folder holds of an earlier export.
+pub fn in_the_way(form: Form, path: &Path) -> Vec<PathBuf> {
+    match form {
+        Form::Folder => folder::exported(path),
+        _ if path.exists() => vec![path.to_path_buf()],
+        _ => Vec::new(),
+    }
+}
+
+/// Takes away what a folder holds of an earlier export, so that none of its images are taken for those of the next.
+///
+/// # Errors
+/// The first file that cannot be removed.
+pub fn clear_folder(path: &Path) -> Result<(), Vec<Diagnostic>> {
+    let mut old = folder::exported(path).into_iter();
+    old.try_for_each(|path| std::fs::remove_file(&path).map_err(|error| cannot_remove(&path, &error)))
+}
+
+fn cannot_remove(path: &Path, error: &std::io::Error) -> Vec<Diagnostic> {
+    let problem = Diagnostic::error("cannot-write", format!("the file cannot be removed: {error}"));
+    vec![problem.in_file(path.display().to_string()).hint("choose another folder")]
+}
+
+/// A problem that comes alone.
+#[expect(clippy::boxed_local, reason = "it is handed to map_err, of results whose errors are boxed")]
+fn alone(problem: Box<Diagnostic>) -> Vec<Diagnostic> {
+    vec![*problem]
+}
+
 fn export_texture(
     filled: &Filled,
     storage: Storage,
@@ -143,10 +176,10 @@ fn export_texture(
     let options = LayerOptions { has_levels: true, is_decoded: false, storage };
     let (grid, tile) = (filled.grid(), |address| filled.tile(address));
     let texture = stored(&grid, tile, options, progress).map_err(|problem| vec![problem])?;
-    write_atomic(path, &ktx2::write(&texture)).map_err(|problem| vec![*problem])?;
+    write_atomic(path, &ktx2::write(&texture)).map_err(alone)?;
     let [width, height] = texture.size;
-    let mib = texture.bytes.len() as f64 / f64::from(1 << 20);
-    let mut said = format!("{width} x {height} texels, {} layers, {mib:.2} MiB", texture.count);
+    let (layers, size) = (count(u64::from(texture.count), "layer"), bytes(texture.bytes.len() as u64));
+    let mut said = format!("{width} x {height} texels, {layers}, {size}");
     if storage == Storage::Blocks {
         let Loss { rms, largest } = loss(&grid, tile, &texture);
         said += &format!("; of 255, the blocks are off by {rms:.2} (rms), {largest:.0} at most");
@@ -159,18 +192,25 @@ fn export_folder(filled: &Filled, which: Which, path: &Path, progress: &Progress
         let problem = Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
         return Err(vec![problem.in_file(path.display().to_string()).hint("choose another one")]);
     }
+    let (name, listing) = folder::listing(filled, which).map_err(alone)?;
+    let listing_path = path.join(name);
+    // It is there once all of the images are: beside others it would lie.
+    if listing_path.exists() {
+        std::fs::remove_file(&listing_path).map_err(|error| cannot_remove(&listing_path, &error))?;
+    }
     progress.begin(filled.grid().sample_count());
-    let mut count = 0;
+    let mut written = 0;
     for image in folder::export(filled, which) {
         if progress.is_stopped() {
             return Err(vec![NotFilled::Stopped.into()]);
         }
-        let written = image.and_then(|(name, png)| write_atomic(&path.join(name), &png));
-        written.map_err(|problem| vec![*problem])?;
-        count += 1;
+        let (name, png) = image.map_err(alone)?;
+        write_atomic(&path.join(name), &png).map_err(alone)?;
+        written += 1;
         progress.add(1);
     }
-    Ok(format!("{count} images"))
+    write_atomic(&listing_path, listing.as_bytes()).map_err(alone)?;
+    Ok(format!("{}, and {name}, which tells the grid and the rules", count(written, "image")))
 }
 
 #[cfg(test)]

@@ -174,7 +174,7 @@ pub(super) fn tile(png: &[u8], size: [u32; 2], what: &str, report: &mut Report) 
 }
 
 /// Tells of rules that copy a sample that nobody painted.
-fn idle_rules(hcbtf: &Hcbtf, report: &mut Report) {
+pub(super) fn idle_rules(hcbtf: &Hcbtf, report: &mut Report) {
     for (index, rule) in hcbtf.rules.iter().enumerate() {
         let needed = match rule {
             Rule::Copy { from } | Rule::Specular { from, .. } => vec![*from],

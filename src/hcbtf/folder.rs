@@ -3,19 +3,24 @@
 //! A name says where the sample belongs: `l2.3_v1.4.png` is seen with the light at ring 2, step 3, and the view at ring 1,
 //! step 4. Or files are numbered (`brick-0001.png`), in the order of [`Grid::addresses`]: the views one after the other, and
 //! for each all lights. Numbers begin at 0 where one of them is 0, and at 1 otherwise.
+//!
+//! Folders that Chiaro wrote have [`hcbtf.json`](super::listing) beside the images, which tells the grid and the rest; of
+//! others somebody must say what grid they are of.
 
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::file::{read_bytes, tile};
+use super::file::{idle_rules, read_bytes, tile};
 use super::fill::{Filled, Which};
+use super::listing::{self, Listing};
 use super::picture::encode;
 use super::report::Report;
 use super::sheet::gathered;
 use super::{MAX_PAINTED, MAX_PAINTED_BYTES, Progress};
 use crate::diag::Diagnostic;
-use crate::document::{Address, Direction, Grid, Hcbtf, Tile};
+use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Tile};
+use crate::figures::count;
 
 /// The name of a sample's image.
 pub fn file_name(Address { light, view }: Address) -> String {
@@ -46,7 +51,8 @@ fn number(name: &str) -> Option<u64> {
     stem.get(digits..)?.parse().ok()
 }
 
-/// Reads a folder; other files than PNGs, and folders in it, are left alone.
+/// Reads a folder; other files than PNGs and `hcbtf.json`, and folders in it, are left alone. Where there is an `hcbtf.json`,
+/// the grid is the one that it tells, whatever `grid` says.
 ///
 /// # Errors
 /// As [`import`], and where the folder cannot be read.
@@ -59,6 +65,22 @@ pub fn load(folder: &Path, grid: Grid, progress: &Progress) -> Result<(Hcbtf, Ve
     let files = entries.flatten().filter(|entry| entry.path().is_file());
     let names: Vec<String> = files.filter_map(|entry| entry.file_name().into_string().ok()).collect();
     import(names, &|file| read_bytes(&folder.join(file)).map_err(|problem| problem.message), grid, &name, progress)
+}
+
+/// The grid that the `hcbtf.json` of a folder tells, where there is one.
+pub(super) fn told_grid(folder: &Path) -> Option<Grid> {
+    let bytes = read_bytes(&folder.join(listing::NAME)).ok()?;
+    listed(&bytes, &mut Report::new("")).map(|listing| listing.grid)
+}
+
+/// What an `hcbtf.json` says.
+fn listed(bytes: &[u8], report: &mut Report) -> Option<Listing> {
+    if bytes.len() as u64 > listing::MAX_BYTES {
+        let message = format!("`{}` is larger than {} MiB", listing::NAME, listing::MAX_BYTES >> 20);
+        report.add(Diagnostic::error("too-large", message).hint("export the folder again"));
+        return None;
+    }
+    listing::parse(bytes, report)
 }
 
 /// An HCBTF from images, of which `read` gives the bytes by name; `folder` is what diagnostics call them together.
@@ -89,32 +111,98 @@ fn import_into(
         report.add(Diagnostic::error("hcbtf-grid", why));
         return None;
     }
+    let listing = match names.iter().find(|name| *name == listing::NAME) {
+        Some(name) => Some(listed(&told(read(name), name, report)?, report)?),
+        None => None,
+    };
+    let grid = listing.as_ref().map_or(grid, |listing| listing.grid);
     names.retain(|name| stem(name).is_some());
     names.sort();
     let placed = placed(&names, &grid, report)?;
-    let needed = placed.len() as u64 * grid.texels() as u64 * 4;
-    if placed.len() > MAX_PAINTED || needed > MAX_PAINTED_BYTES {
-        let message = format!("{} images take {} MiB", placed.len(), needed >> 20);
-        let hint = format!("at most {MAX_PAINTED} images and {} MiB can be", MAX_PAINTED_BYTES >> 20);
-        report.add(Diagnostic::error("too-large", message).hint(hint));
-        return None;
-    }
+    let is_painted = |name: &str| listing.as_ref().is_none_or(|listing| !listing.was_filled(name));
+    check_count(placed.values().filter(|name| is_painted(name)).count(), &grid, report)?;
+    let other_grid = listing.is_none().then(|| other_grid(&placed, &grid)).flatten();
     progress.begin(placed.len() as u64);
-    let wanted = placed.into_iter().take_while(|_| !progress.is_stopped());
-    let painted = wanted.filter_map(|(address, name)| {
+    let mut painted: Vec<(Address, Arc<Tile>)> = Vec::new();
+    for (address, name) in placed.into_iter().take_while(|_| !progress.is_stopped()) {
         progress.add(1);
-        let png = read(name).map_err(|why| {
-            let problem = Diagnostic::error("cannot-read", format!("`{name}` cannot be read: {why}"));
-            report.add(problem.hint("name a folder whose files you may read"));
-        });
-        let tile = tile(&png.ok()?, grid.size, &format!("`{name}`"), report)?;
-        Some((address, Arc::new(tile)))
-    });
-    let painted: Vec<(Address, Arc<Tile>)> = painted.collect();
+        let Some(png) = told(read(name), name, report) else { continue };
+        let Some(tile) = tile(&png, grid.size, &format!("`{name}`"), report) else { continue };
+        if listing.as_ref().is_some_and(|listing| listing.is_filled(name, &tile)) {
+            continue;
+        }
+        painted.push((address, Arc::new(tile)));
+        // Of those that were filled any number may be painted by now.
+        check_count(painted.len(), &grid, report)?;
+    }
     if progress.is_stopped() {
         report.stop();
     }
-    Some(gathered(grid, painted))
+    let mut hcbtf = gathered(grid, painted);
+    if let Some(listing) = listing {
+        (hcbtf.is_tiling, hcbtf.rules) = (listing.is_tiling, listing.rules);
+    }
+    if !report.has_errors() {
+        other_grid.into_iter().for_each(|problem| report.add(problem));
+        idle_rules(&hcbtf, report);
+    }
+    Some(hcbtf)
+}
+
+fn told(read: Result<Vec<u8>, String>, name: &str, report: &mut Report) -> Option<Vec<u8>> {
+    let told = |why| {
+        let problem = Diagnostic::error("cannot-read", format!("`{name}` cannot be read: {why}"));
+        report.add(problem.hint("name a folder whose files you may read"));
+    };
+    read.map_err(told).ok()
+}
+
+/// Refuses more painted samples than a file can hold.
+fn check_count(painted: usize, grid: &Grid, report: &mut Report) -> Option<()> {
+    let needed = painted as u64 * grid.texels() as u64 * 4;
+    if painted <= MAX_PAINTED && needed <= MAX_PAINTED_BYTES {
+        return Some(());
+    }
+    let message = format!("{painted} images take {} MiB", needed >> 20);
+    let hint = format!("at most {MAX_PAINTED} images and {} MiB can be", MAX_PAINTED_BYTES >> 20);
+    report.add(Diagnostic::error("too-large", message).hint(hint));
+    None
+}
+
+/// What there is to say of images that seem to be of another grid: numbered ones that are not as many as its samples, and
+/// named ones that are all of a smaller grid.
+fn other_grid(placed: &BTreeMap<Address, &str>, grid: &Grid) -> Option<Diagnostic> {
+    let found = placed.len() as u64;
+    let told = |grid: &Grid| {
+        let directions = |of: Directions| format!("{}x{}", of.theta, of.phi);
+        format!("{}x{},{},{}", grid.size[0], grid.size[1], directions(grid.light), directions(grid.view))
+    };
+    let problem = |message: String, grid: &str| {
+        let hint = format!("name the grid that they were made with, on the command line as `--grid {grid}`");
+        Some(Diagnostic::warning("hcbtf-other-grid", message).hint(hint))
+    };
+    if !placed.values().any(|name| parse_name(name).is_some()) {
+        let (images, samples) = (count(found, "numbered image"), grid.sample_count());
+        let message = format!("there are {images}, and the grid {} has {samples} samples", told(grid));
+        return if found == samples { None } else { problem(message, &told(&Grid::THESIS)) };
+    }
+    let spanned = |of: fn(&Address) -> Direction| {
+        let most = |angle: fn(Direction) -> u32| placed.keys().map(|address| angle(of(address))).max().unwrap_or(0) + 1;
+        Directions { theta: most(|direction| direction.theta), phi: most(|direction| direction.phi) }
+    };
+    let smaller = Grid { light: spanned(|address| address.light), view: spanned(|address| address.view), ..*grid };
+    // A few that happen to be all of a tiny grid are no hint.
+    let is_whole = |of: Directions| of.theta == 1 || of.phi >= 3;
+    let is_smaller = smaller.sample_count() < grid.sample_count() && smaller.sample_count() == found && found > 1;
+    if !is_smaller || !is_whole(smaller.light) || !is_whole(smaller.view) {
+        return None;
+    }
+    let message = format!(
+        "the images are all {found} samples of the grid {}, and they are taken for some of {}",
+        told(&smaller),
+        told(grid)
+    );
+    problem(message, &told(&smaller))
 }
 
 /// Which file holds which sample.
@@ -156,6 +244,28 @@ fn placed<'a>(names: &'a [String], grid: &Grid, report: &mut Report) -> Option<B
         report.add(Diagnostic::error("hcbtf-folder", "there is no sample in this folder").hint(hint));
     }
     Some(placed)
+}
+
+/// The name and the text of the file that tells what the images of [`export`] cannot.
+///
+/// # Errors
+/// Where the rules cannot be written.
+pub fn listing(filled: &Filled, which: Which) -> Result<(&'static str, String), Box<Diagnostic>> {
+    let text = listing::text(filled, which).map_err(|error| {
+        let message = format!("`{}` cannot be written: {error}", listing::NAME);
+        Box::new(Diagnostic::error("cannot-write", message))
+    })?;
+    Ok((listing::NAME, text))
+}
+
+/// What a folder holds of an export: its `hcbtf.json`, and images that are named as samples.
+pub(super) fn exported(folder: &Path) -> Vec<PathBuf> {
+    let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
+    let is_ours = |name: &str| name == listing::NAME || parse_name(name).is_some();
+    let ours = entries.flatten().filter(|entry| entry.file_name().to_str().is_some_and(is_ours));
+    let mut paths: Vec<PathBuf> = ours.map(|entry| entry.path()).filter(|path| path.is_file()).collect();
+    paths.sort();
+    paths
 }
 
 /// The name and the PNG of each sample, made one at a time.

@@ -41,19 +41,7 @@ pub(super) fn sample_name(address: Address) -> String {
 
 /// The manifest's text: a field a line, a rule a line, a sample a line, so that tools that compare lines work well.
 pub(super) fn text(hcbtf: &Hcbtf) -> Result<String, serde_json::Error> {
-    let Grid { size, light, view } = hcbtf.grid;
-    let directions = |of: Directions| format!("{{ \"theta\": {}, \"phi\": {} }}", of.theta, of.phi);
-    let mut text = format!("{{\n  \"chiaro\": \"hcbtf\",\n  \"version\": {VERSION},\n");
-    let _ = writeln!(
-        text,
-        "  \"grid\": {{ \"size\": [{}, {}], \"light\": {}, \"view\": {} }},\n  \"tiling\": {},",
-        size[0],
-        size[1],
-        directions(light),
-        directions(view),
-        hcbtf.is_tiling
-    );
-    let rules: Vec<String> = hcbtf.rules.iter().map(serde_json::to_string).collect::<Result<_, _>>()?;
+    let mut text = head(&hcbtf.grid, hcbtf.is_tiling, &hcbtf.rules)?;
     let painted = hcbtf.painted.keys().map(|address| {
         let Address { light, view } = address;
         format!(
@@ -66,9 +54,22 @@ pub(super) fn text(hcbtf: &Hcbtf) -> Result<String, serde_json::Error> {
         )
     });
     let painted: Vec<String> = painted.collect();
-    let _ = writeln!(text, "  \"rules\": {},", list(&rules));
     let _ = writeln!(text, "  \"painted\": {}\n}}", list(&painted));
     Ok(text)
+}
+
+/// Its beginning, up to the rules.
+pub(super) fn head(grid: &Grid, is_tiling: bool, rules: &[Rule]) -> Result<String, serde_json::Error> {
+    let Grid { size: [width, height], light, view } = grid;
+    let directions = |of: &Directions| format!("{{ \"theta\": {}, \"phi\": {} }}", of.theta, of.phi);
+    let (light, view) = (directions(light), directions(view));
+    let rules: Vec<String> = rules.iter().map(serde_json::to_string).collect::<Result<_, _>>()?;
+    Ok(format!(
+        "{{\n  \"chiaro\": \"hcbtf\",\n  \"version\": {VERSION},\n  \
+         \"grid\": {{ \"size\": [{width}, {height}], \"light\": {light}, \"view\": {view} }},\n  \
+         \"tiling\": {is_tiling},\n  \"rules\": {},\n",
+        list(&rules)
+    ))
 }
 
 fn list(items: &[String]) -> String {
@@ -77,42 +78,56 @@ fn list(items: &[String]) -> String {
 
 /// Reads a manifest; everything that is wrong goes to the report.
 pub(super) fn parse(text: &[u8], report: &mut Report) -> Option<Manifest> {
+    report.reads(NAME);
+    let fields = fields(text, &["chiaro", "version", "grid", "tiling", "rules", "painted"], report)?;
+    let (grid, is_tiling, rules) = parse_head(&fields, report)?;
+    let painted = items(&fields, "painted", MAX_PAINTED, report)?;
+    let painted = painted.iter().enumerate().filter_map(|(index, value)| listed(value, index, &grid, report)).collect();
+    Some(Manifest { grid, is_tiling, rules, painted })
+}
+
+/// The fields of a JSON text that says that it is of an HCBTF; those that are not `known` are told of.
+pub(super) fn fields(text: &[u8], known: &[&str], report: &mut Report) -> Option<Map<String, Value>> {
     let parsed = serde_json::from_slice::<Value>(text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text));
     let fields = match parsed {
         Ok(Value::Object(fields)) => fields,
         Ok(_) => return wrong(report, "wrong-type", "", "it is no JSON object"),
         Err(error) => {
             let at = LineColumn { line: error.line() as u32, column: error.column() as u32 };
-            let message = format!("`{NAME}` is not JSON, at line {}, column {}: {error}", at.line, at.column);
+            let part = report.part();
+            let message = format!("`{part}` is not JSON, at line {}, column {}: {error}", at.line, at.column);
             report.add(Diagnostic::error("not-json", message).hint("mend it in a text editor, or take a backup"));
             return None;
         }
     };
     check_version(&fields, report)?;
-    unknown_fields(&fields, "", &["chiaro", "version", "grid", "tiling", "rules", "painted"], report);
+    unknown_fields(&fields, "", known, report);
+    Some(fields)
+}
+
+/// The grid, whether it repeats, and the rules.
+pub(super) fn parse_head(fields: &Map<String, Value>, report: &mut Report) -> Option<(Grid, bool, Vec<Rule>)> {
     let grid = grid(fields.get("grid"), report)?;
     let is_tiling = match fields.get("tiling") {
         None => true,
         Some(Value::Bool(is_tiling)) => *is_tiling,
         Some(_) => wrong(report, "wrong-type", "tiling", "it is neither true nor false")?,
     };
-    let rules = items(&fields, "rules", MAX_RULES, report)?;
+    let rules = items(fields, "rules", MAX_RULES, report)?;
     let rules = rules.iter().enumerate().filter_map(|(index, value)| rule(value, index, &grid, report)).collect();
-    let painted = items(&fields, "painted", MAX_PAINTED, report)?;
-    let painted = painted.iter().enumerate().filter_map(|(index, value)| listed(value, index, &grid, report)).collect();
-    Some(Manifest { grid, is_tiling, rules, painted })
+    Some((grid, is_tiling, rules))
 }
 
 /// Says what is wrong at a place of the manifest.
 fn wrong<T>(report: &mut Report, code: &'static str, path: &str, message: &str) -> Option<T> {
-    let problem = Diagnostic::error(code, format!("`{NAME}`: {message}"));
+    let problem = Diagnostic::error(code, format!("`{}`: {message}", report.part()));
     report.add(if path.is_empty() { problem } else { problem.json_path(path) });
     None
 }
 
 fn check_version(fields: &Map<String, Value>, report: &mut Report) -> Option<()> {
     if fields.get("chiaro").and_then(Value::as_str) != Some("hcbtf") {
-        let message = format!("`{NAME}` does not say `\"chiaro\": \"hcbtf\"`");
+        let message = format!("`{}` does not say `\"chiaro\": \"hcbtf\"`", report.part());
         report.add(Diagnostic::error("wrong-document", message).hint("is this another kind of file?"));
         return None;
     }
@@ -130,7 +145,8 @@ fn check_version(fields: &Map<String, Value>, report: &mut Report) -> Option<()>
 
 fn unknown_fields(fields: &Map<String, Value>, path: &str, known: &[&str], report: &mut Report) {
     for name in fields.keys().filter(|name| !known.contains(&name.as_str())) {
-        let message = format!("`{NAME}` has a field `{name}` that this version does not know; saving loses it");
+        let part = report.part();
+        let message = format!("`{part}` has a field `{name}` that this version does not know; saving loses it");
         let at = if path.is_empty() { name.clone() } else { format!("{path}.{name}") };
         report.add(Diagnostic::warning("unknown-field", message).json_path(at).suggest(name, known.iter().copied()));
     }
@@ -163,17 +179,61 @@ fn grid(value: Option<&Value>, report: &mut Report) -> Option<Grid> {
     checked.map_or_else(|why| wrong(report, "hcbtf-grid", "grid", &why), Some)
 }
 
+/// Reads a list of rules, as `chiaro hcbtf rules` shows them; `name` is what diagnostics call it.
+///
+/// # Errors
+/// Everything that is wrong with it, up to a bound.
+pub fn read_rules(text: &str, grid: &Grid, name: &str) -> Result<Vec<Rule>, Vec<Diagnostic>> {
+    let mut report = Report::new(name);
+    report.reads("rules");
+    let rules = match serde_json::from_str::<Value>(text) {
+        Ok(Value::Array(values)) if values.len() <= MAX_RULES => {
+            let rules = values.iter().enumerate().filter_map(|(index, value)| rule(value, index, grid, &mut report));
+            Some(rules.collect::<Vec<Rule>>())
+        }
+        Ok(Value::Array(values)) => {
+            wrong(&mut report, "too-many", "", &format!("there are {}; at most {MAX_RULES} can be", values.len()))
+        }
+        Ok(_) => {
+            let problem = Diagnostic::error("wrong-type", "these are no rules: it is no list");
+            report.add(problem.hint("write a list of rules, as `chiaro hcbtf rules FILE` shows them"));
+            None
+        }
+        Err(error) => {
+            let at = LineColumn { line: error.line() as u32, column: error.column() as u32 };
+            report.add(Diagnostic::error("not-json", format!("these are no rules: {error}")).at(at));
+            None
+        }
+    };
+    report.finish(rules).map(|(rules, _)| rules)
+}
+
 fn rule(value: &Value, index: usize, grid: &Grid, report: &mut Report) -> Option<Rule> {
     let path = format!("rules[{index}]");
     let word = value.get("rule").and_then(Value::as_str);
-    if let Some(word) = word.filter(|word| !Rule::WORDS.contains(word)) {
-        let problem = Diagnostic::error("unknown-word", format!("`{NAME}`: there is no rule `{word}`"));
-        report.add(problem.json_path(path).suggest(word, Rule::WORDS));
+    let Some(word) = word.filter(|word| Rule::WORDS.contains(word)) else {
+        let what = word.map_or("a rule has no word".to_owned(), |word| format!("there is no rule `{word}`"));
+        let problem = Diagnostic::error("unknown-word", format!("`{}`: {what}", report.part())).json_path(path);
+        let hint = format!("`rule` is one of {}; `chiaro hcbtf rules --help` tells of each", Rule::WORDS.join(", "));
+        report.add(problem.suggest(word.unwrap_or_default(), Rule::WORDS).hint(hint));
         return None;
+    };
+    let checked = match serde_json::from_value::<Rule>(value.clone()) {
+        Ok(rule) => rule.check(grid).map(|()| rule),
+        Err(error) => Err(format!("the rule `{word}`: {error}")),
+    };
+    match checked {
+        Ok(rule) => Some(rule),
+        Err(why) => {
+            let problem = Diagnostic::error("hcbtf-rule", format!("`{}`: {why}", report.part())).json_path(path);
+            let about = Rule::ABOUT.into_iter().find(|about| about.word == word);
+            let known: Vec<&str> = about.iter().flat_map(|about| about.fields).map(|(name, _)| *name).collect();
+            let unknown = value.as_object().into_iter().flat_map(Map::keys);
+            let unknown = unknown.filter(|name| *name != "rule" && !known.contains(&name.as_str()));
+            report.add(unknown.fold(problem, |problem, name| problem.suggest(name, known.iter().copied())));
+            None
+        }
     }
-    let read = serde_json::from_value::<Rule>(value.clone()).map_err(|error| error.to_string());
-    let checked = read.and_then(|rule| rule.check(grid).map(|()| rule));
-    checked.map_or_else(|why| wrong(report, "hcbtf-rule", &path, &why), Some)
 }
 
 fn listed(value: &Value, index: usize, grid: &Grid, report: &mut Report) -> Option<Listed> {

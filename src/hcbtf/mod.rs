@@ -24,6 +24,7 @@ mod generate;
 pub mod ktx2;
 mod layers;
 mod levels;
+mod listing;
 mod manifest;
 mod memory;
 mod noise;
@@ -46,6 +47,7 @@ pub use layers::{
     LayerOptions, Layers, MAX_LAYERS_BYTES, check_layers, from_layers, layers, layers_bytes, layers_size, stored,
     stored_size,
 };
+pub use manifest::read_rules;
 pub use memory::{Device, Limits, Need, needs, needs_at_most};
 pub use picture::Picture;
 pub use progress::Progress;

@@ -42,6 +42,11 @@ impl Progress {
         self.is_stopped.load(Ordering::Relaxed)
     }
 
+    /// What [`Self::stop`] sets, for work that looks at a flag.
+    pub(crate) fn stop_flag(&self) -> &AtomicBool {
+        &self.is_stopped
+    }
+
     /// Steps that are done, and how many there will be as far as is known: 0 before the work is laid out.
     pub fn steps(&self) -> [u64; 2] {
         [self.done.load(Ordering::Relaxed), self.total.load(Ordering::Relaxed)]

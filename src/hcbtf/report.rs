@@ -9,6 +9,8 @@ const MAX_TOLD: usize = 20;
 /// The diagnostics of one file.
 pub(super) struct Report {
     file: String,
+    /// What of it is read.
+    part: &'static str,
     told: Vec<Diagnostic>,
     untold: usize,
     has_errors: bool,
@@ -16,7 +18,17 @@ pub(super) struct Report {
 
 impl Report {
     pub(super) fn new(file: &str) -> Self {
-        Self { file: file.to_owned(), told: Vec::new(), untold: 0, has_errors: false }
+        Self { file: file.to_owned(), part: "", told: Vec::new(), untold: 0, has_errors: false }
+    }
+
+    /// From here on that part of the file is read: an entry of an archive, a file of a folder.
+    pub(super) fn reads(&mut self, part: &'static str) {
+        self.part = part;
+    }
+
+    /// What is read.
+    pub(super) fn part(&self) -> &'static str {
+        self.part
     }
 
     /// Adds a diagnostic of this file. The first error is told however much was said before it.

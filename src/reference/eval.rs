@@ -1,24 +1,94 @@
 //! Surface samples through a look's evaluation module, as the renderer runs them on the GPU.
 
+use std::sync::Arc;
+
+use super::options::Control;
 use super::shader::LANES;
 use super::uniform;
 use crate::diag::Diagnostic;
-use crate::frame::{BindingKind, EvalBatch, SAMPLES_PER_ROW};
-use crate::interp::{self, Bindings, Precision, Program, ResourceKind, Value};
+use crate::frame::{BindingKind, CompiledShader, EvalBatch, Image, SAMPLES_PER_ROW, Uniform};
+use crate::interp::{self, Bindings, Bound, Precision, Program, ResourceKind, Value};
 
 /// The root's value at each sample of a batch, in the batch's order: up to four numbers, by the root's type.
 ///
 /// # Errors
 /// What the interpreter cannot run.
 pub fn evaluate(batch: &EvalBatch, precision: Precision) -> Result<Vec<[f64; 4]>, Diagnostic> {
-    let count = batch.indices.len();
-    let program = Program::compile(&batch.shader.valid.module, "fs_main", interp::Options::stage(&batch.shader.wgsl))?;
-    let bindings = bindings(batch, &program, count)?;
-    let first = |problems: Vec<Diagnostic>| {
-        let nothing = || Diagnostic::error("reference-plan", "what a module reads is missing");
-        problems.into_iter().next().unwrap_or_else(nothing)
-    };
-    let bound = program.bind(&bindings, precision).map_err(first)?;
+    let evaluator = Evaluator::new(&batch.shader, &batch.images)?;
+    evaluator.run(&batch.samples, batch.indices.len(), precision, &Control::none())
+}
+
+/// A look's evaluation module, ready to be run for any number of batches, on any number of threads.
+#[derive(Debug)]
+pub(super) struct Evaluator {
+    program: Program,
+    /// Images and samplers, which are the same for all batches.
+    bindings: Bindings,
+    /// The binding of the samples.
+    samples: Option<u32>,
+}
+
+impl Evaluator {
+    pub(super) fn new(shader: &CompiledShader, images: &[Arc<Image>]) -> Result<Self, Diagnostic> {
+        let program = Program::compile(&shader.valid.module, "fs_main", interp::Options::stage(&shader.wgsl))?;
+        let mut bindings = Bindings::new();
+        let mut samples = None;
+        for binding in &shader.bindings {
+            let at = binding.binding;
+            match &binding.kind {
+                BindingKind::Samples => samples = Some(at),
+                BindingKind::Image(index) | BindingKind::Hcbtf(index) => {
+                    if let Some((image, used)) = images.get(*index).zip(shader.needs.images.get(*index)) {
+                        bindings.texture(0, at, super::modules::texture_of(image, used)?);
+                    }
+                }
+                BindingKind::Sampler(index) => {
+                    if let Some(used) = shader.needs.images.get(*index) {
+                        bindings.sampler(0, at, super::modules::sampler_of(used));
+                    }
+                }
+                _ => {}
+            }
+        }
+        Ok(Self { program, bindings, samples })
+    }
+
+    /// The values of `count` packed samples, in their order.
+    ///
+    /// # Errors
+    /// What the interpreter cannot run, and where `control` stops it.
+    pub(super) fn run(
+        &self,
+        samples: &Uniform,
+        count: usize,
+        precision: Precision,
+        control: &Control<'_>,
+    ) -> Result<Vec<[f64; 4]>, Diagnostic> {
+        let bindings = self.with(samples, count);
+        let first = |problems: Vec<Diagnostic>| {
+            let nothing = || Diagnostic::error("reference-plan", "what a module reads is missing");
+            problems.into_iter().next().unwrap_or_else(nothing)
+        };
+        run(&self.program.bind(&bindings, precision).map_err(first)?, count, control)
+    }
+
+    /// What it reads, with these samples.
+    fn with(&self, samples: &Uniform, count: usize) -> Bindings {
+        let mut bindings = self.bindings.clone();
+        let stride = samples.numbers.len().checked_div(count).unwrap_or(0);
+        let Some(at) = self.samples else { return bindings };
+        let resource = self.program.resources().iter().find(|r| (r.group, r.binding) == (0, at));
+        if let Some(ResourceKind::Unsized { element, .. }) = resource.map(|resource| &resource.kind) {
+            let numbers = samples.numbers.chunks_exact(stride.max(1));
+            let samples = numbers.map(|numbers| uniform::value(element, &mut numbers.iter().copied()));
+            bindings.buffer(0, at, Value::Array(samples.collect()));
+        }
+        bindings
+    }
+}
+
+fn run(bound: &Bound<'_>, count: usize, control: &Control<'_>) -> Result<Vec<[f64; 4]>, Diagnostic> {
+    let program = bound.program();
     let mut lanes = bound.lanes()?;
     let [position] = program.inputs() else {
         return Err(Diagnostic::error("reference-plan", "the module evaluates no samples"));
@@ -30,6 +100,7 @@ pub fn evaluate(batch: &EvalBatch, precision: Precision) -> Result<Vec<[f64; 4]>
     let mut row = [0.0; LANES];
     // A quad a sample, so that derivatives are 0 as they are on the GPU.
     for first in (0..count).step_by(LANES / 4) {
+        control.check()?;
         let here = (count - first).min(LANES / 4);
         for component in 0..position.size {
             for (lane, cell) in row[..4 * here].iter_mut().enumerate() {
@@ -55,34 +126,4 @@ pub fn evaluate(batch: &EvalBatch, precision: Precision) -> Result<Vec<[f64; 4]>
         }
     }
     Ok(values)
-}
-
-fn bindings(batch: &EvalBatch, program: &Program, count: usize) -> Result<Bindings, Diagnostic> {
-    let mut bindings = Bindings::new();
-    let stride = batch.samples.numbers.len().checked_div(count).unwrap_or(0);
-    for binding in &batch.shader.bindings {
-        let at = binding.binding;
-        match &binding.kind {
-            BindingKind::Samples => {
-                let resource = program.resources().iter().find(|r| (r.group, r.binding) == (0, at));
-                if let Some(ResourceKind::Unsized { element, .. }) = resource.map(|resource| &resource.kind) {
-                    let numbers = batch.samples.numbers.chunks_exact(stride.max(1));
-                    let samples = numbers.map(|numbers| uniform::value(element, &mut numbers.iter().copied()));
-                    bindings.buffer(0, at, Value::Array(samples.collect()));
-                }
-            }
-            BindingKind::Image(index) | BindingKind::Hcbtf(index) => {
-                if let Some((image, used)) = batch.images.get(*index).zip(batch.shader.needs.images.get(*index)) {
-                    bindings.texture(0, at, super::modules::texture_of(image, used)?);
-                }
-            }
-            BindingKind::Sampler(index) => {
-                if let Some(used) = batch.shader.needs.images.get(*index) {
-                    bindings.sampler(0, at, super::modules::sampler_of(used));
-                }
-            }
-            _ => {}
-        }
-    }
-    Ok(bindings)
 }

@@ -55,4 +55,4 @@ pub use setup::Sides;
 pub use shader::{FragmentStage, Interpolation, LANES, QUADS, QuadBatch, Shaded, Shader, Varying, VertexStage};
 pub use texels::{Coverage, Texels};
 pub use tile::Target;
-pub use tiles::bake_look;
+pub use tiles::{BakedLook, TILE_SAMPLES, bake_look, bake_look_sampled};

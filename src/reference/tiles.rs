@@ -1,24 +1,42 @@
 //! A look as a painted HCBTF: every texel of every sample is what the look shows there, as the reference works it out.
+//!
+//! A texel is the mean of several samples, premultiplied and in the look's own colours, as the samples of a pixel are
+//! averaged when the look is drawn: in linear light where the look is linear, else as shown. Nothing is smoothed by
+//! footprints, which are 0 here, so hard edges of patterns need samples enough.
 
 use std::sync::Arc;
 
 use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
 
-use super::evaluate;
+use super::eval::Evaluator;
+use super::options::Control;
 use crate::diag::Diagnostic;
-use crate::document::{Direction, Grid, Hcbtf};
-use crate::frame::{Assets, SetupLook, tile_batches, tiles_of};
+use crate::document::{Address, ColorSpace, Grid, Hcbtf, Tile, linear_to_srgb};
+use crate::frame::{Assets, EvalSample, Evaluable, MAX_TILE_SAMPLES, SetupLook, TileView};
 use crate::hcbtf::{NotFilled, Progress, check_all_painted};
 use crate::ids::LightId;
 use crate::interp::Precision;
 use crate::library::Library;
 
-/// Paints every sample of a grid with what a look shows on a flat tile, its light at the sample's direction, on all cores.
-/// The result is the same on every machine. `assets` has what the look names, best read before
-/// ([`tile_assets`](crate::frame::tile_assets)). `progress` counts views.
+/// The samples of a texel where nobody says how many: as many as a pixel has.
+pub const TILE_SAMPLES: u32 = 4;
+/// So many samples are evaluated at once, which bounds memory and how long it takes to stop.
+const AT_ONCE: usize = 4096;
+
+/// What came of baking a look.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BakedLook {
+    /// All of it painted.
+    pub hcbtf: Hcbtf,
+    /// How far half of the samples would have been off from all of them: the RMS over all channels of all texels, seen over
+    /// black and as shown, 1 for the whole of a channel. `None` where a texel has one sample.
+    pub halves_off: Option<f64>,
+}
+
+/// Paints every sample of a grid with what a look shows on a flat tile, as [`bake_look_sampled`] with [`TILE_SAMPLES`].
 ///
 /// # Errors
-/// Where it is stopped, where the grid is too large for a file, and everything that is wrong with the look.
+/// As [`bake_look_sampled`].
 pub fn bake_look(
     setup: &SetupLook,
     library: &Library,
@@ -27,26 +45,137 @@ pub fn bake_look(
     assets: &Assets,
     progress: &Progress,
 ) -> Result<Hcbtf, Vec<Diagnostic>> {
+    bake_look_sampled(setup, library, grid, light, assets, TILE_SAMPLES, progress).map(|baked| baked.hcbtf)
+}
+
+/// Paints every sample of a grid with what a look shows on a flat tile, its light at the sample's direction, on all cores.
+/// A texel is the mean of `samples`, a power of 2 up to [`MAX_TILE_SAMPLES`]. The result is the same on every machine. `assets`
+/// has what the look names, best read before ([`tile_assets`](crate::frame::tile_assets)). `progress` counts pieces of a
+/// sample's tile, and stops within one.
+///
+/// # Errors
+/// Where it is stopped, where the grid is too large for a file, and everything that is wrong with the look.
+pub fn bake_look_sampled(
+    setup: &SetupLook,
+    library: &Library,
+    grid: Grid,
+    light: &LightId,
+    assets: &Assets,
+    samples: u32,
+    progress: &Progress,
+) -> Result<BakedLook, Vec<Diagnostic>> {
     let one = |problem: Diagnostic| vec![problem];
     grid.check().map_err(|why| one(Diagnostic::error("hcbtf-grid", why)))?;
     check_all_painted(&grid).map_err(one)?;
-    let views: Vec<Direction> = grid.view.distinct().collect();
-    progress.begin(views.len() as u64);
-    let painted = views.par_iter().map(|view| {
-        if progress.is_stopped() {
-            return Err(one(NotFilled::Stopped.into()));
-        }
-        let batches = tile_batches(setup, library, &grid, light, *view, &mut assets.clone())?;
-        let mut values = vec![[0.0; 4]; batches.iter().map(|batch| batch.indices.len()).sum()];
-        for batch in &batches {
-            for (index, value) in batch.indices.iter().zip(evaluate(batch, Precision::F64).map_err(one)?) {
-                values[*index] = value;
-            }
-        }
-        progress.add(1);
-        Ok(tiles_of(setup, &grid, *view, &values))
+    if !samples.is_power_of_two() || samples > MAX_TILE_SAMPLES {
+        let message = format!("a texel cannot have {samples} samples: 1, 2, 4 and so on up to {MAX_TILE_SAMPLES}");
+        return Err(one(Diagnostic::error("out-of-range", message)));
+    }
+    let addresses: Vec<Address> = grid.addresses().collect();
+    progress.begin((addresses.len() * grid.texels().div_ceil(texels_at_once(samples))) as u64);
+    let look = Evaluable::new(setup, library, &mut assets.clone())?;
+    let evaluator = Evaluator::new(&look.shader, &look.images).map_err(one)?;
+    let is_linear = setup.look.color_space == ColorSpace::Linear;
+    let baking = Baking { look, evaluator, samples, is_linear, progress };
+    let painted = addresses.par_iter().map(|address| {
+        let view = TileView::new(setup, &grid, light, *address);
+        baking.tile(&view, grid.size).map(|(tile, halves)| (*address, Arc::new(tile), halves))
     });
-    let painted: Vec<Vec<_>> = painted.collect::<Result<_, _>>()?;
-    let painted = painted.into_iter().flatten().map(|(address, tile)| (address, Arc::new(tile))).collect();
-    Ok(Hcbtf { painted, ..Hcbtf::new(grid) })
+    let painted: Vec<(Address, Arc<Tile>, f64)> = painted.collect::<Result<_, _>>().map_err(one)?;
+    let sum: f64 = painted.iter().map(|(_, _, halves)| halves).sum();
+    let count = 4.0 * (painted.len() * grid.texels()) as f64;
+    let halves_off = (samples > 1).then(|| (sum / count).sqrt());
+    let painted = painted.into_iter().map(|(address, tile, _)| (address, tile)).collect();
+    Ok(BakedLook { hcbtf: Hcbtf { painted, ..Hcbtf::new(grid) }, halves_off })
+}
+
+fn texels_at_once(samples: u32) -> usize {
+    AT_ONCE / samples as usize
+}
+
+/// A look while it is baked.
+struct Baking<'a> {
+    look: Evaluable<'a>,
+    evaluator: Evaluator,
+    samples: u32,
+    is_linear: bool,
+    progress: &'a Progress,
+}
+
+impl Baking<'_> {
+    /// A sample's tile, and the sum of the squares by which half of its samples would have been off.
+    fn tile(&self, view: &TileView, size: [u32; 2]) -> Result<(Tile, f64), Diagnostic> {
+        let texels = size[0] as usize * size[1] as usize;
+        let mut rgba = Vec::with_capacity(4 * texels);
+        let mut halves = 0.0;
+        for first in (0..texels).step_by(texels_at_once(self.samples)) {
+            let piece = first..texels.min(first + texels_at_once(self.samples));
+            for values in self.values(view, piece)?.chunks_exact(self.samples as usize) {
+                let (even, odd): (Vec<_>, Vec<_>) = values.chunks(2).map(|two| (two[0], two.get(1).copied())).unzip();
+                let odd: Vec<[f64; 4]> = odd.into_iter().flatten().collect();
+                if !odd.is_empty() {
+                    let [even, odd] = [even, odd].map(|half| self.seen(mean(&half)));
+                    halves += even.iter().zip(odd).map(|(even, odd)| ((even - odd) / 2.0).powi(2)).sum::<f64>();
+                }
+                rgba.extend(self.shown(mean(values)).map(|channel| (255.0 * channel).round() as u8));
+            }
+            self.progress.add(1);
+        }
+        // There are four bytes for every texel.
+        let tile = Tile::new(size, rgba).ok_or_else(|| Diagnostic::error("hcbtf-grid", "a tile has no texels"))?;
+        Ok((tile, halves))
+    }
+
+    /// The look's colours at all samples of some texels, straight, texel by texel.
+    fn values(&self, view: &TileView, texels: std::ops::Range<usize>) -> Result<Vec<[f64; 4]>, Diagnostic> {
+        let stopped = || Diagnostic::from(NotFilled::Stopped);
+        if self.progress.is_stopped() {
+            return Err(stopped());
+        }
+        let samples = texels.flat_map(|texel| (0..self.samples).map(move |index| (texel, index)));
+        let samples: Vec<EvalSample> = samples.map(|(texel, index)| view.sample(texel, index, self.samples)).collect();
+        let packed = self.look.pack(samples.iter())?;
+        let control = Control { cancel: self.progress.stop_flag(), ..Control::none() };
+        let values = self.evaluator.run(&packed, samples.len(), Precision::F64, &control);
+        values.map_err(|problem| if self.progress.is_stopped() { stopped() } else { problem })
+    }
+
+    /// A colour as shown, 0 to 1, straight.
+    fn shown(&self, [r, g, b, a]: [f64; 4]) -> [f64; 4] {
+        let encoded = |value: f64| if self.is_linear { linear_to_srgb(value) } else { value };
+        [encoded(r), encoded(g), encoded(b), a].map(|channel| channel.clamp(0.0, 1.0))
+    }
+
+    /// The same over black.
+    fn seen(&self, color: [f64; 4]) -> [f64; 4] {
+        let [r, g, b, a] = self.shown(color);
+        [r * a, g * a, b * a, a]
+    }
+}
+
+/// The mean of straight colours, weighted by their alpha; where all are transparent, each as much.
+fn mean(colors: &[[f64; 4]]) -> [f64; 4] {
+    if let [only] = colors {
+        return *only;
+    }
+    let count = colors.len() as f64;
+    let alpha: f64 = colors.iter().map(|color| color[3]).sum();
+    let weighted = |weight: &dyn Fn(&[f64; 4]) -> f64, whole: f64| {
+        [0, 1, 2].map(|channel| colors.iter().map(|color| weight(color) * color[channel]).sum::<f64>() / whole)
+    };
+    let [r, g, b] = if alpha > 0.0 { weighted(&|color| color[3], alpha) } else { weighted(&|_| 1.0, count) };
+    [r, g, b, alpha / count]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_transparent_lends_no_colour() {
+        assert_eq!(mean(&[[0.3, 0.6, 0.9, 0.25]]), [0.3, 0.6, 0.9, 0.25]);
+        assert_eq!(mean(&[[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 0.0]]), [1.0, 0.0, 0.0, 0.5]);
+        assert_eq!(mean(&[[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0]]), [0.5, 0.5, 0.0, 0.0]);
+        assert_eq!(mean(&[[1.0, 0.0, 0.0, 0.75], [0.0, 1.0, 0.0, 0.25]]), [0.75, 0.25, 0.0, 0.5]);
+    }
 }

@@ -1,10 +1,11 @@
 //! `chiaro hcbtf import` and `export`: sheets, folders of images, contact sheets.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 
 use super::{GRID_HELP, GridText, check_free, filled, open, telling, with_ending};
+use crate::cli::open::taken;
 use crate::cli::output::Output;
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Storage, write_atomic};
@@ -62,13 +63,23 @@ pub(super) fn import(arguments: &ImportArguments, output: &Output) -> Result<(),
     let path = with_ending(&arguments.output);
     check_free(&path, arguments.force)?;
     let from = &arguments.from;
-    let grid = arguments.grid.map_or(Grid::THESIS, |grid| grid.0);
     let form = arguments.form.map_or_else(|| exchange::Form::guessed(from), exchange::Form::from);
-    let made = exchange::import(from, form, grid, arguments.gap, &telling("reading"));
+    let grid = arguments.grid.map(|grid| grid.0);
+    // How large the images of a folder are they tell themselves.
+    let fitted = || match form {
+        exchange::Form::Folder => exchange::fitted(from, form, Grid::THESIS, arguments.gap),
+        _ => Grid::THESIS,
+    };
+    let grid_or_fitted = grid.unwrap_or_else(fitted);
+    let made = exchange::import(from, form, grid_or_fitted, arguments.gap, &telling("reading"));
     output.end_progress();
     let (mut hcbtf, notes) = made?;
     output.diagnostics(&notes);
-    hcbtf.is_tiling = !arguments.no_tiling;
+    if grid.is_some_and(|grid| grid != hcbtf.grid) {
+        let problem = Diagnostic::error("bad-argument", "--grid says another grid than these files themselves");
+        return Err(vec![problem.hint("leave --grid out")]);
+    }
+    hcbtf.is_tiling &= !arguments.no_tiling;
     let bytes = write(&hcbtf).map_err(|problem| vec![problem.in_file(path.display().to_string())])?;
     write_atomic(&path, &bytes).map_err(|problem| vec![*problem])?;
     output.result(&path.display().to_string());
@@ -81,28 +92,31 @@ pub(super) fn import(arguments: &ImportArguments, output: &Output) -> Result<(),
 pub(super) struct ExportArguments {
     /// An .hcbtf file
     file: PathBuf,
-    /// What to write
-    #[arg(long, value_enum, default_value_t = Form::Sheet)]
-    to: Form,
+    /// What to write [default: what the name of the output says: x.png a sheet, x.ktx2 the texture of shaders, x/ a folder]
+    #[arg(long, value_enum)]
+    to: Option<Form>,
     /// The PNG, the KTX2 file or the folder; a folder is made where there is none
     #[arg(short, long)]
     output: PathBuf,
     /// Contact sheets: texels between tiles
     #[arg(long, default_value_t = 0)]
     gap: u32,
-    /// KTX2: with every tile that differs once, and palettes, as small as it can be
-    #[arg(long)]
+    #[arg(long, help = format!("KTX2: {}", Storage::Compact.about()))]
     compact: bool,
-    /// KTX2: with every tile that differs once, in compressed blocks of a byte a texel (BC7), which loses a little
-    #[arg(long, conflicts_with = "compact")]
+    #[arg(long, conflicts_with = "compact", help = format!("KTX2: {}", Storage::Blocks.about()))]
     blocks: bool,
     /// Folders and contact sheets: only what is painted, without what the rules fill
     #[arg(long)]
     painted: bool,
+    /// Replace a file that is there, or what a folder holds of an earlier export
+    #[arg(long)]
+    force: bool,
 }
 
 pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
-    if arguments.painted && matches!(arguments.to, Form::Sheet | Form::Ktx2) {
+    let path = &arguments.output;
+    let form = written_form(path, arguments.to).map_err(|problem| vec![problem])?;
+    if arguments.painted && matches!(form, Form::Sheet | Form::Ktx2) {
         let problem = Diagnostic::error("bad-argument", "--painted goes with --to folder and --to contact");
         return Err(vec![problem.hint("a sheet and a texture hold every sample")]);
     }
@@ -111,21 +125,102 @@ pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(),
         (_, true) => Storage::Blocks,
         _ => Storage::Quick,
     };
-    if storage != Storage::Quick && arguments.to != Form::Ktx2 {
+    if storage != Storage::Quick && form != Form::Ktx2 {
         let message = format!("--{} goes with --to ktx2", storage.word());
         return Err(vec![Diagnostic::error("bad-argument", message)]);
+    }
+    if let Some(found) = exchange::in_the_way(form.into(), path).first().filter(|_| !arguments.force) {
+        let mut problem = taken(found);
+        if form == Form::Folder {
+            problem.hints = vec!["choose another folder, or replace the export that is in it with --force".to_owned()];
+        }
+        return Err(vec![problem]);
     }
     let hcbtf = open(&arguments.file, output)?;
     let filled = filled(&hcbtf, &arguments.file, output)?;
     let which = if arguments.painted { Which::Painted } else { Which::All };
-    let path = &arguments.output;
     let manner = exchange::Manner { which, gap: arguments.gap, storage };
-    let told = exchange::export(&filled, arguments.to.into(), manner, path, &telling("writing"));
-    if arguments.to == Form::Folder || storage == Storage::Blocks {
+    if form == Form::Folder {
+        exchange::clear_folder(path)?;
+    }
+    let told = exchange::export(&filled, form.into(), manner, path, &telling("writing"));
+    if form == Form::Folder || storage == Storage::Blocks {
         output.end_progress();
     }
     let told = told?;
     output.result(&path.display().to_string());
     told.into_iter().for_each(|told| output.message(&told));
     Ok(())
+}
+
+/// What is written to a path: as it was `asked`, or as the name says. Nobody finds a PNG in a file that is called x.ktx2.
+///
+/// # Errors
+/// Where the name says nothing, or something else than what was asked.
+fn written_form(path: &Path, asked: Option<Form>) -> Result<Form, Diagnostic> {
+    let is_folder = path.is_dir() || path.as_os_str().to_string_lossy().ends_with(['/', '\\']);
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+    let said = match ending.as_deref() {
+        _ if is_folder => Some(Form::Folder),
+        Some("png") => Some(Form::Sheet),
+        Some("ktx2") => Some(Form::Ktx2),
+        _ => None,
+    };
+    let ends = |form: Form| match form {
+        Form::Sheet | Form::Contact => "a PNG: its name must end in .png",
+        Form::Ktx2 => "a KTX2 file: its name must end in .ktx2",
+        Form::Folder => "a folder: its name ends in no .png and no .ktx2",
+    };
+    let wrong = |message: String| Diagnostic::error("bad-argument", format!("-o {}: {message}", path.display()));
+    match (asked, said) {
+        (Some(Form::Contact), Some(Form::Sheet)) => Ok(Form::Contact),
+        (Some(asked), Some(said)) if asked == said => Ok(asked),
+        (Some(Form::Folder), None) => Ok(Form::Folder),
+        (None, Some(said)) => Ok(said),
+        (Some(asked), _) => {
+            let word = asked.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned());
+            Err(wrong(format!("--to {word} writes {}", ends(asked))))
+        }
+        (None, None) => {
+            let problem = wrong("the name does not say what to write".to_owned());
+            let hint =
+                "end it in .png for a sheet, .ktx2 for the texture of shaders, / for a folder; or say it with --to";
+            Err(problem.hint(hint))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_say_what_is_written_and_nothing_else_is() {
+        let form = |path: &str, asked| written_form(Path::new(path), asked);
+        for (path, asked, written) in [
+            ("a.png", None, Form::Sheet),
+            ("a.PNG", Some(Form::Contact), Form::Contact),
+            ("a.ktx2", None, Form::Ktx2),
+            ("a.ktx2", Some(Form::Ktx2), Form::Ktx2),
+            ("images/", None, Form::Folder),
+            ("images", Some(Form::Folder), Form::Folder),
+            ("v1.2", Some(Form::Folder), Form::Folder),
+            (".", None, Form::Folder),
+        ] {
+            assert_eq!(form(path, asked), Ok(written), "{path}");
+        }
+        for (path, asked) in [
+            ("a.ktx2", Some(Form::Sheet)),
+            ("a.png", Some(Form::Ktx2)),
+            ("a.png", Some(Form::Folder)),
+            ("a.jpg", Some(Form::Sheet)),
+            ("a", Some(Form::Contact)),
+            ("a", None),
+            ("a.dds", None),
+            ("images/", Some(Form::Sheet)),
+        ] {
+            let problem = form(path, asked).unwrap_err();
+            assert!(problem.code == "bad-argument" && problem.message.contains(path), "{path}: {problem}");
+        }
+    }
 }

@@ -7,17 +7,25 @@ use serde_json::{Value as Json, json};
 use super::{filled, open};
 use crate::cli::output::Output;
 use crate::diag::Diagnostic;
-use crate::document::Hcbtf;
+use crate::document::{Hcbtf, Storage};
+use crate::figures::{bytes, count};
 use crate::hcbtf::{Device, Filled, Limits, Provenance, needs, needs_at_most, sheet};
 
 /// What `chiaro hcbtf info` is given.
 #[derive(Debug, clap::Args)]
+#[command(after_help = help())]
 pub(super) struct Arguments {
     /// An .hcbtf file
     file: PathBuf,
     /// As JSON, with where every sample comes from
     #[arg(long)]
     json: bool,
+}
+
+/// What the names of storages mean.
+fn help() -> String {
+    let storages = Storage::ALL.map(|storage| format!("  {:<9}{}\n", storage.word(), storage.about()));
+    format!("How the texture that shaders look up may be stored:\n{}", storages.concat())
 }
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
@@ -84,25 +92,24 @@ fn as_text(hcbtf: &Hcbtf, filled: &Filled) -> String {
         let verb = if rule.fills() { "fills" } else { "changes" };
         text += &format!("rule {index:<3} {} {verb} {count}\n", rule.word());
     }
-    let mib = |bytes: u64| bytes as f64 / f64::from(1 << 20);
-    let own = mib(filled.bytes());
-    let as_sheet = mib(u64::from(width) * u64::from(height) * 4);
     text += &format!(
         "empty    {empty}\n\
-         memory   {} different tiles, {own:.2} MiB\n\
-         sheet    {width} x {height}, {as_sheet:.2} MiB\n",
-        filled.tiles().len(),
+         memory   {}, {}\n\
+         sheet    {width} x {height}, {}\n",
+        count(filled.tiles().len() as u64, "different tile"),
+        bytes(filled.bytes()),
+        bytes(u64::from(width) * u64::from(height) * 4),
     );
     let device = present();
     let most = needs_at_most(&grid);
     for (need, most) in needs(&grid, |address| filled.tile(address)).iter().zip(&most) {
         let [wide, high, layers] = need.size;
         text += &format!(
-            "{:<8} {wide} x {high} in {layers} layer{}, {:.2} MiB of at most {:.2}{}: {}\n",
+            "{:<8} {wide} x {high} in {}, {} of at most {}{}: {}\n",
             need.storage.word(),
-            if layers == 1 { "" } else { "s" },
-            mib(need.bytes()),
-            mib(most.bytes()),
+            count(layers, "layer"),
+            bytes(need.bytes()),
+            bytes(most.bytes()),
             if need.has_levels { ", with smaller levels" } else { "" },
             device.word(need),
         );

@@ -9,9 +9,9 @@ use super::{GRID_HELP, GridText, check_free, open, telling, with_ending};
 use crate::cli::output::Output;
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Hcbtf, write_atomic};
-use crate::frame::{Assets, moving_light, tile_assets};
+use crate::frame::{Assets, MAX_TILE_SAMPLES, moving_light, tile_assets};
 use crate::hcbtf::{Synthesis, synthesize, write};
-use crate::reference::bake_look;
+use crate::reference::{BakedLook, TILE_SAMPLES, bake_look_sampled};
 
 /// What `chiaro hcbtf synthesize` is given.
 #[derive(Debug, clap::Args)]
@@ -60,6 +60,9 @@ pub(super) struct BakeArguments {
     /// The light that goes around the tile [default: the first directional one]; the others stay
     #[arg(long)]
     light: Option<String>,
+    /// Samples of a texel: 1, 2, 4, 8, 16, 32 or 64; more for finer edges, and as many times as slow
+    #[arg(long, default_value_t = TILE_SAMPLES, value_parser = parse_samples)]
+    samples: u32,
     /// A folder of a project's own nodes; `nodes/` beside the look is found without it
     #[arg(long)]
     nodes: Option<PathBuf>,
@@ -79,10 +82,23 @@ pub(super) fn baked(arguments: &BakeArguments, output: &Output) -> Result<(), Ve
     let light = moving_light(&setup, arguments.light.as_deref()).map_err(|problem| vec![problem.in_file(named)])?;
     let grid = arguments.grid.map_or(Grid::THESIS, |grid| grid.0);
     let filling = Arc::new(telling("filling what it shows"));
-    let made = tile_assets(&setup, &library, &light, Assets::default(), &filling)
-        .and_then(|assets| bake_look(&setup, &library, grid, &light, &assets, &telling("baking")));
+    let made = tile_assets(&setup, &library, &light, Assets::default(), &filling).and_then(|assets| {
+        bake_look_sampled(&setup, &library, grid, &light, &assets, arguments.samples, &telling("baking"))
+    });
     output.end_progress();
-    save(&made?, &path, output)
+    let BakedLook { hcbtf, halves_off } = made?;
+    save(&hcbtf, &path, output)?;
+    if let Some(off) = halves_off {
+        let (samples, off) = (arguments.samples, 255.0 * off);
+        output.message(&format!("{samples} samples a texel; half of them would be off by {off:.2} of 255 (rms)"));
+    }
+    Ok(())
+}
+
+fn parse_samples(text: &str) -> Result<u32, String> {
+    let wrong = || format!("it is a power of 2 from 1 to {MAX_TILE_SAMPLES}");
+    let is_good = |samples: &u32| samples.is_power_of_two() && *samples <= MAX_TILE_SAMPLES;
+    text.parse().ok().filter(is_good).ok_or_else(wrong)
 }
 
 fn save(hcbtf: &Hcbtf, path: &Path, output: &Output) -> Result<(), Vec<Diagnostic>> {

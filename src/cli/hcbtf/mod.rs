@@ -12,6 +12,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use clap::Subcommand;
 
+use super::open::taken;
 use super::output::Output;
 use crate::diag::Diagnostic;
 use crate::document::{Directions, Grid, Hcbtf};
@@ -102,9 +103,7 @@ fn telling(what: &'static str) -> Progress {
 /// Refuses to replace a file, but with `--force`.
 fn check_free(path: &Path, force: bool) -> Result<(), Vec<Diagnostic>> {
     if !force && path.exists() {
-        let problem = Diagnostic::error("file-exists", "this file is there already");
-        let hint = "choose another name, or replace it with --force";
-        return Err(vec![problem.in_file(path.display().to_string()).hint(hint)]);
+        return Err(vec![taken(path)]);
     }
     Ok(())
 }

@@ -8,10 +8,14 @@ use super::open;
 use crate::cli::output::Output;
 use crate::diag::Diagnostic;
 use crate::document::{Hcbtf, Rule, read_text, write_atomic};
-use crate::hcbtf::write;
+use crate::hcbtf::{read_rules, write};
+
+/// How wide help is written.
+const WIDTH: usize = 98;
 
 /// What `chiaro hcbtf rules` is given.
 #[derive(Debug, clap::Args)]
+#[command(after_help = help())]
 pub(super) struct Arguments {
     /// An .hcbtf file
     file: PathBuf,
@@ -28,13 +32,46 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     };
     let text = read_text(path).map_err(|problem| vec![*problem])?;
     let name = path.display().to_string();
-    let rules = serde_json::from_str::<Vec<Rule>>(&text).map_err(|error| {
-        let problem = Diagnostic::error("hcbtf-rule", format!("these are no rules: {error}"));
-        vec![problem.in_file(name).hint("write a list of rules; without --set this command shows how they look")]
-    })?;
+    let rules = read_rules(&text, &hcbtf.grid, &name)?;
     let named = arguments.file.display().to_string();
     let bytes = write(&Hcbtf { rules, ..hcbtf }).map_err(|problem| vec![problem.in_file(named.clone())])?;
     write_atomic(&arguments.file, &bytes).map_err(|problem| vec![*problem])?;
     output.result(&named);
     Ok(())
+}
+
+/// Every rule, from the one list that there is.
+fn help() -> String {
+    let mut help = "Examples:\n  chiaro hcbtf rules grass.hcbtf > rules.json\n  \
+                    echo '[{\"rule\": \"blend\"}, {\"rule\": \"lambert\", \"amount\": 0.6}]' > rules.json\n  \
+                    chiaro hcbtf rules grass.hcbtf --set rules.json\n\n\
+                    Rules by their words in files, with what the window calls them. What a file leaves out is as in brackets.\n"
+        .to_owned();
+    for about in Rule::ABOUT {
+        help += &format!("\n  {:<10}{}\n", about.word, about.label);
+        help += &wrapped(&plain(about.does), 12);
+        for (name, what, default) in about.defaults() {
+            let default = default.map(|default| format!(" ({default})")).unwrap_or_default();
+            help += &wrapped(&format!("{name}{default}: {}", plain(what)), 14);
+        }
+    }
+    help
+}
+
+/// Without the marks of Markdown.
+fn plain(text: &str) -> String {
+    text.replace(['`', '*'], "")
+}
+
+/// Lines that begin after so many spaces.
+fn wrapped(text: &str, indent: usize) -> String {
+    let mut lines = vec![String::new()];
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if line.is_empty() => line.push_str(word),
+            Some(line) if indent + line.len() + 1 + word.len() <= WIDTH => *line += &format!(" {word}"),
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines.iter().map(|line| format!("{}{line}\n", " ".repeat(indent))).collect()
 }

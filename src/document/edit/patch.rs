@@ -12,6 +12,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::document::Tile;
+use crate::document::hcbtf::hash;
 use crate::document::packed::Bytes;
 
 /// The difference between two tiles of one size, in either direction.
@@ -97,14 +98,4 @@ fn cut(tile: &Tile, [x, y, width, height]: [u32; 4]) -> Option<Vec<u8>> {
     let [x, y, width, height] = [x, y, width, height].map(|number| number as usize);
     let rows = tile.bytes().chunks_exact(4 * size[0] as usize).skip(y).take(height);
     Some(rows.flat_map(|row| &row[4 * x..4 * (x + width)]).copied().collect())
-}
-
-/// A hash that tells any two rectangles apart that differ in one texel, and others but for an accident. It is the same on
-/// every machine.
-fn hash(texels: &[u8]) -> u64 {
-    let (texels, _) = texels.as_chunks::<4>();
-    texels.iter().fold(0, |hash: u64, texel| {
-        let word = u64::from(u32::from_le_bytes(*texel));
-        (hash ^ word).wrapping_mul(0x9E37_79B9_7F4A_7C15).rotate_left(29)
-    })
 }

@@ -7,11 +7,11 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 pub mod relief;
-mod rule;
+pub(in crate::document) mod rule;
 mod strokes;
 
 pub use relief::Relief;
-pub use rule::Rule;
+pub use rule::{Rule, RuleAbout};
 pub use strokes::{Bundle, Placement, StrokeGround, StrokeHighlight, StrokeShadow, StrokeShape, StrokeTones, Strokes};
 
 /// The most texels along a side of a tile.
@@ -256,12 +256,31 @@ impl Tile {
         Some([left, top, right + 1 - left, bottom + 1 - top].map(|n| n as u32))
     }
 
+    /// A hash of what is seen: of two tiles that differ in it the texels differ, too, and of others but for an accident not.
+    /// It is the same on every machine, and takes no notice of the colour of what is transparent, which programs change as
+    /// they like.
+    pub fn digest(&self) -> u64 {
+        let seen: Vec<u8> =
+            self.rgba.as_chunks::<4>().0.iter().flat_map(|texel| if texel[3] == 0 { [0; 4] } else { *texel }).collect();
+        hash(&seen)
+    }
+
     /// The texel at x and y, wrapped around the tile.
     pub fn texel(&self, x: i64, y: i64) -> [u8; 4] {
         let [width, height] = self.size.map(i64::from);
         let at = 4 * (y.rem_euclid(height) * width + x.rem_euclid(width)) as usize;
         [self.rgba[at], self.rgba[at + 1], self.rgba[at + 2], self.rgba[at + 3]]
     }
+}
+
+/// A hash that tells any two rows of texels apart that differ in one texel, and others but for an accident. It is the same on
+/// every machine.
+pub(super) fn hash(texels: &[u8]) -> u64 {
+    let (texels, _) = texels.as_chunks::<4>();
+    texels.iter().fold(0, |hash: u64, texel| {
+        let word = u64::from(u32::from_le_bytes(*texel));
+        (hash ^ word).wrapping_mul(0x9E37_79B9_7F4A_7C15).rotate_left(29)
+    })
 }
 
 /// Which of a direction's angles something is about.

@@ -28,7 +28,8 @@ pub fn field_tables() -> Vec<(&'static str, String)> {
         &super::CAMERA,
         &super::TIME_RANGE,
     ];
-    shapes.into_iter().map(|shape| (shape.name, table(shape))).collect()
+    let rules = ("hcbtf-rules", crate::document::hcbtf::rule::about::table());
+    shapes.into_iter().map(|shape| (shape.name, table(shape))).chain([rules]).collect()
 }
 
 fn table(shape: &Shape) -> String {

@@ -212,7 +212,9 @@ fn together(plan: &Plan<'_>, filled: &Filled, old_tiles: &[u32], mut made: HashM
     }
     let sample = |[recipe, provenance]: &[u32; 2]| [place[*recipe as usize], *provenance];
     let samples = plan.samples.iter().map(sample).collect();
-    Filled { grid: filled.grid, tiles, provenances: plan.provenances.clone(), samples }
+    // The rules are as they were, or nothing would have come of what is there.
+    let (grid, is_tiling, rules) = (filled.grid, filled.is_tiling, filled.rules.clone());
+    Filled { grid, is_tiling, rules, tiles, provenances: plan.provenances.clone(), samples }
 }
 
 /// A tile with other texels in a part of it.

@@ -27,7 +27,7 @@ pub use self::again::refill;
 use self::plan::Plan;
 use super::Progress;
 use crate::diag::Diagnostic;
-use crate::document::{Address, Grid, Hcbtf, Tile};
+use crate::document::{Address, Grid, Hcbtf, Rule, Tile};
 
 /// Grids of more samples than this are not filled.
 pub const MAX_SAMPLES: u64 = 1 << 20;
@@ -121,6 +121,8 @@ impl From<NotFilled> for Diagnostic {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Filled {
     grid: Grid,
+    is_tiling: bool,
+    rules: Arc<[Rule]>,
     tiles: Vec<Arc<Tile>>,
     provenances: Vec<Provenance>,
     /// For each sample in the order of [`Grid::addresses`]: its tile and its provenance.
@@ -131,6 +133,16 @@ impl Filled {
     /// The grid that is filled.
     pub fn grid(&self) -> Grid {
         self.grid
+    }
+
+    /// Whether the tile repeats.
+    pub fn is_tiling(&self) -> bool {
+        self.is_tiling
+    }
+
+    /// The rules that filled it.
+    pub fn rules(&self) -> &[Rule] {
+        &self.rules
     }
 
     /// The tile of a sample; `None` outside the grid. Samples that are equal have the same tile, by pointer.
@@ -221,7 +233,8 @@ pub fn fill(hcbtf: &Hcbtf, progress: &Progress) -> Result<Filled, NotFilled> {
     for [tile, _] in &mut samples {
         *tile = place[*tile as usize];
     }
-    Ok(Filled { grid: hcbtf.grid, tiles, provenances: plan.provenances, samples })
+    let (grid, is_tiling, rules) = (hcbtf.grid, hcbtf.is_tiling, hcbtf.rules.as_slice().into());
+    Ok(Filled { grid, is_tiling, rules, tiles, provenances: plan.provenances, samples })
 }
 
 /// Runs the rules for one sample alone: what [`fill`] would give it, in the time of one tile. For showing it before all

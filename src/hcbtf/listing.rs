@@ -1,0 +1,164 @@
+//! `hcbtf.json`: what the images of a folder cannot say, beside them.
+//!
+//! It has the fields of an `.hcbtf` file's manifest (grid, tiling, rules), and lists the images that rules filled with a
+//! digest of each. What is not listed, or was painted over since, is painted; the rest is left to the rules. So a folder
+//! comes back as what was exported, and an image that somebody changed or added in another program comes back as painted.
+
+use std::collections::HashMap;
+
+use serde_json::Value;
+
+use super::fill::{Filled, Which};
+use super::folder::file_name;
+use super::manifest;
+use super::report::Report;
+use crate::diag::Diagnostic;
+use crate::document::{Grid, Rule, Tile};
+
+/// Its name in the folder.
+pub(super) const NAME: &str = "hcbtf.json";
+/// A longer one is refused: the most samples that can be filled need less.
+pub(super) const MAX_BYTES: u64 = 64 << 20;
+
+/// What it says.
+pub(super) struct Listing {
+    pub(super) grid: Grid,
+    pub(super) is_tiling: bool,
+    pub(super) rules: Vec<Rule>,
+    /// Of each image that rules filled, the digest of its tile.
+    filled: HashMap<String, u64>,
+}
+
+impl Listing {
+    /// Whether an image is what rules filled it with.
+    pub(super) fn is_filled(&self, file: &str, tile: &Tile) -> bool {
+        self.filled.get(file).is_some_and(|digest| *digest == tile.digest())
+    }
+
+    /// Whether rules filled an image when it was written, whatever became of it since.
+    pub(super) fn was_filled(&self, file: &str) -> bool {
+        self.filled.contains_key(file)
+    }
+}
+
+/// Its text, for these samples.
+pub(super) fn text(filled: &Filled, which: Which) -> Result<String, serde_json::Error> {
+    let taken = filled.iter().filter(|(_, _, provenance)| which.has(provenance) && !Which::Painted.has(provenance));
+    // Many samples share a tile.
+    let digests: Vec<u64> = filled.tiles().iter().map(|tile| tile.digest()).collect();
+    let lines: Vec<String> = taken
+        .filter_map(|(address, _, _)| {
+            let digest = digests.get(filled.tile_index(address)?)?;
+            Some(format!("    \"{}\": \"{digest:016x}\"", file_name(address)))
+        })
+        .collect();
+    let lines = if lines.is_empty() { "{}".to_owned() } else { format!("{{\n{}\n  }}", lines.join(",\n")) };
+    let head = manifest::head(&filled.grid(), filled.is_tiling(), filled.rules())?;
+    Ok(format!("{head}  \"filled\": {lines}\n}}\n"))
+}
+
+/// Reads one; everything that is wrong goes to the report.
+pub(super) fn parse(text: &[u8], report: &mut Report) -> Option<Listing> {
+    report.reads(NAME);
+    let fields = manifest::fields(text, &["chiaro", "version", "grid", "tiling", "rules", "filled"], report)?;
+    let (grid, is_tiling, rules) = manifest::parse_head(&fields, report)?;
+    let filled = match fields.get("filled") {
+        None => HashMap::new(),
+        Some(Value::Object(filled)) => filled.iter().filter_map(|(name, digest)| read(name, digest, report)).collect(),
+        Some(_) => {
+            let message = format!("`{NAME}`: `filled` is no JSON object");
+            report.add(Diagnostic::error("wrong-type", message).json_path("filled"));
+            return None;
+        }
+    };
+    Some(Listing { grid, is_tiling, rules, filled })
+}
+
+fn read(name: &str, digest: &Value, report: &mut Report) -> Option<(String, u64)> {
+    let number = digest.as_str().and_then(|digits| u64::from_str_radix(digits, 16).ok());
+    if number.is_none() {
+        let message = format!("`{NAME}`: `{name}` has no digest of 16 hexadecimal digits; it is taken as painted");
+        report.add(Diagnostic::warning("wrong-type", message).json_path(format!("filled.{name}")));
+    }
+    Some((name.to_owned(), number?))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::document::{Address, Directions, Hcbtf};
+    use crate::hcbtf::fill::fill;
+    use crate::hcbtf::{Progress, folder};
+
+    fn painted() -> Hcbtf {
+        let light = Directions { theta: 2, phi: 3 };
+        let mut hcbtf = Hcbtf::new(Grid { size: [2, 2], light, view: light });
+        hcbtf.is_tiling = false;
+        // The third is transparent all over, and painted all the same.
+        for (light, color) in [([0, 0], [200, 10, 10, 255]), ([1, 1], [0, 40, 90, 128]), ([1, 2], [0; 4])] {
+            hcbtf.painted.insert(Address::new(light, [1, 2]), Arc::new(Tile::filled([2, 2], color)));
+        }
+        hcbtf.rules = vec![Rule::Blend { sharpness: 2.0 }, Rule::Lambert { shadow: [0; 3], amount: 0.5 }];
+        hcbtf
+    }
+
+    #[test]
+    fn what_was_exported_comes_back_and_what_was_changed_is_painted() {
+        let hcbtf = painted();
+        let filled = fill(&hcbtf, &Progress::new()).unwrap();
+        let (name, text) = folder::listing(&filled, Which::All).unwrap();
+        let mut files: HashMap<String, Vec<u8>> = folder::export(&filled, Which::All).map(Result::unwrap).collect();
+        files.insert(name.to_owned(), text.into_bytes());
+        let import = |files: &HashMap<String, Vec<u8>>| {
+            let read = |name: &str| Ok(files[name].clone());
+            folder::import(files.keys().cloned().collect(), &read, Grid::THESIS, "folder", &Progress::new())
+        };
+        assert_eq!(import(&files).unwrap(), (hcbtf.clone(), vec![]));
+        // An image that another program wrote anew, other below its transparent texels, is the same; another colour is not.
+        let address = Address::new([1, 0], [0, 0]);
+        let file = file_name(address);
+        let tile = filled.tile(address).unwrap();
+        let mut rgba = tile.bytes().to_vec();
+        files.insert(file.clone(), super::super::picture::encode([2, 2], &rgba).unwrap());
+        assert_eq!(import(&files).unwrap().0, hcbtf);
+        rgba[0] ^= 1;
+        files.insert(file.clone(), super::super::picture::encode([2, 2], &rgba).unwrap());
+        let changed = import(&files).unwrap().0;
+        assert_eq!(changed.painted.len(), 4);
+        assert_eq!(changed.painted(address).unwrap().bytes(), rgba);
+        // A painting that was thrown away is no longer painted.
+        files.remove(&file_name(Address::new([0, 0], [1, 2])));
+        assert_eq!(import(&files).unwrap().0.painted.len(), 3);
+    }
+
+    #[test]
+    fn what_lies_is_told() {
+        let filled = fill(&painted(), &Progress::new()).unwrap();
+        let (_, text) = folder::listing(&filled, Which::All).unwrap();
+        let told = |text: &str| {
+            let mut report = Report::new("folder");
+            let listing = parse(text.as_bytes(), &mut report);
+            (listing.is_some(), report.finish(Some(())).map_or_else(|all| all, |(_, notes)| notes))
+        };
+        assert_eq!(told(&text), (true, vec![]));
+        for (text, code) in [
+            ("{", "not-json"),
+            ("[]", "wrong-type"),
+            ("{}", "wrong-document"),
+            (&text.replace("\"version\": 1", "\"version\": 99"), "newer-version"),
+            (&text.replace("\"phi\": 3", "\"phi\": 0"), "hcbtf-grid"),
+            (&text.replace("\"blend\"", "\"blnd\""), "unknown-word"),
+            (&text.replace("\"filled\": {", "\"painted\": [], \"filled\": {"), "unknown-field"),
+            (&text.replace("\"hcbtf\"", "\"look\""), "wrong-document"),
+        ] {
+            let (_, problems) = told(text);
+            assert_eq!(problems[0].code, code, "{problems:?}");
+            assert!(code == "newer-version" || problems[0].message.contains("`hcbtf.json`"), "{problems:?}");
+        }
+        let tile = Tile::filled([2, 2], [7, 8, 9, 0]);
+        assert_eq!(tile.digest(), Tile::filled([2, 2], [1, 2, 3, 0]).digest(), "nobody sees it");
+        assert_ne!(tile.digest(), Tile::filled([2, 2], [7, 8, 9, 1]).digest());
+    }
+}
