@@ -4,7 +4,7 @@
 //! step 4. Or files are numbered (`brick-0001.png`), in the order of [`Grid::addresses`]: the views one after the other, and
 //! for each all lights. Numbers begin at 0 where one of them is 0, and at 1 otherwise.
 //!
-//! Folders that Chiaro wrote have [`hcbtf.json`](super::listing) beside the images, which tells the grid and the rest; of
+//! Folders that Chiaro wrote have `hcbtf.json` beside the images, which tells the grid and the rest; of
 //! others somebody must say what grid they are of.
 
 use std::collections::BTreeMap;

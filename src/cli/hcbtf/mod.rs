@@ -28,12 +28,14 @@ Examples:
   chiaro hcbtf rules grass.hcbtf > rules.json
   chiaro hcbtf rules grass.hcbtf --set rules.json
   chiaro hcbtf synthesize grass.hcbtf -o meadow.hcbtf --size 64x64 --seed 3
-  chiaro hcbtf bake looks/rim.json -o rim.hcbtf --grid 32x32,6x10,6x10
+  chiaro hcbtf bake looks/rim.json -o rim.hcbtf --grid 32x32,6x10,6x10 --samples 16
   chiaro hcbtf export grass.hcbtf -o sheet.png
-  chiaro hcbtf export grass.hcbtf --to folder -o painted/ --painted
+  chiaro hcbtf export grass.hcbtf -o painted/ --painted
+  chiaro hcbtf export grass.hcbtf -o grass.ktx2 --compact
 
 A sheet is the thesis's flattened texture. A folder holds images named like l2.3_v1.4.png (light at ring 2, step 3; view at
-ring 1, step 4), or numbered. A contact sheet has views across and lights down. docs/format.md tells all about them.";
+ring 1, step 4), or numbered; one that was exported tells its grid, its rules and what is painted in hcbtf.json. A contact
+sheet has views across and lights down. docs/format.md tells all about them.";
 
 const GRID_HELP: &str = "the thesis's, 32x32,6x10,6x10";
 
@@ -51,7 +53,7 @@ enum Command {
     Info(info::Arguments),
     /// Make an .hcbtf file of a sheet, a folder of images, or a contact sheet
     Import(exchange::ImportArguments),
-    /// Write a sheet, a folder of images, or a contact sheet
+    /// Write a sheet, a folder of images, a contact sheet, or the texture of shaders
     Export(exchange::ExportArguments),
     /// Make another tile, or a larger one, of patches of a painted one
     Synthesize(make::SynthesizeArguments),
