@@ -283,8 +283,8 @@ fn shots() {
     let save = |hand: &mut Hand, name: &str| {
         hand.harness.render().unwrap().save(folder.join(format!("{name}.png"))).unwrap();
     };
-    hand.app_mut().fitting_mut().set_effort(96, 4);
-    hand.app_mut().open(Path::new("examples/looks/figure1-layers.json"));
+    hand.app_mut().fitting_mut().set_effort(96, 2);
+    hand.app_mut().open(Path::new("examples/looks/figure4-color.json"));
     hand.app_mut().show_on("shape:creature");
     hand.settle();
     paint_light(&mut hand);
@@ -315,10 +315,13 @@ fn shots() {
     hand.settle();
     save(&mut hand, "fit-8-elsewhere");
     hand.press("Back to the painted view");
-    hand.press("Fit new layers");
-    save(&mut hand, "fit-9-layers");
-    hand.press("Apply");
     hand.harness.set_size(vec2(900.0, 620.0));
     hand.settle();
-    save(&mut hand, "fit-10-small");
+    save(&mut hand, "fit-9-small");
+    hand.harness.set_size(vec2(1600.0, 960.0));
+    hand.app_mut().fitting_mut().set_layers(1);
+    hand.press("Clear");
+    stroke(&mut hand, "Color", &[[0.35, 0.45], [0.5, 0.1], [0.4, -0.3]]);
+    hand.press("Fit new layers");
+    save(&mut hand, "fit-10-layers");
 }

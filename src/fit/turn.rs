@@ -17,7 +17,9 @@ use crate::library::Library;
 /// Quads of pixels that are looked at.
 const QUADS: usize = 96;
 /// Quads that stand for all, where not all that is wished can be had.
-const EVEN_QUADS: usize = 192;
+const EVEN_QUADS: usize = 128;
+/// Steps at those.
+const EVEN_STEPS: usize = 12;
 /// Steps of a beginning.
 const FIRST_STEPS: usize = 10;
 /// Beginnings that go on.
@@ -61,7 +63,7 @@ pub fn fit_look(
         }
     }
     found.truncate(GOING_ON);
-    let mut best = Nearest::new(&model, &wishes, begin.clone()).map_err(one)?;
+    let mut best = Nearest::new(&model, &wishes, begin).map_err(one)?;
     for start in found {
         let far = descend(&painted, start.point, Until { steps: 40, error: 0.25 * enough }, progress).map_err(one)?;
         progress.add(1);
@@ -70,11 +72,9 @@ pub fn fit_look(
     if best.error > error_of(&wishes, options.enough) {
         // Not all of it can be had, and what is farthest off must not have its way alone.
         let even = Painted::new(&model, &wishes, &model.even(EVEN_QUADS));
-        let until = Until { steps: 20, error: error_of(&even.wishes, 0.5 * options.enough) };
-        for start in [best.state.clone(), begin] {
-            let next = descend(&even, start, until, progress).map_err(one)?;
-            best.offer(&model, &wishes, next.point).map_err(one)?;
-        }
+        let until = Until { steps: EVEN_STEPS, error: error_of(&even.wishes, 0.5 * options.enough) };
+        let next = descend(&even, best.state.clone(), until, progress).map_err(one)?;
+        best.offer(&model, &wishes, next.point).map_err(one)?;
     }
     let state = best.state;
     let (turned, first) = applied(&model, &state, &setup.looks[look].look).map_err(one)?;
@@ -125,7 +125,8 @@ pub(super) fn polished(
         }
         let chosen = if is_even { model.even(EVEN_QUADS) } else { model.telling(&best.missing, QUADS) };
         let painted = Painted::new(&model, &wishes, &chosen);
-        let until = Until { steps: 25, error: error_of(&painted.wishes, 0.1 / 255.0) };
+        let steps = if is_even { EVEN_STEPS } else { 25 };
+        let until = Until { steps, error: error_of(&painted.wishes, 0.1 / 255.0) };
         let before = best.error;
         let next = descend(&painted, best.state.clone(), until, progress).map_err(one)?.point;
         best.offer(&model, &wishes, next).map_err(one)?;

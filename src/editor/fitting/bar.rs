@@ -89,12 +89,9 @@ fn percent(ui: &mut Ui, label: &str, help: &str, value: &mut f64, range: std::op
     let mut shown = *value * 100.0;
     let range = range.start() * 100.0..=range.end() * 100.0;
     let drag = DragValue::new(&mut shown).range(range).speed(0.5).max_decimals(0).suffix("%");
-    let is_changed = ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 4.0;
-        let id = ui.label(label).on_hover_text(help).id;
-        ui.add(drag).labelled_by(id).on_hover_text(help).changed()
-    });
-    if is_changed.inner {
+    // One after the other, so that a narrow picture wraps them.
+    let id = ui.label(label).on_hover_text(help).id;
+    if ui.add(drag).labelled_by(id).on_hover_text(help).changed() {
         *value = shown / 100.0;
     }
 }

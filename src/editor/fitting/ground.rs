@@ -62,6 +62,16 @@ impl Ground {
     }
 }
 
+#[cfg(test)]
+impl Ground {
+    /// One colour all over, on something that wears the look.
+    pub(super) fn flat(size: [u32; 2], color: [f64; 3]) -> Self {
+        let count = (size[0] * size[1]) as usize;
+        let image = ColorImage::filled(size.map(|side| side as usize), eframe::egui::Color32::BLACK);
+        Self { size, colors: vec![color; count], wears: vec![true; count], counts: vec![true; count], image }
+    }
+}
+
 struct Job {
     moment: Moment,
     still: Still,
@@ -92,7 +102,9 @@ impl Grounds {
     /// Takes what was drawn, and asks for what is shown now.
     pub(super) fn update(&mut self, session: &Session, moment: &Moment) {
         for done in self.worker.answers() {
-            if self.asked.as_ref() == Some(&done.moment) {
+            // The same may have been given up and asked for again.
+            let is_whole = done.result.as_ref().err().is_none_or(|found| found.iter().all(|it| it.code != "cancelled"));
+            if is_whole && self.asked.as_ref() == Some(&done.moment) {
                 self.known = Some(done);
             }
         }

@@ -188,7 +188,7 @@ fn strokes(tile: &Tile, ground: Option<&Ground>, outlines_only: bool) -> ColorIm
                 && is_in(x, y + 1));
         let pixel = &mut image.pixels[(y * width + x) as usize];
         if is_edge {
-            let is_light = (x + y) / DASH % 2 == 0;
+            let is_light = ((x + y) / DASH).is_multiple_of(2);
             *pixel = if is_light { Color32::from_white_alpha(220) } else { Color32::from_black_alpha(200) };
         } else if !outlines_only && let Some(shown) = shown(x, y) {
             let wish = [r, g, b].map(|byte| f64::from(byte) / 255.0);

@@ -3,11 +3,12 @@
 use eframe::egui;
 use eframe::egui::{Button, Color32, DragValue, ProgressBar, RichText, Role, ScrollArea, Slider, Ui, WidgetInfo, vec2};
 
-use super::target;
-use super::{Fitting, Outcome, What, Wish};
+use super::fit::Outcome;
+use super::{Fitting, What, Wish, target};
 use crate::document::parse_hex;
 use crate::editor::command::Command;
 use crate::editor::dock::hint;
+use crate::editor::panels::problems::sentence;
 use crate::editor::session::Session;
 use crate::editor::theme;
 use crate::fit::Changed;
@@ -34,13 +35,18 @@ impl Fitting {
         ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
             self.painted_row(ui, session, &mut out);
             ui.separator();
-            self.how_rows(ui);
-            self.fit_row(ui, &mut out);
+            // What waits for an answer comes first, and there is nothing else to be chosen then.
+            if !self.awaits() {
+                self.how_rows(ui);
+                self.fit_row(ui, &mut out);
+            }
             if let Some(told) = &self.told {
                 ui.label(RichText::new(told).color(theme::of(ui).accent));
             }
             if let Some(outcome) = &self.outcome {
-                ui.separator();
+                if outcome.is_applied {
+                    ui.separator();
+                }
                 result(ui, outcome, session, &mut out);
             }
         });
@@ -51,6 +57,10 @@ impl Fitting {
         let is_empty = session.sketch().is_empty();
         ui.horizontal_wrapped(|ui| {
             let ground = self.grounds.latest();
+            if let Some(problem) = self.grounds.problem() {
+                ui.label(RichText::new(sentence(problem)).color(theme::of(ui).error));
+                return;
+            }
             let text = match (is_empty, ground) {
                 (true, _) => "Nothing is painted yet: drag on the object".to_owned(),
                 (false, Some(ground)) => {
@@ -117,14 +127,13 @@ impl Fitting {
             });
             return;
         }
-        let is_free = !self.awaits();
         ui.horizontal_wrapped(|ui| {
             let help = "Turns lights, profiles and colors of this look until it shows what is painted. Its nodes and wires stay";
-            if ui.add_enabled(is_free, Button::new("Fit this look")).on_hover_text(help).clicked() {
+            if ui.button("Fit this look").on_hover_text(help).clicked() {
                 out.push(Command::Fit(Wish::Fit(What::ThisLook)));
             }
             let help = "Begins from nothing: light layers over a base, as many as help, in place of all nodes of this look";
-            if ui.add_enabled(is_free, Button::new("Fit new layers")).on_hover_text(help).clicked() {
+            if ui.button("Fit new layers").on_hover_text(help).clicked() {
                 out.push(Command::Fit(Wish::Fit(What::Layers(self.how.layers))));
             }
             let label = ui.label("at most");

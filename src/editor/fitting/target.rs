@@ -88,3 +88,44 @@ pub(super) fn misses(wishes: &[Wish], ground: &Ground) -> Vec<Missed> {
 pub(super) fn shown(ground: &Ground, [x, y]: [u32; 2]) -> [f64; 3] {
     ground.colors.get((y * ground.size[0] + x) as usize).copied().unwrap_or_default()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pixel_wishes_as_much_as_it_is_covered_and_the_rest_counts_as_told() {
+        let mut ground = Ground::flat([40, 30], [0.2; 3]);
+        ground.counts[1] = false;
+        let mut tile = Tile::filled([120, 90], [0; 4]);
+        // Of the first three pixels all, the second of which does not count; of the fourth a third.
+        for (x, y) in (0..3).flat_map(|y| (0..10).map(move |x| (x, y))) {
+            tile.bytes_mut()[4 * (y * 120 + x)..][..4].copy_from_slice(&[255, 0, 51, 255]);
+        }
+        let painted = wishes(&tile, &ground);
+        let at: Vec<[u32; 2]> = painted.iter().map(|wish| wish.pixel).collect();
+        assert_eq!(at, [[0, 0], [2, 0], [3, 0]]);
+        assert!(painted.iter().all(|wish| wish.color == [1.0, 0.0, 0.2]));
+        assert!((painted[2].weight - 1.0 / 3.0).abs() < 1e-12 && painted[0].weight == 1.0);
+        let target = target(&painted, &ground, 0.5);
+        assert_eq!(target.wishes[..3], painted);
+        let rest = &target.wishes[3..];
+        assert!(rest.len() > MOST_REST / 2 && rest.len() <= MOST_REST, "{}", rest.len());
+        assert!(
+            rest.iter()
+                .all(|wish| wish.color == [0.2; 3] && ground.counts[(wish.pixel[1] * 40 + wish.pixel[0]) as usize])
+        );
+        let sum = |wishes: &[Wish]| wishes.iter().map(|wish| wish.weight).sum::<f64>();
+        assert!((sum(rest) - 0.5 * sum(&painted)).abs() < 1e-9);
+        assert_eq!(super::target(&painted, &ground, 0.0).wishes, painted);
+        // Of three pixels, of which each is off by 0.8, 0.2 and 0 in its channels.
+        let off = off(&painted, |pixel| Some(shown(&ground, pixel)));
+        assert!((off - ((0.64 + 0.04) / 3.0_f64).sqrt()).abs() < 1e-12);
+        assert_eq!(misses(&painted, &ground).len(), 3);
+    }
+
+    #[test]
+    fn a_sketch_of_another_size_wishes_nothing() {
+        assert!(wishes(&Tile::filled([6, 6], [255; 4]), &Ground::flat([3, 3], [0.5; 3])).is_empty());
+    }
+}

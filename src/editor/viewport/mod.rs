@@ -144,7 +144,12 @@ impl Viewport {
         if response.clicked() && is_free {
             out.extend(objects::pick(session, handles.surface.as_deref(), seen.as_ref()));
         }
-        self.drags(ui, &response, rect, session, &handles, fitting.is_on(), &mut out);
+        // Where the hand paints, only what else turns the camera turns it.
+        let is_alt = ui.input(|input| input.modifiers.alt);
+        let is_stroke = self.drag.is_none() && response.dragged_by(PointerButton::Primary) && !is_alt;
+        if !(fitting.is_on() && is_stroke) {
+            self.drags(ui, &response, rect, session, &handles, &mut out);
+        }
         self.wheel_and_keys(ui, pointer, session, fitting, &mut out);
         self.turn(ui, session);
         match picture {
@@ -284,14 +289,10 @@ impl Viewport {
         rect: Rect,
         session: &mut Session,
         handles: &Handles,
-        paints: bool,
         out: &mut Vec<Command>,
     ) {
         let is_alt = ui.input(|input| input.modifiers.alt);
-        // Where the hand paints, only what else turns the camera turns it.
-        let is_paint = paints && response.dragged_by(PointerButton::Primary) && !is_alt;
         if response.drag_started()
-            && !is_paint
             && let Some(origin) = ui.input(|input| input.pointer.press_origin())
         {
             self.before = Some(Before { view: session.view.clone(), place: session.place() });
