@@ -6,7 +6,7 @@ mod editor_support;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use std::path::Path;
 
-use chiaro::document::{Driver, Interpolation, KeyDirection, Target, Value};
+use chiaro::document::{Driver, Edit, GraphId, Interpolation, KeyDirection, Target, Value};
 use editor_support::{Hand, close};
 use eframe::egui::{Key, Pos2, Role, pos2, vec2};
 use egui_kittest::kittest::Queryable as _;
@@ -209,6 +209,46 @@ fn keys_by_drivers_are_made_from_nothing() {
     click(&mut hand, "Remove the driver Distance to the eye");
     assert_eq!(set(&hand).by, KeyDirection::Drivers(vec![Driver::Facing]));
     assert!(set(&hand).keys.iter().all(|key| key.direction[0] == turned[0] && key.direction[1] == 0.0));
+    let problems = hand.app().session().problems();
+    assert!(problems.iter().all(|problem| !problem.is_error()), "{problems:?}");
+    while hand.app().session().undo_label().is_some() {
+        hand.undo();
+    }
+    assert_eq!(*hand.look(), before);
+}
+
+/// A wire that is the same all over the object decides: a node's value is chosen from the menu, and moving it moves the keys.
+#[test]
+fn keys_by_a_wire_are_made_and_follow_it() {
+    let mut hand = Hand::new();
+    let before = hand.look().clone();
+    let mut node = chiaro::document::Node { kind: "number".to_owned(), name: "Mood".to_owned(), ..Default::default() };
+    node.values.insert("value".into(), Value::Number(2.0));
+    let add = Edit::AddNode { graph: GraphId::Look, id: "mood".into(), node, index: None };
+    hand.app_mut().session_mut().apply(add, None).expect("it applies");
+    hand.settle();
+    click(&mut hand, "Keys");
+    click(&mut hand, "Add direction keys");
+    click(&mut hand, "Wire Mood");
+    hand.settle();
+    let set = |hand: &Hand| hand.look().direction_keys[0].clone();
+    let KeyDirection::Drivers(drivers) = set(&hand).by else { panic!("{:?}", set(&hand).by) };
+    assert_eq!(drivers[0].output().map(ToString::to_string).as_deref(), Some("mood.value"));
+    assert_eq!(set(&hand).keys[0].direction[0], 2.0, "the key lies where the wire is now");
+    select(&mut hand, &["diffuse"]);
+    click(&mut hand, "Add value");
+    click(&mut hand, "Diffuse: Opacity");
+    click(&mut hand, "Copy key");
+    assert_eq!(set(&hand).keys[1].direction[0], 2.5);
+    hand.settle();
+    assert_eq!(hand.app().session().key_weights(0), [1.0, 0.0]);
+    let value = Value::Number(2.25);
+    let moved = Edit::SetValue { graph: GraphId::Look, id: "mood".into(), port: "value".into(), value, index: None };
+    hand.app_mut().session_mut().apply(moved, None).expect("it applies");
+    hand.settle();
+    let weights = hand.app().session().key_weights(0);
+    assert!(close(weights[0], 0.5), "half-way between the keys: {weights:?}");
+    assert!(has(&hand, "Wire Mood now: 2.250"));
     let problems = hand.app().session().problems();
     assert!(problems.iter().all(|problem| !problem.is_error()), "{problems:?}");
     while hand.app().session().undo_label().is_some() {

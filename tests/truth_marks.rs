@@ -700,6 +700,96 @@ fn antialiased_halftones_have_the_tones_mean() {
     errors.finish();
 }
 
+/// What a stiff brush leaves of a stroke: how light it lies, and how much covers.
+fn bristles(laid: DVec2, seed: u32) -> [f64; 2] {
+    let step = |x: f64, low: f64, high: f64| {
+        let t = unit((x - low) / (high - low));
+        t * t * (3.0 - 2.0 * t)
+    };
+    let (along, across) = (laid.x, 2.0 * laid.y - 1.0);
+    let row = 11.0 * laid.y;
+    let t = step(row - row.floor(), 0.0, 1.0);
+    let of = |row: i64| unit3(lattice([row, 0, 0], seed));
+    let chance = of(row.floor() as i64).lerp(of(row.floor() as i64 + 1), t);
+    let own = unit3(lattice([0, 1, 0], seed));
+    let start = 0.03 + 0.12 * chance.x + 0.09 * across.powi(2);
+    let end = 0.97 - (0.1 + 0.25 * own.y) * chance.y - 0.12 * across.powi(2);
+    let is_there = step(along, start, start + 0.05) * (1.0 - step(along, end - 0.1, end));
+    let side = 1.0 - step(across.abs(), 0.78, 0.95);
+    let dry = step(along + 0.55 * chance.z, 0.85, 1.25);
+    let shade = 0.72 + 0.16 * own.z + 0.16 * (0.5 + 1.3 * (chance.z - 0.5)) - 0.05 * along;
+    [unit(shade), is_there * side * (1.0 - 0.9 * dry)]
+}
+
+/// Strokes of bristles are what a search through all cells finds, laid on one another in one order.
+#[test]
+fn bristles_lie_in_their_cells() {
+    let (aspect, size, scatter, turn, count, seed) = (3.0, 1.6, 0.6, 0.5, 12.0, 3_u32);
+    let look = look(&json!({
+        "nodes": [
+            {"id": "tone", "kind": "number"},
+            {"id": "uv", "kind": "uv"},
+            {"id": "node", "kind": "brush_strokes", "values": {
+                "mask": "bristles", "aspect": aspect, "size": size, "scatter": scatter, "turn": turn, "count": count,
+                "seed": seed
+            }},
+            {"id": "output", "kind": "output"}
+        ],
+        "wires": [
+            {"from": "tone", "to": "node.value"}, {"from": "uv.uv", "to": "node.place"},
+            {"from": "node.color", "to": "output.color"}
+        ],
+        "exposed": [{"name": "tone", "target": "tone.value"}]
+    }));
+    let tile = blue_tile();
+    let mut random = Random::new(611);
+    let mut samples = Vec::new();
+    for k in 0..900 {
+        let uv = DVec2::new(f32_of(random.between(-3.0, 3.0)), f32_of(random.between(-3.0, 3.0)));
+        let tone = chiaro::document::Value::Number([0.0, 0.45, 0.8][k % 3]);
+        samples.push(EvalSample { uv, values: [("tone".into(), tone)].into_iter().collect(), ..EvalSample::default() });
+    }
+    let inks = eval_with(&look, Library::built_in(), &options("node.ink"), &samples);
+    let colors = eval_with(&look, Library::built_in(), &options("node.color"), &samples);
+    let (mut errors, mut shades) = (Errors::new("bristles: ink", 2e-4), Errors::new("bristles: shade", 2e-4));
+    let mut covered = [0.0; 3];
+    for (k, ((ink, color), at)) in inks.iter().zip(&colors).zip(&samples).enumerate() {
+        let p = at.uv * count / DVec2::new(aspect, 1.0);
+        let wanted_ink = 1.0 - [0.0, 0.45, 0.8][k % 3];
+        // Cells lie on one another by their places within three by three, rows first.
+        let mut cells: Vec<[i64; 2]> =
+            (0..9).map(|i| [p.x.floor() as i64 + i % 3 - 1, p.y.floor() as i64 + i / 3 - 1]).collect();
+        cells.sort_by_key(|[x, y]| (y.rem_euclid(3), x.rem_euclid(3)));
+        let mut paint = [0.0; 2];
+        for [x, y] in cells {
+            let chance = unit3(lattice([x, y, 0], seed));
+            let middle = DVec2::new(x as f64, y as f64) + 0.5 + scatter * (DVec2::new(chance.x, chance.y) - 0.5);
+            let offset = p - middle;
+            let far = offset.abs().max_element() / (1.0 - 0.5 * scatter);
+            let way = if unit3(lattice([x, y, 0], seed + 1)).x < 0.5 { 1.0 } else { -1.0 };
+            let turned = DVec2::from_angle(turn * (0.5 - chance.z)).rotate(offset * DVec2::new(aspect, 1.0));
+            let laid = 0.5 + turned * DVec2::new(way, -1.0) / (DVec2::new(aspect, 1.0) * size);
+            let inside = unit(64.0 * laid.min(1.0 - laid).min_element());
+            let drawn = unit((wanted_ink - blue([x + i64::from(seed & 31), y], &tile) * 31.0 / 32.0) * 32.0);
+            let fade = unit((far - 0.85) / 0.15);
+            let share = drawn * inside * (1.0 - fade * fade * (3.0 - 2.0 * fade));
+            if share > 0.0 {
+                let [shade, covers] = bristles(laid, lattice([x, y, 0], seed + 2)[0]);
+                let cover = share * covers;
+                paint = [shade * cover + paint[0] * (1.0 - cover), cover + paint[1] * (1.0 - cover)];
+            }
+        }
+        errors.note(ink[0], paint[1], || format!("{}", at.uv));
+        if paint[1] > 0.05 {
+            shades.note(color[0], paint[0] / paint[1], || format!("{}", at.uv));
+        }
+        covered[k % 3] += ink[0] / 300.0;
+    }
+    errors.finish();
+    shades.finish();
+    assert!(covered[0] > 0.8 && covered[0] > covered[1] && covered[1] > covered[2] && covered[2] > 0.05, "{covered:?}");
+}
+
 /// A stroke of one colour lies wherever a search through all cells finds one, and nowhere else.
 #[test]
 fn brush_strokes_lie_in_their_cells() {

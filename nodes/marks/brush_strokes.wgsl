@@ -6,10 +6,11 @@ import chiaro::total;
 /// Brush strokes
 ///
 /// Lays one painted stroke again and again over a surface, each a little elsewhere and turned a little, as many as a tone
-/// needs. The picture holds a single stroke from left to right, its ends inside of the picture; strokes lie on one another
-/// as on a canvas, so that no seam is seen. They keep their size on the picture.
+/// needs. The picture holds a single stroke from left to right, its ends inside of the picture; or there is none, and a
+/// stiff brush leaves its own. Strokes lie on one another as on a canvas, so that no seam is seen. They keep their size on
+/// the picture.
 ///
-/// @param image "Image" widget=path : PNG, JPEG, HDR or EXR: one stroke.
+/// @param image "Image" widget=path : PNG, JPEG, HDR or EXR: one stroke. Bristles need none.
 /// @param value "Tone" default=0 min=0 max=1 : 1 is bare canvas; at 0 all strokes are there.
 /// @param place "Place" from=pixel : From Mark place; in pixels where Stretch is not wired.
 /// @param stretch "Stretch" default=0,0,0 : From Mark place.
@@ -19,7 +20,9 @@ import chiaro::total;
 /// @param scatter "Scatter" default=0.5 min=0 max=1 : How far strokes lie from their places.
 /// @param turn "Turn" unit=rad default=0.3 min=0 : How far strokes are turned by chance, to both sides together.
 /// @param seed "Seed" default=0 : Another number, other strokes.
-/// @choice mask "Ink is" default=alpha alpha="Alpha" dark="Dark" : What of the picture is paint: what is opaque, or what is dark.
+/// @choice mask "Ink is" default=alpha alpha="Alpha" dark="Dark" bristles="Bristles" :
+///   What of the picture is paint: what is opaque, or what is dark. Bristles reads no picture: every stroke is that of a
+///   stiff brush that runs dry, each with bristles of its own.
 /// @choice filter "Filter" default=linear linear="Linear" nearest="Nearest" :
 ///   Linear is smooth; Nearest keeps the squares of pixel art.
 /// @choice encoding "Encoding" default=color color="Color" data="Data" :
@@ -66,8 +69,28 @@ fn brush_strokes_dark(
     return BrushStrokes(vec4f(paint.xyz / max(paint.w, 1e-6), 1.0), paint.w);
 }
 
+fn brush_strokes_bristles(
+    value: f32,
+    place: vec2f,
+    stretch: vec3f,
+    count: f32,
+    aspect: f32,
+    size: f32,
+    scatter: f32,
+    turn: f32,
+    seed: i32,
+    viewport: vec2f,
+) -> BrushStrokes {
+    let at = spaced(place, stretch, viewport, count);
+    let style = brush_of(aspect, size, scatter, turn, seed, false);
+    let paint = bristles_laid(at, 1.0 - factor_of(value, true), style);
+    let shade = paint.x / max(paint.y, 1e-6);
+    return BrushStrokes(vec4f(shade, shade, shade, 1.0), paint.y);
+}
+
 struct BrushStrokes {
-    /// The picture's own colour, opaque; black where no stroke is.
+    /// The picture's own colour, opaque; of bristles how light their paint lies, to multiply a colour by; black where no
+    /// stroke is.
     color: Color,
     /// How much of the canvas is covered, from 0 to 1.
     ink: f32,

@@ -57,6 +57,9 @@ fn brushed(image: texture_2d<f32>, image_sampler: sampler, at: Spaced, ink: f32,
             let turning = cell + vec2i(i32(style.seed & 31u), 7 * (i32(zoom) + octave));
             let late = 0.96875 * blue_part(tile[blue_index(turning)], turning);
             let share = clamp((amount - late) * 32.0, 0.0, 1.0);
+            if share <= 0.0 {
+                continue;
+            }
             let stroke = brush_stroke(p, cell, i32(zoom) + octave, share, style);
             if stroke.share > 0.0 {
                 let gx = brush_turned(dx * scale, stroke, style);
@@ -69,6 +72,73 @@ fn brushed(image: texture_2d<f32>, image_sampler: sampler, at: Spaced, ink: f32,
         }
     }
     return paint;
+}
+
+/// The same without a picture, by bristles: premultiplied lightness, and how much covers.
+fn bristles_laid(at: Spaced, ink: f32, style: Brush) -> vec2f {
+    let dx = dpdx(at.place);
+    let dy = dpdy(at.place);
+    let s = at.stretch;
+    let level = octave_of(sqrt(max(s.x * s.z - s.y * s.y, 0.0)));
+    let zoom = floor(level);
+    let f = level - zoom;
+    let coarse_cells = exp2_stable(-2.0 * f);
+    let fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
+    var tile = BLUE_TILE;
+    var paint = vec2f(0.0);
+    for (var octave = 0; octave < 2; octave++) {
+        let amount = ink * select(1.0 - f, fine, octave == 1);
+        let scale = power_of_two(i32(zoom) + octave);
+        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0)) / vec2f(style.aspect, 1.0);
+        let corner = vec2i(floor(p));
+        let phase = ((corner % vec2i(3)) + vec2i(3)) % vec2i(3);
+        for (var i = 0; i < 9; i++) {
+            let cell = corner + (vec2i(i % 3, i / 3) - phase + vec2i(4)) % vec2i(3) - vec2i(1);
+            let turning = cell + vec2i(i32(style.seed & 31u), 7 * (i32(zoom) + octave));
+            let late = 0.96875 * blue_part(tile[blue_index(turning)], turning);
+            let share = clamp((amount - late) * 32.0, 0.0, 1.0);
+            if share <= 0.0 {
+                continue;
+            }
+            let stroke = brush_stroke(p, cell, i32(zoom) + octave, share, style);
+            if stroke.share > 0.0 {
+                let gx = brush_turned(dx * scale, stroke, style);
+                let gy = brush_turned(dy * scale, stroke, style);
+                let own = lattice_hash(vec3i(cell, i32(zoom) + octave), style.seed + 2u).x;
+                let drawn = bristles(stroke.uv, length(vec2f(gx.y, gy.y)), own);
+                let cover = stroke.share * drawn.y;
+                paint = vec2f(drawn.x * cover, cover) + paint * (1.0 - cover);
+            }
+        }
+    }
+    return paint;
+}
+
+/// Three chances of a bristle, going over smoothly to the next across a stroke.
+fn bristle(row: f32, seed: u32) -> vec3f {
+    let first = floor(row);
+    let t = row - first;
+    let a = unit_of_hash(lattice_hash(vec3i(i32(first), 0, 0), seed));
+    let b = unit_of_hash(lattice_hash(vec3i(i32(first) + 1, 0, 0), seed));
+    return mix(a, b, t * t * (3.0 - 2.0 * t));
+}
+
+/// A stroke of a stiff brush at a place in it: how light its paint lies, and how much of it covers. `width` is a pixel's
+/// share of the stroke's width.
+fn bristles(uv: vec2f, width: f32, seed: u32) -> vec2f {
+    let across = 2.0 * uv.y - 1.0;
+    let own = unit_of_hash(lattice_hash(vec3i(0, 1, 0), seed));
+    // Bristles that are finer than a pixel are what they are on average.
+    let seen = clamp(1.75 - 11.0 * width, 0.0, 1.0);
+    let chance = mix(vec3f(0.5), bristle(11.0 * uv.y, seed), seen);
+    // The tip is round, and every bristle begins and leaves off at its own place.
+    let start = 0.03 + 0.12 * chance.x + 0.09 * across * across;
+    let end = 0.97 - (0.1 + 0.25 * own.y) * chance.y - 0.12 * across * across;
+    let along = eased(uv.x, start, start + 0.05) * (1.0 - eased(uv.x, end - 0.1, end));
+    let side = 1.0 - eased(abs(across), 0.78, 0.95);
+    let dry = eased(uv.x + 0.55 * chance.z, 0.85, 1.25);
+    let shade = 0.8 + 0.16 * own.z + 0.208 * (chance.z - 0.5) - 0.05 * uv.x;
+    return vec2f(clamp(shade, 0.0, 1.0), along * side * (1.0 - 0.9 * dry));
 }
 
 /// A stroke as it is seen at a place.

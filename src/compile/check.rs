@@ -6,7 +6,8 @@ use std::sync::Arc;
 use indexmap::IndexMap;
 use petgraph::graph::{DiGraph, NodeIndex};
 
-use super::flatten::{FlatGraph, FlatInput, FlatNode, Param, ParamId, flatten};
+use super::drivers::{self, TypedDriver};
+use super::flatten::{FlatGraph, FlatInput, FlatNode, GroupOutputs, Param, ParamId, flatten};
 use super::value::{describe, expected, typed_value};
 use crate::diag::{Diagnostic, Severity, has_errors};
 use crate::document::{ColorSpace, Exposed, Light, Look, Target, Tier, Value};
@@ -30,6 +31,12 @@ pub struct TypedGraph {
     pub exposed: Vec<Exposed>,
     /// What direction and time keys move.
     pub keyed: Vec<Target>,
+    /// The outputs that drive direction keys, each once.
+    pub drivers: Vec<TypedDriver>,
+    /// The sets of direction keys in the order in which they take effect.
+    pub key_order: Vec<usize>,
+    /// What stands behind the outputs of groups, by their paths: a node and the index of its output.
+    pub group_outputs: GroupOutputs,
     /// What the colours mean.
     pub color_space: ColorSpace,
     /// The look's name.
@@ -115,7 +122,11 @@ pub fn check(
     let flat = flatten(look, library, &mut problems);
     let order = order(&flat, &mut problems);
     let root = find_root(&flat, root, &mut problems);
-    let reached = root.map_or_else(|| vec![true; flat.nodes.len()], |(node, _)| reach(&flat, node));
+    let mut wrong_drivers = Vec::new();
+    let driving = drivers::find(look, &flat, &mut wrong_drivers);
+    // The picture depends on what drives its keys, too.
+    let roots = |(node, _)| std::iter::once(node).chain(driving.iter().map(|(_, node, _)| *node)).collect();
+    let reached = root.map_or_else(|| vec![true; flat.nodes.len()], |root| reach(&flat, roots(root)));
     let mut typer = Typer::new(look, &flat);
     let mut nodes: Vec<Option<TypedNode>> = vec![None; flat.nodes.len()];
     for &index in &order {
@@ -136,7 +147,7 @@ pub fn check(
     let keyed = keyed_targets(look);
     let surroundings = from_surroundings(&flat);
     let typed_inputs: Vec<(ParamId, Value, Option<Value>)> = nodes.iter().flatten().flat_map(param_values).collect();
-    let graph = TypedGraph {
+    let mut graph = TypedGraph {
         order: order.iter().copied().filter(|&index| nodes[index].is_some()).collect(),
         // A node that could not be typed reaches nothing; a stand-in keeps the indices.
         nodes: nodes.into_iter().zip(&flat.nodes).map(|(node, flat)| node.unwrap_or_else(|| stand_in(flat))).collect(),
@@ -145,10 +156,19 @@ pub fn check(
         lights: look.lights.clone(),
         exposed: look.exposed.clone(),
         keyed,
+        drivers: Vec::new(),
+        key_order: Vec::new(),
+        group_outputs: flat.group_outputs,
         color_space: look.color_space,
         name: look.name.clone(),
     };
-    let mut wrong_targets = Vec::new();
+    let mut wrong_targets = wrong_drivers;
+    let (drivers, mut found) = drivers::typed(&graph, look, driving);
+    wrong_targets.append(&mut found);
+    graph.drivers = drivers;
+    let (key_order, mut found) = drivers::order(&graph, look);
+    wrong_targets.append(&mut found);
+    graph.key_order = key_order;
     check_targets(&graph, look, &surroundings, &mut wrong_targets);
     let stops = has_errors(&wrong_targets);
     problems.append(&mut wrong_targets);
@@ -262,28 +282,7 @@ fn find_root(
     problems: &mut Vec<Diagnostic>,
 ) -> Option<(usize, usize)> {
     if let Some((path, port)) = root {
-        if let Some(outputs) = flat.group_outputs.get(path) {
-            return outputs.get(port).copied().or_else(|| {
-                let problem = Diagnostic::error("unknown-port", format!("the group `{path}` has no output `{port}`"));
-                let known = outputs.keys().map(PortName::as_str).filter(|name| !name.is_empty());
-                problems.push(problem.node(path.clone()).suggest(port.as_str(), known));
-                None
-            });
-        }
-        let Some(&node) = flat.by_path.get(path) else {
-            let known: Vec<_> = flat.nodes.iter().map(|node| node.path.to_string()).collect();
-            let problem = Diagnostic::error("unknown-node", format!("there is no node `{path}`"));
-            problems.push(problem.suggest(&path.to_string(), known.iter().map(String::as_str)));
-            return None;
-        };
-        let def = &flat.nodes[node].def;
-        let Some(output) = def.output(port.as_str()) else {
-            let problem = Diagnostic::error("unknown-port", format!("the node `{path}` has no output `{port}`"));
-            let known = def.outputs.iter().map(|output| output.name.as_str());
-            problems.push(problem.node(path.clone()).suggest(port.as_str(), known));
-            return None;
-        };
-        return Some((node, output));
+        return flat.output(path, port).map_err(|problem| problems.push(problem)).ok();
     }
     let outputs: Vec<_> =
         flat.nodes.iter().enumerate().filter(|(_, node)| node.def.special == Special::Output).collect();
@@ -302,10 +301,10 @@ fn find_root(
     }
 }
 
-/// Which nodes the root depends on.
-fn reach(flat: &FlatGraph, root: usize) -> Vec<bool> {
+/// Which nodes the roots depend on.
+fn reach(flat: &FlatGraph, roots: Vec<usize>) -> Vec<bool> {
     let mut reached = vec![false; flat.nodes.len()];
-    let mut open = vec![root];
+    let mut open = roots;
     while let Some(index) = open.pop() {
         if std::mem::replace(&mut reached[index], true) {
             continue;

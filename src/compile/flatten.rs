@@ -77,7 +77,38 @@ pub(super) struct FlatGraph {
     /// By path.
     pub by_path: HashMap<NodePath, usize>,
     /// What a group's outputs come from, by the group's path; the empty port is the first output.
-    pub group_outputs: HashMap<NodePath, HashMap<PortName, (usize, usize)>>,
+    pub group_outputs: GroupOutputs,
+}
+
+/// By the group's path and the output's name, a node and the index of its output.
+pub type GroupOutputs = HashMap<NodePath, HashMap<PortName, (usize, usize)>>;
+
+impl FlatGraph {
+    /// The node and the index of an output by path and name; the empty name is the first output.
+    ///
+    /// # Errors
+    /// That there is no such node or output, with near names.
+    pub(super) fn output(&self, path: &NodePath, port: &PortName) -> Result<(usize, usize), Diagnostic> {
+        if let Some(outputs) = self.group_outputs.get(path) {
+            return outputs.get(port).copied().ok_or_else(|| {
+                let problem = Diagnostic::error("unknown-port", format!("the group `{path}` has no output `{port}`"));
+                let known = outputs.keys().map(PortName::as_str).filter(|name| !name.is_empty());
+                problem.node(path.clone()).suggest(port.as_str(), known)
+            });
+        }
+        let Some(&node) = self.by_path.get(path) else {
+            let known: Vec<_> = self.nodes.iter().map(|node| node.path.to_string()).collect();
+            let problem = Diagnostic::error("unknown-node", format!("there is no node `{path}`"));
+            return Err(problem.suggest(&path.to_string(), known.iter().map(String::as_str)));
+        };
+        let def = &self.nodes[node].def;
+        let output = def.output(port.as_str()).ok_or_else(|| {
+            let problem = Diagnostic::error("unknown-port", format!("the node `{path}` has no output `{port}`"));
+            let known = def.outputs.iter().map(|output| output.name.as_str());
+            problem.node(path.clone()).suggest(port.as_str(), known)
+        })?;
+        Ok((node, output))
+    }
 }
 
 enum Slot {

@@ -1,6 +1,6 @@
 //! Values that are known before the fragment: computed in f64 on the CPU, read from the `Look` uniform.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::sync::{Arc, LazyLock};
 
 use glam::{DMat3, DQuat, DVec3};
@@ -12,7 +12,7 @@ use super::layout::StructLayout;
 use super::specialize::Function;
 use super::value::typed_value;
 use crate::diag::Diagnostic;
-use crate::document::{Light, LightKind, LightSpace, Value};
+use crate::document::{Light, LightKind, LightSpace, OutputPort, Value};
 use crate::ids::LightId;
 use crate::interp::{self, Precision, Program};
 use crate::library::{Context, Conversion, LightField, Type};
@@ -117,6 +117,32 @@ pub(super) enum Step {
     Member { value: usize, index: usize },
 }
 
+impl Step {
+    /// What it gives, by the values of earlier steps.
+    fn value<'v>(
+        &self,
+        inputs: &HostInputs<'_>,
+        known: impl Fn(usize) -> &'v interp::Value,
+    ) -> Result<interp::Value, Diagnostic> {
+        Ok(match self {
+            Self::Constant(value) => value.clone(),
+            Self::Param { id, ty, value } => {
+                let set = inputs.params.get(id).and_then(|value| typed_value(value, ty).ok());
+                set.unwrap_or_else(|| value.clone())
+            }
+            Self::Context(context, light) => inputs.context(*context, light.as_ref()),
+            Self::Call { program, arguments, .. } => {
+                let arguments: Vec<_> = arguments.iter().map(|&index| known(index).clone()).collect();
+                program.call(&arguments, Precision::F64)?
+            }
+            Self::Member { value, index } => {
+                let parts = known(*value).parts();
+                parts.and_then(|parts| parts.get(*index)).cloned().unwrap_or(interp::Value::Float(0.0))
+            }
+        })
+    }
+}
+
 /// What a step calls, so that its source can be found again.
 #[derive(Clone, Debug)]
 pub(super) enum Callee {
@@ -139,10 +165,23 @@ pub struct UniformMember {
     pub offset: u32,
 }
 
+/// An output that drives keys.
+#[derive(Clone, Debug)]
+pub struct HostDriver {
+    /// As the document names it.
+    pub wire: OutputPort,
+    /// The step that computes it, as a number.
+    pub step: usize,
+}
+
 /// Computes the members of the `Look` uniform.
 #[derive(Clone, Debug, Default)]
 pub struct HostProgram {
     pub(super) steps: Vec<Step>,
+    /// What drives keys by wires.
+    pub drivers: Vec<HostDriver>,
+    /// The sets of direction keys in the order in which they take effect.
+    pub key_order: Vec<usize>,
     /// What the uniform holds, in order; empty where the module has no `Look` uniform.
     pub members: Vec<UniformMember>,
     /// The size of the uniform in bytes, a multiple of 16; 0 where there is none.
@@ -178,26 +217,45 @@ impl HostProgram {
     pub fn run(&self, inputs: &HostInputs<'_>) -> Result<Vec<interp::Value>, Diagnostic> {
         let mut values: Vec<interp::Value> = Vec::with_capacity(self.steps.len());
         for step in &self.steps {
-            let value = match step {
-                Step::Constant(value) => value.clone(),
-                Step::Param { id, ty, value } => {
-                    let set = inputs.params.get(id).and_then(|value| typed_value(value, ty).ok());
-                    set.unwrap_or_else(|| value.clone())
-                }
-                Step::Context(context, light) => inputs.context(*context, light.as_ref()),
-                Step::Call { program, arguments, .. } => {
-                    let arguments: Vec<_> = arguments.iter().map(|&index| values[index].clone()).collect();
-                    program.call(&arguments, Precision::F64)?
-                }
-                Step::Member { value, index } => values[*value]
-                    .parts()
-                    .and_then(|parts| parts.get(*index))
-                    .cloned()
-                    .unwrap_or(interp::Value::Float(0.0)),
-            };
-            values.push(value);
+            values.push(step.value(inputs, |index| &values[index])?);
         }
         Ok(self.members.iter().map(|member| values[member.step].clone()).collect())
+    }
+
+    /// What an output that drives keys gives, by the values and lights of that moment; what is no number counts as 0.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
+    pub fn driver(&self, driver: &HostDriver, inputs: &HostInputs<'_>) -> Result<f64, Diagnostic> {
+        let mut values: HashMap<usize, interp::Value> = HashMap::new();
+        for index in self.steps_of(driver) {
+            let value = self.steps[index].value(inputs, |index| &values[&index])?;
+            values.insert(index, value);
+        }
+        let value = values.get(&driver.step).and_then(interp::Value::as_f64).unwrap_or(0.0);
+        Ok(if value.is_nan() { 0.0 } else { value })
+    }
+
+    /// The inputs that an output depends on.
+    pub fn params_of(&self, driver: &HostDriver) -> Vec<ParamId> {
+        let param = |index: usize| if let Step::Param { id, .. } = &self.steps[index] { Some(*id) } else { None };
+        self.steps_of(driver).into_iter().filter_map(param).collect()
+    }
+
+    /// The steps that an output depends on, in order.
+    fn steps_of(&self, driver: &HostDriver) -> BTreeSet<usize> {
+        let (mut found, mut open) = (BTreeSet::new(), vec![driver.step]);
+        while let Some(index) = open.pop() {
+            if !found.insert(index) {
+                continue;
+            }
+            match &self.steps[index] {
+                Step::Call { arguments, .. } => open.extend(arguments),
+                Step::Member { value, .. } => open.push(*value),
+                Step::Constant(_) | Step::Param { .. } | Step::Context(..) => {}
+            }
+        }
+        found
     }
 
     /// The `Look` uniform.

@@ -4,6 +4,7 @@
 //! reason; `emit` writes the WGSL, which naga then validates. Each step has its own type, so none can be left out.
 
 mod check;
+mod drivers;
 mod emit;
 mod flatten;
 mod host;
@@ -26,9 +27,10 @@ use crate::library::{Library, LightField};
 use crate::wgsl::{self, Valid};
 
 pub use check::{TypedGraph, TypedInput, TypedNode, TypedSource, check};
+pub use drivers::TypedDriver;
 pub use emit::{Attribute, Binding, BindingKind, ImageBinding, SAMPLES_PER_ROW, SpanMap};
-pub use flatten::{MAX_FLAT_NODES, Param, ParamId, can_be_muted};
-pub use host::{HostInputs, HostProgram, LightValues, MAX_INTENSITY, Uniform, UniformMember, push_numbers};
+pub use flatten::{GroupOutputs, MAX_FLAT_NODES, Param, ParamId, can_be_muted};
+pub use host::{HostDriver, HostInputs, HostProgram, LightValues, MAX_INTENSITY, Uniform, UniformMember, push_numbers};
 pub use host_source::{HostSource, HostStep};
 pub use layout::{Layout, StructLayout};
 pub use removal::{Proof, Removal};

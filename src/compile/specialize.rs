@@ -137,6 +137,8 @@ pub(super) struct SpecializedGraph {
     /// The alpha below which a fragment is not drawn, if any can be.
     pub(super) cutoff: Option<ValueId>,
     pub(super) images: Vec<ImageUse>,
+    /// What each of the graph's drivers gives, as a number.
+    pub(super) drivers: Vec<ValueId>,
     pub(super) removed: Vec<Removal>,
 }
 
@@ -595,15 +597,36 @@ impl<'a> Builder<'a> {
         let cutoff = self.extra_roots.get("cutoff").copied().filter(|&id| cutout || !zero(&self.values[id]));
         let cutoff = cutoff.filter(|_| is_own_root && self.options.stage != Stage::Eval);
         let cutoff = cutoff.filter(|&id| cutout || !self.never_cuts(color, id));
-        self.explain_unused(&[Some(root), cutoff.and(Some(color)), cutoff]);
+        let drivers = self.drivers();
+        let mut roots = vec![Some(root), cutoff.and(Some(color)), cutoff];
+        roots.extend(drivers.iter().map(|&driver| Some(driver)));
+        self.explain_unused(&roots);
         SpecializedGraph {
             values: self.values,
             root,
             color: Some(color),
             cutoff,
             images: self.images,
+            drivers,
             removed: self.removed,
         }
+    }
+
+    /// What drives keys, as numbers. Modules that draw normals leave keys to the look's own.
+    fn drivers(&mut self) -> Vec<ValueId> {
+        if self.options.stage.is_normals() {
+            return Vec::new();
+        }
+        let graph = self.graph;
+        let mut values = Vec::with_capacity(graph.drivers.len());
+        for driver in &graph.drivers {
+            let value = self.outputs[driver.node][driver.output];
+            values.push(match driver.conversion {
+                Conversion::None => value,
+                Conversion::Template(template) => self.convert(driver.node, value, template, &Type::Float),
+            });
+        }
+        values
     }
 
     /// Whether the look's alpha is at least its cutoff wherever it is drawn.

@@ -6,7 +6,7 @@ use std::collections::{HashMap, HashSet};
 use std::hash::Hash;
 
 use super::problems::{MAX_PROBLEMS, more_problems};
-use super::{Camera, Definition, Endpoint, Graph, Light, Look, Scene, Target, Wire};
+use super::{Camera, Definition, Endpoint, Graph, Light, Look, OutputPort, Scene, Target, Wire};
 use crate::diag::Diagnostic;
 use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, LightId, NodeId, NodePath};
 
@@ -49,6 +49,13 @@ impl Scene {
 pub(super) fn check_target(look: &Look, target: &Target) -> Vec<Diagnostic> {
     let mut check = Check::default();
     check.target(look, target, String::new());
+    check.finish()
+}
+
+/// What is wrong with an output that drives keys.
+pub(super) fn check_output(look: &Look, output: &OutputPort) -> Vec<Diagnostic> {
+    let mut check = Check::default();
+    check.node_at(look, &output.node, String::new());
     check.finish()
 }
 
@@ -213,6 +220,9 @@ impl Check {
                 let problem = Diagnostic::error("unknown-light", format!("there is no light `{light}`"));
                 self.unknown(path.clone() + ".by", problem, light.as_str(), look.lights.keys().map(LightId::as_str));
             }
+            for output in keys.by.outputs() {
+                self.node_at(look, &output.node, path.clone() + ".by");
+            }
             // Each target is looked for once, not once a key.
             let mut seen = HashSet::new();
             for (index, key) in keys.keys.iter().enumerate() {
@@ -248,11 +258,11 @@ impl Check {
                     self.unknown(path, problem, field, Target::LIGHT_FIELDS.into_iter());
                 }
             }
-            Target::Input { node, .. } => self.input_target(look, node, path),
+            Target::Input { node, .. } => self.node_at(look, node, path),
         }
     }
 
-    fn input_target(&mut self, look: &Look, node: &NodePath, path: String) {
+    fn node_at(&mut self, look: &Look, node: &NodePath, path: String) {
         let mut graph = &look.graph;
         for (depth, id) in node.ids().iter().enumerate() {
             let Some(found) = graph.nodes.get(id) else {

@@ -464,6 +464,12 @@ impl KeyDirection {
             Self::Drivers(drivers) => drivers.iter().filter_map(Driver::light).collect(),
         }
     }
+
+    /// The outputs of nodes that it reads.
+    pub fn outputs(&self) -> impl Iterator<Item = &OutputPort> {
+        let drivers = if let Self::Drivers(drivers) = self { drivers.as_slice() } else { &[] };
+        drivers.iter().filter_map(Driver::output)
+    }
 }
 
 /// A number of the scene that decides between keys.
@@ -478,6 +484,8 @@ pub enum Driver {
     Height(LightId),
     /// From this object's centre to another one's, scene units.
     Near(ObjectId),
+    /// What an output of a node gives, where that is one number for the whole object.
+    Wire(OutputPort),
 }
 
 impl Driver {
@@ -489,9 +497,53 @@ impl Driver {
         if let Self::Height(light) = self { Some(light) } else { None }
     }
 
+    /// The output that it reads.
+    pub fn output(&self) -> Option<&OutputPort> {
+        if let Self::Wire(output) = self { Some(output) } else { None }
+    }
+
     /// Whether its value is an angle, in radians.
     pub fn is_angle(&self) -> bool {
         matches!(self, Self::Facing | Self::Height(_))
+    }
+}
+
+/// An output of a node, through the groups it lies in; written `node.port`, `group/node.port`, or `node` for its first
+/// output.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct OutputPort {
+    /// The node.
+    pub node: NodePath,
+    /// Its output; empty for the first.
+    pub port: PortName,
+}
+
+impl OutputPort {
+    /// Reads what [`Display`](std::fmt::Display) writes; `None` where no node is named.
+    pub fn parse(text: &str) -> Option<Self> {
+        let (node, port) = text.rsplit_once('.').unwrap_or((text, ""));
+        let node = NodePath::parse(node);
+        (!node.ids().is_empty()).then(|| Self { node, port: port.into() })
+    }
+}
+
+impl std::fmt::Display for OutputPort {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}", self.node)?;
+        if self.port.as_str().is_empty() { Ok(()) } else { write!(f, ".{}", self.port) }
+    }
+}
+
+impl Serialize for OutputPort {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl<'de> Deserialize<'de> for OutputPort {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        Self::parse(&text).ok_or_else(|| serde::de::Error::custom(format!("`{text}` is no output")))
     }
 }
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::wire::ShownWire;
 use super::worker::Worker;
-use crate::compile::{CompiledShader, Live, Options, check, compile_typed};
+use crate::compile::{CompiledShader, Live, Options, TypedGraph, check, compile_typed};
 use crate::diag::Diagnostic;
 use crate::document::Look;
 use crate::ids::{NodePath, PortName};
@@ -51,6 +51,8 @@ pub(crate) struct Shaders {
     pub(crate) live: Option<Arc<CompiledShader>>,
     /// Values folded.
     pub(crate) baked: Arc<CompiledShader>,
+    /// What they were made from.
+    pub(crate) typed: Arc<TypedGraph>,
 }
 
 /// A thread that compiles looks.
@@ -84,5 +86,5 @@ fn compile(request: &Request) -> Result<Shaders, Vec<Diagnostic>> {
         false => Some(Arc::new(compile_typed(&typed, &with(Live::All), warnings)?)),
     };
     milestones::reached("first shaders");
-    Ok(Shaders { live, baked })
+    Ok(Shaders { live, baked, typed: Arc::new(typed) })
 }

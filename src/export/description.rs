@@ -30,6 +30,9 @@
 //! rotation of the host's choice, the same for all lights in it), the world, or the camera. A parameter whose target is
 //! `lights.key.direction` sets that field before the steps run.
 //!
+//! Where `direction_keys` go by a `wire`, `host.drivers` says which step computes it: run that step with the parameters as
+//! they are then, blend the set's values by it, and go on to the next set, in the order of `key_order`.
+//!
 //! A parameter is given as the step's type: a number for a vector fills it, and a colour's alpha is 1 where it is not
 //! given. Curves and ramps are structs whose members the file of functions declares.
 //!
@@ -50,7 +53,7 @@ use crate::document::{ColorSpace, Look};
 use crate::library::Library;
 
 pub use super::exposed::{LightDescription, Parameter};
-pub use super::host::{ContextDescription, HostDescription, MemberDescription, StepDescription};
+pub use super::host::{ContextDescription, DriverDescription, HostDescription, MemberDescription, StepDescription};
 pub use super::language::{
     ClipSpace, LanguageAttribute, LanguageBinding, LanguageEntryPoint, LanguageFile, LanguageModule,
 };

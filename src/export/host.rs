@@ -28,6 +28,21 @@ pub struct HostDescription {
     pub steps: Vec<StepDescription>,
     /// In the order of the struct.
     pub members: Vec<MemberDescription>,
+    /// The wires that drive direction keys.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub drivers: Vec<DriverDescription>,
+    /// Where wires drive them, the sets of direction keys in the order in which they take effect, by index.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub key_order: Vec<usize>,
+}
+
+/// A wire that drives direction keys: a number for each object and frame.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DriverDescription {
+    /// As `direction_keys` name it.
+    pub wire: String,
+    /// The step that computes it; it is within a million of 0, and 0 where it is no number.
+    pub step: usize,
 }
 
 /// A value of the surroundings.
@@ -117,7 +132,7 @@ pub struct MemberDescription {
 /// such value.
 pub(super) fn describe(host: &Host, parameters: &HashMap<ParamId, usize>) -> Option<HostDescription> {
     let program = &host.shader.host;
-    if program.members.is_empty() {
+    if program.members.is_empty() && program.drivers.is_empty() {
         return None;
     }
     let steps = &host.source.steps;
@@ -151,6 +166,12 @@ pub(super) fn describe(host: &Host, parameters: &HashMap<ParamId, usize>) -> Opt
         contexts: contexts.collect(),
         steps: steps.iter().map(|step| describe_step(step, parameters)).collect(),
         members: program.members.iter().enumerate().map(member).collect(),
+        drivers: program
+            .drivers
+            .iter()
+            .map(|driver| DriverDescription { wire: driver.wire.to_string(), step: driver.step })
+            .collect(),
+        key_order: if program.drivers.is_empty() { Vec::new() } else { program.key_order.clone() },
     })
 }
 

@@ -18,7 +18,7 @@ use super::target::Wish;
 use crate::compile::{HostInputs, Live, Param, ParamId};
 use crate::diag::Diagnostic;
 use crate::document::{Light, Values};
-use crate::frame::{Assets, CompiledShader, Moment, ParamTable, PlanOptions, Planner, Rig, Setup, Stage};
+use crate::frame::{Assets, CompiledShader, Moment, ParamTable, PlanOptions, Planner, Rig, Setup, Stage, Wires};
 use crate::ids::{LightId, ObjectId};
 use crate::library::Library;
 use crate::reference::{Control, Gathered, Options, Sheet};
@@ -207,9 +207,12 @@ impl Model {
             near: &part.near,
             exposed: &part.exposed,
             lights: &lights,
+            viewport: plan.size.map(f64::from),
+            frame: self.time[1],
+            object_id: number as f64,
         };
         let params: &[Param] = &part.shader.params;
-        let mut values = self.rig.evaluate(params, &part.table, &moment);
+        let mut values = self.rig.evaluate(params, &part.table, Wires::of(&part.shader), &moment)?;
         for ((knob, setting), ids) in self.knobs.iter().zip(state).zip(&part.ids) {
             for (id, value) in ids.iter().zip(knob.values(setting)) {
                 id.map(|id| values.params.entry(id).or_insert(value));
@@ -219,10 +222,10 @@ impl Model {
             params: &values.params,
             lights: &values.lights,
             camera_from_world: plan.view.rotation(),
-            viewport: plan.size.map(f64::from),
+            viewport: moment.viewport,
             time: self.time[0],
-            frame: self.time[1],
-            object_id: number as f64,
+            frame: moment.frame,
+            object_id: moment.object_id,
         };
         Ok(part.shader.host.uniform(&inputs)?.numbers)
     }

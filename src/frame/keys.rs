@@ -9,7 +9,7 @@ use std::collections::HashMap;
 use glam::{DMat3, DQuat, DVec3};
 use indexmap::IndexMap;
 
-use crate::compile::{LightValues, Param, ParamId};
+use crate::compile::{CompiledShader, HostInputs, HostProgram, LightValues, Param, ParamId};
 use crate::diag::Diagnostic;
 use crate::directions::{KeyWeights, blend_direction, blend_number};
 use crate::document::{
@@ -41,6 +41,28 @@ pub struct Moment<'a> {
     pub exposed: &'a Values,
     /// Lights in place of the look's own.
     pub lights: &'a IndexMap<LightId, Light>,
+    /// Width and height in pixels.
+    pub viewport: [f64; 2],
+    /// Frames since the start of the time range.
+    pub frame: f64,
+    /// Counts objects from 0.
+    pub object_id: f64,
+}
+
+/// What computes the wires that drive keys: the look's module, or one that was made of an earlier state of its values.
+#[derive(Clone, Copy, Debug)]
+pub struct Wires<'a> {
+    /// The module's host program.
+    pub host: &'a HostProgram,
+    /// The inputs that it reads.
+    pub params: &'a [Param],
+}
+
+impl<'a> Wires<'a> {
+    /// Those of a module.
+    pub fn of(shader: &'a CompiledShader) -> Self {
+        Self { host: &shader.host, params: &shader.params }
+    }
 }
 
 /// A look's values for one object at one moment.
@@ -50,6 +72,8 @@ pub struct ObjectValues {
     pub params: HashMap<ParamId, Value>,
     /// In world space.
     pub lights: IndexMap<LightId, LightValues>,
+    /// As [`KeyedValues::decided`].
+    pub decided: Vec<(DVec3, Vec<f64>)>,
 }
 
 /// What keys and exposed parameters make of a look at a moment.
@@ -116,12 +140,21 @@ impl Rig {
         Self::with(look, &mut |keys| known(keys).unwrap_or_else(|| solve(keys).0))
     }
 
-    /// The values at a moment. `base` gives what an input has without keys.
-    pub fn evaluate(&self, params: &[Param], table: &ParamTable, moment: &Moment<'_>) -> ObjectValues {
+    /// The values at a moment, of a module with these parameters.
+    ///
+    /// # Errors
+    /// A node of the project that runs without end, where it drives keys.
+    pub fn evaluate(
+        &self,
+        params: &[Param],
+        table: &ParamTable,
+        wires: Wires<'_>,
+        moment: &Moment<'_>,
+    ) -> Result<ObjectValues, Diagnostic> {
         let base = |node: &NodePath, port: &PortName| table.find(node, port).and_then(|id| params[id].value.clone());
-        let KeyedValues { values, lights, .. } = self.keyed_values(&base, moment);
+        let KeyedValues { values, lights, decided } = self.keyed_values(&base, Some(wires), moment)?;
         let resolve = |light: &Light| LightValues::new(light, moment.illumination, moment.camera_from_world);
-        ObjectValues {
+        Ok(ObjectValues {
             params: values
                 .into_iter()
                 .filter_map(|(target, value)| match target {
@@ -130,16 +163,21 @@ impl Rig {
                 })
                 .collect(),
             lights: lights.iter().map(|(id, light)| (id.clone(), resolve(light))).collect(),
-        }
+            decided,
+        })
     }
 
     /// Everything that keys and exposed parameters set at a moment, and what decided. `base` gives what an input has
-    /// without keys.
+    /// without keys. Without `wires` what they drive counts as 0.
+    ///
+    /// # Errors
+    /// A node of the project that runs without end, where it drives keys.
     pub fn keyed_values(
         &self,
         base: &dyn Fn(&NodePath, &PortName) -> Option<Value>,
+        wires: Option<Wires<'_>>,
         moment: &Moment<'_>,
-    ) -> KeyedValues {
+    ) -> Result<KeyedValues, Diagnostic> {
         let mut values: HashMap<Target, Value> = HashMap::new();
         for (name, target) in &self.exposed {
             if let Some(value) = moment.exposed.get(name) {
@@ -158,9 +196,13 @@ impl Rig {
             }
         }
         set_lights(&mut lights, &values);
-        let mut decided = Vec::new();
-        for (keys, weights) in &self.directions {
-            let direction = self.direction(&keys.by, &lights, moment);
+        let mut decided = vec![(DVec3::ZERO, Vec::new()); self.directions.len()];
+        for set in self.order(wires) {
+            let (keys, weights) = &self.directions[set];
+            let mut direction = self.direction(&keys.by, &lights, moment);
+            if let (Some(wires), Some(_)) = (wires, keys.by.outputs().next()) {
+                self.drive(&keys.by, wires, (&values, &lights, base), moment, &mut direction)?;
+            }
             let of_target = |target: &Target| {
                 let value = match target {
                     Target::Input { node, port } => base(node, port),
@@ -170,10 +212,56 @@ impl Rig {
             };
             let weights = weights.weights(direction);
             blend_keys(keys, &weights, &of_target, &mut values);
-            decided.push((direction, weights));
+            decided[set] = (direction, weights);
         }
         set_lights(&mut lights, &values);
-        KeyedValues { values, lights, decided }
+        Ok(KeyedValues { values, lights, decided })
+    }
+
+    /// The sets of keys in the order in which they take effect.
+    fn order(&self, wires: Option<Wires<'_>>) -> Vec<usize> {
+        let known = wires.map(|wires| &wires.host.key_order);
+        // A module of an earlier state may know other sets.
+        let known = known.filter(|order| order.len() == self.directions.len());
+        known.cloned().unwrap_or_else(|| (0..self.directions.len()).collect())
+    }
+
+    /// Puts the values of wires among the drivers of a set, by what the sets before it have made.
+    fn drive(
+        &self,
+        by: &KeyDirection,
+        wires: Wires<'_>,
+        (values, lights, base): Known<'_>,
+        moment: &Moment<'_>,
+        direction: &mut DVec3,
+    ) -> Result<(), Diagnostic> {
+        let KeyDirection::Drivers(drivers) = by else { return Ok(()) };
+        let mut lights = lights.clone();
+        set_lights(&mut lights, values);
+        let resolve = |light: &Light| LightValues::new(light, moment.illumination, moment.camera_from_world);
+        let lights = lights.iter().map(|(id, light)| (id.clone(), resolve(light))).collect();
+        for (axis, driver) in drivers.iter().enumerate() {
+            let Some(wire) = driver.output() else { continue };
+            let Some(program) = wires.host.drivers.iter().find(|known| known.wire == *wire) else { continue };
+            let mut params = HashMap::new();
+            for id in wires.host.params_of(program) {
+                let Param { path: node, port, .. } = &wires.params[id];
+                let target = Target::Input { node: node.clone(), port: port.clone() };
+                let value = values.get(&target).cloned().or_else(|| base(node, port));
+                params.extend(value.map(|value| (id, value.in_space(self.space))));
+            }
+            let inputs = HostInputs {
+                params: &params,
+                lights: &lights,
+                camera_from_world: moment.camera_from_world,
+                viewport: moment.viewport,
+                time: moment.time,
+                frame: moment.frame,
+                object_id: moment.object_id,
+            };
+            direction[axis] = wires.host.driver(program, &inputs)?.clamp(-FAR_AWAY, FAR_AWAY);
+        }
+        Ok(())
     }
 
     fn direction(&self, by: &KeyDirection, lights: &IndexMap<LightId, Light>, moment: &Moment<'_>) -> DVec3 {
@@ -194,6 +282,10 @@ impl Rig {
     }
 }
 
+/// What is known while a set is driven: values that are set, lights, and what inputs have without keys.
+type Known<'a> =
+    (&'a HashMap<Target, Value>, &'a IndexMap<LightId, Light>, &'a dyn Fn(&NodePath, &PortName) -> Option<Value>);
+
 fn solve(keys: &DirectionKeys) -> (KeyWeights, Vec<Diagnostic>) {
     let places: Vec<DVec3> = keys.keys.iter().map(|key| DVec3::from(key.direction)).collect();
     match keys.by {
@@ -211,10 +303,10 @@ fn toward_light(light: &Light, moment: &Moment<'_>) -> DVec3 {
     }
 }
 
-/// As far as an object that is not there counts as being, scene units.
+/// As far as an object that is not there counts as being, scene units; wires count within so much of 0.
 const FAR_AWAY: f64 = 1e6;
 
-/// What a driver is at a moment.
+/// What a driver is at a moment; a wire is computed by the module that has it, and is 0 here.
 pub fn driver_value(driver: &Driver, lights: &IndexMap<LightId, Light>, moment: &Moment<'_>) -> f64 {
     match driver {
         Driver::Distance => moment.distance.clamp(0.0, FAR_AWAY),
@@ -224,6 +316,7 @@ pub fn driver_value(driver: &Driver, lights: &IndexMap<LightId, Light>, moment: 
         },
         Driver::Height(id) => lights.get(id).map_or(0.0, |light| toward_light(light, moment).y.clamp(-1.0, 1.0).asin()),
         Driver::Near(id) => moment.near.get(id).map_or(FAR_AWAY, |distance| distance.clamp(0.0, FAR_AWAY)),
+        Driver::Wire(_) => 0.0,
     }
 }
 
@@ -489,8 +582,11 @@ mod tests {
             near: &IndexMap::new(),
             exposed: &Values::new(),
             lights: &IndexMap::new(),
+            viewport: [1.0; 2],
+            frame: 0.0,
+            object_id: 0.0,
         };
-        let of = |rig: &Rig| rig.keyed_values(&|_, _| None, &moment).values[&target].clone();
+        let of = |rig: &Rig| rig.keyed_values(&|_, _| None, None, &moment).unwrap().values[&target].clone();
         let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
         let (first, _) = Rig::new(&look_with(&[x, z], 1.0));
         // Other values, other places, one more key, one less: always as if it were made anew.

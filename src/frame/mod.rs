@@ -27,7 +27,7 @@ pub use camera::View;
 pub use cost::{EffectCost, attribute_bytes};
 pub use effects::{Effect, EffectKind, EffectState, effects};
 pub use keys::{
-    KeyedValues, Moment, ObjectValues, ParamTable, Rig, at_time, driver_value, is_direction, light_field,
+    KeyedValues, Moment, ObjectValues, ParamTable, Rig, Wires, at_time, driver_value, is_direction, light_field,
     set_light_field, structural_look,
 };
 pub use picture::Picture;

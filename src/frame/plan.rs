@@ -13,7 +13,7 @@ use super::assets::{Assets, Image, plain_hcbtf};
 use super::camera::{View, object_uniform};
 use super::cost::{self, EffectCost};
 use super::effects::EffectKind;
-use super::keys::{Moment, ParamTable, Rig, structural_look};
+use super::keys::{Moment, ParamTable, Rig, Wires, structural_look};
 use super::setup::{Setup, SetupLook, SetupObject};
 use super::uvs;
 use super::values::live_for_values;
@@ -153,6 +153,8 @@ pub struct Draw {
     pub object_uniform: Uniform,
     /// The `Look` uniform; one for each module, by stage.
     pub look_uniforms: HashMap<Stage, Uniform>,
+    /// For each set of the look's direction keys what decides, and the weight of each of its keys.
+    pub decided: Vec<(DVec3, Vec<f64>)>,
     /// The images of the look's module, in the order of its needs.
     pub images: Vec<Arc<Image>>,
     /// The same of the modules that draw normals, where those read any.
@@ -527,13 +529,20 @@ impl Planner {
                 near: &near,
                 exposed: &object.values,
                 lights: &lights,
+                viewport: options.size.map(f64::from),
+                frame: ((options.time - setup.scene.time.start) * setup.scene.time.fps).round(),
+                object_id: number as f64,
             };
             let mut look_uniforms = HashMap::new();
+            let mut decided = Vec::new();
             for (stage, shader) in std::iter::once((Stage::Draw, &shaders.draw))
                 .chain(stages.iter().map(|(_, s)| (*s, &shaders.normals[s])))
             {
                 let params = current_params(&shown, &shader.params);
-                let mut values = shaders.rig.evaluate(&params, &shaders.tables[&stage], &moment);
+                let wires = Wires::of(&shaders.draw);
+                let values = shaders.rig.evaluate(&params, &shaders.tables[&stage], wires, &moment);
+                let mut values = values.map_err(|problem| vec![problem])?;
+                decided = std::mem::take(&mut values.decided);
                 for (id, (now, then)) in params.into_iter().zip(shader.params.iter()).enumerate() {
                     if let (true, Some(value)) = (now.value != then.value, now.value) {
                         values.params.entry(id).or_insert(value);
@@ -543,10 +552,10 @@ impl Planner {
                     params: &values.params,
                     lights: &values.lights,
                     camera_from_world: view.rotation(),
-                    viewport: options.size.map(f64::from),
+                    viewport: moment.viewport,
                     time: options.time,
-                    frame: ((options.time - setup.scene.time.start) * setup.scene.time.fps).round(),
-                    object_id: number as f64,
+                    frame: moment.frame,
+                    object_id: moment.object_id,
                 };
                 look_uniforms.insert(stage, shader.host.uniform(&inputs).map_err(|problem| vec![problem])?);
             }
@@ -569,6 +578,7 @@ impl Planner {
                     f64::from(part.alpha_cutoff.unwrap_or(0.0)),
                 ),
                 look_uniforms,
+                decided,
                 images: drawn,
                 normals_images,
                 // From within, a solid is seen from behind, and so it is through what a look cuts away.

@@ -7,7 +7,7 @@ use glam::{DMat3, DQuat, DVec2, DVec3};
 use indexmap::IndexMap;
 
 use super::assets::{Assets, Image};
-use super::keys::{Moment, ParamTable, Rig, structural_look};
+use super::keys::{Moment, ParamTable, Rig, Wires, structural_look};
 use super::plan::images;
 use super::setup::SetupLook;
 use super::values::{check_exposed_value, live_for_values};
@@ -329,17 +329,20 @@ impl<'a> Packer<'a> {
             near: &sample.near,
             exposed: &sample.values,
             lights: &lights,
+            viewport: [1.0, 1.0],
+            frame: (sample.time * 24.0).round(),
+            object_id: 0.0,
         };
-        let mut values = rig.evaluate(&self.shader.params, table, &moment);
+        let mut values = rig.evaluate(&self.shader.params, table, Wires::of(self.shader), &moment)?;
         place_lights(sample, &mut values.lights);
         let inputs = HostInputs {
             params: &values.params,
             lights: &values.lights,
             camera_from_world: sample.camera,
-            viewport: [1.0, 1.0],
+            viewport: moment.viewport,
             time: sample.time,
-            frame: (sample.time * 24.0).round(),
-            object_id: 0.0,
+            frame: moment.frame,
+            object_id: moment.object_id,
         };
         self.shader.host.write(&inputs, at + self.look_at as usize, packed)?;
         // The struct's padding.

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use crate::compile::{Attribute, BindingKind, CompiledShader, HostStep, Removal, TypedGraph, TypedSource, check};
 use crate::diag::Diagnostic;
-use crate::document::Values;
+use crate::document::{DirectionKeys, Driver, KeyDirection, Look, Values};
 use crate::frame::{Draw, Dropped, Effect, FramePlan, Pass, PassKind, Setup, effects, structural_look};
 use crate::ids::NodePath;
 use crate::library::{Context, Library, Rate, Special};
@@ -43,6 +43,7 @@ pub(super) struct LookReport {
     pub(super) surroundings: Vec<Reading>,
     pub(super) images: Vec<ImageReport>,
     pub(super) uniforms: Vec<Uniform>,
+    pub(super) keys: Vec<KeysReport>,
     pub(super) nodes: Nodes,
     #[serde(skip)]
     compiled: Vec<(&'static str, Arc<CompiledShader>)>,
@@ -94,6 +95,27 @@ pub(super) struct Uniform {
     pub(super) from: Vec<String>,
 }
 
+/// A set of direction keys on one object.
+#[derive(Debug, Serialize)]
+pub(super) struct KeysReport {
+    pub(super) name: String,
+    pub(super) object: String,
+    /// What decides, with what it is now.
+    pub(super) by: Vec<Deciding>,
+    /// Of each key; together 1.
+    pub(super) weights: Vec<f64>,
+}
+
+/// What decides between keys.
+#[derive(Debug, Serialize)]
+pub(super) struct Deciding {
+    pub(super) what: String,
+    /// A number, or a unit direction.
+    pub(super) now: Vec<f64>,
+    /// `rad` or nothing.
+    pub(super) unit: &'static str,
+}
+
 /// Where the look's nodes run, groups inlined.
 #[derive(Debug, Default, Serialize)]
 pub(super) struct Nodes {
@@ -115,12 +137,14 @@ impl Report {
                 |known: &&mut (usize, LookReport)| known.0 == index && Arc::ptr_eq(&known.1.compiled[0].1, &draw.look);
             if let Some((_, known)) = looks.iter_mut().find(same) {
                 known.objects.insert(draw.object.to_string());
+                known.keys.extend(keys(&setup.looks[index].look, draw));
                 continue;
             }
             // Time is in the plan already: what it chose is what was compiled, so nothing here depends on it.
             let shown = structural_look(&setup.looks[index].look, 0.0, values);
             let (typed, _) = check(&shown, library, None)?;
-            looks.push((index, LookReport::new(&shown.name, draw, &typed)));
+            let keys = keys(&shown, draw);
+            looks.push((index, LookReport { keys, ..LookReport::new(&shown.name, draw, &typed) }));
         }
         looks.sort_by_key(|(index, _)| *index);
         Ok(Self {
@@ -187,6 +211,7 @@ impl LookReport {
                 .map(|(_, image)| ImageReport { path: image.path.clone(), node: image.node.to_string() })
                 .collect(),
             uniforms: uniforms(shader),
+            keys: Vec::new(),
             nodes: Nodes::new(shader, &emitted, typed),
             compiled,
         }
@@ -270,6 +295,37 @@ fn uniforms(shader: &CompiledShader) -> Vec<Uniform> {
     shader.host.members.iter().map(uniform).collect()
 }
 
+/// What decides between the keys of a look on an object.
+fn keys(look: &Look, draw: &Draw) -> Vec<KeysReport> {
+    let tell = |(keys, (now, weights)): (&DirectionKeys, &(glam::DVec3, Vec<f64>))| KeysReport {
+        name: keys.name.clone(),
+        object: draw.object.to_string(),
+        by: deciding(&keys.by, *now),
+        weights: weights.clone(),
+    };
+    look.direction_keys.iter().zip(&draw.decided).map(tell).collect()
+}
+
+fn deciding(by: &KeyDirection, now: glam::DVec3) -> Vec<Deciding> {
+    let direction = |what: String| vec![Deciding { what, now: now.to_array().to_vec(), unit: "" }];
+    let drivers = match by {
+        KeyDirection::Light(light) => return direction(format!("the direction of light `{light}`")),
+        KeyDirection::View => return direction("the direction to the eye".to_owned()),
+        KeyDirection::Drivers(drivers) => drivers,
+    };
+    let driver = |(driver, now): (&Driver, f64)| {
+        let what = match driver {
+            Driver::Distance => "the distance to the eye".to_owned(),
+            Driver::Facing => "how far it is turned from the eye".to_owned(),
+            Driver::Height(light) => format!("the height of light `{light}`"),
+            Driver::Near(object) => format!("the distance to object `{object}`"),
+            Driver::Wire(wire) => format!("the wire `{wire}`"),
+        };
+        Deciding { what, now: vec![now], unit: if driver.is_angle() { "rad" } else { "" } }
+    };
+    drivers.iter().zip(now.to_array()).map(driver).collect()
+}
+
 fn joined(known: &[(Rate, BTreeSet<String>)], operands: &[usize]) -> (Rate, BTreeSet<String>) {
     let operands = operands.iter().filter_map(|&index| known.get(index));
     operands.fold((Rate::Constant, BTreeSet::new()), |(rate, mut from), (of, more)| {
@@ -285,7 +341,8 @@ impl Nodes {
             shader.removed.iter().map(|removal| (&removal.path, removal)).collect();
         // A member's origin is `node` or `node.part`, and no id has a dot.
         let node_of = |origin: &'_ str| origin.split_once('.').map_or(origin.to_owned(), |(node, _)| node.to_owned());
-        let on_host: HashSet<String> = shader.host.members.iter().map(|member| node_of(&member.origin)).collect();
+        let mut on_host: HashSet<String> = shader.host.members.iter().map(|member| node_of(&member.origin)).collect();
+        on_host.extend(shader.host.drivers.iter().map(|driver| driver.wire.node.to_string()));
         let mut nodes = Self { total: typed.order.len(), ..Self::default() };
         for node in typed.order.iter().map(|&index| &typed.nodes[index]) {
             let path = node.path.to_string();

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::report::{LookReport, Report, names};
+use super::report::{Deciding, LookReport, Report, names};
 use crate::frame::{Effect, EffectCost, EffectKind, EffectState};
 use crate::library::Rate;
 
@@ -68,7 +68,7 @@ fn tell_look(look: &LookReport, report: &Report) -> String {
         let path = if image.path.is_empty() { "(no image chosen: white)" } else { &image.path };
         let _ = writeln!(text, "    {path}  for `{}`", image.node);
     }
-    text + &tell_uniforms(look) + &tell_nodes(look, report)
+    text + &tell_uniforms(look) + &tell_keys(look) + &tell_nodes(look, report)
 }
 
 fn tell_uniforms(look: &LookReport) -> String {
@@ -84,6 +84,30 @@ fn tell_uniforms(look: &LookReport) -> String {
         };
         let from = names(&uniform.from);
         let _ = writeln!(text, "    {}: {}, byte {}, {rate}, from {from}", uniform.name, uniform.ty, uniform.offset);
+    }
+    text
+}
+
+/// What decides between direction keys, and how much each weighs; of the first objects, where there are many.
+fn tell_keys(look: &LookReport) -> String {
+    const MOST: usize = 16;
+    if look.keys.is_empty() {
+        return String::new();
+    }
+    let mut text = "\n  Keys, with what decides now\n".to_owned();
+    for keys in look.keys.iter().take(MOST) {
+        let number = |x: &f64| format!("{x:.4}");
+        let now = |by: &Deciding| match by.now.as_slice() {
+            [one] => format!("{} is {}{}{}", by.what, number(one), if by.unit.is_empty() { "" } else { " " }, by.unit),
+            all => format!("{} is ({})", by.what, all.iter().map(number).collect::<Vec<_>>().join(", ")),
+        };
+        let by = keys.by.iter().map(now).collect::<Vec<_>>().join(", ");
+        let weights = keys.weights.iter().map(|weight| format!("{:.1}%", 100.0 * weight)).collect::<Vec<_>>().join(" ");
+        let name = if keys.name.is_empty() { "Keys" } else { &keys.name };
+        let _ = writeln!(text, "    {name} on `{}`: {by}; weights {weights}", keys.object);
+    }
+    if look.keys.len() > MOST {
+        let _ = writeln!(text, "    and {} more", look.keys.len() - MOST);
     }
     text
 }

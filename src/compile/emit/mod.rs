@@ -13,7 +13,7 @@ use std::fmt::Write as _;
 use std::ops::Range;
 
 use super::check::TypedGraph;
-use super::host::{Callee, HostProgram, Step, UniformMember, conversion_program};
+use super::host::{Callee, HostDriver, HostProgram, Step, UniformMember, conversion_program};
 use super::items::{Collected, Items};
 use super::names::Names;
 use super::specialize::{Argument, Needs, Operation, SpecializedGraph, ValueId, operands, reachable};
@@ -314,6 +314,11 @@ impl<'a> Emitter<'a> {
             let origin = value.part.as_ref().map_or_else(|| path.to_string(), |part| format!("{path}.{part}"));
             self.host.members.push(UniformMember { name, ty: value.ty.clone(), origin, step, offset: 0 });
         }
+        for (driver, &value) in self.graph.drivers.iter().zip(&self.special.drivers) {
+            let step = self.host_step(value);
+            self.host.drivers.push(HostDriver { wire: driver.wire.clone(), step });
+        }
+        self.host.key_order.clone_from(&self.graph.key_order);
     }
 
     /// The step that computes a value on the host; operands first, with a stack of its own.

@@ -5,8 +5,8 @@ use indexmap::IndexMap;
 use super::parts::{insert, remove_named};
 use super::{Applied, Edit, group, impossible, missing, nothing};
 use crate::diag::Diagnostic;
-use crate::document::{Bookmark, Frame, Graph, GraphId, Look, Node, Note, Target, Value, Wire};
-use crate::ids::{DefinitionId, FrameId, NodeId, NoteId, PortName};
+use crate::document::{Bookmark, DirectionKeys, Frame, Graph, GraphId, Look, Node, Note, Target, Value, Wire};
+use crate::ids::{DefinitionId, FrameId, NodeId, NodePath, NoteId, PortName};
 
 fn graph_mut<'l>(look: &'l mut Look, graph: &GraphId) -> Result<&'l mut Graph, Box<Diagnostic>> {
     match graph {
@@ -40,6 +40,7 @@ pub(super) fn remove_node(look: &mut Look, graph: GraphId, id: NodeId) -> Applie
         edits.push(Edit::SetFrame { graph: graph.clone(), id: frame_id.clone(), frame });
     }
     edits.extend(drop_targets(look, |look, target| leads_through(look, target, &graph, &id)));
+    edits.extend(drop_driven(look, |path| steps(look, path).any(|(of, step)| of == graph && step == id)));
     if edits.is_empty() {
         let (index, node) = remove_named(&mut graph_mut(look, &graph)?.nodes, "node", &id)?;
         return Ok(Edit::AddNode { graph, id, node, index: Some(index) });
@@ -71,25 +72,29 @@ pub(super) fn drop_targets(look: &Look, drops: impl Fn(&Look, &Target) -> bool) 
     edits
 }
 
-/// Whether a target is an input of this node or lies in the group that it is.
-fn leads_through(look: &Look, target: &Target, graph: &GraphId, id: &NodeId) -> bool {
-    steps(look, target).any(|(of, step)| of == *graph && step == *id)
+/// The edits that remove keys which an output of these nodes drives.
+fn drop_driven(look: &Look, drops: impl Fn(&NodePath) -> bool) -> Vec<Edit> {
+    let is_driven = |keys: &DirectionKeys| keys.by.outputs().any(|output| drops(&output.node));
+    let driven = look.direction_keys.iter().enumerate().rev().filter(|(_, keys)| is_driven(keys));
+    driven.map(|(index, _)| Edit::RemoveDirectionKeys { index }).collect()
 }
 
-/// Whether a target lies in the group that this node is.
-fn leads_into(look: &Look, target: &Target, graph: &GraphId, id: &NodeId) -> bool {
-    let mut steps = steps(look, target);
+/// Whether a target is an input of this node or lies in the group that it is.
+fn leads_through(look: &Look, target: &Target, graph: &GraphId, id: &NodeId) -> bool {
+    let Target::Input { node, .. } = target else { return false };
+    steps(look, node).any(|(of, step)| of == *graph && step == *id)
+}
+
+/// Whether a path leads into the group that this node is.
+fn leads_into(look: &Look, path: &NodePath, graph: &GraphId, id: &NodeId) -> bool {
+    let mut steps = steps(look, path);
     steps.any(|(of, step)| of == *graph && step == *id) && steps.next().is_some()
 }
 
-/// The nodes on the way to a target's input, each with the graph it lies in, as far as this document knows.
-fn steps<'l>(look: &'l Look, target: &'l Target) -> impl Iterator<Item = (GraphId, NodeId)> + 'l {
-    let ids = match target {
-        Target::Input { node, .. } => node.ids(),
-        Target::Light { .. } => &[],
-    };
+/// The nodes on the way to a node, each with the graph it lies in, as far as this document knows.
+fn steps<'l>(look: &'l Look, path: &'l NodePath) -> impl Iterator<Item = (GraphId, NodeId)> + 'l {
     let mut graph = Some(GraphId::Look);
-    ids.iter().map_while(move |id| {
+    path.ids().iter().map_while(move |id| {
         let of = graph.take()?;
         let node = look.graph_of(&of).and_then(|graph| graph.nodes.get(id));
         graph = node.map(|node| GraphId::Definition(DefinitionId::from(node.kind.as_str())));
@@ -99,12 +104,14 @@ fn steps<'l>(look: &'l Look, target: &'l Target) -> impl Iterator<Item = (GraphI
 
 pub(super) fn set_kind(look: &mut Look, graph: GraphId, id: NodeId, kind: String) -> Applied<Edit> {
     let old = std::mem::replace(&mut node_mut(look, &graph, &id)?.kind, kind.clone());
-    let broken = |look: &Look, target: &Target| {
-        let Target::Input { node, .. } = target else { return false };
+    let leads_nowhere = |look: &Look, node: &NodePath| {
         let is_own = look.definitions.contains_key(kind.as_str());
-        leads_into(look, target, &graph, &id) && (!is_own || look.find(node).is_none())
+        leads_into(look, node, &graph, &id) && (!is_own || look.find(node).is_none())
     };
-    let edits = drop_targets(look, broken);
+    let broken =
+        |look: &Look, target: &Target| matches!(target, Target::Input { node, .. } if leads_nowhere(look, node));
+    let mut edits = drop_targets(look, broken);
+    edits.extend(drop_driven(look, |path| leads_nowhere(look, path)));
     if edits.is_empty() {
         return Ok(Edit::SetKind { graph, id, kind: old });
     }

@@ -6,7 +6,7 @@
 
 use super::{Edit, SceneEdit, impossible, missing};
 use crate::diag::Diagnostic;
-use crate::document::check::check_target;
+use crate::document::check::{check_output, check_target};
 use crate::document::{
     DirectionKeys, Endpoint, Exposed, Frame, Graph, GraphId, Look, Node, Object, Scene, Target, TimeKeys, Wire,
 };
@@ -215,6 +215,9 @@ fn check_exposed(look: &Look, exposed: &Exposed, own: usize) -> Check {
 fn check_direction_keys(look: &Look, keys: &DirectionKeys) -> Check {
     if let Some(light) = keys.by.lights().into_iter().find(|light| !look.lights.contains_key(*light)) {
         return Err(missing("light", light));
+    }
+    for output in keys.by.outputs() {
+        first_error(check_output(look, output))?;
     }
     for target in keys.keys.iter().flat_map(|key| key.values.keys()) {
         first_error(check_target(look, target))?;

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::targets::{follow, path_of, step_in};
 use crate::diag::Diagnostic;
-use crate::document::{Definition, Edit, Endpoint, Graph, GraphId, Look, Node, Target, Value, Wire};
+use crate::document::{Definition, Edit, Endpoint, Graph, GraphId, Look, Node, OutputPort, Target, Value, Wire};
 use crate::ids::{DefinitionId, FrameId, GROUP_INPUTS, GROUP_OUTPUTS, NodeId, NoteId, PortName, make_slug};
 
 /// A group that is to be dissolved.
@@ -36,7 +36,7 @@ pub fn dissolve(
     }
     let opened = Opened { of, graph, id, node, definition, ids: new_ids(of, definition) };
     let mut edits = opened.nodes();
-    edits.extend(follow(look, |path, port| opened.target(look, path, port)));
+    edits.extend(follow(look, |path, port| opened.target(look, path, port), |output| opened.output(look, output)));
     edits.extend(opened.wires());
     edits.extend(opened.frames());
     edits.push(Edit::RemoveNode { graph: graph.clone(), id: id.clone() });
@@ -172,6 +172,26 @@ impl Opened<'_> {
             Some(Target::Input { node: path_of(&outer)?, port: wire.to.port.clone() })
         };
         Some(self.definition.graph.wires.iter().filter(is_it).filter_map(target).collect())
+    }
+
+    /// What an output in the group, or one of the group's own, becomes.
+    fn output(&self, look: &Look, output: &OutputPort) -> Option<OutputPort> {
+        let ids = output.node.ids();
+        let step = step_in(look, &output.node, self.graph).filter(|&step| ids[step] == *self.id)?;
+        let outside = |node: NodeId, rest: &[NodeId], port: &PortName| {
+            let mut outer = ids[..step].to_vec();
+            outer.push(node);
+            outer.extend_from_slice(rest);
+            Some(OutputPort { node: path_of(&outer)?, port: port.clone() })
+        };
+        if let Some(inner) = ids.get(step + 1) {
+            return outside(self.ids.get(inner)?.clone(), &ids[step + 2..], &output.port);
+        }
+        let first = self.definition.outputs.first().map(|port| &port.name);
+        let port = if output.port.as_str().is_empty() { first? } else { &output.port };
+        let from = &self.definition.graph.wire_into(&NodeId::new(GROUP_OUTPUTS), port)?.from;
+        let end = self.outside(from)?;
+        outside(end.node, &[], &end.port)
     }
 
     /// Frames and notes of the group, and the frame that the group lies in.

@@ -3,8 +3,10 @@
 use std::collections::{HashMap, HashSet};
 
 use super::targets::{follow, path_of, step_in};
-use crate::document::{Definition, Edit, Endpoint, Frame, Graph, GraphId, InterfacePort, Look, Node, Target, Wire};
-use crate::ids::{DefinitionId, FrameId, GROUP_INPUTS, GROUP_OUTPUTS, NodeId, PortName, make_slug};
+use crate::document::{
+    Definition, Edit, Endpoint, Frame, Graph, GraphId, InterfacePort, Look, Node, OutputPort, Target, Wire,
+};
+use crate::ids::{DefinitionId, FrameId, GROUP_INPUTS, GROUP_OUTPUTS, NodeId, NodePath, PortName, make_slug};
 
 /// A group that is to be made.
 #[derive(Clone, Debug, PartialEq)]
@@ -80,12 +82,17 @@ pub fn group(
         Edit::AddDefinition { id: definition_id.clone(), definition, index: None },
         Edit::AddNode { graph: graph.clone(), id: node_id.clone(), node, index: None },
     ];
-    edits.extend(follow(look, |path, port| {
+    let inside = |path: &NodePath| {
         let step = step_in(look, path, graph).filter(|&step| moved.contains(&path.ids()[step]))?;
         let mut ids = path.ids().to_vec();
         ids.insert(step, node_id.clone());
-        Some(vec![Target::Input { node: path_of(&ids)?, port: port.clone() }])
-    }));
+        path_of(&ids)
+    };
+    edits.extend(follow(
+        look,
+        |path, port| Some(vec![Target::Input { node: inside(path)?, port: port.clone() }]),
+        |output| Some(OutputPort { node: inside(&output.node)?, port: output.port.clone() }),
+    ));
     edits.extend(frames);
     // In the order of the document, so that undoing puts each back where it was.
     let removed = of.nodes.keys().filter(|id| moved.contains(id));

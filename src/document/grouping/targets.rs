@@ -1,6 +1,6 @@
 //! What exposes or keys inputs, when nodes move into a group or out of it.
 
-use crate::document::{Edit, GraphId, Look, Target};
+use crate::document::{Driver, Edit, GraphId, KeyDirection, Look, OutputPort, Target};
 use crate::ids::{DefinitionId, NodeId, NodePath, PortName};
 
 /// The step of a target's path that lies in `graph`, if one does.
@@ -22,9 +22,13 @@ pub(super) fn path_of(ids: &[NodeId]) -> Option<NodePath> {
     Some(rest.iter().fold(NodePath::root(first.clone()), |path, id| path.join(id.clone())))
 }
 
-/// The edits that let everything that is exposed or keyed follow `moved`, which gives every input that a target becomes;
-/// `None` leaves a target alone.
-pub(super) fn follow(look: &Look, moved: impl Fn(&NodePath, &PortName) -> Option<Vec<Target>>) -> Vec<Edit> {
+/// The edits that let everything that is exposed or keyed follow `moved`, which gives every input that a target becomes,
+/// and what drives keys `moved_output`; `None` leaves a target or an output alone.
+pub(super) fn follow(
+    look: &Look,
+    moved: impl Fn(&NodePath, &PortName) -> Option<Vec<Target>>,
+    moved_output: impl Fn(&OutputPort) -> Option<OutputPort>,
+) -> Vec<Edit> {
     let new = |target: &Target| match target {
         Target::Input { node, port } => moved(node, port).filter(|targets| !targets.is_empty()),
         Target::Light { .. } => None,
@@ -39,6 +43,13 @@ pub(super) fn follow(look: &Look, moved: impl Fn(&NodePath, &PortName) -> Option
     }
     for (index, keys) in look.direction_keys.iter().enumerate() {
         let mut changed = keys.clone();
+        if let KeyDirection::Drivers(drivers) = &mut changed.by {
+            for driver in drivers {
+                if let Some(output) = driver.output().and_then(&moved_output) {
+                    *driver = Driver::Wire(output);
+                }
+            }
+        }
         for key in &mut changed.keys {
             let values = std::mem::take(&mut key.values);
             for (target, value) in values {

@@ -11,7 +11,7 @@ use crate::document::shape::{
 };
 use crate::document::{
     Bookmark, Definition, DirectionKey, DirectionKeys, Driver, Exposed, Frame, Graph, InterfacePort, KeyDirection,
-    Light, Look, Node, Note, Target, TimeKey, TimeKeys, Unknown, Value, Wire,
+    Light, Look, Node, Note, OutputPort, Target, TimeKey, TimeKeys, Unknown, Value, Wire,
 };
 use crate::ids::{NodeId, ObjectId, is_slug, make_slug};
 
@@ -311,17 +311,37 @@ fn driver(r: &mut Reader<'_>, at: At) -> Option<Driver> {
     }
     let is_alone = r.tree.children(at).count() == 1;
     let member = |name| r.tree.member(at, name).filter(|_| is_alone);
-    let (height, near) = (member("height"), member("near"));
+    let (height, near, wire) = (member("height"), member("near"), member("wire"));
     if let Some(light) = height {
         return r.slug_at(light).map(|id| Driver::Height(id.into()));
     }
     if let Some(object) = near {
         return r.slug_at(object).map(|id| Driver::Near(ObjectId::new(id)));
     }
+    if let Some(wire) = wire {
+        return output(r, wire).map(Driver::Wire);
+    }
     let problem = Diagnostic::error("wrong-type", "this names no driver");
-    let hint = "write \"distance\", \"facing\", {\"height\": \"a light's id\"} or {\"near\": \"another object's id\"}";
+    let hint = "write \"distance\", \"facing\", {\"height\": \"a light's id\"}, {\"near\": \"another object's id\"} or \
+                {\"wire\": \"node.output\"}";
     r.report(at, problem.hint(hint));
     None
+}
+
+/// An output of a node, through groups.
+fn output(r: &mut Reader<'_>, at: At) -> Option<OutputPort> {
+    let text = r.tree.string(at).unwrap_or_default();
+    let is_port = |port: &str| port.is_empty() || is_slug(port);
+    let is_one = |output: &OutputPort| {
+        output.node.ids().iter().all(|id| is_slug(id.as_str())) && is_port(output.port.as_str()) && !text.ends_with('.')
+    };
+    let output = OutputPort::parse(&text).filter(is_one);
+    if output.is_none() && r.tree.kind(at) != Kind::Bad {
+        let shown: String = text.chars().take(80).collect();
+        let problem = Diagnostic::error("bad-output", format!("`{shown}` names no output of a node"));
+        r.report(at, problem.hint("write `node`, `node.output` or `group/node.output`"));
+    }
+    output
 }
 
 fn key_direction(r: &mut Reader<'_>, at: At) -> Option<KeyDirection> {

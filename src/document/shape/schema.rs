@@ -9,6 +9,8 @@ use super::{Bounds, CURVE, Default, F32, FAR, Field, Kind, LONG, MAX_NUMBERS, RA
 const SLUG: &str = "^[A-Za-z_][A-Za-z0-9_-]{0,63}$";
 const INPUT: &str = r"^[A-Za-z_][A-Za-z0-9_-]{0,63}\.[A-Za-z_][A-Za-z0-9_-]{0,63}$";
 const OUTPUT: &str = r"^[A-Za-z_][A-Za-z0-9_-]{0,63}(\.[A-Za-z_][A-Za-z0-9_-]{0,63})?$";
+const OUTPUT_IN_GROUPS: &str =
+    r"^[A-Za-z_][A-Za-z0-9_-]{0,63}(/[A-Za-z_][A-Za-z0-9_-]{0,63})*(\.[A-Za-z_][A-Za-z0-9_-]{0,63})?$";
 const TARGET: &str =
     r"^(lights\.[A-Za-z_][A-Za-z0-9_-]{0,63}\.[a-z_]+|[A-Za-z_][A-Za-z0-9_/-]*\.[A-Za-z_][A-Za-z0-9_-]{0,63})$";
 
@@ -197,5 +199,11 @@ fn driver() -> Value {
             "additionalProperties": false
         })
     };
-    json!({ "anyOf": [{ "const": "distance" }, { "const": "facing" }, named("height"), named("near")] })
+    let wire = json!({
+        "type": "object",
+        "properties": { "wire": { "type": "string", "pattern": OUTPUT_IN_GROUPS } },
+        "required": ["wire"],
+        "additionalProperties": false
+    });
+    json!({ "anyOf": [{ "const": "distance" }, { "const": "facing" }, named("height"), named("near"), wire] })
 }

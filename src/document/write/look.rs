@@ -213,6 +213,7 @@ fn driver(w: &mut Writer, driver: &Driver) {
         Driver::Facing => w.string("facing"),
         Driver::Height(light) => named(w, "height", light.as_str()),
         Driver::Near(object) => named(w, "near", object.as_str()),
+        Driver::Wire(output) => named(w, "wire", &output.to_string()),
     }
 }
 

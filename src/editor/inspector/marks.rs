@@ -2,7 +2,7 @@
 //! click on its name.
 
 use eframe::egui;
-use eframe::egui::{RichText, TextEdit, Ui};
+use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
 
 use super::super::command::Command;
 use super::super::curves::mark;
@@ -124,6 +124,13 @@ fn keys_by_direction(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
     }
     let lights = session.look().lights.keys().map(|id| KeyDirection::Light(id.clone()));
     let drivers = session.drivers().into_iter().map(|driver| KeyDirection::Drivers(vec![driver]));
+    let mut begin = |ui: &mut Ui, text: String, by: KeyDirection| {
+        if ui.button(text).on_hover_text("Begins keys with one where that is now").clicked() {
+            out.push(Command::Edit(session.new_set(by, Some(&marked.target))));
+            out.push(Command::SelectKey(Some((sets.len(), 0))));
+            out.push(Command::ShowPanel(Panel::Keys));
+        }
+    };
     for by in lights.chain([KeyDirection::View]).chain(drivers) {
         let text = match &by {
             KeyDirection::Drivers(drivers) => {
@@ -133,12 +140,22 @@ fn keys_by_direction(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
             KeyDirection::Light(id) => format!("New keys by the light {}", session.light_name(id)),
             KeyDirection::View => "New keys by the view".to_owned(),
         };
-        if ui.button(text).on_hover_text("Begins keys with one where that is now").clicked() {
-            out.push(Command::Edit(session.new_set(by, Some(&marked.target))));
-            out.push(Command::SelectKey(Some((sets.len(), 0))));
-            out.push(Command::ShowPanel(Panel::Keys));
-        }
+        begin(ui, text, by);
     }
+    let wires = session.wires(std::slice::from_ref(&marked.target));
+    if wires.is_empty() {
+        return;
+    }
+    let help = "What is the same all over the object may decide: a value, the time, a light's direction, and what is \
+                computed from these";
+    let menu = ui.menu_button("New keys by a wire…", |ui| {
+        ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
+            for driver in wires {
+                begin(ui, session.driver_name(&driver), KeyDirection::Drivers(vec![driver]));
+            }
+        });
+    });
+    menu.response.on_hover_text(help);
 }
 
 fn expose(marked: &Marked<'_>) -> Edit {

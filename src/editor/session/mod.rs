@@ -463,7 +463,9 @@ impl Session {
                 let targets = |keys: &DirectionKeys| -> HashSet<Target> {
                     keys.keys.iter().flat_map(|key| key.values.keys()).cloned().collect()
                 };
-                self.look().direction_keys.get(*index).is_none_or(|old| targets(old) != targets(keys))
+                let wires = |keys: &DirectionKeys| keys.by.outputs().cloned().collect::<HashSet<_>>();
+                let is_other = |old: &DirectionKeys| targets(old) != targets(keys) || wires(old) != wires(keys);
+                self.look().direction_keys.get(*index).is_none_or(is_other)
             }
             Edit::SetTimeKeys { index, keys } => {
                 let is_word = keys.keys.iter().any(|key| matches!(&key.value, Value::Text(_)));

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use super::super::compiling::{Answer, Request};
 use super::Session;
-use crate::compile::{CompiledShader, Live};
+use crate::compile::{CompiledShader, Live, TypedGraph};
 use crate::document::{Edit, GraphId, Look};
 use crate::ids::{NodePath, PortName};
 
@@ -25,6 +25,8 @@ pub(super) struct Shown {
     /// The structure that the live shader has.
     pub(super) live_structure: Option<u64>,
     pub(super) baked: Option<Arc<CompiledShader>>,
+    /// What both were made from.
+    pub(super) typed: Option<Arc<TypedGraph>>,
     /// The revision that the baked one says.
     pub(super) baked_revision: Option<u64>,
     /// The revision of the last edit that a live shader cannot show.
@@ -160,6 +162,8 @@ impl Session {
                     self.shaders.live_structure = Some(request.structure);
                 }
                 self.shaders.baked = Some(shaders.baked);
+                self.shaders.typed = Some(shaders.typed);
+                self.forget_keys();
                 self.shaders.baked_revision = Some(request.revision);
                 self.shaders.good = Some(request.look);
                 self.picture += 1;
@@ -207,6 +211,18 @@ impl Session {
     /// The shader whose text is shown.
     pub fn baked(&self) -> Option<&Arc<CompiledShader>> {
         self.shaders.baked.as_ref()
+    }
+
+    /// The look as it was compiled last.
+    pub(crate) fn typed(&self) -> Option<&TypedGraph> {
+        self.shaders.typed.as_deref()
+    }
+
+    /// The shader that knows the values of now: the baked one where nothing changed since, else the live one.
+    pub(crate) fn current_shader(&self) -> Option<&CompiledShader> {
+        let is_baked = self.shaders.baked_revision == Some(self.kept.history.revision());
+        let shader = if is_baked { &self.shaders.baked } else { &self.shaders.live };
+        shader.as_deref()
     }
 
     /// The shader whose values are uniforms.

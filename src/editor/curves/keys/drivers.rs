@@ -1,15 +1,20 @@
 //! Keys by drivers: which numbers decide, what they are now, and where each key lies among them.
 
 use eframe::egui::{
-    Button, Color32, ComboBox, DragValue, Grid, Rect, RichText, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2,
+    Button, Color32, ComboBox, DragValue, Grid, Rect, RichText, Role, ScrollArea, Sense, Stroke, Ui, WidgetInfo, pos2,
+    vec2,
 };
 use glam::DVec3;
 
 use super::super::super::command::Command;
+use super::super::super::keying::targets_of;
 use super::super::super::theme;
 use super::sphere::{Ground, mixed};
 use super::{Shown, name};
 use crate::document::{Driver, KeyDirection};
+
+/// How tall a menu of drivers grows before it scrolls, in points.
+pub(super) const MENU: f32 = 360.0;
 
 /// How many pieces a strip of colours has.
 const PIECES: usize = 96;
@@ -57,12 +62,18 @@ fn said(driver: &Driver, value: f64) -> String {
     if driver.is_angle() { format!("{:.1}°", value.to_degrees()) } else { format!("{value:.3}") }
 }
 
+/// What can drive the keys of a set: numbers of the scene, then wires of the look.
+fn all(shown: &Shown<'_>) -> impl Iterator<Item = Driver> {
+    let wires = shown.session.wires(&targets_of(shown.keys));
+    shown.session.drivers().into_iter().chain(wires)
+}
+
 /// Which driver an axis is of.
 fn chosen(ui: &mut Ui, shown: &Shown<'_>, axes: &[Driver], axis: usize, out: &mut Vec<Command>) {
     let session = shown.session;
     let combo = ComboBox::from_id_salt("driver").width(150.0).selected_text(session.driver_name(&axes[axis]));
     let combo = combo.show_ui(ui, |ui| {
-        for driver in session.drivers() {
+        for driver in all(shown) {
             let is_free = !axes.contains(&driver);
             if ui.selectable_label(axes[axis] == driver, session.driver_name(&driver)).clicked() && is_free {
                 out.push(Command::Edit(session.change_set(shown.set, |keys| {
@@ -74,7 +85,9 @@ fn chosen(ui: &mut Ui, shown: &Shown<'_>, axes: &[Driver], axis: usize, out: &mu
         }
     });
     name(&combo.response, Role::ComboBox, &format!("Driver {}", axis + 1));
-    combo.response.on_hover_text("Which number of the scene decides; keys stay where they are");
+    combo
+        .response
+        .on_hover_text("Which number of the scene, or which wire of the look, decides; keys stay where they are");
 }
 
 /// Where a key lies along an axis.
@@ -97,17 +110,19 @@ fn place(ui: &mut Ui, shown: &Shown<'_>, driver: &Driver, (axis, key): (usize, u
 fn add(ui: &mut Ui, shown: &Shown<'_>, axes: &[Driver], out: &mut Vec<Command>) {
     let session = shown.session;
     ui.menu_button("Add driver", |ui| {
-        for driver in session.drivers().into_iter().filter(|driver| !axes.contains(driver)) {
-            if ui.button(session.driver_name(&driver)).clicked() {
-                let now = super::rounded(DVec3::splat(session.driver_now(&driver)))[0];
-                out.push(Command::Edit(session.change_set(shown.set, |keys| {
-                    let KeyDirection::Drivers(axes) = &mut keys.by else { return };
-                    let axis = axes.len();
-                    axes.push(driver);
-                    keys.keys.iter_mut().for_each(|key| key.direction[axis] = now);
-                })));
+        ScrollArea::vertical().max_height(MENU).show(ui, |ui| {
+            for driver in all(shown).filter(|driver| !axes.contains(driver)) {
+                if ui.button(session.driver_name(&driver)).clicked() {
+                    let now = super::rounded(DVec3::splat(session.driver_now(&driver)))[0];
+                    out.push(Command::Edit(session.change_set(shown.set, |keys| {
+                        let KeyDirection::Drivers(axes) = &mut keys.by else { return };
+                        let axis = axes.len();
+                        axes.push(driver);
+                        keys.keys.iter_mut().for_each(|key| key.direction[axis] = now);
+                    })));
+                }
             }
-        }
+        });
     })
     .response
     .on_hover_text("Up to three numbers decide together: keys lie on a plane, or in space");

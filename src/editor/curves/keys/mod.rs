@@ -271,9 +271,19 @@ fn add_menu(ui: &mut Ui, session: &Session, text: &str, out: &mut Vec<Command>) 
         for driver in session.drivers() {
             add(ui, session.driver_name(&driver), KeyDirection::Drivers(vec![driver]));
         }
+        let wires = session.wires(&[]);
+        if !wires.is_empty() {
+            ui.separator();
+        }
+        ScrollArea::vertical().max_height(drivers::MENU).show(ui, |ui| {
+            for driver in wires {
+                add(ui, session.driver_name(&driver), KeyDirection::Drivers(vec![driver]));
+            }
+        });
     })
     .response
-    .on_hover_text("Another set of keys, by the direction of a light or of the view, or by a number of the scene");
+    .on_hover_text("Another set of keys, by the direction of a light or of the view, by a number of the scene, or by a wire of the \
+         look that is one number for the whole object");
 }
 
 fn by(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {

@@ -1,0 +1,777 @@
+// Oil portrait: made by Chiaro 0.1.0, WGSL.
+// Draws a mesh with the look; the result is straight RGBA.
+// Bindings of group 0: view 0, object 1, look 2, curvature_map 3, smooth_normal_1_map 4, smooth_normal_3_map 5.
+// oil-portrait.json says what to put there and how to draw.
+
+struct View {
+    clip_from_world: mat4x4f,
+    camera_from_world: mat4x4f,
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
+    eye: vec4f,
+    /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
+    screen: vec4f,
+}
+
+struct Object {
+    world_from_object: mat4x4f,
+    /// The inverse transpose, for normals.
+    world_from_normal: mat3x3f,
+    id: f32,
+    /// The alpha cutoff of the material, 0 for none.
+    cutoff: f32,
+}
+
+/// What is known before the fragment.
+struct Look {
+    toned_canvas: vec4f,
+    viewport: vec2f,
+    @align(16) sky: Light,
+    @align(16) key: Light,
+    @align(16) accents_as_paint_b: vec4f,
+    cool_reflections_as_paint_b: vec4f,
+    thick_lights_as_paint_b: vec4f,
+    light_as_paint_b: vec4f,
+    half_tones_as_paint_b: vec4f,
+    umber_as_paint_b: vec4f,
+}
+
+/// The surface under the fragment, in world space.
+struct Surface {
+    normal: vec3f,
+    view: vec3f,
+    position_object: vec3f,
+    kappa: f32,
+    smooth_normal_1: vec3f,
+    smooth_normal_3: vec3f,
+    pixel: vec2f,
+    anchor: vec3f,
+    magnification: f32,
+    world_from_normal: mat3x3f,
+}
+
+@group(0) @binding(0) var<uniform> view: View;
+@group(0) @binding(1) var<uniform> object: Object;
+@group(0) @binding(2) var<uniform> look: Look;
+@group(0) @binding(3) var curvature_map: texture_2d<f32>;
+@group(0) @binding(4) var smooth_normal_1_map: texture_2d<f32>;
+@group(0) @binding(5) var smooth_normal_3_map: texture_2d<f32>;
+
+/// Straight RGBA.
+alias Color = vec4f;
+
+/// Premultiplied RGBA: the stack of layers below, as blends pass it on.
+alias Composite = vec4f;
+
+/// A light as it arrives at a point of the surface.
+struct Light {
+    /// Unit, toward the light, in world space.
+    direction: vec3f,
+    /// Unit, toward the light, in the light's own frame.
+    own_direction: vec3f,
+    /// Straight RGB.
+    color: vec3f,
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
+    intensity: f32,
+}
+
+const HALF_PI: f32 = 1.57079632679489661923;
+const LN_2: f32 = 0.693147180559945309417;
+const LOG2_E: f32 = 1.44269504088896340736;
+/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN never happens.
+fn is_finite(x: f32) -> bool {
+    return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
+}
+
+/// x, or `otherwise` where x is NaN or infinite.
+fn finite_or(x: f32, otherwise: f32) -> f32 {
+    return select(otherwise, x, is_finite(x));
+}
+
+/// Each component as it is, or 0 where it is NaN or infinite.
+fn finite_vec3(v: vec3f) -> vec3f {
+    return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
+}
+
+/// Each component as it is, or 0 where it is NaN or infinite.
+fn finite_vec4(v: vec4f) -> vec4f {
+    return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
+}
+
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a NaN. Scaled by the
+/// largest component first, so that neither tiny nor huge vectors under- or overflow.
+fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
+    let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    if !(largest > 1e-30 && largest < 1e30) {
+        return otherwise;
+    }
+    let scaled = v * (1.0 / largest);
+    let square = dot(scaled, scaled);
+    // max() passes over a NaN.
+    if !is_finite(square) {
+        return otherwise;
+    }
+    return scaled * (1.0 / sqrt(square));
+}
+
+/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of two. 0 below -149,
+/// the largest finite number above 128.
+fn exp2_stable(x: f32) -> f32 {
+    let clamped = clamp(x, -150.0, 127.999992);
+    let whole = round(clamped);
+    let f = (clamped - whole) * LN_2;
+    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667 + f * (0.0416666666666666667 + f * (0.00833333333333333333 + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
+    // Two steps, because 2^-150 is no normal number.
+    let half_whole = i32(whole) / 2;
+    return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
+}
+
+/// 2^n for n in [-126, 127], by its bits.
+fn power_of_two(n: i32) -> f32 {
+    return bitcast<f32>(u32(n + 127) << 23u);
+}
+
+/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative error below 1e-7).
+fn log_stable(x: f32) -> f32 {
+    let bits = bitcast<u32>(x);
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
+    let shift = i32((bits - 0x3f3504f3u) >> 23u);
+    let exponent = select(shift, shift - 512, shift >= 256);
+    let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
+    let z = (mantissa - 1.0) / (mantissa + 1.0);
+    let z2 = z * z;
+    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
+    return f32(exponent) * LN_2 + series;
+}
+
+/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows 4.9e-4.
+fn sin_cos_quarter(x: f32) -> vec2f {
+    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64 to see sines by 1e-11,
+    // and end where they err downward: a profile whose cut-off is pi is 0 there, in f64 too.
+    let h = 0.5 * x;
+    let h2 = h * h;
+    let s = h * (1.0 + h2 * (-0.166666666666666667 + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413 + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
+    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667 + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016 + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
+    let c = 1.0 - one_minus_c;
+    return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
+}
+
+/// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a quarter turn.
+fn sin_cos(x: f32) -> vec2f {
+    let turns = round(x * 0.318309886183790672);
+    // Cody and Waite: pi in three parts, so that the reduced angle keeps its digits.
+    let r = ((x - turns * 3.140625) - turns * 0.0009670257568359375) - turns * 6.27832957300962643e-7;
+    let sign = 1.0 - 2.0 * abs(turns - 2.0 * trunc(turns * 0.5));
+    return sign * sin_cos_quarter(clamp(r, -HALF_PI, HALF_PI));
+}
+
+const SMALLEST_NORMAL: f32 = 1.17549435e-38;
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it is infinite.
+fn bounded(x: f32) -> f32 {
+    let bits = bitcast<u32>(x);
+    let magnitude = bits & 0x7fffffffu;
+    let largest = bitcast<f32>((bits & 0x80000000u) | 0x7f7fffffu);
+    return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
+}
+
+/// [`bounded`], component by component.
+fn bounded_vec2(v: vec2f) -> vec2f {
+    return vec2f(bounded(v.x), bounded(v.y));
+}
+
+/// [`bounded`], component by component.
+fn bounded_vec3(v: vec3f) -> vec3f {
+    return vec3f(bounded(v.x), bounded(v.y), bounded(v.z));
+}
+
+/// [`bounded`], component by component.
+fn bounded_vec4(v: vec4f) -> vec4f {
+    return vec4f(bounded(v.x), bounded(v.y), bounded(v.z), bounded(v.w));
+}
+
+/// From a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
+fn mixed(a: f32, b: f32, t: f32) -> f32 {
+    let d = bounded(b - a);
+    return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
+}
+
+/// [`mixed`], component by component.
+fn mixed_vec3(a: vec3f, b: vec3f, t: f32) -> vec3f {
+    return vec3f(mixed(a.x, b.x, t), mixed(a.y, b.y, t), mixed(a.z, b.z, t));
+}
+
+/// [`mixed`], component by component.
+fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
+    return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
+}
+
+/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0 below, 1 from there on.
+fn place_between(x: f32, low: f32, high: f32) -> f32 {
+    let span = high - low;
+    if abs(span) < SMALLEST_NORMAL {
+        return select(0.0, 1.0, x >= high);
+    }
+    return bounded((x - low) / bounded(span));
+}
+
+/// x moved from one range to another, kept within the new one when `clamped`; an empty first range makes a step.
+fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32, clamped: bool) -> f32 {
+    let place = place_between(bounded(x), bounded(from_low), bounded(from_high));
+    return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
+}
+
+/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step where they are equal.
+fn eased(x: f32, low: f32, high: f32) -> f32 {
+    let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+/// A factor as it is, or kept within 0 and 1 when `clamped`.
+fn factor_of(x: f32, clamped: bool) -> f32 {
+    return select(bounded(x), clamp(bounded(x), 0.0, 1.0), clamped);
+}
+
+/// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the result lies in [-1, 1].
+fn sin_cos_of(x: f32) -> vec2f {
+    return clamp(sin_cos(bounded(x)), vec2f(-1.0), vec2f(1.0));
+}
+
+/// From the colour a to the blended numbers by a factor in [0, 1]; a keeps its alpha.
+fn color_mixed(a: vec4f, blended: vec3f, factor: f32) -> vec4f {
+    return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(blended), factor_of(factor, true)), bounded(a.w));
+}
+
+/// Straight to premultiplied.
+fn premultiplied(color: Color) -> Composite {
+    return vec4f(color.xyz * color.w, color.w);
+}
+
+/// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
+/// transparency is not lost.
+fn straight(composite: Composite) -> Color {
+    if composite.w <= 0.0 {
+        return composite;
+    }
+    return vec4f(composite.xyz / composite.w, composite.w);
+}
+
+/// Mix colors
+///
+/// Lays one colour on another as paint programs do. For a stack of shading layers take Blend, which knows tones and
+/// transparency.
+fn mix_colors_normal(a: Color, b: Color, factor: f32) -> Color {
+    return mixed_vec4(bounded_vec4(a), bounded_vec4(b), factor_of(factor, true));
+}
+
+fn mix_colors_multiply(a: Color, b: Color, factor: f32) -> Color {
+    return color_mixed(a, a.xyz * b.xyz, factor);
+}
+
+/// kappa fit for use: 0 where it is NaN, within +-1e4.
+fn kappa_safe(kappa: f32) -> f32 {
+    // An infinite curvature keeps its sign; only NaN has none.
+    let is_nan = (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u;
+    return select(clamp(kappa, -1e4, 1e4), 0.0, is_nan);
+}
+
+/// Curvature
+///
+/// How much the surface bulges (above 0) or is hollow (below 0), as it is seen. It is measured against the picture's
+/// height, so that detail comes forward as the camera does.
+fn kappa_surface(kappa: f32) -> f32 {
+    return kappa_safe(kappa);
+}
+
+/// Unit axes at right angles to `toward`: to the right, and upright along `up` as far as that goes.
+fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
+    let z = normalize_or(toward, vec3f(0.0, 0.0, 1.0));
+    let y = normalize_or(up, vec3f(0.0, 1.0, 0.0));
+    let leaning = cross(y, z);
+    let square = dot(leaning, leaning);
+    // Nearly along `up` there is no upright; a fixed direction is better than rounding's.
+    let aside = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 0.0, 1.0), abs(z.x) > 0.7);
+    let x = normalize_or(select(cross(aside, z), leaning, square > 1e-8), vec3f(1.0, 0.0, 0.0));
+    return mat3x3f(x, cross(z, x), z);
+}
+
+/// Output
+///
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number becomes black here.
+fn output(color: Composite) -> Color {
+    return finite_vec4(straight(color));
+}
+
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its upper bits are the best.
+fn hash_pcg3d(seed: vec3u) -> vec3u {
+    var v = seed * 1664525u + 1013904223u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> vec3u(16u);
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    return v;
+}
+
+/// A random number in [0, 1) from the upper 24 bits of a hash, exactly.
+fn unit_of_hash(hash: vec3u) -> vec3f {
+    return vec3f(hash >> vec3u(8u)) * 5.9604644775390625e-8;
+}
+
+/// The hash of a lattice point.
+fn lattice_hash(cell: vec3i, seed: u32) -> vec3u {
+    return hash_pcg3d(bitcast<vec3u>(cell) + seed * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u));
+}
+
+/// How large a unit of the scene is seen at a depth, in picture heights. `perspective` is 1 or 0; `scale` is what clip
+/// space multiplies heights by: at depth 1, or at every depth without perspective.
+fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
+    // Clip space is 2 high.
+    return bounded(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective));
+}
+
+/// Where a point in camera axes is seen from the picture's middle, x to the right and y down, and how large a unit of the
+/// scene is seen there; in picture heights.
+fn anchor_on_screen(origin: vec3f, perspective: f32, scale: f32) -> vec3f {
+    let size = size_on_screen(-origin.z, perspective, scale);
+    return bounded_vec3(vec3f(origin.x * size, -origin.y * size, size));
+}
+
+/// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
+fn place_in_picture(pixel: vec2f, viewport: vec2f) -> vec2f {
+    let from_middle = bounded_vec2(pixel) - 0.5 * viewport;
+    return vec2f(from_middle.x, -from_middle.y) / max(viewport.y, 1.0);
+}
+
+const BLUE_TILE = array<u32, 256>(
+    0x27c8a652u, 0x0d3ddf58u, 0xd68cb1fdu, 0xcab465a4u, 0x74e18943u, 0xbbd9a53fu, 0xe039f68bu, 0xb3d313a9u,
+    0xb4836201u, 0x51aa198eu, 0x57321f62u, 0xe55204edu, 0xb30b9c1au, 0x107e2290u, 0x0dca67afu, 0x77944a72u,
+    0x44d8fe32u, 0xdbcb6aeeu, 0xbc709f86u, 0x28829712u, 0x563662adu, 0xe347ecceu, 0xa0531d34u, 0xc3e524fbu,
+    0x0f72219eu, 0x782a9c35u, 0xd043f201u, 0xf2c4387bu, 0xbdfad46eu, 0x5b9e6c16u, 0x7fef95c2u, 0x863c5fbdu,
+    0xd1bd5aebu, 0xc24af880u, 0x26b3e216u, 0x455ba8fbu, 0x4b7b1291u, 0x05f52c85u, 0x2d43d374u, 0x14cdad04u,
+    0xad914aa8u, 0x93b65706u, 0x4c8f5d38u, 0x1fdd0966u, 0xea01a2bau, 0xb23dc7aau, 0x68e61487u, 0x6d50dc90u,
+    0x1d3ae02cu, 0xe822d966u, 0x1ad5ab6fu, 0x2e87cc9du, 0xd85e3fe7u, 0xdb62941eu, 0xb8a74c26u, 0x0bf3781eu,
+    0xc679fa8au, 0x42a388efu, 0x348108c8u, 0x51b071e5u, 0x3499c978u, 0xff105372u, 0xf859cb9bu, 0xb6994033u,
+    0x9c095cd2u, 0x7d11304fu, 0xf3542afdu, 0xfe133ec0u, 0xb4f51a65u, 0x7cbbe483u, 0x83096e35u, 0x1b63c5d6u,
+    0x6f25c146u, 0xe05cb0d4u, 0x8cb69b68u, 0xd598025fu, 0x48088aa7u, 0x4406cf29u, 0x1892f0afu, 0x80eb54a2u,
+    0x8ee9a136u, 0xbc02f73eu, 0x21db154bu, 0x277eec47u, 0x6cc45837u, 0x678ea4efu, 0xbf49d920u, 0xae002973u,
+    0x64b51175u, 0x9583c519u, 0xa477cf37u, 0x4eb2c66cu, 0x96ddb9e9u, 0xe8551b3bu, 0xe7612fc6u, 0xde93f63bu,
+    0xe14bfd58u, 0x2371a32cu, 0xfa0bacf1u, 0x8f1bde32u, 0x7a180c72u, 0x7fb9d45fu, 0xa78b039au, 0xcd69b50fu,
+    0x79058830u, 0x53eb42cfu, 0x59418b64u, 0xa3610685u, 0xacfc42ceu, 0x380df32du, 0xd078fc4du, 0x21448452u,
+    0x98bad7aau, 0xd809ae5au, 0xcde72bc0u, 0xf13cbf99u, 0x4b9d8229u, 0x6da088c9u, 0x2a1cd8b0u, 0x9d14e3bdu,
+    0x1c3a6bf0u, 0x7f178bf6u, 0x75b10e9eu, 0x6be25123u, 0x07db5ab7u, 0x15e02465u, 0x6c405dc0u, 0xc561f896u,
+    0x2951800au, 0x3d6ec8e4u, 0x15664dffu, 0x0e7ca9f6u, 0xee35941eu, 0xf54577bfu, 0xa5ed9032u, 0x47793506u,
+    0xa0c2df92u, 0x20b54863u, 0x3ae195cau, 0xd6318cd2u, 0x1671c7f4u, 0xa85991b2u, 0xdc7d0ecdu, 0x27d3af55u,
+    0x74fc155cu, 0xdda63301u, 0xb8812e5bu, 0x569b4902u, 0x528941aeu, 0x81003ae4u, 0xc24a2769u, 0xb9e9891fu,
+    0x86ac409au, 0x8d7bf1d5u, 0x71a4ee0au, 0x26eac460u, 0xd1a50566u, 0xd59cf720u, 0xff97b7ebu, 0x6a113b70u,
+    0x572233cbu, 0x6950c110u, 0x2543be19u, 0x768418fau, 0x7e2ffebbu, 0x4e2dc363u, 0x04603d17u, 0xf34ea1ceu,
+    0xb8ecda79u, 0xfb3e2891u, 0xda54d29au, 0xcf3bb192u, 0x98da4811u, 0x8aac730bu, 0x33a97ae2u, 0x07b282e5u,
+    0x6f49648du, 0xabcce79fu, 0x08897637u, 0xa050e131u, 0x58b58fe6u, 0x0fbb45ecu, 0x90f5ca56u, 0xc12b591au,
+    0xd00ca81eu, 0x03805e18u, 0xc764e622u, 0x5e0d6da6u, 0x19366a21u, 0x6bfb25cbu, 0xbc471fa2u, 0xf940de67u,
+    0x7cf03955u, 0x8fbc4431u, 0xf413b34du, 0xc9f97e46u, 0x76a6f188u, 0x923984dfu, 0x0a752fd7u, 0x9774d19eu,
+    0xb486c5e3u, 0xd468f8deu, 0xbf5b9fefu, 0x2db69823u, 0x4e05c042u, 0x025d9db1u, 0xee85b0e8u, 0x00af264fu,
+    0x4f9b2a6bu, 0x0f28a507u, 0x3c872f73u, 0xd65500d9u, 0xf9607b12u, 0x4cd2172eu, 0xc63e63beu, 0xba81f416u,
+    0x1d60fd14u, 0xc8549575u, 0x691bdf41u, 0xa98c76eau, 0x8eda9ae8u, 0x7cf26fc7u, 0x94dc1028u, 0x48365fa7u,
+    0x3fccaadcu, 0x82aee9d7u, 0xcc96f9b8u, 0x1c4934adu, 0x4623386du, 0xa23cb70cu, 0x3153fe8du, 0x8dcee670u,
+    0xb92c700cu, 0x5e37128au, 0x0e50a303u, 0xd0ffbe5du, 0xabedba5au, 0x1ce35684u, 0x7dc3ab6au, 0x579f2004u,
+    0x4cf2967fu, 0xd124f767u, 0xf07a2b6eu, 0x08932485u, 0x65137da1u, 0xc93097d3u, 0xd7450aeau, 0xc141f7b7u,
+    0x07e2391du, 0x93be7aa1u, 0x17c446e4u, 0x3073dd3fu, 0x2bc34ff4u, 0x4d6103fcu, 0x5c992577u, 0xed682e87u,
+);
+/// The number of the tile, which repeats, that holds a cell's turn.
+fn blue_index(cell: vec2i) -> u32 {
+    let at = bitcast<vec2u>(cell) & vec2u(31u);
+    return 8u * at.y + (at.x >> 2u);
+}
+
+/// The threshold of a cell in such a number, between 0 and 1.
+fn blue_part(four: u32, cell: vec2i) -> f32 {
+    return (f32((four >> (8u * (bitcast<u32>(cell.x) & 3u))) & 0xffu) + 0.5) * 0.00390625;
+}
+
+/// A place for marks.
+struct Marked {
+    /// Along the strokes, and across them.
+    place: vec2f,
+    /// How fast both change along the picture: products xx, xy and yy, per picture height.
+    stretch: vec3f,
+}
+
+/// A place whose coordinates change along the picture by these two gradients, turned by an angle.
+fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Marked {
+    let turn = sin_cos_of(angle);
+    let x = bounded_vec3(turn.y * along + turn.x * across);
+    let y = bounded_vec3(turn.y * across - turn.x * along);
+    let at = bounded_vec2(place);
+    let turned = vec2f(turn.y * at.x + turn.x * at.y, turn.y * at.y - turn.x * at.x);
+    let most = vec3f(1e15);
+    return Marked(bounded_vec2(turned), clamp(vec3f(dot(x, x), dot(x, y), dot(y, y)), -most, most));
+}
+
+/// How fast a coordinate with the gradient `g` changes along the picture, on a surface that is seen from `view`: the way
+/// along the picture is drawn out on the surface. Vectors are unit but for g. At rims it is drawn out up to eight times.
+fn gradient_on_picture(g: vec3f, normal: vec3f, view: vec3f) -> vec3f {
+    let facing = dot(normal, view);
+    return g - normal * (dot(g, view) / select(min(facing, -0.125), max(facing, 0.125), facing >= 0.0));
+}
+
+/// A place across an axis of the object.
+fn place_across(
+    axis: vec3f,
+    position: vec3f,
+    world_from_normal: mat3x3f,
+    normal: vec3f,
+    view: vec3f,
+    magnification: f32,
+    angle: f32,
+) -> Marked {
+    let axes = axes_around(axis, vec3f(0.0, 1.0, 0.0));
+    let p = bounded_vec3(position);
+    let place = vec2f(dot(p, axes[0]), dot(p, axes[2]));
+    let along = bounded_vec3(world_from_normal * axes[0]);
+    let across = bounded_vec3(world_from_normal * axes[2]);
+    return place_on_surface(place, along, across, normal, view, magnification, angle);
+}
+
+/// A place whose coordinates have these gradients in world space.
+fn place_on_surface(
+    place: vec2f,
+    along: vec3f,
+    across: vec3f,
+    normal: vec3f,
+    view: vec3f,
+    magnification: f32,
+    angle: f32,
+) -> Marked {
+    let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
+    let v = normalize_or(view, vec3f(0.0, 0.0, 1.0));
+    let height = 1.0 / clamp(bounded(magnification), 1e-15, 1e15);
+    let x = bounded_vec3(gradient_on_picture(along, n, v) * height);
+    let y = bounded_vec3(gradient_on_picture(across, n, v) * height);
+    return mark_place_of(bounded_vec2(place), x, y, angle);
+}
+
+/// A place in spacings of marks: as many to the picture's height as `count` where it is not stretched.
+struct Spaced {
+    place: vec2f,
+    stretch: vec3f,
+}
+
+/// A place without a stretch is one in pixels.
+fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> Spaced {
+    let number = clamp(bounded(count), 0.0, 1e5);
+    let is_pixel = !(stretch.x + stretch.z > 0.0);
+    let scale = select(number, number / max(viewport.y, 1.0), is_pixel);
+    // Beyond 2^22 there is nothing left between whole numbers.
+    let p = clamp(bounded_vec2(bounded_vec2(place) * scale), vec2f(-4194304.0), vec2f(4194304.0));
+    let s = clamp(bounded_vec3(stretch), vec3f(-1e15), vec3f(1e15));
+    return Spaced(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
+}
+
+/// log2 of how many times finer than a place's own units marks must lie, for a squared stretch; within +-16.
+fn octave_of(square: f32) -> f32 {
+    return clamp(-0.5 * LOG2_E * log_stable(clamp(square, 1e-30, 1e30)), -16.0, 16.0);
+}
+
+/// How a picture of a stroke is laid.
+struct Brush {
+    /// Length over width.
+    aspect: f32,
+    /// In cells.
+    size: f32,
+    /// From 0 to 1.
+    scatter: f32,
+    /// In radians.
+    turn: f32,
+    seed: u32,
+    /// Whether what is dark is paint, and not what is opaque.
+    is_dark: bool,
+}
+
+fn brush_of(aspect: f32, size: f32, scatter: f32, turn: f32, seed: i32, is_dark: bool) -> Brush {
+    return Brush(
+        clamp(bounded(aspect), 1.0, 16.0),
+        clamp(bounded(size), 0.1, 2.0),
+        clamp(bounded(scatter), 0.0, 1.0),
+        clamp(bounded(turn), 0.0, 6.28318531),
+        bitcast<u32>(seed),
+        is_dark,
+    );
+}
+
+/// The same without a picture, by bristles: premultiplied lightness, and how much covers.
+fn bristles_laid(at: Spaced, ink: f32, style: Brush) -> vec2f {
+    let dx = dpdx(at.place);
+    let dy = dpdy(at.place);
+    let s = at.stretch;
+    let level = octave_of(sqrt(max(s.x * s.z - s.y * s.y, 0.0)));
+    let zoom = floor(level);
+    let f = level - zoom;
+    let coarse_cells = exp2_stable(-2.0 * f);
+    let fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
+    var tile = BLUE_TILE;
+    var paint = vec2f(0.0);
+    for (var octave = 0; octave < 2; octave++) {
+        let amount = ink * select(1.0 - f, fine, octave == 1);
+        let scale = power_of_two(i32(zoom) + octave);
+        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0)) / vec2f(style.aspect, 1.0);
+        let corner = vec2i(floor(p));
+        let phase = ((corner % vec2i(3)) + vec2i(3)) % vec2i(3);
+        for (var i = 0; i < 9; i++) {
+            let cell = corner + (vec2i(i % 3, i / 3) - phase + vec2i(4)) % vec2i(3) - vec2i(1);
+            let turning = cell + vec2i(i32(style.seed & 31u), 7 * (i32(zoom) + octave));
+            let late = 0.96875 * blue_part(tile[blue_index(turning)], turning);
+            let share = clamp((amount - late) * 32.0, 0.0, 1.0);
+            if share <= 0.0 {
+                continue;
+            }
+            let stroke = brush_stroke(p, cell, i32(zoom) + octave, share, style);
+            if stroke.share > 0.0 {
+                let gx = brush_turned(dx * scale, stroke, style);
+                let gy = brush_turned(dy * scale, stroke, style);
+                let own = lattice_hash(vec3i(cell, i32(zoom) + octave), style.seed + 2u).x;
+                let drawn = bristles(stroke.uv, length(vec2f(gx.y, gy.y)), own);
+                let cover = stroke.share * drawn.y;
+                paint = vec2f(drawn.x * cover, cover) + paint * (1.0 - cover);
+            }
+        }
+    }
+    return paint;
+}
+
+/// Three chances of a bristle, going over smoothly to the next across a stroke.
+fn bristle(row: f32, seed: u32) -> vec3f {
+    let first = floor(row);
+    let t = row - first;
+    let a = unit_of_hash(lattice_hash(vec3i(i32(first), 0, 0), seed));
+    let b = unit_of_hash(lattice_hash(vec3i(i32(first) + 1, 0, 0), seed));
+    return mix(a, b, t * t * (3.0 - 2.0 * t));
+}
+
+/// A stroke of a stiff brush at a place in it: how light its paint lies, and how much of it covers. `width` is a pixel's
+/// share of the stroke's width.
+fn bristles(uv: vec2f, width: f32, seed: u32) -> vec2f {
+    let across = 2.0 * uv.y - 1.0;
+    let own = unit_of_hash(lattice_hash(vec3i(0, 1, 0), seed));
+    // Bristles that are finer than a pixel are what they are on average.
+    let seen = clamp(1.75 - 11.0 * width, 0.0, 1.0);
+    let chance = mix(vec3f(0.5), bristle(11.0 * uv.y, seed), seen);
+    // The tip is round, and every bristle begins and leaves off at its own place.
+    let start = 0.03 + 0.12 * chance.x + 0.09 * across * across;
+    let end = 0.97 - (0.1 + 0.25 * own.y) * chance.y - 0.12 * across * across;
+    let along = eased(uv.x, start, start + 0.05) * (1.0 - eased(uv.x, end - 0.1, end));
+    let side = 1.0 - eased(abs(across), 0.78, 0.95);
+    let dry = eased(uv.x + 0.55 * chance.z, 0.85, 1.25);
+    let shade = 0.8 + 0.16 * own.z + 0.208 * (chance.z - 0.5) - 0.05 * uv.x;
+    return vec2f(clamp(shade, 0.0, 1.0), along * side * (1.0 - 0.9 * dry));
+}
+
+/// A stroke as it is seen at a place.
+struct Brushstroke {
+    /// Where in its picture, v down.
+    uv: vec2f,
+    /// How far it is turned: sine and cosine.
+    turn: vec2f,
+    /// 1 or -1: whether it runs backward.
+    way: f32,
+    /// How much of it is there, from 0 to 1.
+    share: f32,
+}
+
+/// The stroke of a cell at a place in cells; `drawn` of it is there.
+fn brush_stroke(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> Brushstroke {
+    let chance = unit_of_hash(lattice_hash(vec3i(cell, zoom), style.seed));
+    let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
+    let turn = sin_cos_of(style.turn * (chance.z - 0.5));
+    let way = select(-1.0, 1.0, unit_of_hash(lattice_hash(vec3i(cell, zoom), style.seed + 1u)).x < 0.5);
+    let stroke = Brushstroke(vec2f(0.5), turn, way, 0.0);
+    let uv = 0.5 + brush_turned(offset * vec2f(style.aspect, 1.0), stroke, style);
+    // The picture's outermost 64th fades, so that no stroke is cut off.
+    let from_edge = min(uv, vec2f(1.0) - uv);
+    let inside = clamp(64.0 * min(from_edge.x, from_edge.y), 0.0, 1.0);
+    // A stroke must not reach beyond the cells around its own.
+    let far = max(abs(offset.x), abs(offset.y)) / (1.0 - 0.5 * style.scatter);
+    let share = drawn * inside * (1.0 - eased(far, 0.85, 1.0));
+    return Brushstroke(uv, turn, way, share);
+}
+
+/// A step on the canvas as one in a stroke's picture.
+fn brush_turned(step: vec2f, stroke: Brushstroke, style: Brush) -> vec2f {
+    let turned = vec2f(
+        stroke.turn.y * step.x + stroke.turn.x * step.y,
+        stroke.turn.y * step.y - stroke.turn.x * step.x,
+    );
+    return turned * vec2f(stroke.way / (style.size * style.aspect), -1.0 / style.size);
+}
+
+fn brush_strokes_bristles(
+    value: f32,
+    place: vec2f,
+    stretch: vec3f,
+    count: f32,
+    aspect: f32,
+    size: f32,
+    scatter: f32,
+    turn: f32,
+    seed: i32,
+    viewport: vec2f,
+) -> BrushStrokes {
+    let at = spaced(place, stretch, viewport, count);
+    let style = brush_of(aspect, size, scatter, turn, seed, false);
+    let paint = bristles_laid(at, 1.0 - factor_of(value, true), style);
+    let shade = paint.x / max(paint.y, 1e-6);
+    return BrushStrokes(vec4f(shade, shade, shade, 1.0), paint.y);
+}
+
+struct BrushStrokes {
+    /// The picture's own colour, opaque; of bristles how light their paint lies, to multiply a colour by; black where no
+    /// stroke is.
+    color: Color,
+    /// How much of the canvas is covered, from 0 to 1.
+    ink: f32,
+}
+
+/// Mark place
+///
+/// Where strokes and dots are anchored, and which way strokes go: on the picture, on the picture but moving along with the
+/// object, along texture coordinates, across an axis of the object, or around the light so that they turn with it. Wire
+/// both outputs to Hatching, Stippling, Brush strokes or Paper grain, which keep their marks as large on the picture as
+/// they are, however far the surface is.
+fn mark_place_light(
+    light: Light,
+    normal: vec3f,
+    angle: f32,
+    view: vec3f,
+    position_object: vec3f,
+    world_from_normal: mat3x3f,
+    magnification: f32,
+) -> MarkPlace {
+    let toward = light.direction * world_from_normal;
+    let m = place_across(toward, position_object, world_from_normal, normal, view, magnification, angle);
+    return MarkPlace(m.place, m.stretch);
+}
+
+fn mark_place_object(angle: f32, anchor: vec3f, pixel: vec2f, viewport: vec2f) -> MarkPlace {
+    let size = clamp(bounded(anchor.z), 1e-6, 1e6);
+    let place = bounded_vec2(place_in_picture(pixel, viewport) - vec2f(anchor.x, -anchor.y)) / size;
+    let m = mark_place_of(place, vec3f(1.0 / size, 0.0, 0.0), vec3f(0.0, 1.0 / size, 0.0), angle);
+    return MarkPlace(m.place, m.stretch);
+}
+
+struct MarkPlace {
+    /// Along the strokes, and across them.
+    place: vec2f,
+    /// How fast both change along the picture: products xx, xy and yy, per picture height.
+    stretch: vec3f,
+}
+
+/// Reflectance
+///
+/// How strongly a realistic surface shines toward the eye: to be laid beside drawn shading, for contrast, or as a layer's
+/// tone.
+fn reflectance_lambert(light: Light, normal: vec3f) -> f32 {
+    return max(dot(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction), 0.0);
+}
+
+fn reflectance_half_lambert(light: Light, normal: vec3f) -> f32 {
+    let half = 0.5 + 0.5 * dot(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction);
+    return clamp(half * half, 0.0, 1.0);
+}
+
+/// Map range
+///
+/// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first range is empty, all that
+/// is below it becomes the new low and the rest the new high. A colour keeps its alpha, within 0 and 1 while clamped.
+fn map_range(value: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32, clamped: bool) -> f32 {
+    return remapped(value, from_low, from_high, to_low, to_high, clamped);
+}
+
+/// Smooth normal
+///
+/// The surface's normal without its fine detail, as if it had been sanded down: for broad, calm shading of busy models, or
+/// to hold detail against. Nothing is mixed across outlines or from one object to another.
+fn smooth_normal_fine(normal: vec3f, smooth_1: vec3f) -> vec3f {
+    return normalize_or(smooth_1, normal);
+}
+
+fn smooth_normal_medium(normal: vec3f, smooth_3: vec3f) -> vec3f {
+    return normalize_or(smooth_3, normal);
+}
+
+/// The look at one point of the surface.
+fn shade(surface: Surface) -> vec4f {
+    let planes = smooth_normal_fine(surface.normal, surface.smooth_normal_1);
+    let light_and_shade = reflectance_half_lambert(look.key, planes);
+    let where_umber_goes = map_range(light_and_shade, 0.02, 0.2, 1.0, 0.0, true);
+    let large_forms = smooth_normal_medium(surface.normal, surface.smooth_normal_3);
+    let strokes_round_the_form = mark_place_light(look.key, large_forms, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
+    let umber = brush_strokes_bristles(where_umber_goes, strokes_round_the_form.place, strokes_round_the_form.stretch, 14.0, 3.4, 1.8, 0.6, 0.5, 1i, look.viewport);
+    let umber_as_paint = mix_colors_multiply(umber.color, look.umber_as_paint_b, 1.0);
+    let umber_laid_on = mix_colors_normal(look.toned_canvas, umber_as_paint, umber.ink);
+    let reflected_light = reflectance_lambert(look.sky, planes);
+    let where_cool_reflections_go = map_range(reflected_light, 0.25, 0.75, 1.0, 0.0, true);
+    let cool_reflections = brush_strokes_bristles(where_cool_reflections_go, strokes_round_the_form.place, strokes_round_the_form.stretch, 18.0, 3.2, 1.5, 0.6, 0.5, 6i, look.viewport);
+    let cool_reflections_as_paint = mix_colors_multiply(cool_reflections.color, look.cool_reflections_as_paint_b, 1.0);
+    let cool_reflections_laid_on = mix_colors_normal(umber_laid_on, cool_reflections_as_paint, cool_reflections.ink);
+    let where_half_tones_go = map_range(light_and_shade, 0.24, 0.42, 1.0, 0.0, true);
+    let half_tones = brush_strokes_bristles(where_half_tones_go, strokes_round_the_form.place, strokes_round_the_form.stretch, 18.0, 3.2, 1.6, 0.6, 0.5, 2i, look.viewport);
+    let half_tones_as_paint = mix_colors_multiply(half_tones.color, look.half_tones_as_paint_b, 1.0);
+    let half_tones_laid_on = mix_colors_normal(cool_reflections_laid_on, half_tones_as_paint, half_tones.ink);
+    let where_light_goes = map_range(light_and_shade, 0.46, 0.66, 1.0, 0.0, true);
+    let strokes_of_the_wrist = mark_place_object(0.75, surface.anchor, surface.pixel, look.viewport);
+    let light = brush_strokes_bristles(where_light_goes, strokes_of_the_wrist.place, strokes_of_the_wrist.stretch, 24.0, 3.0, 1.5, 0.6, 0.5, 3i, look.viewport);
+    let light_as_paint = mix_colors_multiply(light.color, look.light_as_paint_b, 1.0);
+    let light_laid_on = mix_colors_normal(half_tones_laid_on, light_as_paint, light.ink);
+    let where_thick_lights_go = map_range(light_and_shade, 0.76, 0.95, 1.0, 0.0, true);
+    let thick_lights = brush_strokes_bristles(where_thick_lights_go, strokes_of_the_wrist.place, strokes_of_the_wrist.stretch, 32.0, 2.6, 1.3, 0.6, 0.4, 4i, look.viewport);
+    let thick_lights_as_paint = mix_colors_multiply(thick_lights.color, look.thick_lights_as_paint_b, 1.0);
+    let thick_lights_laid_on = mix_colors_normal(light_laid_on, thick_lights_as_paint, thick_lights.ink);
+    let hollows = kappa_surface(surface.kappa);
+    let where_accents_go = map_range(hollows, -6.0, -20.0, 1.0, 0.0, true);
+    let accents = brush_strokes_bristles(where_accents_go, strokes_round_the_form.place, strokes_round_the_form.stretch, 44.0, 3.4, 1.5, 0.6, 0.4, 8i, look.viewport);
+    let accents_as_paint = mix_colors_multiply(accents.color, look.accents_as_paint_b, 1.0);
+    let accents_laid_on = mix_colors_normal(thick_lights_laid_on, accents_as_paint, accents.ink);
+    let output_2 = output(premultiplied(accents_laid_on));
+    return output_2;
+}
+
+struct Vertex {
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+}
+
+struct Varyings {
+    @builtin(position) clip: vec4f,
+    @location(0) position: vec3f,
+    @location(1) position_object: vec3f,
+    @location(2) normal: vec3f,
+}
+
+@vertex
+fn vs_main(vertex: Vertex) -> Varyings {
+    let world = object.world_from_object * vec4f(vertex.position, 1.0);
+    var out: Varyings;
+    out.clip = view.clip_from_world * world;
+    out.position = world.xyz;
+    out.position_object = vertex.position;
+    out.normal = object.world_from_normal * vertex.normal;
+    return out;
+}
+
+@fragment
+fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
+    let facing = normalize_or(in.normal, vec3f(0.0, 0.0, 1.0));
+    let normal = select(-facing, facing, is_front);
+    var surface: Surface;
+    surface.normal = normal;
+    surface.view = normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, vec3f(0.0, 0.0, 1.0)));
+    surface.position_object = in.position_object;
+    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
+    surface.smooth_normal_1 = (vec4f(textureLoad(smooth_normal_1_map, vec2i(in.clip.xy), 0).xyz, 0.0) * view.camera_from_world).xyz;
+    surface.smooth_normal_3 = (vec4f(textureLoad(smooth_normal_3_map, vec2i(in.clip.xy), 0).xyz, 0.0) * view.camera_from_world).xyz;
+    surface.pixel = in.clip.xy * view.screen.xy + view.screen.zw;
+    surface.anchor = anchor_on_screen((view.camera_from_world * vec4f(object.world_from_object[3].xyz, 1.0)).xyz, view.eye.w, length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
+    surface.magnification = size_on_screen(-(view.camera_from_world * vec4f(in.position, 1.0)).z, view.eye.w, length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
+    surface.world_from_normal = object.world_from_normal;
+    let shaded = shade(surface);
+    return finite_vec4(shaded);
+}
