@@ -42,6 +42,8 @@ pub struct Session {
     stage: Option<Stage>,
     /// The HCBTF that is being painted, where there is one.
     painting: Option<Work>,
+    /// Whether another look is open that does not show it: undo takes nothing back that nobody sees.
+    pub(crate) hides_painting: bool,
     /// Grows with every step that is done, in the look, in the scene or in the painting.
     now: u64,
     source: Arc<SourceMap>,
@@ -101,6 +103,7 @@ impl Session {
             kept: Kept::new(History::new(Look::default())),
             stage: None,
             painting: None,
+            hides_painting: false,
             now: 0,
             opened: source.clone(),
             source,
