@@ -104,7 +104,9 @@ fn shots() {
     hcbtf.painted.insert(Address::default(), Arc::new(bricks(&long, Address::default())));
     std::fs::write(recent.path().join("frieze.hcbtf"), chiaro::hcbtf::write(&hcbtf).unwrap()).unwrap();
     hand.app_mut().change_settings(|settings| {
-        ["frieze", "bricks"].map(|name| settings.opened(&recent.path().join(format!("{name}.hcbtf"))));
+        for name in ["frieze", "bricks"] {
+            settings.opened(&recent.path().join(format!("{name}.hcbtf")));
+        }
     });
     hand.app_mut().show_start_page();
     save(&mut hand, "paint-start-page");
