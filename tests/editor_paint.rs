@@ -14,6 +14,7 @@ use editor_support::Hand;
 use editor_support::home::Home;
 use editor_support::painting::{hcbtf, opened};
 use eframe::egui::{Key, Modifiers, Pos2, Role};
+use egui_kittest::kittest::Queryable as _;
 
 const GRID: Grid = Grid { size: [8, 8], light: Directions { theta: 3, phi: 4 }, view: Directions { theta: 3, phi: 4 } };
 const GREY: [u8; 4] = [90, 90, 90, 255];
@@ -325,6 +326,137 @@ fn what_others_did_to_the_file_of_a_recovered_painting_is_noticed() {
     assert_eq!(saved(&path), mine);
 }
 
+/// Opens an example from the start page.
+fn show_example(hand: &mut Hand, name: &str) {
+    hand.app_mut().show_start_page();
+    hand.settle();
+    let label = format!("Open the look {name}");
+    hand.harness.get_by_label(&label).scroll_to_me();
+    hand.settle();
+    hand.press(&label);
+}
+
+/// A look that shows an example twice, which has few samples.
+fn look_with_example(folder: &Path) -> PathBuf {
+    let path = folder.join("look.json");
+    let text = r#"{"chiaro": "look", "lights": {"key": {"direction": [0, 0, 1]}}, "nodes": [
+        {"id": "light", "kind": "light", "values": {"light": "key"}},
+        {"id": "one", "kind": "hcbtf_lookup", "values": {"sheet": "example:hcbtf/halftone.hcbtf"}},
+        {"id": "two", "kind": "hcbtf_lookup", "values": {"sheet": "example:hcbtf/halftone.hcbtf"}},
+        {"id": "over", "kind": "blend"},
+        {"id": "output", "kind": "output"}],
+        "wires": [{"from": "light", "to": "one.light"}, {"from": "light", "to": "two.light"}, {"from": "one", "to": "over.below"},
+        {"from": "two", "to": "over.color"}, {"from": "over", "to": "output.color"}]}"#;
+    fs::write(&path, text).unwrap();
+    path
+}
+
+fn sheets(hand: &Hand) -> Vec<String> {
+    let values = hand.look().graph.nodes.values().flat_map(|node| &node.values);
+    let named = values.filter(|(port, _)| port.as_str() == "sheet").map(|(_, value)| match value {
+        chiaro::document::Value::Text(name) => name.clone(),
+        other => panic!("{other:?}"),
+    });
+    named.collect()
+}
+
+#[test]
+fn an_example_is_painted_as_a_copy_that_keeps_its_name_and_is_seen_wherever_the_look_shows_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = look_with_example(folder.path());
+    let mut hand = Hand::with(|ctx| App::new(ctx, None).with_path_fields());
+    hand.app_mut().open(&path);
+    hand.settle();
+    hand.press("View");
+    hand.press_a(Role::CheckBox, "Paint");
+    hand.key(Key::Escape);
+    hand.press("Paint a copy of halftone");
+    let work = hand.app().session().painting().unwrap();
+    assert!(work.is_dirty() && work.path().is_none());
+    assert!(hand.says("halftone (copy of the example)"));
+    assert!(hand.app().message().unwrap().contains("saving asks where"));
+    // This look has two lookups of one sheet.
+    assert_eq!(sheets(&hand), ["hcbtf:open", "hcbtf:open"]);
+    assert_eq!(hand.steps(), 1);
+    hand.key_with(Modifiers::COMMAND, Key::S);
+    hand.settle();
+    assert!(hand.says("Save the painting"), "the first save asks where");
+    hand.key(Key::Enter);
+    hand.settle();
+    // What is suggested is the example's name, beside the look.
+    assert!(folder.path().join("halftone.hcbtf").is_file());
+    hand.key_with(Modifiers::COMMAND, Key::S);
+    hand.settle();
+    assert_eq!(sheets(&hand), ["halftone.hcbtf", "halftone.hcbtf"]);
+    let text = fs::read_to_string(path).unwrap();
+    assert!(text.contains("\"halftone.hcbtf\"") && !text.contains("example:"), "{text}");
+}
+
+#[test]
+fn the_panels_are_about_the_look_that_is_open() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = file(folder.path(), Vec::new());
+    let mut hand = opened(&path);
+    assert!(hand.has("Painting canvas") && hand.has("80 empty"));
+    let at = texel(&hand, 4, 4);
+    hand.drag(at, at + eframe::egui::vec2(0.5, 0.0));
+    hand.settle();
+    let painted = hcbtf(&hand).clone();
+    assert!(hand.app().session().undo_label().is_some());
+    show_example(&mut hand, "Half-tone metal");
+    hand.tab("Paint");
+    assert!(!hand.has("Painting canvas") && hand.says("surface.hcbtf is still open"));
+    assert!(hand.has("Paint a copy of halftone") && !hand.has("80 empty"), "another look's samples are not its own");
+    assert_eq!(hand.app().session().undo_label(), None, "nothing is taken back that nobody sees");
+    hand.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(hcbtf(&hand), &painted);
+    hand.press("Back to surface.hcbtf");
+    assert!(hand.app().session().undo_label().is_some());
+    assert!(hand.has("Painting canvas") && hand.has("80 empty"));
+    hand.key_with(Modifiers::COMMAND, Key::N);
+    hand.settle();
+    hand.tab("Paint");
+    assert!(hand.says("shows another painting, or none") && hand.has("Another grid..."));
+    hand.press("Paint");
+    hand.press("Close the HCBTF");
+    hand.press("Do not save");
+    assert!(hand.has("The open look has no painting."));
+}
+
+#[test]
+fn a_sample_is_marked_in_the_picture_of_any_mesh_and_turned_to() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = file(folder.path(), vec![Rule::Copy { from: Address::default() }]);
+    let mut hand = Hand::drawing_with(|app, _| app.without_dialogs());
+    hand.app_mut().open(&path);
+    hand.app_mut().show_on("shape:sphere");
+    hand.settle();
+    let marked = |hand: &mut Hand| {
+        let rect = hand.app().viewport().rect().unwrap();
+        let image = hand.harness.render().unwrap();
+        let is_marked = |x: u32, y: u32| {
+            let [r, g, b, _] = image.get_pixel(x, y).0;
+            r > 90 && b > 60 && i32::from(r) - i32::from(g) > 60 && i32::from(b) - i32::from(g) > 30
+        };
+        let all = (rect.min.y as u32..rect.max.y as u32)
+            .flat_map(|y| (rect.min.x as u32..rect.max.x as u32).map(move |x| (x, y)));
+        all.filter(|(x, y)| is_marked(*x, *y)).count()
+    };
+    let mesh = hand.app().session().orbit().mesh.clone();
+    assert_eq!((mesh.as_str(), marked(&mut hand)), ("shape:sphere", 0));
+    go_to(&mut hand, [1, 2], [1, 1]);
+    hand.press("Show in the picture");
+    assert_eq!(hand.app().session().orbit().mesh, "shape:plane");
+    assert_eq!(marked(&mut hand), 0);
+    hand.press("Where it shows");
+    let found = marked(&mut hand);
+    assert!(found > 2000, "the square is turned to the sample, and shows the mark: {found}");
+    hand.press("Where it shows");
+    assert_eq!(marked(&mut hand), 0, "nothing of it is painted");
+    hand.press("Back to the mesh");
+    assert_eq!(hand.app().session().orbit().mesh, mesh);
+}
+
 #[test]
 fn the_inspector_paints_what_a_node_shows() {
     let folder = tempfile::tempdir().unwrap();
@@ -339,10 +471,8 @@ fn the_inspector_paints_what_a_node_shows() {
     let mut hand = opened(&look);
     hand.app_mut().session_mut().select(vec!["paint".into()]);
     hand.settle();
-    let buttons: Vec<_> = {
-        use egui_kittest::kittest::Queryable as _;
-        hand.harness.query_all_by_role_and_label(Role::Button, "Paint").map(|node| node.rect()).collect()
-    };
+    let buttons: Vec<_> =
+        { hand.harness.query_all_by_role_and_label(Role::Button, "Paint").map(|node| node.rect()).collect() };
     let in_inspector = buttons.into_iter().max_by(|a, b| a.min.y.total_cmp(&b.min.y)).unwrap();
     hand.click(in_inspector.center());
     hand.settle();

@@ -13,6 +13,7 @@ use chiaro::hcbtf::{self, Device};
 use editor_support::Hand;
 use editor_support::painting::{hcbtf, opened};
 use eframe::egui::Role;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 const FEW: Directions = Directions { theta: 2, phi: 3 };
 const GRID: Grid = Grid { size: [8, 8], light: FEW, view: FEW };
@@ -95,9 +96,11 @@ fn another_grid_is_a_step_that_tells_what_stays() {
     hand.press("Grid...");
     assert!(hand.says("All painted samples stay"));
     type_into(&mut hand, "Lights: steps", "2");
-    assert!(hand.says("1 of 2 painted samples stay"));
-    hand.press("Divide it");
+    assert!(hand.says("1 of 2 painted samples would be lost: they are at rings and steps that there are no more"));
+    hand.press("Divide it, and lose 1 painted sample");
     assert_eq!((hcbtf(&hand).grid.light.phi, hcbtf(&hand).painted.len()), (2, 1));
+    let told = hand.app().message().unwrap();
+    assert!(told.contains("1 painted sample went") && told.contains("Undo"), "{told}");
     hand.undo();
     assert_eq!(hcbtf(&hand), &before);
 }
@@ -225,6 +228,78 @@ fn the_open_look_is_baked_into_a_file_as_the_command_line_bakes_it() {
     let tones: std::collections::BTreeSet<u8> = expected.painted.values().map(|tile| tile.bytes()[0]).collect();
     assert!(tones.len() > 1, "the light is seen: {tones:?}");
     assert!(hand.app().message().unwrap().contains("4 samples"), "{:?}", hand.app().message());
+}
+
+#[test]
+fn a_texture_leaves_as_it_is_to_be_stored_and_its_size_is_told_before() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut hand = opened(&file(folder.path()));
+    let filled = all(hcbtf(&hand));
+    for (storage, name, code) in [("Quick", "quick", 0_u8), ("Compact", "compact", 8), ("Blocks", "blocks", 24)] {
+        open_menu(&mut hand, "Export the HCBTF as a KTX2 texture...");
+        assert!(hand.says("looked up fastest") && hand.says("smaller where much repeats") && hand.says("BC7"));
+        let needs = hcbtf::needs(&filled.grid(), |address| filled.tile(address));
+        let need = needs.iter().find(|need| need.has_levels && need.storage.word() == name).unwrap();
+        assert!(hand.says(&format!("{:.1} KiB", need.bytes() as f64 / 1024.0)), "{name}: {}", need.bytes());
+        hand.press_a(Role::RadioButton, storage);
+        let to = folder.path().join(format!("{name}.ktx2"));
+        hand.app_mut().answer_dialog(&to);
+        hand.press("Export to...");
+        let texture = hcbtf::ktx2::read(&fs::read(&to).unwrap(), "texture").unwrap();
+        assert_eq!(texture.bytes.len() as u64, need.bytes(), "{name} takes what was told");
+        if code < 24 {
+            assert_eq!(hcbtf::from_layers(&texture).unwrap().grid, GRID, "{name}");
+        }
+    }
+}
+
+#[test]
+fn what_will_be_baked_is_seen_and_counted_before() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut hand = opened(&look(folder.path()));
+    open_menu(&mut hand, "Bake this look onto a tile...");
+    ask_for_small_grid(&mut hand);
+    hand.settle();
+    assert!(hand.says("4 samples will be painted, in about"));
+    assert!(hand.has("Lit from straight above") && hand.has("Lit from halfway down"));
+    hand.press("Cancel");
+    // A look that cannot be baked says why before.
+    let broken = folder.path().join("broken.json");
+    let text = r#"{"chiaro": "look", "lights": {"key": {"direction": [0, 0, 1]}}, "nodes": [
+        {"id": "picture", "kind": "image", "values": {"image": "nowhere.png"}}, {"id": "output", "kind": "output"}],
+        "wires": [{"from": "picture", "to": "output.color"}]}"#;
+    fs::write(&broken, text).unwrap();
+    hand.app_mut().open(&broken);
+    hand.settle();
+    open_menu(&mut hand, "Bake this look onto a tile...");
+    hand.settle();
+    assert!(!hand.says("will be painted, in about"));
+}
+
+#[test]
+fn what_is_about_a_painting_cannot_be_chosen_without_one() {
+    let mut hand = new_window();
+    hand.press("Paint");
+    for item in ["Save the HCBTF", "Divide the HCBTF otherwise...", "New tile from this painting..."] {
+        let node = hand.harness.get_by_role_and_label(Role::MenuItem, item);
+        assert!(node.accesskit_node().is_disabled(), "{item}");
+    }
+    let node = hand.harness.get_by_role_and_label(Role::MenuItem, "Import painted pictures as an HCBTF...");
+    assert!(!node.accesskit_node().is_disabled());
+    let at = hand.place("Save the HCBTF").center();
+    hand.hover(at);
+    hand.harness.run_steps(8);
+    assert!(hand.says("Nothing is open to be painted"));
+}
+
+#[test]
+fn a_tile_that_is_no_square_keeps_its_shape_in_its_own_look() {
+    let folder = tempfile::tempdir().unwrap();
+    let hcbtf = Hcbtf::new(Grid { size: [8, 4], ..GRID });
+    let hand = opened(&save(folder.path(), "long", &hcbtf));
+    let scale = &hand.look().graph.nodes["painting"].values["scale"];
+    // Twice along u and four times along v: 16 texels each.
+    assert_eq!(scale, &chiaro::document::Value::Vector(vec![2.0, 4.0]));
 }
 
 #[test]

@@ -86,6 +86,57 @@ fn symmetry_paints_on_both_sides() {
 }
 
 #[test]
+fn clicks_that_are_over_within_a_frame_paint_and_fill_and_each_is_a_step() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut hand = opened(&file(folder.path(), &[ABOVE]));
+    brush(&mut hand, "1");
+    let [one, two, three] = [(1, 2), (5, 6), (2, 6)].map(|(x, y)| texel(&hand, x, y));
+    hand.quick_clicks(&[one]);
+    hand.settle();
+    assert_eq!((changed(first(&hand)), hand.steps()), (vec![[1, 2]], 1));
+    hand.quick_clicks(&[two, three]);
+    hand.settle();
+    assert_eq!((changed(first(&hand)), hand.steps()), (vec![[1, 2], [2, 6], [5, 6]], 3));
+    hand.undo();
+    assert_eq!(changed(first(&hand)), [[1, 2], [5, 6]]);
+    hand.hover(one);
+    hand.key(Key::G);
+    hand.press("Color #f7db4b");
+    hand.quick_clicks(&[texel(&hand, 7, 0)]);
+    hand.settle();
+    assert_eq!((first(&hand).texel(7, 0), hand.steps()), ([0xf7, 0xdb, 0x4b, 255], 3));
+    // A press that is quick and far is a stroke.
+    let far = texel(&hand, 4, 2);
+    hand.key(Key::B);
+    hand.hover(one);
+    let button = |pos, pressed| Event::PointerButton {
+        pos,
+        button: eframe::egui::PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    };
+    let events = &mut hand.harness.input_mut().events;
+    events.extend([button(one, true), Event::PointerMoved(far), button(far, false)]);
+    hand.harness.run_steps(3);
+    hand.settle();
+    let yellow = [0xf7, 0xdb, 0x4b, 255];
+    assert!((1..=4).all(|x| first(&hand).texel(x, 2) == yellow) && hand.steps() == 4);
+}
+
+#[test]
+fn arrows_lead_off_the_place_straight_above() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut hand = opened(&file(folder.path(), &[ABOVE]));
+    let at = texel(&hand, 4, 4);
+    hand.hover(at);
+    hand.key(Key::ArrowRight);
+    assert_eq!(at_work(&hand), Address::new([0, 0], [1, 1]), "a quarter from v toward u");
+    hand.key(Key::ArrowUp);
+    hand.key_with(Modifiers::SHIFT, Key::ArrowLeft);
+    assert_eq!(at_work(&hand), Address::new([1, 3], [0, 0]));
+}
+
+#[test]
 fn a_pen_that_is_pressed_lightly_paints_less() {
     let folder = tempfile::tempdir().unwrap();
     let mut hand = opened(&file(folder.path(), &[ABOVE]));

@@ -98,6 +98,16 @@ fn spiral(hand: &Hand) -> Vec<Pos2> {
 #[ignore = "writes pictures to be looked at"]
 fn shots() {
     let mut hand = window();
+    let recent = painted();
+    let long = Grid { size: [64, 24], ..Grid::THESIS };
+    let mut hcbtf = Hcbtf::new(long);
+    hcbtf.painted.insert(Address::default(), Arc::new(bricks(&long, Address::default())));
+    std::fs::write(recent.path().join("frieze.hcbtf"), chiaro::hcbtf::write(&hcbtf).unwrap()).unwrap();
+    hand.app_mut().change_settings(|settings| {
+        for name in ["frieze", "bricks"] {
+            settings.opened(&recent.path().join(format!("{name}.hcbtf")));
+        }
+    });
     hand.app_mut().show_start_page();
     save(&mut hand, "paint-start-page");
     hand.press("Paint a surface");
@@ -131,6 +141,23 @@ fn shots() {
     hand.drag_through(&path);
     hand.hover(path[8]);
     save(&mut hand, "paint-4-tilted");
+    hand.press("Where it shows");
+    hand.hover(path[8]);
+    save(&mut hand, "paint-4-where");
+    hand.press("Where it shows");
+    hand.press("Fill");
+    save(&mut hand, "paint-4-fill");
+    hand.press("Brush");
+    hand.app_mut().show_on("shape:creature");
+    hand.settle();
+    hand.press("Paint");
+    hand.press("Export the HCBTF as a KTX2 texture...");
+    save(&mut hand, "paint-13-texture");
+    hand.press("Cancel");
+    hand.press("Paint");
+    save(&mut hand, "paint-13-menu");
+    hand.key(Key::Escape);
+    hand.press("Show in the picture");
     hand.app_mut().session_mut().painting_mut().unwrap().go_to(Address::new([2, 1], [5, 2]));
     hand.tab("Fill rules");
     save(&mut hand, "paint-5-grazing");

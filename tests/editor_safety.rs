@@ -148,6 +148,33 @@ fn what_is_thrown_away_stays_until_the_window_closes() {
 }
 
 #[test]
+fn work_of_several_documents_is_one_bar_with_a_list() {
+    let home = Home::new();
+    let mut windows: Vec<Hand> = (1..=3).map(|_| home.window(None)).collect();
+    for (hand, value) in windows.iter_mut().zip([0.1, 0.2, 0.3]) {
+        set_offset(hand, value);
+    }
+    let later = home.after_a_crash();
+    drop(windows);
+    let mut hand = later.window(None);
+    let bars = |hand: &Hand| hand.harness.query_all_by_label_contains(OFFER).count();
+    assert!(bars(&hand) == 1 && hand.says("of 3 documents"));
+    assert!(!hand.says("Restore it"), "the list has them");
+    hand.press("Choose...");
+    assert_eq!(hand.harness.query_all_by_label("Restore it").count(), 3);
+    hand.press("Throw it away");
+    assert_eq!(hand.harness.query_all_by_label("Keep it").count(), 1, "the list stays open");
+    hand.press("Restore it");
+    assert!(offset(&hand).is_some());
+    hand.key(Key::Escape);
+    hand.settle();
+    assert!(bars(&hand) == 1 && hand.says("of 2 documents"));
+    hand.press("Throw all away");
+    drop(hand);
+    assert_eq!(later.journals(), 1, "what was restored stays");
+}
+
+#[test]
 fn a_damaged_journal_gives_what_it_can_and_says_so() {
     let home = Home::new();
     let mut hand = home.window(None);

@@ -178,6 +178,43 @@ fn a_scenes_lights_are_edited_as_a_looks_are() {
 }
 
 #[test]
+fn the_list_of_meshes_shows_the_way_to_ones_own() {
+    let home = Home::new();
+    let mesh = home.file("own.obj");
+    fs::write(&mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    let mut hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
+    hand.app_mut().answer_dialog(&mesh);
+    hand.choose("On", "From a file...");
+    assert_eq!(hand.app().session().orbit().mesh, mesh.display().to_string(), "nothing is in front of it");
+}
+
+#[test]
+fn a_scene_is_named_and_described_as_one_step_each() {
+    let home = Home::new();
+    let mut hand = home.window();
+    hand.tab("Objects");
+    hand.press("Name and about");
+    let name = hand.text_field("Scene name");
+    hand.type_over(name, "Two in one light");
+    assert_eq!(scene(&hand).name, "Two in one light");
+    assert!(hand.app().session().is_dirty());
+    let about = hand.place_of(Role::MultilineTextInput, "About");
+    hand.click(about.center());
+    for text in ["A ring", " and a ball"] {
+        hand.type_text(text);
+    }
+    hand.settle();
+    assert_eq!(scene(&hand).about, "A ring and a ball");
+    assert!(hand.has("Two in one light"), "its fold tells the name");
+    // A field that is being typed in has an undo of its own.
+    hand.key(Key::Escape);
+    hand.undo();
+    assert_eq!(scene(&hand).about, "");
+    hand.undo();
+    assert_eq!(scene(&hand).name, "");
+}
+
+#[test]
 fn lights_are_added_to_a_scene_in_place_of_its_looks_own() {
     let home = Home::new();
     let mut hand = home.window();

@@ -155,6 +155,32 @@ fn what_was_open_is_offered_and_what_is_gone_is_forgotten() {
 }
 
 #[test]
+fn paintings_that_were_open_show_themselves_and_examples_are_no_files() {
+    use chiaro::document::{Address, Directions, Grid, Hcbtf, Tile};
+    let home = Home::new();
+    let directions = Directions { theta: 2, phi: 3 };
+    let mut hcbtf = Hcbtf::new(Grid { size: [16, 8], light: directions, view: directions });
+    let tile = Tile::filled(hcbtf.grid.size, [200, 90, 40, 255]);
+    hcbtf.painted.insert(Address::default(), std::sync::Arc::new(tile));
+    let path = home.file("surface.hcbtf");
+    fs::write(&path, chiaro::hcbtf::write(&hcbtf).unwrap()).unwrap();
+    let mut hand = home.window(Some(&path));
+    hand.app_mut().open(Path::new("example:hcbtf/pencil.hcbtf"));
+    hand.settle();
+    hand.app_mut().show_start_page();
+    hand.settle();
+    assert!(has(&hand, "Open the painting surface") && says(&hand, "paintings that were open"));
+    assert!(!says(&hand, "cannot be read") && !says(&hand, "is gone"), "an example is opened among the examples");
+    assert_eq!(hand.app().settings().recent, [path]);
+    let at = hand.harness.get_by_label("Open the painting surface").rect().center();
+    hand.hover(at);
+    hand.harness.run_steps(8);
+    assert!(says(&hand, "16 x 8 texels, 4 lights x 4 views, 1 of 16 samples painted"));
+    press(&mut hand, "Open the painting surface");
+    assert!(!hand.app().shows_start_page());
+}
+
+#[test]
 fn the_keyboard_reaches_everything() {
     let home = Home::new();
     let mut hand = home.window(None);

@@ -9,6 +9,7 @@ use super::painting::Import;
 use super::viewport::Export;
 use super::worker::start;
 use crate::clock::Clock;
+use crate::document::Storage;
 use crate::hcbtf::exchange::Form;
 use crate::render::block_on;
 
@@ -31,7 +32,7 @@ pub(crate) enum Purpose {
     /// The open look is baked into an HCBTF.
     BakeLook,
     /// What is painted is written for other programs.
-    ExportPainting(Form),
+    ExportPainting(Form, Storage),
     /// Shaders of a language, or of all, are written into a folder.
     Shaders(&'static str),
     /// A picture is written.
@@ -62,7 +63,7 @@ impl Purpose {
             Self::SaveScene => ("Chiaro scene", &["json"]),
             Self::SavePainting | Self::BakeLook => ("HCBTF", &[PAINTING]),
             Self::Mesh | Self::AddMesh | Self::ObjectMesh => ("Mesh", &MESHES),
-            Self::ImportPainting(Import { form, .. }) | Self::ExportPainting(form) => match form {
+            Self::ImportPainting(Import { form, .. }) | Self::ExportPainting(form, _) => match form {
                 Form::Folder => ("Folder", &[]),
                 Form::Contact | Form::Sheet => ("PNG", &["png"]),
                 Form::Ktx2 => ("KTX2", &["ktx2"]),
@@ -84,14 +85,14 @@ impl Purpose {
                     | Self::SavePainting
                     | Self::BakeLook
                     | Self::Export(_)
-                    | Self::ExportPainting(_)
+                    | Self::ExportPainting(..)
             )
     }
 
     /// Whether a folder is asked for; one that is written into is made where there is none.
     pub(crate) fn is_folder(self) -> bool {
         match self {
-            Self::Shaders(_) | Self::ExportPainting(Form::Folder) => true,
+            Self::Shaders(_) | Self::ExportPainting(Form::Folder, _) => true,
             Self::ImportPainting(import) => import.form == Form::Folder,
             _ => false,
         }

@@ -167,7 +167,7 @@ fn title(purpose: Purpose) -> &'static str {
         Purpose::SavePainting => "Save the painting",
         Purpose::BakeLook => "Bake the look onto a tile",
         Purpose::ImportPainting(_) => "Import painted pictures",
-        Purpose::ExportPainting(_) => "Export the painting",
+        Purpose::ExportPainting(..) => "Export the painting",
         Purpose::Mesh => "Show the look on a mesh",
         Purpose::AddMesh => "Add an object of a mesh",
         Purpose::ObjectMesh => "Give the object another mesh",

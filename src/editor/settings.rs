@@ -31,7 +31,7 @@ pub enum Theme {
 /// What is remembered.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
-    /// Looks that were open, the newest first.
+    /// Looks, scenes and paintings that were open, the newest first.
     pub recent: Vec<PathBuf>,
     /// Colours.
     pub theme: Theme,
@@ -61,7 +61,8 @@ impl Settings {
         let Ok(Value::Object(mut members)) = serde_json::from_str(text) else { return Self::default() };
         let mut take = |name: &str| members.remove(name).unwrap_or_default();
         let recent = take("recent").as_array().map_or_else(Vec::new, |paths| {
-            paths.iter().filter_map(Value::as_str).map(PathBuf::from).take(MAX_RECENT).collect()
+            let files = paths.iter().filter_map(Value::as_str).map(PathBuf::from);
+            files.filter(|path| crate::examples::file(path).is_none()).take(MAX_RECENT).collect()
         });
         let theme = serde_json::from_value(take("theme")).unwrap_or_default();
         let scale = take("scale").as_f64().map_or(1.0, |scale| scale as f32);
@@ -130,8 +131,11 @@ impl Settings {
         (theme, ctx.zoom_factor().clamp(*SCALE.start(), *SCALE.end()))
     }
 
-    /// Puts a file first among those that were open.
+    /// Puts a file first among those that were open. An example is no file.
     pub fn opened(&mut self, path: &Path) {
+        if crate::examples::file(path).is_some() {
+            return;
+        }
         let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
         self.recent.retain(|other| *other != path);
         self.recent.insert(0, path);
@@ -171,6 +175,15 @@ mod tests {
         assert_eq!(settings.recent.len(), MAX_RECENT);
         let first: Vec<_> = settings.recent.iter().take(3).map(|path| path.to_str().unwrap()).collect();
         assert_eq!(first, ["/a/25.json", "/a/29.json", "/a/28.json"]);
+    }
+
+    #[test]
+    fn examples_are_not_remembered_as_files() {
+        let mut settings = Settings::default();
+        settings.opened(Path::new("example:hcbtf/pencil.hcbtf"));
+        assert_eq!(settings, Settings::default());
+        let before = Settings::read(r#"{"recent": ["/home/me/example:hcbtf/pencil.hcbtf", "/a.json"]}"#);
+        assert_eq!(before.recent, [PathBuf::from("/a.json")], "what was remembered once is forgotten");
     }
 
     #[test]

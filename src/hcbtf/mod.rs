@@ -16,6 +16,7 @@ mod archive;
 mod blocks;
 mod compact;
 pub mod contact;
+mod cover;
 pub mod exchange;
 mod file;
 pub mod fill;
@@ -41,6 +42,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Grid, Hcbtf};
 
 pub use blocks::{Coding, Loss, loss};
+pub use cover::{Cover, cover};
 pub use file::{load, read, read_bytes, write};
 pub use fill::{Estimate, Filled, NotFilled, Provenance, Which, estimate, filled_at_most};
 pub use layers::{

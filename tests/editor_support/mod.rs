@@ -140,6 +140,20 @@ impl Hand {
         self.harness.run_steps(3);
     }
 
+    /// Presses and lets go at each point, all in one frame, as a quick hand does in a slow window.
+    pub(crate) fn quick_clicks(&mut self, points: &[Pos2]) {
+        if let Some(first) = points.first() {
+            self.hover(*first);
+        }
+        for &pos in points {
+            let (button, modifiers) = (PointerButton::Primary, Modifiers::NONE);
+            let events = &mut self.harness.input_mut().events;
+            events.push(Event::PointerMoved(pos));
+            events.extend([true, false].map(|pressed| Event::PointerButton { pos, button, pressed, modifiers }));
+        }
+        self.harness.run_steps(3);
+    }
+
     /// Presses, moves in steps, lets go; the pointer stays.
     pub(crate) fn drag(&mut self, from: Pos2, to: Pos2) {
         self.drag_with(Modifiers::NONE, from, to);

@@ -8,7 +8,7 @@ use eframe::egui::{self, Ui};
 use super::App;
 use super::files::{self, Pending};
 use crate::diag::Diagnostic;
-use crate::document::Edit;
+use crate::document::{Edit, Storage};
 use crate::editor::canvas::edits;
 use crate::editor::command::Command;
 use crate::editor::dialogs::Purpose;
@@ -20,6 +20,7 @@ use crate::editor::session::Session;
 use crate::editor::shortcuts::{self, Action};
 use crate::editor::stage::Stage;
 use crate::editor::viewport::Export;
+use crate::hcbtf::exchange::Form;
 
 impl App {
     pub(super) fn apply(&mut self, ui: &Ui, command: Command) {
@@ -165,7 +166,10 @@ impl App {
             Action::SaveHcbtfAs => Command::Paint(painting::Wish::SaveAs),
             Action::CloseHcbtf => Command::Paint(painting::Wish::Close),
             Action::ImportHcbtf => Command::Paint(painting::Wish::AskImport),
-            Action::ExportHcbtf(form) => Command::Paint(painting::Wish::Export { form, to: None }),
+            Action::ExportHcbtf(Form::Ktx2) => Command::Paint(painting::Wish::AskTexture),
+            Action::ExportHcbtf(form) => {
+                Command::Paint(painting::Wish::Export { form, storage: Storage::default(), to: None })
+            }
             Action::Tool(_)
             | Action::Brush { .. }
             | Action::SwapColors

@@ -11,6 +11,8 @@ use crate::editor::{dock, theme};
 
 /// Below this width, in points, the name of what is open is not told in the bar: the window's title has it too.
 const LEAST_NAME: f32 = 60.0;
+/// Why what is about a painting cannot be done.
+const NOTHING_PAINTED: &str = "Nothing is open to be painted: begin a new HCBTF above, or open one";
 
 impl App {
     pub(super) fn bar(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
@@ -49,13 +51,10 @@ impl App {
                 let is_of_open = matches!(action, GridOfHcbtf | SaveHcbtf | SaveHcbtfAs | CloseHcbtf | ExportHcbtf(_));
                 is_light || is_new || is_of_open
             });
-            menu(
-                ui,
-                "Paint",
-                "Light on the picture; surfaces that change with the light and the eye, painted by hand",
-                &news,
-                commands,
-            );
+            let is_open = self.session.painting().is_some();
+            let why = |action| (!is_open && works_on_painting(action)).then_some(NOTHING_PAINTED);
+            let help = "Light on the picture; surfaces that change with the light and the eye, painted by hand";
+            menu_but(ui, "Paint", help, &news, why, commands);
             let exports = of_kind(|action| matches!(action, Action::Export(_) | Action::ExportPicture));
             menu(ui, "Export", "The look as shaders for other programs, or the picture, as files", &exports, commands);
             let shaders = of_kind(|action| matches!(action, Action::CopyShader(..)));
@@ -177,13 +176,32 @@ fn of_kind(is_it: impl Fn(Action) -> bool) -> Vec<Action> {
     shortcuts::ALL.iter().map(|row| row.action).filter(|action| is_it(*action)).collect()
 }
 
+/// Whether an action is about the painting that is open.
+fn works_on_painting(action: Action) -> bool {
+    use Action::{CloseHcbtf, ExportHcbtf, GridOfHcbtf, SaveHcbtf, SaveHcbtfAs, TileOfHcbtf};
+    matches!(action, GridOfHcbtf | TileOfHcbtf | SaveHcbtf | SaveHcbtfAs | CloseHcbtf | ExportHcbtf(_))
+}
+
 /// A menu of what the table of shortcuts has, with its keys.
 fn menu(ui: &mut Ui, label: &str, help: &str, actions: &[Action], commands: &mut Vec<Command>) {
+    menu_but(ui, label, help, actions, |_| None, commands);
+}
+
+/// The same, but for what `why` says why it cannot be done.
+fn menu_but(
+    ui: &mut Ui,
+    label: &str,
+    help: &str,
+    actions: &[Action],
+    why: impl Fn(Action) -> Option<&'static str>,
+    commands: &mut Vec<Command>,
+) {
     let menu = ui.menu_button(label, |ui| {
         for row in actions.iter().filter_map(|action| shortcuts::of(*action)) {
-            let button = ui.add(egui::Button::new(row.label).shortcut_text(row.text()));
-            button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::MenuItem, true, row.label));
-            if button.clicked() {
+            let why = why(row.action);
+            let button = ui.add_enabled(why.is_none(), egui::Button::new(row.label).shortcut_text(row.text()));
+            button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::MenuItem, why.is_none(), row.label));
+            if button.on_disabled_hover_text(why.unwrap_or_default()).clicked() {
                 commands.push(Command::Act(row.action));
                 ui.close();
             }

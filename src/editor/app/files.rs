@@ -11,7 +11,7 @@ use crate::document::{Grid, Hcbtf};
 use crate::editor::command::Command;
 use crate::editor::dialogs::PAINTING;
 use crate::editor::dock::Panel;
-use crate::editor::painting::{Import, Work};
+use crate::editor::painting::{Import, Work, look};
 use crate::editor::panels::{library, problems};
 use crate::editor::stage::{Stage, Wanted};
 use crate::examples;
@@ -45,6 +45,8 @@ pub(super) enum Pending {
         hcbtf: Arc<Hcbtf>,
     },
     ClosePainting,
+    /// Shows what is painted in a look of its own.
+    ShowPainting,
     Close,
 }
 
@@ -172,7 +174,10 @@ impl App {
 
     /// Whether Save is to save what is painted: where that is asked about, or nothing is.
     pub(super) fn saves_painting(&self) -> bool {
-        self.session.is_painting_dirty() && (self.pending.is_none() || self.is_painting_at_risk())
+        // One without a file that the open look does not show would be asked about out of the blue.
+        let has_place = self.session.painting().is_some_and(|work| work.path().is_some());
+        let is_meant = self.pending.is_none() && (has_place || look::shows(&self.session));
+        self.session.is_painting_dirty() && (is_meant || self.is_painting_at_risk())
     }
 
     /// After a save: does what waited for it, if nothing else is to be saved.
@@ -204,6 +209,7 @@ impl App {
             Some(Pending::ImportPainting { path, import }) => self.import_painting(path, import),
             Some(Pending::BeginPainting { hcbtf }) => self.begin_made(&hcbtf),
             Some(Pending::ClosePainting) => self.close_painting(),
+            Some(Pending::ShowPainting) => self.show_painting_alone(),
             Some(Pending::Close) => self.closes = true,
             None => {}
         }

@@ -7,10 +7,10 @@ use eframe::egui::Ui;
 use super::App;
 use super::files::Pending;
 use crate::diag::Diagnostic;
-use crate::document::{Grid, Hcbtf};
+use crate::document::{Edit, Grid, Hcbtf, HcbtfEdit, Storage};
 use crate::editor::dialogs::Purpose;
 use crate::editor::dock::Panel;
-use crate::editor::painting::{Import, Made, Wish, Work, look};
+use crate::editor::painting::{Import, Made, Wish, Work, counted, look};
 use crate::editor::panels::problems::sentence;
 use crate::frame::UNSAVED_HCBTF;
 use crate::hcbtf::exchange::Form;
@@ -30,6 +30,15 @@ impl App {
             }
             Wish::New { grid, keeps_look } => self.do_or_ask(Pending::NewPainting { grid, keeps_look }),
             Wish::Open { path, keeps_look } => self.do_or_ask(Pending::OpenPainting { path, keeps_look }),
+            Wish::Divide { grid, lost } => {
+                self.tell(|session| session.apply_to_painting(HcbtfEdit::SetGrid { grid }, None));
+                if lost > 0 && self.message.is_none() {
+                    let text =
+                        format!("{} went with the old grid: Undo brings them back", counted(lost, "painted sample"));
+                    self.message = Some(text);
+                }
+            }
+            Wish::ShowAlone => self.do_or_ask(Pending::ShowPainting),
             Wish::AskGrid { changes } => self.painting.ask_grid(&self.session, changes),
             Wish::AskSynthesis if self.session.painting().is_some() => self.painting.ask_synthesis(&self.session),
             Wish::AskSynthesis => {
@@ -53,7 +62,9 @@ impl App {
                 self.dialogs.ask(Purpose::ImportPainting(import), self.session.path());
             }
             Wish::Import { import, from: Some(path) } => self.do_or_ask(Pending::ImportPainting { path, import }),
-            Wish::Export { form, to } => self.export_painting(form, to),
+            Wish::AskTexture if self.session.painting().is_some() => self.painting.ask_texture(),
+            Wish::AskTexture => self.tell_nothing_to_export(),
+            Wish::Export { form, storage, to } => self.export_painting(form, storage, to),
             Wish::Save => match self.session.painting().map(|work| work.path().map(Path::to_path_buf)) {
                 Some(Some(path)) => drop(self.save_painting_as(&path)),
                 Some(None) => self.ask_where_to_save_painting(),
@@ -91,6 +102,7 @@ impl App {
                 let stays = keeps_look || self.session.shows_painting(path);
                 if self.begin_painting(work, stays) {
                     self.safety.opened(path);
+                    self.name_copy_of_example(path);
                 }
             }
             Err(problems) => {
@@ -98,6 +110,25 @@ impl App {
                 self.message = Some(format!("{} could not be opened: {why}", path.display()));
             }
         }
+    }
+
+    /// Lets the open look show what is painted wherever it named the example that this is a copy of, as one step.
+    fn name_copy_of_example(&mut self, path: &Path) {
+        let Some(work) = self.session.painting().filter(|work| work.is_copy_of_example()) else { return };
+        let told = format!("{}: saving asks where it is to go", work.name());
+        let name = path.to_string_lossy();
+        let edits = look::rename(self.session.look(), &self.session.catalog, &name, UNSAVED_HCBTF);
+        if !edits.is_empty() {
+            self.tell(|session| session.apply(Edit::Group { edits }, None));
+        }
+        self.message.get_or_insert(told);
+    }
+
+    /// Shows what is painted in a look of its own.
+    pub(super) fn show_painting_alone(&mut self) {
+        self.begin_bare_look();
+        self.safety.look();
+        self.show_painting_panels();
     }
 
     /// Begins to make an HCBTF of pictures of other programs.
@@ -145,13 +176,14 @@ impl App {
         }
     }
 
-    fn export_painting(&mut self, form: Form, to: Option<PathBuf>) {
-        let Some(work) = self.session.painting() else {
-            self.message = Some("Nothing is open to be painted that could be exported".to_owned());
-            return;
-        };
+    fn tell_nothing_to_export(&mut self) {
+        self.message = Some("Nothing is open to be painted that could be exported".to_owned());
+    }
+
+    fn export_painting(&mut self, form: Form, storage: Storage, to: Option<PathBuf>) {
+        let Some(work) = self.session.painting() else { return self.tell_nothing_to_export() };
         let Some(to) = to else {
-            let own = work.path().map_or_else(|| PathBuf::from("surface"), Path::to_path_buf);
+            let own = work.path().map_or_else(|| PathBuf::from(work.suggested()), Path::to_path_buf);
             let stem = own.file_stem().unwrap_or_default().to_string_lossy().into_owned();
             let name = match form {
                 Form::Folder => format!("{stem}-images"),
@@ -159,9 +191,9 @@ impl App {
                 Form::Sheet => format!("{stem}-sheet.png"),
                 Form::Ktx2 => format!("{stem}.ktx2"),
             };
-            return self.dialogs.ask(Purpose::ExportPainting(form), Some(&own.with_file_name(name)));
+            return self.dialogs.ask(Purpose::ExportPainting(form, storage), Some(&own.with_file_name(name)));
         };
-        self.painting.export(&self.session, form, to);
+        self.painting.export(&self.session, form, storage, to);
     }
 
     /// Begins to paint, where the device can hold it; tells why not otherwise.
@@ -187,7 +219,7 @@ impl App {
     fn begin_bare_look(&mut self) {
         let Some(work) = self.session.painting() else { return };
         let sheet = work.path().map_or_else(|| UNSAVED_HCBTF.to_owned(), |path| path.display().to_string());
-        let look = look::default_look(&sheet, &work.name());
+        let look = look::default_look(&sheet, &work.name(), work.grid().size);
         self.session.start_from(&look, "painting");
         self.session.view.look_at_a_sheet();
     }
@@ -224,9 +256,10 @@ impl App {
     }
 
     fn ask_where_to_save_painting(&mut self) {
-        let own = self.session.painting().and_then(Work::path).map(Path::to_path_buf);
-        let near = || self.session.path().map(|path| path.with_file_name("surface.hcbtf"));
-        let near = own.or_else(near).unwrap_or_else(|| PathBuf::from("surface.hcbtf"));
+        let Some(work) = self.session.painting() else { return };
+        let (own, name) = (work.path().map(Path::to_path_buf), work.suggested());
+        let near = || self.session.path().map(|path| path.with_file_name(&name));
+        let near = own.or_else(near).unwrap_or_else(|| PathBuf::from(&name));
         self.dialogs.ask(Purpose::SavePainting, Some(&near));
     }
 

@@ -119,7 +119,9 @@ impl App {
             Purpose::SavePainting => Command::Paint(painting::Wish::SaveTo(path)),
             Purpose::ImportPainting(import) => Command::Paint(painting::Wish::Import { import, from: Some(path) }),
             Purpose::BakeLook => Command::Paint(painting::Wish::Bake { to: Some(path) }),
-            Purpose::ExportPainting(form) => Command::Paint(painting::Wish::Export { form, to: Some(path) }),
+            Purpose::ExportPainting(form, storage) => {
+                Command::Paint(painting::Wish::Export { form, storage, to: Some(path) })
+            }
             Purpose::Shaders(language) => Command::ExportLook(language, Some(path)),
             Purpose::Export(export) => Command::Export(export, Some(path)),
             Purpose::Reference => Command::ShowReference(Some(path)),

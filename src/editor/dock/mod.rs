@@ -348,7 +348,14 @@ impl Behavior<Panel> for Shown<'_> {
         response.widget_info(|| WidgetInfo::selected(egui::Role::Tab, true, state.active, panel.label()));
         if !state.is_being_dragged {
             let color = if response.hovered() { colors.text } else { color };
-            ui.painter().galley_with_override_text_color(rect.center() - galley.size() / 2.0, galley, color);
+            // What is cut off by the end of the row has no half letters.
+            let seen = rect.intersect(ui.clip_rect()).shrink2(vec2(TAB_MARGIN / 4.0, 0.0));
+            let name = galley.size().x;
+            if seen.width() >= name {
+                let middle = rect.center().x.clamp(seen.left() + name / 2.0, seen.right() - name / 2.0);
+                let at = egui::pos2(middle, rect.center().y) - galley.size() / 2.0;
+                ui.painter().galley_with_override_text_color(at, galley, color);
+            }
             if state.active {
                 ui.painter().hline(rect.shrink(10.0).x_range(), rect.bottom() - 2.0, Stroke::new(2.0, colors.accent));
             }

@@ -245,8 +245,7 @@ fn paint_button(ui: &mut Ui, subject: &Subject<'_>, port: &Port, own: Option<&Va
         out.push(held(subject, port, response.id, Value::Text(UNSAVED_HCBTF.to_owned())));
         out.push(Command::Paint(Wish::New { grid: Grid::THESIS, keeps_look: true }));
     } else if name.starts_with(PREFIX) {
-        // What is painted is a copy of the example, which has no file yet.
-        out.push(held(subject, port, response.id, Value::Text(UNSAVED_HCBTF.to_owned())));
+        // What is painted is a copy of the example, which has no file yet: the look names that once it is there.
         out.push(Command::Paint(Wish::Open { path: name.into(), keeps_look: true }));
     } else if name != UNSAVED_HCBTF {
         out.push(Command::Paint(Wish::Open { path: subject.session.folder().join(name), keeps_look: true }));

@@ -7,6 +7,7 @@ use eframe::egui::{Color32, ColorImage, Context, Painter, Pos2, Rect, TextureHan
 
 use super::work::Work;
 use crate::document::{Address, Tile};
+use crate::editor::panels::widgets::fitted;
 
 /// The side of a small picture, in texels.
 const SIDE: usize = 16;
@@ -92,7 +93,7 @@ impl Atlas {
         }
     }
 
-    /// Paints the small picture of a sample, if there is one.
+    /// Paints the small picture of a sample, if there is one, in the shape that the tile has.
     pub(super) fn paint(&self, painter: &Painter, work: &Work, address: Address, rect: Rect) -> bool {
         let Some(texture) = &self.texture else { return false };
         let Some(slot) = work.tile(address).and_then(|tile| self.slots.get(&Arc::as_ptr(tile))) else { return false };
@@ -104,7 +105,7 @@ impl Atlas {
             uv(from + eframe::egui::vec2(0.5, 0.5)),
             uv(from + eframe::egui::Vec2::splat(SIDE as f32 - 0.5)),
         );
-        painter.image(texture.id(), rect, uv, Color32::WHITE);
+        painter.image(texture.id(), fitted(rect, work.grid().size), uv, Color32::WHITE);
         true
     }
 }

@@ -1,17 +1,25 @@
 //! The open look becomes an HCBTF: which grid, and which light goes around the tile, is asked for first, then the file.
 
-use eframe::egui::{self, Button, ComboBox, Id, Modal, RichText, Ui, WidgetInfo};
+use eframe::egui::{
+    self, Button, CollapsingHeader, Color32, ComboBox, Id, Modal, RichText, Sense, Ui, WidgetInfo, vec2,
+};
 
-use super::making::{Bake, Job};
-use super::{Wish, command, grid, memory};
+use super::making::{Bake, Job, told_seconds};
+use super::preview::{self, Of, Preview};
+use super::work::Work;
+use super::{Wish, command, counted, grid, memory};
 use crate::document::{Grid, LightKind};
 use crate::editor::command::Command;
 use crate::editor::panels::problems::sentence;
+use crate::editor::panels::widgets::{fitted, lead, picture_frame, whole};
 use crate::editor::session::Session;
 use crate::editor::theme;
 use crate::frame::{SetupLook, moving_light};
 use crate::hcbtf::{Device, check_all_painted};
 use crate::ids::LightId;
+
+/// The side of a preview, in points.
+const SIDE: f32 = 110.0;
 
 /// What is asked.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,6 +61,7 @@ fn setup(session: &Session) -> SetupLook {
 pub(super) fn show(
     ui: &Ui,
     asked: &mut Option<Asked>,
+    preview: &mut Preview,
     session: &Session,
     device: &Device,
     is_filling: bool,
@@ -61,7 +70,7 @@ pub(super) fn show(
     let mut out = None;
     let mut is_over = false;
     let modal = Modal::new(Id::unique("bake")).show(ui.ctx(), |ui| {
-        ui.set_width(430.0);
+        ui.set_width(460.0);
         ui.label(RichText::new("Bake this look onto a tile").heading());
         let text = "Every texel is painted as the look shows it on a flat tile, from every view and under one light that goes \
                     around; all its other lights stay where they are.";
@@ -70,13 +79,23 @@ pub(super) fn show(
         grid::fields(ui, &mut state.grid);
         light(ui, session, &mut state.light);
         ui.add_space(6.0);
-        memory::table(ui, &state.grid, None, device);
-        ui.add_space(6.0);
         let named = state.light.as_ref().map(AsRef::as_ref);
-        let refused = moving_light(&setup(session), named)
+        let light = moving_light(&setup(session), named);
+        let refused = light
+            .as_ref()
             .map(drop)
+            .map_err(Clone::clone)
             .and_then(|()| check_all_painted(&state.grid))
             .and_then(|()| device.check_painted(&state.grid));
+        if let (Ok(light), Ok(()), false) = (&light, &refused, is_filling) {
+            before_baking(ui, preview, session, &state.grid, light);
+        }
+        ui.add_space(6.0);
+        let title = format!("Memory: {}", memory::in_short(&state.grid));
+        CollapsingHeader::new(title).id_salt("memory of a bake").show(ui, |ui| {
+            memory::table(ui, &state.grid, None, device);
+        });
+        ui.add_space(6.0);
         if let Err(problem) = &refused {
             ui.label(RichText::new(sentence(problem)).color(theme::of(ui).error));
         } else if is_filling {
@@ -92,10 +111,61 @@ pub(super) fn show(
         });
     });
     is_over |= modal.should_close();
+    if is_over || out.is_some() {
+        preview.stop();
+    }
     if is_over {
         *asked = None;
     }
     out
+}
+
+/// How long it takes, how much it writes, and what it will be like.
+fn before_baking(ui: &mut Ui, preview: &mut Preview, session: &Session, grid: &Grid, light: &LightId) {
+    let painting = session.painting().map(Work::version);
+    let of =
+        Of { look: (session.document_number(), session.meaning(), painting), size: grid.size, light: light.clone() };
+    let job = || {
+        let still = session.still();
+        preview::Job { setup: setup(session), library: still.library, painting: still.painting }
+    };
+    let made = preview.of(&of, job).map(|made| match made {
+        Ok(seen) => Ok((seen.tiles.clone(), seen.seconds_of(grid, cores()))),
+        Err(problem) => Err(sentence(problem)),
+    });
+    let samples = counted(grid.sample_count() as usize, "sample");
+    let text = match &made {
+        None => format!("{samples} will be painted"),
+        Some(Ok((_, seconds))) => format!("{samples} will be painted, in about {}", told_seconds(*seconds)),
+        Some(Err(why)) => {
+            ui.label(RichText::new(why).color(theme::of(ui).error));
+            return;
+        }
+    };
+    ui.label(text);
+    ui.horizontal(|ui| {
+        let tiles = made.and_then(Result::ok).map(|(tiles, _)| tiles);
+        for (index, name) in ["Lit from straight above", "Lit from halfway down"].into_iter().enumerate() {
+            let tile = tiles.as_ref().map(|tiles| &tiles[index]);
+            let texture = tile.map(|tile| (preview.shown[index].of(ui.ctx(), "preview of a bake", tile), tile.size()));
+            let (rect, response) = ui.allocate_exact_size(vec2(SIDE, SIDE), Sense::hover());
+            response.widget_info(|| WidgetInfo::labeled(egui::Role::Image, true, name));
+            ui.painter().rect_filled(rect, 3.0, theme::of(ui).canvas);
+            if let Some((texture, size)) = texture {
+                ui.painter().image(texture, fitted(rect.shrink(1.0), size), whole(), Color32::WHITE);
+            }
+            picture_frame(ui, rect);
+            response.on_hover_text(format!("{name}, seen from straight above: a preview of what will be painted"));
+        }
+    });
+    let text =
+        "Seen from straight above, lit from straight above and from halfway down. What is finer than a texel is lost.";
+    ui.label(RichText::new(text).color(theme::of(ui).dim).small());
+}
+
+/// How many views are baked at a time.
+fn cores() -> usize {
+    std::thread::available_parallelism().map_or(1, std::num::NonZero::get)
 }
 
 /// Which light goes around.
@@ -108,7 +178,7 @@ fn light(ui: &mut Ui, session: &Session, chosen: &mut Option<LightId>) {
     let shown = chosen.as_ref().or(first).map_or_else(|| "none".to_owned(), name);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
-        ui.add_sized([48.0, 20.0], egui::Label::new("Light"));
+        lead(ui, "Light", grid::LEAD);
         let list = ComboBox::from_id_salt("light").width(180.0).selected_text(shown).show_ui(ui, |ui| {
             for (id, _) in moving() {
                 let is_it = chosen.as_ref().or(first) == Some(id);

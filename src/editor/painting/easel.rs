@@ -79,10 +79,10 @@ impl Easel {
         session: &mut Session,
         tools: &mut Tools,
         peek: Option<Address>,
-    ) -> Option<Command> {
+    ) -> Vec<Command> {
         let (room, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Painting canvas"));
-        let work = session.painting()?;
+        let Some(work) = session.painting() else { return Vec::new() };
         let shown = peek.unwrap_or(work.at());
         let grid = *work.grid();
         let fitted = |tilt: &Tilt| {
@@ -99,9 +99,12 @@ impl Easel {
             tilt = Tilt::new(&grid, shown.view, self.is_flat, room.center() + self.pan, self.zoom.unwrap_or(fit));
         }
         let is_peeking = peek.is_some();
-        let out = if is_peeking { None } else { hand::paint(ui, &response, &tilt, &mut self.going, tools, session) };
+        let out = match is_peeking {
+            true => Vec::new(),
+            false => hand::paint(ui, &response, &tilt, &mut self.going, tools, session),
+        };
         self.tilt = Some(tilt);
-        let work = session.painting()?;
+        let Some(work) = session.painting() else { return out };
         let painter = ui.painter_at(room);
         painter.rect_filled(room, 0.0, theme::of(ui).canvas);
         self.paint(ui, &painter, room, &tilt, work, shown);

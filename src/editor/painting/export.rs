@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::diag::Diagnostic;
-use crate::document::Hcbtf;
+use crate::document::{Hcbtf, Storage};
 use crate::editor::worker::Worker;
 use crate::hcbtf::Progress;
 use crate::hcbtf::exchange::{self, Form};
@@ -15,6 +15,7 @@ use crate::hcbtf::fill::fill;
 struct Job {
     hcbtf: Arc<Hcbtf>,
     form: Form,
+    storage: Storage,
     to: PathBuf,
     progress: Arc<Progress>,
 }
@@ -32,9 +33,9 @@ impl Exports {
         Self { worker: Worker::new("export painting", wake, work), progress: Arc::default() }
     }
 
-    /// Writes all samples in a form.
-    pub(super) fn write(&self, hcbtf: Arc<Hcbtf>, form: Form, to: PathBuf) {
-        let job = Job { hcbtf, form, to, progress: self.progress.clone() };
+    /// Writes all samples in a form; a texture as it is to be stored.
+    pub(super) fn write(&self, hcbtf: Arc<Hcbtf>, form: Form, storage: Storage, to: PathBuf) {
+        let job = Job { hcbtf, form, storage, to, progress: self.progress.clone() };
         // Nothing that waits is dropped.
         self.worker.request(|waiting| waiting.unwrap_or_default().into_iter().chain([job]).collect());
     }
@@ -61,8 +62,8 @@ impl Drop for Exports {
 
 fn run(job: &Job) -> String {
     let filled = fill(&job.hcbtf, &job.progress).map_err(|why| vec![Diagnostic::from(why)]);
-    let written = filled
-        .and_then(|filled| exchange::export(&filled, job.form, exchange::Manner::default(), &job.to, &job.progress));
+    let manner = exchange::Manner { storage: job.storage, ..exchange::Manner::default() };
+    let written = filled.and_then(|filled| exchange::export(&filled, job.form, manner, &job.to, &job.progress));
     match written {
         Ok(more) => {
             let more = more.map(|more| format!(": {more}")).unwrap_or_default();

@@ -1,14 +1,20 @@
 //! How finely an HCBTF is divided, asked for before one is made or divided otherwise; what that takes is told at once.
 
-use eframe::egui::{self, Button, DragValue, Id, Label, Modal, RichText, Ui, WidgetInfo};
+use std::sync::Arc;
+
+use eframe::egui::{self, Button, DragValue, Id, Modal, RichText, Ui, WidgetInfo};
 
 use super::work::Work;
-use super::{Wish, command, memory};
-use crate::document::{Directions, Grid, HcbtfEdit, MAX_ANGLE_STEPS, MAX_TILE_SIDE};
+use super::{Wish, command, counted, memory};
+use crate::document::{Address, Directions, Grid, MAX_ANGLE_STEPS, MAX_TILE_SIDE, Tile};
 use crate::editor::command::Command;
 use crate::editor::panels::problems::sentence;
+use crate::editor::panels::widgets::lead;
 use crate::editor::theme;
 use crate::hcbtf::Device;
+
+/// The width of labels before fields, in points.
+pub(super) const LEAD: f32 = 48.0;
 
 /// What is asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,15 +50,20 @@ pub(super) fn show(ui: &Ui, asked: &mut Option<Asked>, work: Option<&Work>, devi
         if let Some(problem) = &refused {
             ui.label(RichText::new(sentence(problem)).color(theme::of(ui).error));
         } else if let Some(work) = work {
-            ui.label(RichText::new(what_stays(work, &grid)).color(theme::of(ui).dim));
+            let color = if lost(work, &grid) > 0 { ui.visuals().warn_fg_color } else { theme::of(ui).dim };
+            ui.label(RichText::new(what_stays(work, &grid)).color(color));
         }
         ui.add_space(8.0);
         ui.horizontal(|ui| {
-            let label = if work.is_some() { "Divide it" } else { "Make it" };
+            let label = match work.map(|work| lost(work, &grid)) {
+                None => "Make it".to_owned(),
+                Some(0) => "Divide it".to_owned(),
+                Some(count) => format!("Divide it, and lose {}", counted(count, "painted sample")),
+            };
             let is_other = work.is_none_or(|work| *work.grid() != grid);
             if ui.add_enabled(refused.is_none() && is_other, Button::new(label)).clicked() {
                 out = Some(command(match work {
-                    Some(_) => Wish::Edit(HcbtfEdit::SetGrid { grid }),
+                    Some(work) => Wish::Divide { grid, lost: lost(work, &grid) },
                     None => Wish::New { grid, keeps_look: false },
                 }));
                 is_over = true;
@@ -65,15 +76,25 @@ pub(super) fn show(ui: &Ui, asked: &mut Option<Asked>, work: Option<&Work>, devi
     out
 }
 
+/// How many painted samples have no place in another grid.
+fn lost(work: &Work, grid: &Grid) -> usize {
+    let stays = |(address, tile): &(&Address, &Arc<Tile>)| grid.contains(**address) && tile.size() == grid.size;
+    let painted = &work.hcbtf().painted;
+    painted.len() - painted.iter().filter(stays).count()
+}
+
 /// What becomes of what is painted.
 fn what_stays(work: &Work, grid: &Grid) -> String {
-    let painted = &work.hcbtf().painted;
-    let stays = painted.iter().filter(|(address, tile)| grid.contains(**address) && tile.size() == grid.size).count();
-    match (stays, painted.len()) {
+    let all = work.hcbtf().painted.len();
+    match (lost(work, grid), all) {
         (_, 0) => "Nothing is painted yet".to_owned(),
-        (stays, all) if stays == all => "All painted samples stay, at the rings and steps where they are".to_owned(),
-        (stays, all) => {
-            format!("{stays} of {all} painted samples stay; nothing is resampled, and undo brings all back")
+        (0, _) => "All painted samples stay, at the rings and steps where they are".to_owned(),
+        (lost, all) => {
+            let why = match work.grid().size == grid.size {
+                true => "they are at rings and steps that there are no more",
+                false => "tiles are not resampled to another size",
+            };
+            format!("{lost} of {} would be lost: {why}. Undo brings them back", counted(all, "painted sample"))
         }
     }
 }
@@ -89,7 +110,7 @@ pub(super) fn fields(ui: &mut Ui, grid: &mut Grid) {
 pub(super) fn size(ui: &mut Ui, size: &mut [u32; 2]) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
-        ui.add_sized([48.0, 20.0], Label::new("Tile"));
+        lead(ui, "Tile", LEAD);
         let [width, height] = size;
         for (value, name, between) in [(width, "Texels across", "x"), (height, "Texels down", "texels")] {
             let drag = ui.add(DragValue::new(value).range(1..=MAX_TILE_SIDE).speed(0.2));
@@ -103,7 +124,7 @@ pub(super) fn size(ui: &mut Ui, size: &mut [u32; 2]) {
 pub(super) fn directions(ui: &mut Ui, name: &str, directions: &mut Directions) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
-        ui.add_sized([48.0, 20.0], Label::new(name));
+        lead(ui, name, LEAD);
         let rings =
             ui.add(DragValue::new(&mut directions.theta).range(1..=MAX_ANGLE_STEPS).speed(0.05).suffix(" rings"));
         rings.widget_info(|| named(&format!("{name}: rings"), directions.theta));

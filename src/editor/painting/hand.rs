@@ -2,17 +2,17 @@
 
 use std::sync::Arc;
 
-use eframe::egui::{Event, Key, PointerButton, Pos2, Response, TouchPhase, Ui};
+use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Response, TouchPhase, Ui};
 use glam::DVec2;
 
 use super::tilt::Tilt;
 use super::tools::{Kind, Tools};
 use super::work::Work;
 use super::{Wish, command};
-use crate::document::{Address, HcbtfEdit, Tile};
+use crate::document::{Address, Hcbtf, HcbtfEdit, Tile};
 use crate::editor::command::Command;
 use crate::editor::session::Session;
-use crate::hcbtf::paint::{self, Stroke};
+use crate::hcbtf::paint::{self, Flood, Stroke};
 
 /// What the pointer is at.
 pub(super) enum Going {
@@ -28,18 +28,26 @@ pub(super) enum Going {
 pub(super) struct Of {
     address: Address,
     before: Arc<Tile>,
+    /// Everything as it was, where another step of this frame is not done yet.
+    over: Option<Arc<Hcbtf>>,
 }
 
 impl Of {
-    fn new(work: &Work) -> Self {
+    fn new(work: &Work, is_first: bool) -> Self {
         let address = work.at();
-        Self { address, before: tile_at(work, address) }
+        Self { address, before: tile_at(work, address), over: (!is_first).then(|| work.shown().clone()) }
     }
 
-    /// The step of undo, if anything is another now. A stroke that leaves no trace paints nothing.
-    fn done(self, tile: Tile, work: &Work) -> Option<Command> {
-        let is_same = tile == *self.before;
-        (!is_same).then(|| command(Wish::Edit(HcbtfEdit::paint(work.hcbtf(), self.address, tile))))
+    /// The step of undo, if anything is another now. A stroke that leaves no trace paints nothing. What was painted is
+    /// shown from now on: another step of the same frame lies over it.
+    fn done(self, tile: Tile, session: &mut Session) -> Option<Command> {
+        if tile == *self.before {
+            return None;
+        }
+        let hcbtf = self.over.as_deref().or_else(|| session.painting().map(Work::hcbtf))?;
+        let edit = HcbtfEdit::paint(hcbtf, self.address, tile.clone());
+        show(session, Some((self.address, Arc::new(tile))));
+        Some(command(Wish::Edit(edit)))
     }
 }
 
@@ -48,7 +56,8 @@ pub(super) fn tile_at(work: &Work, address: Address) -> Arc<Tile> {
     work.tile(address).cloned().unwrap_or_else(|| Arc::new(Tile::filled(work.grid().size, [0; 4])))
 }
 
-/// Does what the pointer asks for on the tile as it lies now.
+/// Does what the pointer asks for on the tile as it lies now: event by event, so that a click counts that is over within a
+/// frame, and two of them make two steps.
 pub(super) fn paint(
     ui: &Ui,
     response: &Response,
@@ -56,151 +65,158 @@ pub(super) fn paint(
     going: &mut Option<Going>,
     tools: &mut Tools,
     session: &mut Session,
-) -> Option<Command> {
-    let (is_down, is_pressed, space, alt, shift, escape) = ui.input(|input| {
-        let pointer = &input.pointer;
-        (
-            pointer.primary_down(),
-            pointer.button_pressed(PointerButton::Primary),
-            input.key_down(Key::Space),
-            input.modifiers.alt,
-            input.modifiers.shift,
-            input.key_pressed(Key::Escape),
-        )
-    });
+) -> Vec<Command> {
+    let (is_down, space, escape) =
+        ui.input(|input| (input.pointer.primary_down(), input.key_down(Key::Space), input.key_pressed(Key::Escape)));
     if escape && going.take().is_some() {
         show(session, None);
-        return None;
+        return Vec::new();
     }
-    let (path, pressure) = path(ui, &mut tools.pen);
-    let mut out = None;
-    if going.is_none() && is_pressed && response.is_pointer_button_down_on() && !space {
-        let at = ui.input(|input| input.pointer.press_origin()).map(|at| tilt.texel(at));
-        let kind = if alt { Kind::Pick } else { tools.kind };
-        out = at.and_then(|at| begin(at, kind, shift, pressure, going, tools, session));
-    }
-    if going.is_some() {
-        go_on(&path, pressure, tilt, going, tools, session);
-    }
-    if !is_down && let Some(was) = going.take() {
-        let last = ui.input(|input| input.pointer.latest_pos()).map(|at| tilt.texel(at));
-        let done = end(was, last, tools, session);
-        if done.is_none() {
-            show(session, None);
-        }
-        out = out.or(done);
-    }
-    out
-}
-
-/// Where the pointer went in this frame, and how hard the pen is pressed at its end: what a tablet told last, until the pen
-/// goes up.
-fn path(ui: &Ui, pen: &mut Option<f64>) -> (Vec<Pos2>, f64) {
-    let (mut path, mut last) = (Vec::new(), *pen);
-    ui.input(|input| {
-        for event in &input.events {
-            match event {
-                Event::PointerMoved(at) => path.push(*at),
-                Event::Touch { phase: TouchPhase::End | TouchPhase::Cancel, .. } => *pen = None,
-                Event::Touch { force: Some(force), .. } => {
-                    *pen = Some(f64::from(*force));
-                    last = *pen;
+    // What is pressed and let go within a frame is not down any more.
+    let is_quick = !is_down && (response.clicked() || response.hovered());
+    let is_over = response.is_pointer_button_down_on() || is_quick;
+    let pressure = tools.pen.unwrap_or(1.0);
+    let mut hand = Events { tilt, going, tools, session, path: Vec::new(), pressure, out: Vec::new() };
+    let mut last = ui.input(|input| input.pointer.latest_pos());
+    for event in ui.input(|input| input.events.clone()) {
+        match event {
+            Event::PointerMoved(at) => hand.path.push(at),
+            Event::Touch { phase: TouchPhase::End | TouchPhase::Cancel, .. } => hand.tools.pen = None,
+            Event::Touch { force: Some(force), .. } => {
+                hand.pressure = f64::from(force);
+                hand.tools.pen = Some(hand.pressure);
+            }
+            Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers } => {
+                last = Some(pos);
+                match pressed {
+                    true if is_over && response.rect.contains(pos) && !space => hand.press(pos, modifiers),
+                    true => {}
+                    false => hand.release(last),
                 }
-                _ => {}
             }
-        }
-    });
-    (path, last.unwrap_or(1.0))
-}
-
-fn begin(
-    at: DVec2,
-    kind: Kind,
-    is_shifted: bool,
-    pressure: f64,
-    going: &mut Option<Going>,
-    tools: &mut Tools,
-    session: &mut Session,
-) -> Option<Command> {
-    let work = session.painting()?;
-    let wraps = work.hcbtf().is_tiling;
-    match kind {
-        Kind::Pick => {
-            pick(work, at, tools);
-            *going = Some(Going::Pick);
-        }
-        Kind::Stamp if is_shifted || tools.stamp.is_none() => {
-            tools.stamp = work.tile(work.at()).cloned();
-            let told = match tools.stamp {
-                Some(_) => "The tile at work is the stamp now: click where it is to go, on this sample or another",
-                None => "There is nothing here to be a stamp: go to a painted sample first",
-            };
-            return Some(Command::Tell(told.to_owned()));
-        }
-        Kind::Fill => {
-            let of = Of::new(work);
-            let at = texel(at, of.before.size(), wraps)?;
-            let tile = paint::fill(&of.before, at, tools.colors[0], tools.tolerance, wraps);
-            return of.done(tile, work);
-        }
-        Kind::Line => *going = Some(Going::Line { from: at, of: Of::new(work) }),
-        _ => {
-            let of = Of::new(work);
-            let mut stroke = Box::new(Stroke::begin(&of.before, &tools.brush(), &tools.symmetry, wraps));
-            stroke.to(at, pressure);
-            let live = (of.address, Arc::new(stroke.tile().clone()));
-            *going = Some(Going::Stroke { stroke, of });
-            show(session, Some(live));
+            _ => {}
         }
     }
-    None
-}
-
-fn go_on(
-    path: &[Pos2],
-    pressure: f64,
-    tilt: &Tilt,
-    going: &mut Option<Going>,
-    tools: &mut Tools,
-    session: &mut Session,
-) {
-    let Some(last) = path.last().map(|at| tilt.texel(*at)) else { return };
-    match going {
-        Some(Going::Stroke { stroke, of }) => {
-            let mut is_changed = false;
-            for at in path {
-                is_changed |= !stroke.to(tilt.texel(*at), pressure).is_empty();
-            }
-            if is_changed {
-                show(session, Some((of.address, Arc::new(stroke.tile().clone()))));
-            }
-        }
-        Some(Going::Line { from, of }) => {
-            let wraps = session.painting().is_some_and(|work| work.hcbtf().is_tiling);
-            let tile = paint::line(&of.before, &tools.brush(), &tools.symmetry, wraps, *from, last);
-            show(session, Some((of.address, Arc::new(tile))));
-        }
-        Some(Going::Pick) => {
-            if let Some(work) = session.painting() {
-                pick(work, last, tools);
-            }
-        }
-        None => {}
+    hand.go_on();
+    // Where nobody told that it was let go, as outside the window.
+    if !is_down {
+        hand.release(last);
     }
+    hand.out
 }
 
-fn end(was: Going, last: Option<DVec2>, tools: &mut Tools, session: &mut Session) -> Option<Command> {
-    match was {
-        Going::Stroke { stroke, of } => of.done(stroke.finish(), session.painting()?),
-        Going::Line { from, of } => {
-            let work = session.painting()?;
-            let wraps = work.hcbtf().is_tiling;
-            let tile = paint::line(&of.before, &tools.brush(), &tools.symmetry, wraps, from, last.unwrap_or(from));
-            of.done(tile, work)
+/// What the pointer does in a frame, and what comes of it.
+struct Events<'a> {
+    tilt: &'a Tilt,
+    going: &'a mut Option<Going>,
+    tools: &'a mut Tools,
+    session: &'a mut Session,
+    /// Where the pointer went since the last button.
+    path: Vec<Pos2>,
+    /// How hard the pen is pressed: what a tablet told last, until the pen goes up.
+    pressure: f64,
+    out: Vec<Command>,
+}
+
+impl Events<'_> {
+    fn press(&mut self, at: Pos2, modifiers: Modifiers) {
+        self.path.clear();
+        if self.going.is_some() {
+            return;
         }
-        Going::Pick => {
-            tools.picked(tools.colors[0]);
-            None
+        let kind = if modifiers.alt { Kind::Pick } else { self.tools.kind };
+        let begun = self.begin(self.tilt.texel(at), kind, modifiers.shift);
+        self.out.extend(begun);
+    }
+
+    fn begin(&mut self, at: DVec2, kind: Kind, is_shifted: bool) -> Option<Command> {
+        let work = self.session.painting()?;
+        let wraps = work.hcbtf().is_tiling;
+        let of = || Of::new(work, self.out.is_empty());
+        match kind {
+            Kind::Pick => {
+                pick(work, at, self.tools);
+                *self.going = Some(Going::Pick);
+            }
+            Kind::Stamp if is_shifted || self.tools.stamp.is_none() => {
+                self.tools.stamp = work.tile(work.at()).cloned();
+                let told = match self.tools.stamp {
+                    Some(_) => "The tile at work is the stamp now: click where it is to go, on this sample or another",
+                    None => "There is nothing here to be a stamp: go to a painted sample first",
+                };
+                return Some(Command::Tell(told.to_owned()));
+            }
+            Kind::Fill => {
+                let of = of();
+                let at = texel(at, of.before.size(), wraps)?;
+                let flood = Flood { tolerance: self.tools.tolerance, edge: self.tools.edge, wraps };
+                let tile = paint::fill(&of.before, at, self.tools.colors[0], flood);
+                return of.done(tile, self.session);
+            }
+            Kind::Line => *self.going = Some(Going::Line { from: at, of: of() }),
+            _ => {
+                let of = of();
+                let mut stroke = Box::new(Stroke::begin(&of.before, &self.tools.brush(), &self.tools.symmetry, wraps));
+                stroke.to(at, self.pressure);
+                let live = (of.address, Arc::new(stroke.tile().clone()));
+                *self.going = Some(Going::Stroke { stroke, of });
+                show(self.session, Some(live));
+            }
+        }
+        None
+    }
+
+    /// Takes in where the pointer went.
+    fn go_on(&mut self) {
+        let path = std::mem::take(&mut self.path);
+        let Some(last) = path.last().map(|at| self.tilt.texel(*at)) else { return };
+        match self.going {
+            Some(Going::Stroke { stroke, of }) => {
+                let mut is_changed = false;
+                for at in path {
+                    is_changed |= !stroke.to(self.tilt.texel(at), self.pressure).is_empty();
+                }
+                if is_changed {
+                    show(self.session, Some((of.address, Arc::new(stroke.tile().clone()))));
+                }
+            }
+            Some(Going::Line { from, of }) => {
+                let wraps = self.session.painting().is_some_and(|work| work.hcbtf().is_tiling);
+                let tile = paint::line(&of.before, &self.tools.brush(), &self.tools.symmetry, wraps, *from, last);
+                show(self.session, Some((of.address, Arc::new(tile))));
+            }
+            Some(Going::Pick) => {
+                if let Some(work) = self.session.painting() {
+                    pick(work, last, self.tools);
+                }
+            }
+            None => {}
+        }
+    }
+
+    fn release(&mut self, at: Option<Pos2>) {
+        self.go_on();
+        let Some(was) = self.going.take() else { return };
+        let done = self.end(was, at.map(|at| self.tilt.texel(at)));
+        if done.is_none() {
+            show(self.session, None);
+        }
+        self.out.extend(done);
+    }
+
+    fn end(&mut self, was: Going, last: Option<DVec2>) -> Option<Command> {
+        match was {
+            Going::Stroke { stroke, of } => of.done(stroke.finish(), self.session),
+            Going::Line { from, of } => {
+                let wraps = self.session.painting()?.hcbtf().is_tiling;
+                let (brush, to) = (self.tools.brush(), last.unwrap_or(from));
+                let tile = paint::line(&of.before, &brush, &self.tools.symmetry, wraps, from, to);
+                of.done(tile, self.session)
+            }
+            Going::Pick => {
+                self.tools.picked(self.tools.colors[0]);
+                None
+            }
         }
     }
 }

@@ -17,6 +17,9 @@ impl Work {
     /// The one that a journal gave; the journal goes on where it is, once it is kept in a folder.
     pub(crate) fn taken_back(found: Recovered<Hcbtf>) -> Self {
         let mut work = Self::of_history(found.history, found.about.path.map(PathBuf::from));
+        if work.path().is_none() {
+            work.set_title(&found.about.name);
+        }
         // What others did to the file since is noticed as if the window had stayed open.
         if let Some(stamp) = found.about.window.get(FILE).and_then(Stamp::of_json) {
             work.stamp = Some(stamp);

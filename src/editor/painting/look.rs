@@ -1,6 +1,7 @@
 //! The look that a bare HCBTF is seen in: a lookup with one light, over grey where nothing is painted.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
 use serde_json::json;
@@ -10,18 +11,23 @@ use crate::document::{Edit, GraphId, Look, Value};
 use crate::editor::catalog::Catalog;
 use crate::editor::orbit::{Orbit, PLANE};
 use crate::editor::session::Session;
-use crate::frame::UNSAVED_HCBTF;
+use crate::editor::stage::real;
+use crate::frame::{SetupLook, UNSAVED_HCBTF};
 use crate::library::Type;
 
-/// The default look on an HCBTF of this name.
-pub(crate) fn default_look(sheet: &str, name: &str) -> String {
+/// The default look on an HCBTF of this name, and of tiles of so many texels, which keep their shape in it.
+pub(crate) fn default_look(sheet: &str, name: &str, size: [u32; 2]) -> String {
+    let [width, height] = size.map(|side| f64::from(side.max(1)));
+    let shorter = width.min(height);
+    // How often the tile lies along the square, twice along its longer side.
+    let scale = [2.0 * height / shorter, 2.0 * width / shorter];
     let look = json!({
         "name": name,
         "lights": {"key": {"name": "Key light", "direction": [-0.45, 0.55, 0.7]}},
         "nodes": [
             {"id": "light", "kind": "light", "at": [0, 120], "values": {"light": "key"}},
             {"id": "painting", "kind": "hcbtf_lookup", "at": [260, 0], "name": "Painting",
-             "values": {"sheet": sheet, "lookup": "texels", "scale": [2, 2], "unlit": [0.05, 0.05, 0.07, 1]}},
+             "values": {"sheet": sheet, "lookup": "texels", "scale": scale, "unlit": [0.05, 0.05, 0.07, 1]}},
             {"id": "base", "kind": "base", "at": [260, -140], "values": {"color": [0.36, 0.36, 0.38]}},
             {"id": "over", "kind": "blend", "at": [520, 0], "values": {"mode": "alpha"}},
             {"id": "output", "kind": "output", "at": [780, 0]}
@@ -36,11 +42,14 @@ pub(crate) fn default_look(sheet: &str, name: &str) -> String {
     serde_json::to_string_pretty(&look).unwrap_or_default()
 }
 
-/// The picture's camera and light turned to the sample at work, where the picture shows a flat square that lies.
+/// The picture's camera and light turned to the sample at work, over a flat square that lies; none of a scene, which has its
+/// own objects.
 pub(super) fn from_here(session: &Session, work: &Work) -> Option<Orbit> {
     let mut view = session.view.clone();
-    let is_sheet = view.mesh == PLANE && view.z_is_up && session.stage().is_none();
-    let (_, light) = session.look().lights.first().filter(|_| is_sheet)?;
+    let (_, light) = session.look().lights.first().filter(|_| session.stage().is_none())?;
+    if !lies_flat(&view) {
+        view = Orbit { mesh: PLANE.to_owned(), z_is_up: true, ..Orbit::default() };
+    }
     // The square lies in the world with u along x, v along -z and the normal along y.
     let world = |vector: DVec3| DVec3::new(vector.x, vector.z, -vector.y);
     let (grid, at) = (work.grid(), work.at());
@@ -53,10 +62,20 @@ pub(super) fn from_here(session: &Session, work: &Work) -> Option<Orbit> {
     Some(view)
 }
 
-/// Whether the open look shows what is painted.
-pub(super) fn shows(session: &Session) -> bool {
-    let path = session.painting().map(|work| work.path().unwrap_or(Path::new(UNSAVED_HCBTF)));
-    path.is_some_and(|path| session.shows_painting(path))
+/// Whether the picture shows a flat square that lies.
+pub(super) fn lies_flat(view: &Orbit) -> bool {
+    view.mesh == PLANE && view.z_is_up
+}
+
+/// Whether what is open shows what is painted: the look, or of a scene any.
+pub(crate) fn shows(session: &Session) -> bool {
+    let Some(work) = session.painting() else { return false };
+    let path = work.path().unwrap_or(Path::new(UNSAVED_HCBTF));
+    let names_it = |look: &Arc<SetupLook>| {
+        let names = sheets(&look.look, &session.catalog);
+        names.iter().any(|name| !name.is_empty() && real(&look.folder.join(name)) == real(path))
+    };
+    session.shows_painting(path) || session.stage().is_some_and(|stage| stage.other_looks().any(names_it))
 }
 
 /// The HCBTFs that a look names, wherever in it.

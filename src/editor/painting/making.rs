@@ -6,7 +6,9 @@ use std::sync::Arc;
 
 use eframe::egui::{Id, Modal, ProgressBar, RichText, Ui};
 
+use super::counted;
 use super::import::Import;
+use crate::clock::Clock;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf, Tile, write_atomic};
 use crate::editor::theme;
@@ -82,6 +84,7 @@ struct Going {
     stages: Stages,
     /// Whether the window waits for it.
     is_waited_for: bool,
+    since: Clock,
 }
 
 /// The thread, and what it is at.
@@ -104,7 +107,7 @@ impl Making {
         self.number += 1;
         let stages = Stages::default();
         let is_waited_for = !matches!(job, Job::Synthesize { .. });
-        self.going = Some(Going { title: job.title(), stages: stages.clone(), is_waited_for });
+        self.going = Some(Going { title: job.title(), stages: stages.clone(), is_waited_for, since: Clock::start() });
         let task = Task { job, stages, number: self.number };
         self.worker.request(|_| task);
     }
@@ -129,14 +132,15 @@ impl Making {
 
     /// Shows what the window waits for, in front of everything else.
     pub(super) fn show(&mut self, ui: &Ui) {
-        let Some(Going { title, stages, is_waited_for: true }) = &self.going else { return };
+        let Some(Going { title, stages, is_waited_for: true, since }) = &self.going else { return };
         let (what, share) = stage(stages);
+        let left = left(share, since.seconds());
         let modal = Modal::new(Id::unique("making")).show(ui.ctx(), |ui| {
             ui.set_width(360.0);
             ui.label(RichText::new(title).heading());
             ui.add_space(6.0);
             bar(ui, share);
-            ui.label(RichText::new(what).color(theme::of(ui).dim));
+            ui.label(RichText::new(format!("{what}{left}")).color(theme::of(ui).dim));
             ui.add_space(8.0);
             ui.button("Stop").on_hover_text("Gives it up: nothing is changed (Esc)").clicked()
         });
@@ -164,6 +168,24 @@ impl Drop for Making {
 pub(super) fn bar(ui: &mut Ui, share: f64) {
     ui.add(ProgressBar::new(share as f32).show_percentage());
     ui.ctx().request_repaint_after_secs(AGAIN);
+}
+
+/// What is told of the time that is left, once so much is done after so many seconds.
+fn left(share: f64, seconds: f64) -> String {
+    match share > 0.02 && seconds > 2.0 {
+        true => format!(": about {} left", told_seconds(seconds * (1.0 - share) / share)),
+        false => String::new(),
+    }
+}
+
+/// A time for people, in one unit.
+pub(super) fn told_seconds(seconds: f64) -> String {
+    match seconds {
+        _ if seconds < 1.0 => "a second".to_owned(),
+        _ if seconds < 99.5 => counted(seconds.round() as usize, "second"),
+        _ if seconds < 5970.0 => counted((seconds / 60.0).round() as usize, "minute"),
+        _ => counted((seconds / 3600.0).round() as usize, "hour"),
+    }
 }
 
 /// What is being done, and the share of it.
@@ -222,6 +244,14 @@ impl Bake {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn times_are_told_in_one_unit() {
+        let said = [0.2, 1.4, 61.0, 100.0, 3600.0, 7300.0].map(told_seconds);
+        assert_eq!(said, ["a second", "1 second", "61 seconds", "2 minutes", "60 minutes", "2 hours"]);
+        assert_eq!(left(0.25, 30.0), ": about 90 seconds left");
+        assert_eq!(left(0.0, 30.0), "");
+    }
 
     #[test]
     fn what_was_given_up_never_comes_and_the_next_one_does() {

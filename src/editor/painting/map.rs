@@ -73,13 +73,15 @@ impl Map {
         // All of it where that leaves cells that can be hit; else one scrolls downward.
         let rows = ui.available_height() - TOP - 40.0 - (grid.light.theta.max(1) - 1) as f32 * GAP;
         let fitting = across.min((rows / grid.light.distinct_count() as f32).max(LEAST));
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             legend(ui, work);
             let mut side = self.side.unwrap_or(fitting);
             ui.spacing_mut().slider_width = 70.0;
+            let help = "How large the cells are; larger ones show their pictures";
+            ui.label("Cells").on_hover_text(help);
             let slider = ui.add(Slider::new(&mut side, 4.0..=LARGEST).show_value(false));
             slider.widget_info(|| WidgetInfo::slider(true, f64::from(side), "Size of the map's cells"));
-            if slider.on_hover_text("How large the cells are; larger ones show their pictures").changed() {
+            if slider.on_hover_text(help).changed() {
                 self.side = Some(side);
             }
             if self.side.is_some() && ui.small_button("Fit").on_hover_text("All views side by side").clicked() {

@@ -11,7 +11,7 @@ use crate::editor::worker::Worker;
 use crate::hcbtf::{Device, Filled, Need, filled_at_most, layers_bytes, needs, needs_at_most};
 
 /// Of which grid, the bytes of all tiles, and what each storage takes.
-type Measured = (Grid, u64, Vec<Need>);
+pub(super) type Measured = (Grid, u64, Vec<Need>);
 
 /// What is taken, as far as it is known, and what the device holds.
 pub(super) struct Memory {
@@ -32,20 +32,25 @@ impl Memory {
         Self { device, worker: Worker::new("measuring", wake, measure), asked: Weak::new(), known: None }
     }
 
+    /// What the samples take, once that is measured; asks for it where it is not.
+    pub(super) fn measured(&mut self, work: &Work) -> Option<&Measured> {
+        self.known = self.worker.answers().pop().or(self.known.take());
+        let filled = work.filled().filter(|_| !work.is_live());
+        if let Some(filled) = filled.filter(|filled| self.asked.as_ptr() != Arc::as_ptr(filled)) {
+            self.asked = Arc::downgrade(filled);
+            let filled = filled.clone();
+            self.worker.request(|_| filled);
+        }
+        self.known.as_ref().filter(|(of, ..)| of == work.grid())
+    }
+
     /// Shows what the samples take, folded to a line.
     pub(super) fn show(&mut self, ui: &mut Ui, work: &Work) {
-        self.known = self.worker.answers().pop().or(self.known.take());
         let grid = *work.grid();
         let title = format!("Memory: up to {} on the GPU", told_bytes(layers_bytes(&grid, false)));
         let section = CollapsingHeader::new(title).id_salt("memory").show(ui, |ui| {
-            let filled = work.filled().filter(|_| !work.is_live());
-            if let Some(filled) = filled.filter(|filled| self.asked.as_ptr() != Arc::as_ptr(filled)) {
-                self.asked = Arc::downgrade(filled);
-                let filled = filled.clone();
-                self.worker.request(|_| filled);
-            }
-            let known = self.known.as_ref().filter(|(of, ..)| *of == grid);
-            table(ui, &grid, known.map(|(_, bytes, needs)| (*bytes, needs.as_slice())), &self.device);
+            let known = self.measured(work).cloned();
+            table(ui, &grid, known.as_ref().map(|(_, bytes, needs)| (*bytes, needs.as_slice())), &self.device);
         });
         section.header_response.on_hover_text(format!("When the rules have run: {}", in_short(&grid)));
     }
@@ -94,6 +99,10 @@ pub(super) fn table(ui: &mut Ui, grid: &Grid, now: Option<(u64, &[Need])>, devic
             row(name, help, need.map(|need| need.bytes_on(device.limits)), most.bytes_on(device.limits), word);
         }
     });
+    for storage in Storage::ALL {
+        let text = format!("{}: {}", named(storage), brief(storage));
+        ui.label(RichText::new(text).color(dim).small());
+    }
     let painted = told_bytes(layers_bytes(grid, false));
     let text = format!("While it is painted it is quick, with a layer for each view: {painted} on the GPU");
     ui.label(RichText::new(text).color(dim).small());
@@ -105,6 +114,24 @@ pub(super) fn table(ui: &mut Ui, grid: &Grid, now: Option<(u64, &[Need])>, devic
 
 /// What a device says of what it cannot hold.
 const UNFIT: &str = "does not fit";
+
+/// What a storage is called.
+pub(super) fn named(storage: Storage) -> &'static str {
+    match storage {
+        Storage::Quick => "Quick",
+        Storage::Compact => "Compact",
+        Storage::Blocks => "Blocks",
+    }
+}
+
+/// What a storage is, in a line.
+pub(super) fn brief(storage: Storage) -> &'static str {
+    match storage {
+        Storage::Quick => "looked up fastest, and exact; equal views are there once",
+        Storage::Compact => "exact too, and smaller where much repeats; looked up more slowly",
+        Storage::Blocks => "compressed (BC7), smallest for many colors; they are off by a little",
+    }
+}
 
 fn told(need: &Need) -> (&'static str, &'static str) {
     match (need.storage, need.has_levels) {
@@ -126,7 +153,7 @@ fn told(need: &Need) -> (&'static str, &'static str) {
 }
 
 /// Bytes for people.
-fn told_bytes(bytes: u64) -> String {
+pub(super) fn told_bytes(bytes: u64) -> String {
     let (kib, mib) = (bytes as f64 / f64::from(1 << 10), bytes as f64 / f64::from(1 << 20));
     match mib {
         _ if mib < 0.995 => format!("{kib:.1} KiB"),

@@ -25,9 +25,12 @@ mod making;
 mod map;
 mod memory;
 mod moves;
+mod preview;
 mod rules;
+mod seen;
 mod sheet;
 mod start;
+mod storing;
 mod synthesis;
 mod textures;
 mod tilt;
@@ -48,7 +51,7 @@ use super::session::Session;
 use super::shortcuts::{Action, Way};
 use super::theme;
 use crate::diag::Diagnostic;
-use crate::document::{Address, Grid, Hcbtf, HcbtfEdit};
+use crate::document::{Address, Grid, Hcbtf, HcbtfEdit, Storage};
 use crate::hcbtf::Device;
 use crate::hcbtf::exchange::Form;
 pub(crate) use import::Import;
@@ -78,6 +81,13 @@ pub(crate) enum Wish {
         path: PathBuf,
         keeps_look: bool,
     },
+    /// Divides the open one otherwise, which loses so many painted samples.
+    Divide {
+        grid: Grid,
+        lost: usize,
+    },
+    /// Shows the open one in a look of its own.
+    ShowAlone,
     /// Asks how finely a new one is divided, or how the open one is to be from now on.
     AskGrid {
         changes: bool,
@@ -101,9 +111,13 @@ pub(crate) enum Wish {
         import: Import,
         from: Option<PathBuf>,
     },
+    /// Asks how a texture is to be stored.
+    AskTexture,
     /// Writes all samples in another program's form; asks where to.
     Export {
         form: Form,
+        /// Of a texture.
+        storage: Storage,
         to: Option<PathBuf>,
     },
     Save,
@@ -138,6 +152,10 @@ pub struct Painting {
     baking: Option<baking::Asked>,
     /// What is baked once it has a file.
     bakes: Option<baking::Asked>,
+    preview: preview::Preview,
+    /// How a texture is to be stored, while that is asked for.
+    storing: Option<Storage>,
+    seen: seen::Seen,
     /// The sample that is only looked at, and the one for the next frame.
     peek: Option<Address>,
     next_peek: Option<Address>,
@@ -158,12 +176,15 @@ impl Painting {
             filling: filling::Filling::new(wake.clone()),
             exports: export::Exports::new(wake.clone()),
             memory: memory::Memory::new(device, wake.clone()),
+            preview: preview::Preview::new(wake.clone()),
             making: making::Making::new(wake),
             grid: None,
             import: None,
             synthesis: None,
             baking: None,
             bakes: None,
+            storing: None,
+            seen: seen::Seen::default(),
             peek: None,
             next_peek: None,
         }
@@ -188,6 +209,11 @@ impl Painting {
     /// Asks onto which grid the open look is to be baked.
     pub(crate) fn ask_bake(&mut self) {
         self.baking = Some(baking::Asked::default());
+    }
+
+    /// Asks how a texture is to be stored.
+    pub(crate) fn ask_texture(&mut self) {
+        self.storing = Some(Storage::default());
     }
 
     /// Remembers what is to be baked until there is a file for it.
@@ -239,13 +265,14 @@ impl Painting {
         import::show(ui, &mut self.import)
             .or_else(|| grid::show(ui, &mut self.grid, work, device))
             .or_else(|| synthesis::show(ui, &mut self.synthesis, &mut self.making, work, device))
-            .or_else(|| baking::show(ui, &mut self.baking, session, device, is_filling))
+            .or_else(|| baking::show(ui, &mut self.baking, &mut self.preview, session, device, is_filling))
+            .or_else(|| storing::show(ui, &mut self.storing, work, &mut self.memory))
     }
 
     /// Writes what is painted in another program's form.
-    pub(crate) fn export(&self, session: &Session, form: Form, to: PathBuf) {
+    pub(crate) fn export(&self, session: &Session, form: Form, storage: Storage, to: PathBuf) {
         if let Some(work) = session.painting() {
-            self.exports.write(work.shown().clone(), form, to);
+            self.exports.write(work.shown().clone(), form, storage, to);
         }
     }
 
@@ -257,6 +284,7 @@ impl Painting {
     /// What is due once a frame, whichever panels are seen.
     pub(crate) fn tick(&mut self, session: &mut Session) {
         self.peek = self.next_peek.take();
+        self.seen.tick(session);
         if let Some(work) = session.painting_mut()
             && self.filling.tick(work, &self.memory.device)
         {
@@ -267,10 +295,13 @@ impl Painting {
     /// Shows one of its panels.
     pub(crate) fn show(&mut self, ui: &mut Ui, panel: Panel, session: &mut Session) -> Vec<Command> {
         let mut out = Vec::new();
-        if session.painting().is_none() {
+        if session.painting().is_none() || !self.seen.is_shown() {
             match panel {
-                Panel::Paint => start::show(ui, &mut out),
-                _ => dock::hint(ui, "Nothing is open to be painted: the panel Paint begins something new"),
+                Panel::Paint => {
+                    self.easel.leave();
+                    start::show(ui, session, &mut out);
+                }
+                _ => dock::hint(ui, "The open look shows nothing that is painted: the panel Paint begins something"),
             }
             return out;
         }
@@ -326,6 +357,7 @@ impl Painting {
             if clear.on_hover_text("Takes this painting away: the rules fill its place").clicked() {
                 out.push(command(Wish::Edit(HcbtfEdit::DeleteTile { address: at })));
             }
+            self.seen.mark(ui);
         });
         ui.horizontal_wrapped(|ui| {
             let easel = &mut self.easel;
@@ -337,12 +369,7 @@ impl Painting {
             if ui.small_button("Fit").on_hover_text("Shows the whole tile again (Home)").clicked() {
                 easel.fit();
             }
-            if let Some(view) = look::from_here(session, work) {
-                let help = "Turns the picture's camera and light to where the eye and the light are that you paint for";
-                if ui.small_button("Show in the picture").on_hover_text(help).clicked() {
-                    out.push(Command::TurnTo(Box::new(view)));
-                }
-            }
+            self.seen.turn(ui, session, work, out);
             ui.separator();
             let help = "How much of the neighbouring samples shines through";
             ui.label("Onion skin").on_hover_text(help);
@@ -418,15 +445,22 @@ impl Painting {
     }
 
     pub(crate) fn is_busy(&self) -> bool {
-        self.filling.is_busy() || self.exports.is_busy() || self.memory.is_busy() || self.making.is_busy()
+        let is_storing = self.exports.is_busy() || self.memory.is_busy();
+        is_storing || self.filling.is_busy() || self.preview.is_busy() || self.making.is_busy()
     }
 
     pub(crate) fn wait(&self) {
         self.filling.wait();
         self.exports.wait();
         self.memory.wait();
+        self.preview.wait();
         self.making.wait();
     }
+}
+
+/// So many of something, in words.
+pub(crate) fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
 /// Moves the eye or the light by one step.

@@ -3,17 +3,23 @@
 use crate::document::{Direction, Directions};
 use crate::editor::shortcuts::Way;
 
-/// The direction one step away: left and right go around the normal, down goes toward the horizon, up toward the normal.
+/// The direction one step away: left and right go around the normal, down goes toward the horizon, up toward the normal. At
+/// the normal, where there is nowhere to go around to, left and right lead off it to their own side of the hemisphere.
 pub(super) fn step(directions: Directions, from: Direction, way: Way) -> Direction {
     let Direction { theta, phi } = from.canonical();
     let steps = directions.phi.max(1);
+    let off = |turn: f64| Direction {
+        theta: 1.min(directions.theta.max(1) - 1),
+        phi: (turn * f64::from(steps)).round() as u32 % steps,
+    };
     let next = match way {
         Way::Left if theta > 0 => Direction { theta, phi: (phi + steps - 1) % steps },
         Way::Right if theta > 0 => Direction { theta, phi: (phi + 1) % steps },
+        // From v, which points up, toward u, which points right.
+        Way::Right => off(0.25),
+        Way::Left => off(0.75),
         Way::Up => Direction { theta: theta.saturating_sub(1), phi },
         Way::Down => Direction { theta: (theta + 1).min(directions.theta.max(1) - 1), phi },
-        // At the normal there is nowhere to go around to.
-        Way::Left | Way::Right => from,
     };
     next.canonical()
 }
@@ -56,7 +62,20 @@ mod tests {
         assert_eq!(step(DIRECTIONS, at(2, 9), Way::Right), at(2, 0));
         assert_eq!(step(DIRECTIONS, at(5, 3), Way::Down), at(5, 3));
         assert_eq!(step(DIRECTIONS, at(1, 3), Way::Up), at(0, 0));
-        assert_eq!(step(DIRECTIONS, at(0, 0), Way::Right), at(0, 0));
+    }
+
+    #[test]
+    fn left_and_right_lead_off_the_normal_to_their_own_side() {
+        let to = |way| place(DIRECTIONS, step(DIRECTIONS, Direction::default(), way));
+        assert!(to(Way::Right).x > 0.1 && to(Way::Left).x < -0.1);
+        assert_eq!(step(DIRECTIONS, Direction::default(), Way::Up), Direction::default());
+        for way in [Way::Left, Way::Right, Way::Down] {
+            assert_eq!(step(Directions { theta: 1, phi: 1 }, Direction::default(), way), Direction::default());
+            assert_eq!(
+                step(Directions { theta: 2, phi: 1 }, Direction::default(), way),
+                Direction { theta: 1, phi: 0 }
+            );
+        }
     }
 
     #[test]

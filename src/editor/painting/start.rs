@@ -1,12 +1,18 @@
-//! What the panel shows while nothing is open to be painted.
+//! What the panel shows while the open look shows nothing that is open to be painted.
 
-use eframe::egui::{RichText, Ui};
+use std::path::PathBuf;
 
+use eframe::egui::{Button, Response, RichText, ScrollArea, Ui};
+
+use super::look::sheets;
 use super::memory::in_short;
 use super::{Wish, command};
 use crate::document::{Directions, Grid};
 use crate::editor::command::Command;
+use crate::editor::session::Session;
 use crate::editor::theme;
+use crate::examples::PREFIX;
+use crate::frame::UNSAVED_HCBTF;
 
 /// A grid to begin with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -51,49 +57,108 @@ impl Preset {
     }
 }
 
-/// Shows what to begin with.
-pub(super) fn show(ui: &mut Ui, out: &mut Vec<Command>) {
-    ui.vertical_centered(|ui| {
-        ui.set_max_width(460.0);
-        ui.add_space(ui.available_height() * 0.12);
-        ui.heading("Paint a surface");
-        ui.add_space(4.0);
-        let text = "An HCBTF is a tile that you paint as it looks under one light and from one side, then under another: \
-                    the surface shows what you painted, and rules fill in the rest.";
-        ui.label(RichText::new(text).color(theme::of(ui).dim));
-        ui.add_space(12.0);
-        for preset in Preset::ALL {
-            let grid = preset.grid();
-            let directions = grid.light.distinct_count();
-            let label = format!(
-                "{}: {} x {} texels, {directions} lights x {} views",
-                preset.label(),
-                grid.size[0],
-                grid.size[1],
-                grid.view.distinct_count()
-            );
-            let button = ui.add_sized([400.0, 30.0], eframe::egui::Button::new(label));
-            if button.on_hover_text(format!("{}: {}", preset.help(), in_short(&grid))).clicked() {
-                out.push(command(Wish::New { grid, keeps_look: false }));
-            }
-        }
-        let other = ui.add_sized([400.0, 30.0], eframe::egui::Button::new("Another grid..."));
-        if other.on_hover_text("Any number of texels, lights and views, and what they take in memory").clicked() {
-            out.push(command(Wish::AskGrid { changes: false }));
-        }
-        ui.add_space(8.0);
-        if ui.add_sized([400.0, 30.0], eframe::egui::Button::new("Open an .hcbtf file...")).clicked() {
-            out.push(Command::Open(None));
-        }
-        let help = "Images that were painted in other programs: a folder of them, a contact sheet, a sheet of the thesis";
-        let import = ui.add_sized([400.0, 30.0], eframe::egui::Button::new("Import painted pictures..."));
-        if import.on_hover_text(help).clicked() {
-            out.push(command(Wish::AskImport));
-        }
-        let help = "Paints every sample as the open look shows it: a dear look becomes a quick one, or one to paint on";
-        let bake = ui.add_sized([400.0, 30.0], eframe::egui::Button::new("Bake this look onto a tile..."));
-        if bake.on_hover_text(help).clicked() {
-            out.push(command(Wish::AskBake));
-        }
+/// What a look is painted with can be this many HCBTFs; more are painted from the inspector.
+const MOST_SHEETS: usize = 4;
+
+/// Shows what to begin with: what the open look shows, what is open beside it, or something new.
+pub(super) fn show(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+    ScrollArea::vertical().auto_shrink([false, false]).id_salt("begin to paint").show(ui, |ui| {
+        ui.vertical_centered(|ui| {
+            ui.set_max_width(460.0);
+            ui.add_space(ui.available_height() * 0.06);
+            of_look(ui, session, out);
+            anew(ui, out);
+        });
     });
+}
+
+fn wide(ui: &mut Ui, label: &str) -> Response {
+    ui.add_sized([400.0, 30.0], Button::new(label))
+}
+
+/// What the open look shows, and what is open that it does not show.
+fn of_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+    let mut names = sheets(session.look(), &session.catalog);
+    names.retain(|name| !name.is_empty() && name != UNSAVED_HCBTF);
+    names.sort();
+    names.dedup();
+    if let Some(work) = session.painting() {
+        ui.heading("This look shows another painting, or none");
+        ui.add_space(4.0);
+        let name = work.name();
+        let unsaved = if work.is_dirty() { ", not saved yet" } else { "" };
+        let text = format!("{name} is still open{unsaved}. The look that is open now does not show it.");
+        ui.label(RichText::new(text).color(theme::of(ui).dim));
+        ui.add_space(8.0);
+        let help = "Shows it in a look of its own, and goes on painting it";
+        if wide(ui, &format!("Back to {name}")).on_hover_text(help).clicked() {
+            out.push(command(Wish::ShowAlone));
+        }
+        ui.add_space(4.0);
+    } else if names.is_empty() {
+        let text = "The open look has no painting.";
+        ui.label(RichText::new(text).color(theme::of(ui).dim));
+        ui.add_space(8.0);
+    }
+    for name in names.iter().take(MOST_SHEETS) {
+        let path = PathBuf::from(name);
+        let file = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let (label, help, path) = match name.starts_with(PREFIX) {
+            true => {
+                let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+                let help = "Opens a copy of the example that this look shows; the example itself stays as it is";
+                (format!("Paint a copy of {stem}"), help, path.clone())
+            }
+            false => (format!("Paint {file}"), "Opens what this look shows to be painted", session.folder().join(name)),
+        };
+        if wide(ui, &label).on_hover_text(help).clicked() {
+            out.push(command(Wish::Open { path, keeps_look: true }));
+        }
+    }
+    if !names.is_empty() || session.painting().is_some() {
+        ui.add_space(12.0);
+    }
+}
+
+/// Something new, in a look of its own.
+fn anew(ui: &mut Ui, out: &mut Vec<Command>) {
+    ui.heading("Paint a surface");
+    ui.add_space(4.0);
+    let text = "An HCBTF is a tile that you paint as it looks under one light and from one side, then under another: \
+                    the surface shows what you painted, and rules fill in the rest. A new one has a look of its own.";
+    ui.label(RichText::new(text).color(theme::of(ui).dim));
+    ui.add_space(12.0);
+    for preset in Preset::ALL {
+        let grid = preset.grid();
+        let directions = grid.light.distinct_count();
+        let label = format!(
+            "{}: {} x {} texels, {directions} lights x {} views",
+            preset.label(),
+            grid.size[0],
+            grid.size[1],
+            grid.view.distinct_count()
+        );
+        let button = wide(ui, &label);
+        if button.on_hover_text(format!("{}: {}", preset.help(), in_short(&grid))).clicked() {
+            out.push(command(Wish::New { grid, keeps_look: false }));
+        }
+    }
+    let other = wide(ui, "Another grid...");
+    if other.on_hover_text("Any number of texels, lights and views, and what they take in memory").clicked() {
+        out.push(command(Wish::AskGrid { changes: false }));
+    }
+    ui.add_space(8.0);
+    if wide(ui, "Open an .hcbtf file...").clicked() {
+        out.push(Command::Open(None));
+    }
+    let help = "Images that were painted in other programs: a folder of them, a contact sheet, a sheet of the thesis";
+    let import = wide(ui, "Import painted pictures...");
+    if import.on_hover_text(help).clicked() {
+        out.push(command(Wish::AskImport));
+    }
+    let help = "Paints every sample as the open look shows it: a dear look becomes a quick one, or one to paint on";
+    let bake = wide(ui, "Bake this look onto a tile...");
+    if bake.on_hover_text(help).clicked() {
+        out.push(command(Wish::AskBake));
+    }
 }

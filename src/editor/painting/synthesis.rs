@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use eframe::egui::epaint::Mesh;
 use eframe::egui::{
-    Align2, Button, Color32, DragValue, FontId, Id, Label, Modal, Rect, RichText, Sense, Shape, TextureId, Ui,
-    WidgetInfo, pos2, vec2,
+    Align2, Button, Color32, DragValue, FontId, Id, Modal, Rect, RichText, Sense, Shape, TextureId, Ui, WidgetInfo,
+    pos2, vec2,
 };
 
 use super::making::{Job, Laid, Making, bar};
@@ -17,6 +17,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf};
 use crate::editor::command::Command;
 use crate::editor::panels::problems::sentence;
+use crate::editor::panels::widgets::lead;
 use crate::editor::theme;
 use crate::hcbtf::{Device, Filled, Synthesis};
 
@@ -150,7 +151,7 @@ fn fields(ui: &mut Ui, asked: &mut Asked) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
         let help = "Another number lays other patches";
-        let label = ui.add_sized([48.0, 20.0], Label::new("Seed")).on_hover_text(help).id;
+        let label = lead(ui, "Seed", grid::LEAD).on_hover_text(help).id;
         ui.add(DragValue::new(&mut how.seed).speed(0.1)).labelled_by(label).on_hover_text(help);
         if ui.button("Another").on_hover_text("Takes the next number").clicked() {
             how.seed = how.seed.wrapping_add(1);

@@ -13,6 +13,8 @@ use crate::hcbtf::paint::{Pressure, Symmetry};
 
 /// The side of a colour of the palette, in points.
 const SWATCH: f32 = 16.0;
+/// The widest soft edges that a fill goes under, in texels.
+const MOST_EDGE: u32 = 64;
 /// How much the wheel changes the value of the colour at hand, a point.
 const WHEEL: f32 = 0.0012;
 
@@ -37,6 +39,10 @@ pub(super) fn show(ui: &mut Ui, tools: &mut Tools) {
         Kind::Fill => {
             let help = "How far a color may be from the one under the pointer to be filled too";
             part(ui, "Tolerance", help, &mut tools.tolerance);
+            let help = "How many texels the color goes on under soft edges, so that no rim of the old one is left; 0 stops \
+                        where the tolerance does";
+            let drag = DragValue::new(&mut tools.edge).range(0..=MOST_EDGE).speed(0.1).suffix(" texels");
+            named(ui, "Under edges", help, drag);
         }
         Kind::Pick => {
             ui.label("Click or drag on the tile to take a color");

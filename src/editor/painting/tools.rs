@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::document::Tile;
-use crate::hcbtf::paint::{Brush, Pressure, Symmetry, Tool};
+use crate::hcbtf::paint::{Brush, Flood, Pressure, Symmetry, Tool};
 
 /// A tool of the hand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -42,7 +42,7 @@ impl Kind {
             Self::Erase => "Takes paint away, down to what is transparent (E)",
             Self::Smudge => "Pulls the paint along, as a finger does (S)",
             Self::Line => "Draws a straight stroke from where you press to where you let go (L)",
-            Self::Fill => "Fills what is of one color and hangs together (G)",
+            Self::Fill => "Fills what is of one color and hangs together, and goes on under soft edges (G)",
             Self::Stamp => {
                 "Lays a whole tile down, as wide as the brush (K). Shift-click takes the tile at work as the stamp"
             }
@@ -102,6 +102,8 @@ pub(super) struct Tools {
     pub(super) symmetry: Symmetry,
     /// How far a colour may be from another to be filled with it.
     pub(super) tolerance: f64,
+    /// How far a fill goes under soft edges, in texels.
+    pub(super) edge: u32,
     /// What the stamp lays down.
     pub(super) stamp: Option<Arc<Tile>>,
 }
@@ -120,6 +122,7 @@ impl Default for Tools {
             colors: [[0xb9, 0x6b, 0x3c, 255], [0xf4, 0xf0, 0xe8, 255]],
             symmetry: Symmetry::default(),
             tolerance: 0.1,
+            edge: Flood::EDGE,
             stamp: None,
         }
     }

@@ -20,6 +20,15 @@ const FIRST_SHARPNESS: f64 = 4.0;
 /// With more texels in all samples than these, the rules run once a stroke is done, and not while it goes on.
 const MOST_LIVE: u64 = 1 << 22;
 
+/// What one is called that is new.
+const NEW: &str = "New HCBTF";
+/// What is added to the name of an example, for a copy of it.
+const COPY: &str = " (copy of the example)";
+
+/// The colour that a sample is marked with, and how much of it there is.
+const MARK: [f64; 3] = [255.0, 0.0, 190.0];
+const MARKED: f64 = 0.6;
+
 /// Numbers of what is shown, each of something else.
 static VERSIONS: AtomicU64 = AtomicU64::new(1);
 
@@ -78,6 +87,8 @@ impl Stamp {
 pub struct Work {
     pub(crate) kept: Kept<Hcbtf>,
     path: Option<PathBuf>,
+    /// What it is called while it has no file; empty for a new one.
+    title: String,
     /// The file as it was when this was read from it or saved to it.
     pub(super) stamp: Option<Stamp>,
     /// What reading the file told.
@@ -93,6 +104,8 @@ pub struct Work {
     filled: Option<Arc<Filled>>,
     /// What the rules made of one sample, ahead of the rest.
     ahead: Option<(Address, Arc<Tile>)>,
+    /// The sample that shaders see marked.
+    marked: Option<Address>,
     /// Another number is another picture.
     version: u64,
     /// Another number is another document.
@@ -111,6 +124,7 @@ impl Work {
             kept: Kept::new(history),
             stamp: path.as_deref().and_then(Stamp::of),
             path,
+            title: String::new(),
             load_problems: Vec::new(),
             at,
             before: at,
@@ -118,6 +132,7 @@ impl Work {
             shown,
             filled: None,
             ahead: None,
+            marked: None,
             version: next_version(),
             number: next_version(),
         }
@@ -144,7 +159,8 @@ impl Work {
     pub(crate) fn open(path: &Path) -> Result<Self, Vec<Diagnostic>> {
         let (hcbtf, notes) = hcbtf::load(path)?;
         if crate::examples::file(path).is_some() {
-            return Ok(Self::imported(hcbtf, notes));
+            let name = path.file_stem().unwrap_or_default().to_string_lossy();
+            return Ok(Self { title: format!("{name}{COPY}"), ..Self::imported(hcbtf, notes) });
         }
         let mut work = Self::with(hcbtf, Some(std::path::absolute(path).unwrap_or_else(|_| path.to_owned())));
         work.load_problems = notes;
@@ -228,8 +244,27 @@ impl Work {
 
     /// What people call it.
     pub(crate) fn name(&self) -> String {
-        let file = self.path.as_ref().and_then(|path| path.file_name());
-        file.map_or_else(|| "New HCBTF".to_owned(), |name| name.to_string_lossy().into_owned())
+        match self.path.as_ref().and_then(|path| path.file_name()) {
+            Some(name) => name.to_string_lossy().into_owned(),
+            None if self.title.is_empty() => NEW.to_owned(),
+            None => self.title.clone(),
+        }
+    }
+
+    /// Goes by a name while it has no file.
+    pub(super) fn set_title(&mut self, title: &str) {
+        self.title = if title == NEW { String::new() } else { title.to_owned() };
+    }
+
+    /// Whether it is a copy of an example that has no file yet.
+    pub(crate) fn is_copy_of_example(&self) -> bool {
+        self.path.is_none() && self.title.ends_with(COPY)
+    }
+
+    /// What its file is to be called, if nobody says otherwise.
+    pub(crate) fn suggested(&self) -> String {
+        let name = self.title.strip_suffix(COPY).unwrap_or(&self.title);
+        format!("{}.hcbtf", if name.is_empty() { "surface" } else { name })
     }
 
     /// Whether there are changes that no file holds.
@@ -316,12 +351,23 @@ impl Work {
 
     /// What shaders see in place of the file.
     pub(crate) fn overlay(&self) -> Overlay {
-        Overlay {
-            path: self.path.clone(),
-            version: self.version,
-            hcbtf: self.shown.clone(),
-            filled: self.filled.clone(),
+        let mut hcbtf = self.shown.clone();
+        if let Some(address) = self.marked.filter(|address| self.grid().contains(*address)) {
+            let tile =
+                self.tile(address).map_or_else(|| Tile::filled(self.grid().size, [0; 4]), |tile| (**tile).clone());
+            Arc::make_mut(&mut hcbtf).painted.insert(address, Arc::new(tinted(tile)));
         }
+        Overlay { path: self.path.clone(), version: self.version, hcbtf, filled: self.filled.clone() }
+    }
+
+    /// Marks a sample for shaders, or none. Returns whether they see another one now.
+    pub(crate) fn set_marked(&mut self, marked: Option<Address>) -> bool {
+        let is_other = self.marked != marked;
+        if is_other {
+            self.marked = marked;
+            self.version = next_version();
+        }
+        is_other
     }
 
     /// Whether a stroke goes on.
@@ -390,4 +436,18 @@ impl Work {
         }
         did
     }
+}
+
+/// A tile that is plainly marked, and in which what is painted can still be told.
+fn tinted(mut tile: Tile) -> Tile {
+    for texel in tile.bytes_mut().as_chunks_mut::<4>().0 {
+        let [r, g, b, a] = *texel;
+        let seen = f64::from(a) / 255.0;
+        let mixed = [r, g, b].into_iter().zip(MARK).map(|(own, mark)| {
+            let own = f64::from(own) * seen + mark * (1.0 - seen);
+            (own + (mark - own) * MARKED).round() as u8
+        });
+        texel.iter_mut().zip(mixed.chain([a.max(200)])).for_each(|(texel, mixed)| *texel = mixed);
+    }
+    tile
 }

@@ -179,7 +179,7 @@ impl Start {
     fn looks(&self, ui: &mut Ui, width: f32, session: &Session, thumbs: &Thumbs, out: &mut Vec<Command>) {
         let (columns, side) = cards::columns(width, CARD, GAP);
         if !self.recent.is_empty() {
-            heading(ui, "Recent", "Looks and scenes that were open, the newest first");
+            heading(ui, "Recent", "Looks, scenes and paintings that were open, the newest first");
             for row in self.recent.chunks(columns) {
                 in_row(ui, row, |ui, recent| match &recent.card {
                     Some(card) => {

@@ -177,7 +177,38 @@ pub(crate) fn picture_frame(ui: &Ui, rect: Rect) {
     ui.painter().rect_stroke(rect, 3.0, Stroke::new(1.0, theme::of(ui).swatch_edge), egui::StrokeKind::Inside);
 }
 
+/// The largest place in the middle of a rectangle in which a picture of so many texels keeps its shape.
+pub(crate) fn fitted(rect: Rect, size: [u32; 2]) -> Rect {
+    let [width, height] = size.map(|side| side.max(1) as f32);
+    let scale = (rect.width() / width).min(rect.height() / height);
+    Rect::from_center_size(rect.center(), vec2(width, height) * scale)
+}
+
+/// A label before a field, of a width that lets fields begin below each other.
+pub(crate) fn lead(ui: &mut Ui, text: &str, width: f32) -> Response {
+    let size = vec2(width, ui.spacing().interact_size.y);
+    let layout = egui::Layout::left_to_right(egui::Align::Center);
+    ui.allocate_ui_with_layout(size, layout, |ui| {
+        ui.set_min_size(size);
+        ui.label(text)
+    })
+    .inner
+}
+
 /// The whole of a texture.
 pub(crate) fn whole() -> Rect {
     Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_keeps_its_shape_in_the_middle_of_its_place() {
+        let place = Rect::from_min_size(pos2(10.0, 20.0), vec2(100.0, 80.0));
+        let found = fitted(place, [64, 16]);
+        assert_eq!((found.center(), found.size()), (place.center(), vec2(100.0, 25.0)));
+        assert_eq!(fitted(place, [16, 64]).size(), vec2(20.0, 80.0));
+    }
 }

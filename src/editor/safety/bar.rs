@@ -10,8 +10,10 @@ use super::offers::Offer;
 use super::{Safety, Wish};
 use crate::editor::session::Session;
 
-/// As many offers are shown; deciding on those shows the others.
-const MAX_SHOWN: usize = 4;
+/// The names of so many documents are told in the bar; a list has all of them.
+const MOST_NAMED: usize = 3;
+/// The width of that list, in points.
+const LIST: f32 = 620.0;
 
 impl Safety {
     /// Shows the bar, if there is anything to tell.
@@ -49,11 +51,11 @@ impl Safety {
             if let (Some(conflict), Some(work)) = (painting, session.painting()) {
                 of_painting(ui, conflict, &work.name(), &mut wishes);
             }
-            for (number, offer) in self.offers.shown().take(MAX_SHOWN) {
-                offered(ui, number, offer, &mut wishes);
-            }
-            if count > MAX_SHOWN {
-                ui.label(RichText::new(format!("and {} more", count - MAX_SHOWN)).weak());
+            let offers: Vec<(usize, &Offer)> = self.offers.shown().collect();
+            match offers[..] {
+                [(number, offer)] => offered(ui, number, offer, &mut wishes),
+                [] => {}
+                _ => several(ui, &offers, &mut wishes),
             }
         });
         wishes
@@ -107,7 +109,7 @@ impl Safety {
                 ui.label(RichText::new("Files that you open are listed here").weak());
             }
         });
-        menu.response.on_hover_text("Looks that were open, the newest first");
+        menu.response.on_hover_text("Looks, scenes and paintings that were open, the newest first");
         wanted
     }
 }
@@ -159,6 +161,33 @@ fn ask(ui: &mut Ui, label: &str, help: &str, wish: Wish, wishes: &mut Vec<Wish>)
     if ui.button(label).on_hover_text(help).clicked() {
         wishes.push(wish);
     }
+}
+
+/// Several documents in one line, with a list of them behind a button.
+fn several(ui: &mut Ui, offers: &[(usize, &Offer)], wishes: &mut Vec<Wish>) {
+    let is_damaged = offers.iter().any(|(_, offer)| !offer.damage.is_empty());
+    let names: Vec<&str> = offers.iter().take(MOST_NAMED).map(|(_, offer)| offer.name.as_str()).collect();
+    let more = match offers.len() - names.len() {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    let text = format!("Work that was not saved, of {} documents: {}{more}", offers.len(), names.join(", "));
+    row(ui, if is_damaged { Tone::Warning } else { Tone::Note }, &text, |ui| {
+        let is_kept = offers.iter().any(|(_, offer)| !offer.is_thrown);
+        let help = "They go when this window closes; until then each can still be kept";
+        if ui.add_enabled(is_kept, egui::Button::new("Throw all away")).on_hover_text(help).clicked() {
+            wishes.extend(offers.iter().map(|(number, _)| Wish::Throw(*number, true)));
+        }
+        let list =
+            egui::containers::menu::MenuConfig::new().close_behavior(egui::PopupCloseBehavior::CloseOnClickOutside);
+        let (button, _) = egui::containers::menu::MenuButton::new("Choose...").config(list).ui(ui, |ui| {
+            ui.set_min_width(LIST);
+            for (number, offer) in offers {
+                offered(ui, *number, offer, wishes);
+            }
+        });
+        button.on_hover_text("Lists them: each is restored or thrown away by itself");
+    });
 }
 
 fn offered(ui: &mut Ui, number: usize, offer: &Offer, wishes: &mut Vec<Wish>) {

@@ -44,6 +44,8 @@ pub struct Session {
     stage: Option<Stage>,
     /// The HCBTF that is being painted, where there is one.
     painting: Option<Work>,
+    /// Whether another look is open that does not show it: undo takes nothing back that nobody sees.
+    pub(crate) hides_painting: bool,
     /// What is painted on the picture.
     sketch: Sketch,
     /// A look that is shown in place of the open one, and how often that changed.
@@ -111,6 +113,7 @@ impl Session {
             sketch: Sketch::default(),
             preview: None,
             preview_number: 0,
+            hides_painting: false,
             now: 0,
             opened: source.clone(),
             source,

@@ -173,10 +173,14 @@ impl Session {
         Ok(is_other)
     }
 
-    /// Whether the look shows the HCBTF of a file.
+    /// Whether the look shows the HCBTF of a file, an example, or the one that has no file yet.
     pub(crate) fn shows_painting(&self, path: &Path) -> bool {
         let folder = self.folder();
         let names = look::sheets(self.look(), &self.catalog);
+        // What is no file is named the same from everywhere.
+        if path == Path::new(UNSAVED_HCBTF) || crate::examples::file(path).is_some() {
+            return names.iter().any(|name| Path::new(name) == path);
+        }
         names.iter().any(|name| !name.is_empty() && real(&folder.join(name)) == real(path))
     }
 }

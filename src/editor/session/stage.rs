@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::super::painting::Work;
 use super::super::stage::{OPEN_LOOK, Stage, Wanted, real, scene_of};
 use super::Session;
 use super::keeping::VIEW;
@@ -300,11 +301,16 @@ impl Session {
         self.kept.times.fit(self.kept.history.steps());
     }
 
+    /// What is painted, where what is open shows it.
+    fn seen_painting(&self) -> Option<&Work> {
+        self.painting().filter(|_| !self.hides_painting)
+    }
+
     /// Where the step was done that undo would take back.
     fn last(&self) -> Of {
         let of_look = self.kept.history.undo_label().and(self.kept.times.last());
         let of_scene = self.stage.as_ref().and_then(|stage| stage.kept.times.last());
-        let of_painting = self.painting.as_ref().and_then(|work| work.kept.times.last());
+        let of_painting = self.seen_painting().and_then(|work| work.kept.times.last());
         let of_sketch = self.sketch.is_open.then(|| self.sketch.times.last()).flatten();
         // Of what journals brought back, the look's comes first.
         if of_sketch.is_some() && of_sketch > of_look.max(of_scene).max(of_painting) {
@@ -322,7 +328,7 @@ impl Session {
     fn next(&self) -> Of {
         let of_scene = self.stage.as_ref().and_then(|stage| stage.kept.times.next());
         let of_look = self.kept.history.redo_label().and(self.kept.times.next());
-        let of_painting = self.painting.as_ref().and_then(|work| work.kept.times.next());
+        let of_painting = self.seen_painting().and_then(|work| work.kept.times.next());
         let of_sketch = self.sketch.is_open.then(|| self.sketch.times.next()).flatten();
         let of_sketch = (of_sketch, Of::Sketch);
         let all = [(of_look, Of::Look), (of_scene, Of::Scene), (of_painting, Of::Painting), of_sketch];
@@ -401,7 +407,7 @@ impl Session {
             let of_scene = stage.kept.times.all().zip(stage.history().labels());
             steps.splice(0..0, of_scene);
         }
-        if let Some(work) = &self.painting {
+        if let Some(work) = self.seen_painting() {
             steps.splice(0..0, work.kept.times.all().zip(work.history().labels()));
         }
         if self.sketch.is_open {
@@ -414,7 +420,7 @@ impl Session {
     /// How many of the steps are done.
     pub fn place(&self) -> usize {
         let of_scene = self.stage.as_ref().map_or(0, |stage| stage.history().place());
-        let of_painting = self.painting.as_ref().map_or(0, |work| work.history().place());
+        let of_painting = self.seen_painting().map_or(0, |work| work.history().place());
         let of_sketch = if self.sketch.is_open { self.sketch.place() } else { 0 };
         self.kept.history.place() + of_scene + of_painting + of_sketch
     }

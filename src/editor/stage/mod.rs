@@ -22,6 +22,7 @@ use super::session::times::Times;
 use crate::diag::Diagnostic;
 use crate::document::journal::{About, Recovered, Slot};
 use crate::document::{History, Object, Scene, SceneEdit, SourceMap};
+use crate::frame::SetupLook;
 use crate::ids::ObjectId;
 use crate::library::Library;
 use looks::{Closed, Looks};
@@ -207,6 +208,11 @@ impl Stage {
     /// What the picture shows, as something that a thread can take with it.
     pub(crate) fn staged(&self) -> &Arc<Staged> {
         &self.staged
+    }
+
+    /// The looks of objects that are not open, as far as they can be read.
+    pub(crate) fn other_looks(&self) -> impl Iterator<Item = &Arc<SetupLook>> {
+        self.staged.others.values().flatten()
     }
 
     /// What objects that wear a look which is not open may set.

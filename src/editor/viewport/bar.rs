@@ -201,6 +201,8 @@ impl Viewport {
     }
 }
 
+/// The height of the list of meshes, in points: all of them, and the way to one's own file.
+const MESHES: f32 = 420.0;
 /// The largest picture that is saved, in pixels along a side.
 const MOST_SIDE: u32 = 8192;
 
@@ -210,7 +212,7 @@ fn mesh_choice(ui: &mut Ui, session: &mut Session, out: &mut Vec<Command>) {
     let shape = SHAPES.iter().find(|shape| mesh.strip_prefix("shape:") == Some(shape.name));
     let file = Path::new(&mesh).file_name().map_or(mesh.clone(), |name| name.to_string_lossy().into_owned());
     let shown = shape.map_or(file.as_str(), |shape| shape.label);
-    let combo = egui::ComboBox::from_id_salt("mesh").selected_text(shown).show_ui(ui, |ui| {
+    let combo = egui::ComboBox::from_id_salt("mesh").height(MESHES).selected_text(shown).show_ui(ui, |ui| {
         for shape in SHAPES {
             let is_it = mesh.strip_prefix("shape:") == Some(shape.name);
             if ui.selectable_label(is_it, shape.label).on_hover_text(shape.help).clicked() {

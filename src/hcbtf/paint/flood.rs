@@ -1,14 +1,32 @@
 //! Filling what hangs together.
 
 use super::canvas::Canvas;
+use super::rim;
 use crate::document::Tile;
+
+/// How a flood spreads.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Flood {
+    /// How far any channel may be from that of the first texel, in parts of its range, from 0 to 1.
+    pub tolerance: f64,
+    /// How many texels it goes on under soft edges; 0 ends it where the tolerance does.
+    pub edge: u32,
+    /// Whether the tile's edges are neighbours.
+    pub wraps: bool,
+}
+
+impl Flood {
+    /// As far a flood goes under soft edges where nobody says: hard brushes of any usual size have no wider ones.
+    pub const EDGE: u32 = 4;
+}
 
 /// The tile with another colour in the texels that are like the one at `[x, y]`, and reached from it along sides of such.
 ///
-/// `tolerance` from 0 to 1 is how far any channel may be from that of the first texel, in parts of its range; what is
-/// wholly transparent is alike whatever colour lies under that. Where `wraps` the tile's edges are neighbours. A place
-/// outside the tile, or a tolerance that is no number, fills nothing.
-pub fn fill(tile: &Tile, at: [u32; 2], color: [u8; 4], tolerance: f64, wraps: bool) -> Tile {
+/// What is wholly transparent is alike whatever colour lies under that. At soft edges a texel is a mix of the old colour and
+/// of what lies beyond: there the new colour takes the old one's share. A place outside the tile, or a
+/// tolerance that is no number, fills nothing.
+pub fn fill(tile: &Tile, at: [u32; 2], color: [u8; 4], flood: Flood) -> Tile {
+    let Flood { tolerance, edge, wraps } = flood;
     let mut filled = tile.clone();
     let [width, height] = tile.size().map(|side| side as usize);
     let [x, y] = at.map(|place| place as usize);
@@ -63,6 +81,7 @@ pub fn fill(tile: &Tile, at: [u32; 2], color: [u8; 4], tolerance: f64, wraps: bo
             }
         }
     }
+    rim::recolor(texels, &rim::Edge { first, color, width: edge, canvas }, &is_done, after);
     filled
 }
 

@@ -11,6 +11,7 @@ mod dab;
 mod flood;
 mod path;
 mod picture;
+mod rim;
 mod smudge;
 mod stroke;
 mod symmetry;
@@ -20,7 +21,7 @@ mod tests;
 use crate::document::Tile;
 
 pub use brush::{Brush, Pressure, Symmetry, Tool};
-pub use flood::fill;
+pub use flood::{Flood, fill};
 pub use stroke::{Changed, Stroke, line};
 
 /// The colour of the texel at `[x, y]`, straight RGBA; beyond the tile that of the nearest texel.

@@ -187,8 +187,8 @@ fn bad_numbers_do_nothing() {
         let brush = Brush { opacity: bad, hardness: bad, flow: bad, spacing: bad, ..Brush::default() };
         let tile = stroke(&base, &brush, Symmetry::default(), true, &path);
         assert!(tile == base || bad > 1.0 && bad.is_finite());
-        assert_eq!(fill(&base, [9, 0], [1; 4], 0.0, true), base);
-        assert_eq!(fill(&base, [0, 0], [1; 4], f64::NAN, true), base);
+        assert_eq!(fill(&base, [9, 0], [1; 4], hard(0.0, true)), base);
+        assert_eq!(fill(&base, [0, 0], [1; 4], hard(f64::NAN, true)), base);
     }
     let tall = Tool::Stamp(Arc::new(Tile::filled([1, 4000], [1; 4])));
     assert_eq!(dot(&base, &Brush { tool: tall, size: 8000.0, ..Brush::default() }, at(0.0, 0.0)), base);
@@ -211,6 +211,82 @@ fn a_picked_colour_is_the_texel() {
     let tile = motley([5, 3], 9);
     assert_eq!(pick(&tile, [3, 1]), tile.texel(3, 1));
     assert_eq!(pick(&tile, [99, u32::MAX]), tile.texel(4, 2));
+}
+
+/// A flood that stops where the tolerance does.
+fn hard(tolerance: f64, wraps: bool) -> Flood {
+    Flood { tolerance, edge: 0, wraps }
+}
+
+fn soft() -> Flood {
+    Flood { tolerance: 0.1, edge: Flood::EDGE, wraps: true }
+}
+
+/// A round stroke of a colour with a soft edge.
+fn soft_disc(base: &Tile, color: [u8; 4]) -> Tile {
+    dot(base, &Brush { size: 20.0, hardness: 0.7, color, ..Brush::default() }, at(16.3, 15.6))
+}
+
+/// The largest difference of any channel, as it is seen over black and over white.
+fn apart(a: &Tile, b: &Tile) -> i32 {
+    let over = |ground: i32, [r, g, b, a]: [u8; 4]| {
+        [r, g, b].map(|channel| (i32::from(channel) * i32::from(a) + ground * (255 - i32::from(a))) / 255)
+    };
+    let pairs = texels(a).iter().zip(texels(b));
+    let of = |(a, b): (&[u8; 4], &[u8; 4])| {
+        let at = |ground| over(ground, *a).into_iter().zip(over(ground, *b)).map(|(a, b)| (a - b).abs()).max();
+        at(0).max(at(255)).unwrap_or(0)
+    };
+    pairs.map(of).max().unwrap_or(0)
+}
+
+#[test]
+fn a_flood_leaves_no_ring_around_a_soft_disc() {
+    let (white, red, blue) = ([255, 255, 255, 255], [220, 30, 20, 255], [20, 60, 200, 255]);
+    // What is within the tolerance takes the color whole: twice as much where the ground is seen half, and more where the
+    // ground is nearer to the disc than the color is.
+    let grounds = [white, [10, 90, 40, 255], CLEAR, [255, 255, 255, 128]];
+    for (ground, (tolerance, most)) in
+        grounds.into_iter().flat_map(|ground| [(0.02, 14), (0.1, 48)].map(|of| (ground, of)))
+    {
+        let soft = || Flood { tolerance, ..soft() };
+        let base = Tile::filled([32, 32], ground);
+        let disc = soft_disc(&base, blue);
+        // The ground is filled: as if the disc had been painted on the new ground.
+        let told = soft_disc(&Tile::filled([32, 32], red), blue);
+        let filled = fill(&disc, [0, 0], red, soft());
+        assert!(apart(&filled, &told) <= most, "{ground:?}: {}", apart(&filled, &told));
+        let ringed = fill(&disc, [0, 0], red, hard(tolerance, true));
+        assert!(apart(&ringed, &told) > 72, "{ground:?}: without the rim there is a ring");
+        // The disc is filled: as if it had been painted in the new color.
+        let told = soft_disc(&base, red);
+        let filled = fill(&disc, [16, 16], red, soft());
+        assert!(apart(&filled, &told) <= most, "{ground:?}: {}", apart(&filled, &told));
+    }
+}
+
+#[test]
+fn a_flood_goes_on_under_the_seam_and_stops_at_hard_edges_and_other_colours() {
+    let (white, black, red) = ([255; 4], [0, 0, 0, 255], [220, 30, 20, 255]);
+    // A soft disc over the corner, whose parts are edges of one another.
+    let base = Tile::filled([32, 32], white);
+    let over_seam = |color| {
+        let brush = Brush { size: 20.0, hardness: 0.7, color, ..Brush::default() };
+        stroke(&base, &brush, Symmetry::default(), true, &[(at(0.4, 31.2), 1.0)])
+    };
+    let filled = fill(&over_seam(black), [0, 0], red, soft());
+    assert!(apart(&filled, &over_seam(red)) <= 26);
+    // Beside hard edges nothing but what is filled is another.
+    let halves = |left: [u8; 4]| {
+        let texels = (0..16 * 8).flat_map(|index| if index % 16 < 8 { left } else { black });
+        Tile::new([16, 8], texels.collect()).unwrap()
+    };
+    assert_eq!(fill(&halves(white), [2, 2], red, Flood { wraps: false, ..soft() }), halves(red));
+    // A line as thin as a texel keeps its color, and what is behind it too.
+    let mut lined = halves(white);
+    (0..8).for_each(|y| lined.bytes_mut()[4 * (y * 16 + 4)..][..4].copy_from_slice(&[90, 90, 90, 255]));
+    let filled = fill(&lined, [1, 1], red, Flood { wraps: false, ..soft() });
+    assert_eq!([3, 4, 5].map(|x| filled.texel(x, 3)), [red, [90, 90, 90, 255], white]);
 }
 
 /// What a flood reaches, one step after the other until nothing new comes.
@@ -394,7 +470,7 @@ proptest! {
         let tile = Tile::new(size.into(), texels.collect()).unwrap();
         let place = [place.0.index(size.0 as usize) as u32, place.1.index(size.1 as usize) as u32];
         let color = [7, 7, 7, 9];
-        let filled = fill(&tile, place, color, tolerance, wraps);
+        let filled = fill(&tile, place, color, hard(tolerance, wraps));
         let naive = naive_fill(&tile, place, color, tolerance, wraps);
         prop_assert_eq!(filled.bytes(), naive.bytes());
     }

@@ -16,8 +16,12 @@ use crate::document::relief::PRESETS;
 use crate::document::{Address, ColorSpace, Directions, HcbtfAngle, HcbtfEdit, Rule, Strokes};
 use crate::editor::command::Command;
 use crate::editor::inspector::color;
+use crate::editor::panels::widgets::lead;
 use crate::editor::theme;
 use crate::hcbtf::Provenance;
+
+/// The width of labels before fields, in points: the longest is "Ground ambient".
+const LEAD: f32 = 96.0;
 
 /// While rules are at work the window looks again after so many seconds.
 const AGAIN: f32 = 0.1;
@@ -216,7 +220,7 @@ fn fields(ui: &mut Ui, work: &Work, rule: &mut Rule) -> Option<Id> {
 
 fn line<R>(ui: &mut Ui, label: &str, help: &str, add: impl FnOnce(&mut Ui, Id) -> R) -> R {
     ui.horizontal(|ui| {
-        let id = ui.add_sized([70.0, 18.0], eframe::egui::Label::new(label)).on_hover_text(help).id;
+        let id = lead(ui, label, LEAD).on_hover_text(help).id;
         add(ui, id)
     })
     .inner

@@ -2,11 +2,12 @@
 
 use std::ops::RangeInclusive;
 
-use eframe::egui::{Button, CollapsingHeader, Id, Label, Role, Slider, Ui, WidgetInfo};
+use eframe::egui::{Button, CollapsingHeader, Id, Role, Slider, Ui, WidgetInfo};
 
-use super::Work;
+use super::{LEAD, Work};
 use crate::document::relief::{Channel, Finish, Glint, Illumination, PRESETS, Pattern};
 use crate::document::{Address, Relief};
+use crate::editor::panels::widgets::lead;
 
 /// Shows the fields of a relief; who changed one.
 pub(super) fn fields(ui: &mut Ui, work: &Work, relief: &mut Relief) -> Option<Id> {
@@ -61,7 +62,7 @@ struct Fields {
 impl Fields {
     fn line(&mut self, ui: &mut Ui, label: &str, help: &str, add: impl FnOnce(&mut Ui, Id) -> Option<Id>) {
         let changed = ui.horizontal(|ui| {
-            let id = ui.add_sized([92.0, 18.0], Label::new(label)).on_hover_text(help).id;
+            let id = lead(ui, label, LEAD).on_hover_text(help).id;
             add(ui, id)
         });
         self.changed = self.changed.or(changed.inner);

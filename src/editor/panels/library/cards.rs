@@ -1,20 +1,24 @@
-//! Looks and scenes as pictures that open when they are pressed: those of files, and the examples.
+//! Looks, scenes and paintings as pictures that open when they are pressed: those of files, and the examples.
 
+use std::cell::OnceCell;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use eframe::egui::{
-    Align2, Color32, CornerRadius, FontId, Rect, Response, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2,
+    Align2, Color32, ColorImage, CornerRadius, FontId, Rect, Response, Role, Sense, Stroke, TextureHandle,
+    TextureOptions, Ui, WidgetInfo, pos2, vec2,
 };
 
 use super::super::super::command::Command;
+use super::super::super::dialogs::PAINTING;
 use super::super::super::dock::cell;
 use super::super::super::session::Session;
 use super::super::super::theme;
 use super::super::thumbs::{Shot, Thumbs, key_of, key_of_scene};
-use super::super::widgets::{picture_frame, row_ground, whole};
+use super::super::widgets::{fitted, picture_frame, row_ground, whole};
 use super::examples::{self, Example, count, example};
 use crate::document::{Document, Loaded, Look};
+use crate::hcbtf::{Cover, Picture, cover};
 
 /// The height of a card's name.
 const NAME: f32 = 20.0;
@@ -30,11 +34,46 @@ enum Origin {
 enum Content {
     Look(Arc<Look>),
     Scene,
+    Painting(Box<Painting>),
     /// Opening it tells why.
     Unreadable,
 }
 
-/// A look, or a scene, that can be opened.
+/// An HCBTF, as its file shows itself.
+struct Painting {
+    /// Its size, in a few words.
+    size: String,
+    /// The same in more.
+    about: String,
+    picture: Option<Picture>,
+    texture: OnceCell<TextureHandle>,
+}
+
+impl Painting {
+    fn of(cover: Cover) -> Self {
+        let Cover { grid, painted, picture } = cover;
+        let size = format!("{} x {}", grid.size[0], grid.size[1]);
+        let (lights, views) = (grid.light.distinct_count(), grid.view.distinct_count());
+        let samples = grid.sample_count();
+        let about = format!("{size} texels, {lights} lights x {views} views, {painted} of {samples} samples painted");
+        Self { size, about, picture, texture: OnceCell::new() }
+    }
+
+    /// Its thumbnail, as wide as it is for its height.
+    fn show(&self, ui: &Ui, rect: Rect) {
+        let Some(picture) = &self.picture else { return say(ui, rect, "nothing painted") };
+        let texture = self.texture.get_or_init(|| {
+            let size = picture.size.map(|side| side as usize);
+            let image = ColorImage::from_rgba_unmultiplied(size, &picture.rgba);
+            let options =
+                TextureOptions { minification: TextureOptions::LINEAR.minification, ..TextureOptions::NEAREST };
+            ui.ctx().load_texture("thumbnail", image, options)
+        });
+        ui.painter().image(texture.id(), fitted(rect, picture.size), whole(), Color32::WHITE);
+    }
+}
+
+/// A look, a scene or a painting that can be opened.
 pub(in super::super) struct Card {
     origin: Origin,
     pub(in super::super) name: String,
@@ -75,6 +114,11 @@ impl Card {
     /// What a file holds.
     pub(in super::super) fn of_file(path: &Path, side: f32) -> Self {
         let origin = Origin::File(path.to_owned());
+        if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(PAINTING)) {
+            let content =
+                cover(path).map_or(Content::Unreadable, |cover| Content::Painting(Box::new(Painting::of(cover))));
+            return Self { origin, name: name_of(path), content, key: 0, side };
+        }
         let (content, key) = match Document::load(path) {
             Document::Look(Loaded { value: Some(look), .. }) => {
                 let key = key_of(&look, Shot::Whole, side);
@@ -101,7 +145,11 @@ impl Card {
         out: &mut Vec<Command>,
     ) -> Response {
         let (rect, response) = ui.allocate_exact_size(vec2(side, side + NAME), Sense::click());
-        let what = if matches!(self.content, Content::Scene) { "scene" } else { "look" };
+        let what = match self.content {
+            Content::Scene => "scene",
+            Content::Painting(_) => "painting",
+            _ => "look",
+        };
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Open the {what} {}", self.name)));
         if response.gained_focus() {
             response.scroll_to_me(None);
@@ -114,6 +162,10 @@ impl Card {
         ui.painter().rect_filled(picture, 3.0, theme::of(ui).canvas);
         match (&self.content, thumbs.known(self.key)) {
             (Content::Unreadable, _) => say(ui, picture, "cannot be read"),
+            (Content::Painting(painting), _) => {
+                painting.show(ui, picture.shrink(1.0));
+                in_corner(ui, picture, &painting.size);
+            }
             (_, Some(texture)) => {
                 ui.painter().image(texture, picture.shrink(1.0), whole(), Color32::WHITE);
             }
@@ -138,7 +190,13 @@ impl Card {
                 format!("{}\nOpens it as a new {what}; the example itself stays as it is", self.name),
                 Command::OpenExample(*index),
             ),
-            Origin::File(path) => (format!("Opens {}", path.display()), Command::Open(Some(path.clone()))),
+            Origin::File(path) => {
+                let about = match &self.content {
+                    Content::Painting(painting) => format!("\n{}", painting.about),
+                    _ => String::new(),
+                };
+                (format!("Opens {}{about}", path.display()), Command::Open(Some(path.clone())))
+            }
         };
         if response.clicked() {
             out.push(command);
@@ -159,7 +217,7 @@ impl Card {
             (Content::Scene, Origin::File(path) | Origin::Example(_, path)) => {
                 thumbs.ask_for_scene(self.key, path, self.side);
             }
-            (Content::Unreadable, _) => {}
+            (Content::Painting(_) | Content::Unreadable, _) => {}
         }
     }
 }
@@ -197,6 +255,14 @@ fn picture_of(card: Rect, side: f32) -> Rect {
 fn say(ui: &Ui, picture: Rect, text: &str) {
     let font = FontId::proportional(theme::SMALL_TEXT);
     ui.painter().text(picture.center(), Align2::CENTER_CENTER, text, font, theme::of(ui).dim);
+}
+
+/// Words over a picture, in its lower left corner.
+fn in_corner(ui: &Ui, picture: Rect, text: &str) {
+    let galley = ui.painter().layout_no_wrap(text.to_owned(), FontId::proportional(theme::SMALL_TEXT), Color32::WHITE);
+    let at = picture.left_bottom() + vec2(6.0, -galley.size().y - 5.0);
+    ui.painter().rect_filled(Rect::from_min_size(at, galley.size()).expand2(vec2(4.0, 1.0)), 3.0, theme::PLATE);
+    ui.painter().galley(at, galley, Color32::WHITE);
 }
 
 fn name_below(ui: &Ui, card: Rect, picture: Rect, name: &str, color: Color32) {

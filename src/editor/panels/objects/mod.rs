@@ -2,6 +2,7 @@
 
 mod details;
 mod parameters;
+mod words;
 
 use eframe::egui;
 use eframe::egui::{
@@ -40,6 +41,7 @@ impl Objects {
             hint(ui, "Open shows the objects of a scene file, each in its own look.");
             return out.into_iter().map(Command::Stage).collect();
         };
+        words::show(ui, stage.scene(), &mut out);
         if stage.scene().objects.is_empty() {
             hint(ui, "The scene has no objects yet.");
         }

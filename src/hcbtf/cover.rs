@@ -1,0 +1,77 @@
+//! What an `.hcbtf` file shows of itself before it is opened: its thumbnail, how finely it is divided, and how much of it is
+//! painted. No sample is read.
+
+use std::path::Path;
+
+use super::archive::Archive;
+use super::file::read_bytes;
+use super::manifest::{self, MAX_MANIFEST_BYTES, NAME, THUMBNAIL};
+use super::picture::{MAX_PNG_EXTRAS, Picture, decode};
+use super::report::Report;
+use crate::document::Grid;
+
+/// Larger files are not read for their covers, in bytes: many of them may be asked for at once.
+const MOST_BYTES: u64 = 64 << 20;
+/// Larger thumbnails are not shown, in texels along a side: ours have 256 at most.
+const MOST_SIDE: u32 = 1024;
+
+/// What a file shows of itself.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cover {
+    /// How finely it is divided.
+    pub grid: Grid,
+    /// How many samples are painted.
+    pub painted: usize,
+    /// The thumbnail, where there is one that can be shown.
+    pub picture: Option<Picture>,
+}
+
+/// The cover of the `.hcbtf` file at `path`; `None` where it is none, is damaged, or is larger than 64 MiB.
+pub fn cover(path: &Path) -> Option<Cover> {
+    if std::fs::metadata(path).is_ok_and(|file| file.len() > MOST_BYTES) {
+        return None;
+    }
+    let bytes = read_bytes(path).ok()?;
+    let mut archive = Archive::open(&bytes).ok()?;
+    let text = archive.read(NAME, MAX_MANIFEST_BYTES).ok()?;
+    let mut report = Report::new("");
+    let manifest = manifest::parse(&text, &mut report).filter(|_| !report.has_errors())?;
+    let most = u64::from(MOST_SIDE) * u64::from(MOST_SIDE) * 4 + MAX_PNG_EXTRAS;
+    let png = archive.has(THUMBNAIL).then(|| archive.read(THUMBNAIL, most).ok()).flatten();
+    let accept = |size: [u32; 2]| match size.into_iter().all(|side| (1..=MOST_SIDE).contains(&side)) {
+        true => Ok(()),
+        false => Err("it is no thumbnail".to_owned()),
+    };
+    let picture = png.and_then(|png| decode(&png, accept).ok()).map(|decoded| decoded.picture);
+    Some(Cover { grid: manifest.grid, painted: manifest.painted.len(), picture })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::document::{Address, Directions, Hcbtf, Tile};
+    use crate::hcbtf::write;
+
+    #[test]
+    fn a_file_shows_its_thumbnail_and_its_size_and_damage_shows_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        let directions = Directions { theta: 2, phi: 3 };
+        let grid = Grid { size: [6, 3], light: directions, view: directions };
+        let mut hcbtf = Hcbtf::new(grid);
+        hcbtf.painted.insert(Address::default(), Arc::new(Tile::filled(grid.size, [9, 80, 200, 255])));
+        let bytes = write(&hcbtf).unwrap();
+        let path = folder.path().join("a.hcbtf");
+        std::fs::write(&path, &bytes).unwrap();
+        let found = cover(&path).unwrap();
+        assert_eq!((found.grid, found.painted), (grid, 1));
+        let picture = found.picture.unwrap();
+        assert_eq!(picture.size[0], 2 * picture.size[1], "as wide as the tile is for its height");
+        assert!(picture.rgba.chunks(4).all(|texel| texel == [9, 80, 200, 255]));
+        std::fs::write(&path, &bytes[..bytes.len() / 2]).unwrap();
+        assert_eq!(cover(&path), None);
+        assert_eq!(cover(&folder.path().join("none.hcbtf")), None);
+        assert!(cover(Path::new("example:hcbtf/pencil.hcbtf")).is_some());
+    }
+}
