@@ -226,7 +226,8 @@ impl Grower<'_> {
                 let mut point = below.clone();
                 point.insert(place, Layer { lit: *lit, mode, tone: tone.clone() });
                 let error = few.error(&point);
-                if best.as_ref().is_none_or(|best| error < best.error) {
+                // Where layers do not meet, all places show the same; the lowest, covering, stands for adding too.
+                if best.as_ref().is_none_or(|best| error < 0.98 * best.error) {
                     best = Some(Found { point, error });
                 }
             }
