@@ -111,11 +111,9 @@ impl Baking<'_> {
         for first in (0..texels).step_by(texels_at_once(self.samples)) {
             let piece = first..texels.min(first + texels_at_once(self.samples));
             for values in self.values(view, piece)?.chunks_exact(self.samples as usize) {
-                let (even, odd): (Vec<_>, Vec<_>) = values.chunks(2).map(|two| (two[0], two.get(1).copied())).unzip();
-                let odd: Vec<[f64; 4]> = odd.into_iter().flatten().collect();
-                if !odd.is_empty() {
-                    let [even, odd] = [even, odd].map(|half| self.seen(mean(&half)));
-                    halves += even.iter().zip(odd).map(|(even, odd)| ((even - odd) / 2.0).powi(2)).sum::<f64>();
+                if values.len() > 1 {
+                    let [one, other] = halves_of(values).map(|half| self.seen(mean(&half)));
+                    halves += one.iter().zip(other).map(|(one, other)| ((one - other) / 2.0).powi(2)).sum::<f64>();
                 }
                 rgba.extend(self.shown(mean(values)).map(|channel| (255.0 * channel).round() as u8));
             }
@@ -151,6 +149,16 @@ impl Baking<'_> {
         let [r, g, b, a] = self.shown(color);
         [r * a, g * a, b * a, a]
     }
+}
+
+/// A texel's samples in two halves that both lie all over it: by whether their numbers have an even count of ones, for each
+/// bit halves the texel anew, in one direction or the other.
+fn halves_of(samples: &[[f64; 4]]) -> [Vec<[f64; 4]>; 2] {
+    let half = |odd| {
+        let own = samples.iter().zip(0_u32..).filter(move |(_, index)| index.count_ones() % 2 == odd);
+        own.map(|(sample, _)| *sample).collect()
+    };
+    [half(0), half(1)]
 }
 
 /// The mean of straight colours, weighted by their alpha; where all are transparent, each as much.
