@@ -6,7 +6,7 @@ use std::hint::black_box;
 use std::sync::Arc;
 
 use chiaro::document::{Patch, Tile};
-use chiaro::hcbtf::paint::{Brush, Stroke, Symmetry, Tool, fill, line};
+use chiaro::hcbtf::paint::{Brush, Flood, Stroke, Symmetry, Tool, fill, line};
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use glam::DVec2;
 
@@ -67,7 +67,8 @@ fn benchmark(criterion: &mut Criterion) {
             bencher.iter(|| Patch::between(black_box(base), &after));
         });
     }
-    group.bench_function("flood", |bencher| bencher.iter(|| fill(black_box(&base), [9, 9], [7; 4], 1.0, true)));
+    let flood = Flood { tolerance: 1.0, edge: Flood::EDGE, wraps: true };
+    group.bench_function("flood", |bencher| bencher.iter(|| fill(black_box(&base), [9, 9], [7; 4], flood)));
     group.finish();
 }
 
