@@ -65,6 +65,11 @@ pub fn fitted(from: &Path, form: Form, grid: Grid, gap: u32) -> Grid {
     fitted.filter(|grid| grid.check().is_ok()).unwrap_or(grid)
 }
 
+/// Whether what is there tells its grid, its rules and whether it repeats: a folder that Chiaro wrote.
+pub fn tells_all(from: &Path, form: Form) -> bool {
+    form == Form::Folder && folder::told_grid(from).is_some()
+}
+
 /// The PNG of a folder that comes first by its name.
 fn first_image(folder: &Path) -> Option<PathBuf> {
     let files = std::fs::read_dir(folder).ok()?.flatten().map(|entry| entry.path());

@@ -41,6 +41,8 @@ impl Import {
         let Self { form, light, view, gap, is_tiling } = self;
         let grid = exchange::fitted(from, form, Grid { size: Grid::THESIS.size, light, view }, gap);
         let (hcbtf, notes) = exchange::import(from, form, grid, gap, progress)?;
+        // What Chiaro wrote tells by itself whether it repeats.
+        let is_tiling = if exchange::tells_all(from, form) { hcbtf.is_tiling } else { is_tiling };
         Ok((Hcbtf { is_tiling, ..hcbtf }, notes))
     }
 }
@@ -51,7 +53,8 @@ fn told(form: Form) -> (&'static str, &'static str) {
         Form::Folder => (
             "A folder of images",
             "One PNG a sample: l2.3_v1.4.png is seen with the light at ring 2, step 3 and the eye at ring 1, step 4. \
-             Numbered ones follow each other view by view, and for each view light by light.",
+             Numbered ones follow each other view by view, and for each view light by light. One that Chiaro exported \
+             tells its own lights and views.",
         ),
         Form::Contact => (
             "A contact sheet",

@@ -8,6 +8,7 @@ use super::work::Work;
 use crate::document::{Grid, Storage};
 use crate::editor::theme;
 use crate::editor::worker::Worker;
+use crate::figures::bytes;
 use crate::hcbtf::{Device, Filled, Need, filled_at_most, layers_bytes, needs, needs_at_most};
 
 /// Of which grid, the bytes of all tiles, and what each storage takes.
@@ -47,7 +48,7 @@ impl Memory {
     /// Shows what the samples take, folded to a line.
     pub(super) fn show(&mut self, ui: &mut Ui, work: &Work) {
         let grid = *work.grid();
-        let title = format!("Memory: up to {} on the GPU", told_bytes(layers_bytes(&grid, false)));
+        let title = format!("Memory: up to {} on the GPU", bytes(layers_bytes(&grid, false)));
         let section = CollapsingHeader::new(title).id_salt("memory").show(ui, |ui| {
             let known = self.measured(work).cloned();
             table(ui, &grid, known.as_ref().map(|(_, bytes, needs)| (*bytes, needs.as_slice())), &self.device);
@@ -68,8 +69,8 @@ impl Memory {
 pub(super) fn in_short(grid: &Grid) -> String {
     let most = needs_at_most(grid);
     let compact = most.iter().find(|need| need.storage == Storage::Compact && !need.has_levels).map_or(0, Need::bytes);
-    let (raw, gpu) = (told_bytes(filled_at_most(grid)), told_bytes(layers_bytes(grid, false)));
-    format!("{raw} filled, {gpu} on the GPU, compact at most {}", told_bytes(compact))
+    let (raw, gpu) = (bytes(filled_at_most(grid)), bytes(layers_bytes(grid, false)));
+    format!("{raw} filled, {gpu} on the GPU, compact at most {}", bytes(compact))
 }
 
 /// What a grid takes at most in each storage, what it takes `now` where that is known, and whether the device holds it.
@@ -83,8 +84,8 @@ pub(super) fn table(ui: &mut Ui, grid: &Grid, now: Option<(u64, &[Need])>, devic
         ui.end_row();
         let mut row = |name: &str, help: &str, now: Option<u64>, most: u64, word: &str| {
             ui.label(name).on_hover_text(help);
-            ui.label(now.map(told_bytes).unwrap_or_default());
-            ui.label(told_bytes(most));
+            ui.label(now.map(bytes).unwrap_or_default());
+            ui.label(bytes(most));
             let short = if word == UNFIT { "too large" } else { "fits" };
             let color = if word == UNFIT { theme::of(ui).error } else { theme::of(ui).dim };
             ui.label(RichText::new(short).color(color)).on_hover_text(word);
@@ -100,10 +101,10 @@ pub(super) fn table(ui: &mut Ui, grid: &Grid, now: Option<(u64, &[Need])>, devic
         }
     });
     for storage in Storage::ALL {
-        let text = format!("{}: {}", named(storage), brief(storage));
+        let text = format!("{}: {}", named(storage), storage.about());
         ui.label(RichText::new(text).color(dim).small());
     }
-    let painted = told_bytes(layers_bytes(grid, false));
+    let painted = bytes(layers_bytes(grid, false));
     let text = format!("While it is painted it is quick, with a layer for each view: {painted} on the GPU");
     ui.label(RichText::new(text).color(dim).small());
     let crate::hcbtf::Limits { side, layers, has_blocks } = device.limits;
@@ -124,15 +125,6 @@ pub(super) fn named(storage: Storage) -> &'static str {
     }
 }
 
-/// What a storage is, in a line.
-pub(super) fn brief(storage: Storage) -> &'static str {
-    match storage {
-        Storage::Quick => "looked up fastest, and exact; equal views are there once",
-        Storage::Compact => "exact too, and smaller where much repeats; looked up more slowly",
-        Storage::Blocks => "compressed (BC7), smallest for many colors; they are off by a little",
-    }
-}
-
 fn told(need: &Need) -> (&'static str, &'static str) {
     match (need.storage, need.has_levels) {
         (Storage::Quick, false) => ("Quick", "As crisp lookups read it; equal views share a layer"),
@@ -149,15 +141,5 @@ fn told(need: &Need) -> (&'static str, &'static str) {
         (Storage::Compact, true) => {
             ("Compact with levels", "The same with smaller levels of the tile, for smooth lookups")
         }
-    }
-}
-
-/// Bytes for people.
-pub(super) fn told_bytes(bytes: u64) -> String {
-    let (kib, mib) = (bytes as f64 / f64::from(1 << 10), bytes as f64 / f64::from(1 << 20));
-    match mib {
-        _ if mib < 0.995 => format!("{kib:.1} KiB"),
-        _ if mib < 9.95 => format!("{mib:.2} MiB"),
-        _ => format!("{mib:.1} MiB"),
     }
 }

@@ -2,12 +2,13 @@
 
 use eframe::egui::{Grid as Table, Id, Modal, RichText, Ui};
 
-use super::memory::{Memory, brief, named, told_bytes};
+use super::memory::{Memory, named};
 use super::work::Work;
 use super::{Wish, command};
 use crate::document::Storage;
 use crate::editor::command::Command;
 use crate::editor::theme;
+use crate::figures::bytes;
 use crate::hcbtf::exchange::Form;
 use crate::hcbtf::{Need, needs_at_most};
 
@@ -53,11 +54,11 @@ fn choices(ui: &mut Ui, work: &Work, memory: &mut Memory, chosen: &mut Storage) 
         for storage in Storage::ALL {
             ui.radio_value(chosen, storage, named(storage));
             let size = match &known {
-                Some(needs) => told_bytes(of(needs, storage)),
-                None => format!("at most {}", told_bytes(of(&most, storage))),
+                Some(needs) => bytes(of(needs, storage)),
+                None => format!("at most {}", bytes(of(&most, storage))),
             };
             ui.label(size);
-            ui.label(RichText::new(brief(storage)).color(theme::of(ui).dim));
+            ui.label(RichText::new(storage.about()).color(theme::of(ui).dim));
             ui.end_row();
         }
     });

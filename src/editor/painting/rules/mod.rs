@@ -34,27 +34,25 @@ pub(super) const ANGLES: [(HcbtfAngle, &str); 4] = [
     (HcbtfAngle::ViewPhi, "Eye's way around"),
 ];
 
-/// What a rule is called and what it does.
-fn about(rule: &Rule) -> (&'static str, &'static str) {
-    match rule {
-        Rule::Copy { .. } => ("Copy", "Fills everything that is empty with one painting"),
-        Rule::Lock { .. } => ("Lock angles", "What is painted holds for every value of these angles"),
-        Rule::Blend { .. } => {
-            ("Blend", "Blends the paintings by how near their light and eye are: a few make the whole")
+/// What a rule does, for whoever looks at the window, with its name in files.
+fn help(rule: &Rule) -> String {
+    let does = match rule {
+        Rule::Copy { .. } => "Fills everything that is empty with one painting",
+        Rule::Lock { .. } => "What is painted holds for every value of these angles",
+        Rule::Blend { .. } => "Blends the paintings by how near their light and eye are: a few make the whole",
+        Rule::Morph { .. } => {
+            "Blends the nearest paintings, and moves their strokes from one to the other in place of fading them"
         }
-        Rule::Morph { .. } => (
-            "Morph",
-            "Blends the nearest paintings, and moves their strokes from one to the other in place of fading them",
-        ),
-        Rule::Mirror { .. } => ("Highlight", "One color where the light is mirrored to the eye, fading outward"),
-        Rule::Specular { .. } => ("Copy near the mirror", "One painting where the light is mirrored to the eye"),
-        Rule::Color { .. } => ("Color", "Fills everything that is empty with one color"),
-        Rule::Strokes(_) => ("Strokes", "Draws strokes that stand on the tile, as each eye and each light see them"),
-        Rule::Relief(_) => ("Relief", "Shows a relief of the tile, as each eye and each light see it"),
-        Rule::Lambert { .. } => ("Darken by Lambert", "Darkens what is filled as the light sinks"),
-        Rule::Rotate { .. } => ("Turn with the eye", "Turns what is filled with the eye, so that it keeps facing it"),
-        Rule::Recolor { .. } => ("Recolor", "Tints what is filled from one color to another along an angle"),
-    }
+        Rule::Mirror { .. } => "One color where the light is mirrored to the eye, fading outward",
+        Rule::Specular { .. } => "One painting where the light is mirrored to the eye",
+        Rule::Color { .. } => "Fills everything that is empty with one color",
+        Rule::Strokes(_) => "Draws strokes that stand on the tile, as each eye and each light see them",
+        Rule::Relief(_) => "Shows a relief of the tile, as each eye and each light see it",
+        Rule::Lambert { .. } => "Darkens what is filled as the light sinks",
+        Rule::Rotate { .. } => "Turns what is filled with the eye, so that it keeps facing it",
+        Rule::Recolor { .. } => "Tints what is filled from one color to another along an angle",
+    };
+    format!("{does}\nIn files and at the command line: {}", rule.word())
 }
 
 /// One of each kind, to be added.
@@ -90,7 +88,7 @@ pub(super) fn show(
     ui.horizontal(|ui| {
         ui.menu_button("+ Add a rule", |ui| {
             for rule in fresh(work) {
-                let (name, help) = about(&rule);
+                let (name, help) = (rule.about().label, help(&rule));
                 let button = ui.button(name);
                 button.widget_info(|| WidgetInfo::labeled(Role::MenuItem, true, name));
                 if button.on_hover_text(help).clicked() {
@@ -149,7 +147,7 @@ fn counts(work: &Work) -> Vec<usize> {
 }
 
 fn card(ui: &mut Ui, work: &Work, index: usize, rule: &Rule, count: usize, out: &mut Vec<Command>) {
-    let (name, help) = about(rule);
+    let (name, help) = (rule.about().label, help(rule));
     let rules = &work.hcbtf().rules;
     let frame = eframe::egui::Frame::new().fill(theme::of(ui).node).corner_radius(4.0).inner_margin(8.0);
     frame.show(ui, |ui| {
