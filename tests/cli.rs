@@ -561,6 +561,48 @@ fn the_example_in_the_docs_is_a_node() {
     shop.run(&["check", "custom.json"]).ok();
 }
 
+/// What decides between keys, with its value and the weights; what cannot decide is told by `check` with its line.
+#[test]
+fn what_drives_keys_is_explained_and_checked() {
+    let shop = shop();
+    let look = |wire: &str| {
+        let text = format!(
+            r##"{{
+            "nodes": [
+                {{"kind": "time"}}, {{"id": "later", "kind": "add", "values": {{"b": 2.5}}}}, {{"kind": "facing"}},
+                {{"id": "grey", "kind": "number"}}, {{"kind": "output"}}
+            ],
+            "wires": [{{"from": "time", "to": "later.a"}}, {{"from": "grey", "to": "output.color"}}],
+            "direction_keys": [
+                {{"name": "Mood", "by": {{"drivers": [{{"wire": "{wire}"}}, "distance"]}}, "keys": [
+                    {{"at": [2.5, 1], "values": {{"grey.value": 1}}}}, {{"at": [9, 1], "values": {{"grey.value": 0}}}}
+                ]}}
+            ]
+            }}"##
+        );
+        shop.write("driven.json", &text);
+    };
+    look("later");
+    shop.run(&["check", "driven.json"]).ok();
+    let text = shop.run_without_gpu(&["explain", "driven.json"]).ok().out;
+    for part in
+        ["Mood on `object`: the wire `later` is 2.5000, the distance to the eye is 4.4000", "weights 100.0% 0.0%"]
+    {
+        assert!(text.contains(part), "no `{part}` in\n{text}");
+    }
+    let told = shop.run(&["explain", "driven.json", "--json"]).ok().json();
+    let look_told = &told["looks"][0];
+    assert_eq!(look_told["keys"][0]["by"][0]["now"][0], 2.5);
+    let on_host = look_told["nodes"]["host"].as_array().unwrap();
+    assert!(["later", "time"].iter().all(|node| on_host.iter().any(|told| told == node)), "{on_host:?}");
+    for (wire, code) in
+        [("nobody", "unknown-node"), ("later.y", "unknown-port"), ("facing", "fragment-driver"), ("grey", "key-cycle")]
+    {
+        look(wire);
+        shop.run(&["check", "driven.json"]).fails(1, &["driven.json:8:", code]);
+    }
+}
+
 #[test]
 fn explain_tells_passes_and_reasons_without_a_gpu() {
     let shop = shop();

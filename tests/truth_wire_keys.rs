@@ -91,8 +91,7 @@ fn smooth(keys: &[(Vec<f64>, f64)], at: &[f64]) -> f64 {
             (column..=n).max_by(|&a, &b| rows[a][column].abs().total_cmp(&rows[b][column].abs())).expect("rows");
         rows.swap(column, pivot);
         let row = rows[column].clone();
-        for (index, other) in rows.iter_mut().enumerate().filter(|(index, _)| *index != column) {
-            let _ = index;
+        for (_, other) in rows.iter_mut().enumerate().filter(|(index, _)| *index != column) {
             let factor = other[column] / row[column];
             other.iter_mut().zip(&row).for_each(|(x, y)| *x -= factor * y);
         }

@@ -335,6 +335,21 @@ fn joined(known: &[(Rate, BTreeSet<String>)], operands: &[usize]) -> (Rate, BTre
     })
 }
 
+/// The nodes that what drives keys is computed by.
+fn driving(typed: &TypedGraph) -> HashSet<String> {
+    let (mut seen, mut open) = (HashSet::new(), typed.drivers.iter().map(|driver| driver.node).collect::<Vec<_>>());
+    while let Some(index) = open.pop() {
+        if !seen.insert(index) {
+            continue;
+        }
+        open.extend(typed.nodes[index].inputs.iter().flatten().filter_map(|input| match &input.source {
+            TypedSource::Wire { node, .. } => Some(*node),
+            _ => None,
+        }));
+    }
+    seen.into_iter().map(|index| typed.nodes[index].path.to_string()).collect()
+}
+
 impl Nodes {
     fn new(shader: &CompiledShader, emitted: &HashSet<&NodePath>, typed: &TypedGraph) -> Self {
         let removed: BTreeMap<&NodePath, &Removal> =
@@ -342,7 +357,7 @@ impl Nodes {
         // A member's origin is `node` or `node.part`, and no id has a dot.
         let node_of = |origin: &'_ str| origin.split_once('.').map_or(origin.to_owned(), |(node, _)| node.to_owned());
         let mut on_host: HashSet<String> = shader.host.members.iter().map(|member| node_of(&member.origin)).collect();
-        on_host.extend(shader.host.drivers.iter().map(|driver| driver.wire.node.to_string()));
+        on_host.extend(driving(typed));
         let mut nodes = Self { total: typed.order.len(), ..Self::default() };
         for node in typed.order.iter().map(|&index| &typed.nodes[index]) {
             let path = node.path.to_string();
