@@ -319,6 +319,7 @@ fn shots() {
     hand.settle();
     save(&mut hand, "fit-9-small");
     hand.harness.set_size(vec2(1600.0, 960.0));
+    hand.settle();
     hand.app_mut().fitting_mut().set_layers(1);
     hand.press("Clear");
     stroke(&mut hand, "Color", &[[0.35, 0.45], [0.5, 0.1], [0.4, -0.3]]);

@@ -203,8 +203,11 @@ fn named(change: &Changed, session: &Session) -> (String, String) {
         "color" => change.place.rsplit_once('.').unwrap_or((change.place.as_str(), "color")),
         _ => (change.place.as_str(), "profile"),
     };
-    let title = node.split('/').next().map(|id| session.title(&id.into()));
-    (title.unwrap_or_else(|| node.to_owned()), port.replace('_', " "))
+    let id = node.split('/').next().unwrap_or(node);
+    // New layers are not in the open look yet.
+    let fitted = session.preview().and_then(|look| look.graph.nodes.get(id)).map(|node| node.name.clone());
+    let title = fitted.filter(|name| !name.is_empty()).unwrap_or_else(|| session.title(&id.into()));
+    (title, port.replace('_', " "))
 }
 
 /// How far a light was turned, where it was there before.

@@ -105,7 +105,8 @@ mod tests {
         let painted = wishes(&tile, &ground);
         let at: Vec<[u32; 2]> = painted.iter().map(|wish| wish.pixel).collect();
         assert_eq!(at, [[0, 0], [2, 0], [3, 0]]);
-        assert!(painted.iter().all(|wish| wish.color == [1.0, 0.0, 0.2]));
+        let near = |wish: &Wish| wish.color.iter().zip([1.0, 0.0, 0.2]).all(|(a, b)| (a - b).abs() < 1e-12);
+        assert!(painted.iter().all(near));
         assert!((painted[2].weight - 1.0 / 3.0).abs() < 1e-12 && painted[0].weight == 1.0);
         let target = target(&painted, &ground, 0.5);
         assert_eq!(target.wishes[..3], painted);
