@@ -237,7 +237,7 @@ fn a_texture_leaves_as_it_is_to_be_stored_and_its_size_is_told_before() {
     let filled = all(hcbtf(&hand));
     for (storage, name, code) in [("Quick", "quick", 0_u8), ("Compact", "compact", 8), ("Blocks", "blocks", 24)] {
         open_menu(&mut hand, "Export the HCBTF as a KTX2 texture...");
-        assert!(hand.says("looked up fastest") && hand.says("smaller where much repeats") && hand.says("BC7"));
+        assert!(hand.says("the fewest reads") && hand.says("less memory, more reads") && hand.says("BC7"));
         let needs = hcbtf::needs(&filled.grid(), |address| filled.tile(address));
         let need = needs.iter().find(|need| need.has_levels && need.storage.word() == name).unwrap();
         assert!(hand.says(&format!("{:.1} KiB", need.bytes() as f64 / 1024.0)), "{name}: {}", need.bytes());

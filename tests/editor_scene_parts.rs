@@ -325,6 +325,7 @@ fn objects_set_what_their_looks_expose() {
     assert_eq!(set[1], plain[1], "the other object is as its look");
     assert_eq!(set[0], [255, 0, 0], "no layer over its base");
     hand.choose("Kind of light", "Specular");
+    hand.bring(Role::ComboBox, "By");
     hand.choose("By", "back");
     assert_eq!(values(&hand)["kind"], Value::Text("specular".into()));
     assert_eq!(values(&hand)["by"], Value::Text("back".into()));

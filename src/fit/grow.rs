@@ -10,6 +10,7 @@ use rayon::iter::{
     IntoParallelIterator as _, IntoParallelRefIterator as _, IntoParallelRefMutIterator as _, ParallelIterator as _,
 };
 
+use super::beam::{Stack, WIDTHS, Width, apart, best_of};
 use super::build::layered;
 use super::choose::{Surface, evenly, pixels_of, telling, thinned, wearing, wishes_of};
 use super::lit::{Kind, Lit};
@@ -31,12 +32,6 @@ use crate::library::Library;
 const PIXELS: usize = 320;
 /// Pixels of those that every light is tried at.
 const FEW_PIXELS: usize = 96;
-/// Stacks that go on to the next layer.
-const BEAM: usize = 3;
-/// Beginnings of a layer that are turned downhill.
-const BEGINNINGS: usize = 8;
-/// Lights from everywhere.
-const EVEN: usize = 64;
 /// Lights from where most is missing.
 const TELLING: usize = 12;
 /// Profiles that a search begins with: offset, fall-off and cut-off in degrees.
@@ -50,9 +45,6 @@ const SHAPES: [[f64; 3]; 6] = [
 ];
 /// How often layers are searched for again where the whole is not near enough.
 const ROUNDS: usize = 2;
-
-/// Some layers with how far off they are.
-type Stack = Found<Vec<Layer>>;
 
 /// Lays up to `layers` light layers over a base so that they show what `target` wishes of `setup`, and puts them in the
 /// place of the nodes of look number `look`. Layers that would change nothing are left out.
@@ -74,16 +66,27 @@ pub fn fit_layers(
         let message = format!("{layers} layers cannot be laid; it is 1 to {MAX_LAYERS}");
         return Err(one(Diagnostic::error("fit-layers", message)));
     }
-    progress.begin(layers as u64 + 2);
     let shot = Shot { setup, look, library, size: target.size, time: options.time };
     let given = thinned(target);
     let chosen = pixels_of(&given);
     let Surface { directions, pixels } = Surface::new(&shot, &chosen)?;
     let wishes = wishes_of(&pixels, &given)?;
-    let grower = Grower { surface: &directions, wishes: &wishes, enough: options.enough, progress };
-    let stack = grower.grow(layers).map_err(one)?;
-    let whole = grower.whole();
-    let colors = whole.colors(&whole.taken_over(&stack));
+    let whole = Search::new(&directions, &wishes, &evenly(wishes.len(), wishes.len()));
+    let mut best: Option<Stack> = None;
+    for width in WIDTHS {
+        // Another search begins anew, and so does what is told of it.
+        progress.begin(layers as u64 + 2);
+        let grower = Grower { surface: &directions, wishes: &wishes, enough: options.enough, width, progress };
+        let found = grower.grow(&whole, layers).map_err(one)?;
+        if best.as_ref().is_none_or(|best| found.error < best.error) {
+            best = Some(found);
+        }
+        if best.as_ref().is_some_and(|best| best.error <= whole.error_of(2.0 * options.enough)) {
+            break;
+        }
+    }
+    let stack = whole.taken_over(&best.map(|best| best.point).unwrap_or_default());
+    let colors = whole.colors(&stack);
     let built = layered(&setup.looks[look].look.name, &stack, &colors);
     let worn = wearing(&shot, built);
     let before = compared_as_is(&shot, &given)?;
@@ -99,28 +102,24 @@ struct Grower<'a> {
     surface: &'a [[DVec3; 2]],
     wishes: &'a [Wish],
     enough: f64,
+    width: Width,
     progress: &'a Progress,
 }
 
 impl Grower<'_> {
-    /// A search at all pixels.
-    fn whole(&self) -> Search {
-        Search::new(self.surface, self.wishes, &evenly(self.wishes.len(), self.wishes.len()))
-    }
-
-    fn grow(&self, most: usize) -> Result<Vec<Layer>, Diagnostic> {
-        let whole = self.whole();
+    /// Up to `most` layers; `whole` looks at all pixels.
+    fn grow(&self, whole: &Search, most: usize) -> Result<Stack, Diagnostic> {
         let mut best: Vec<Layer> = Vec::new();
         let mut beam = vec![best.clone()];
         for _ in 0..most {
-            let missing = missing(&whole, &best);
+            let missing = missing(whole, &best);
             let search = Search::new(self.surface, self.wishes, &telling(&missing, PIXELS));
             let mut found = Vec::new();
             for stack in &beam {
                 found.extend(self.with_one_more(&search, &search.taken_over(stack), &missing)?);
             }
-            let mut found = best_of(found, BEAM);
-            self.evened(&whole, &mut found)?;
+            let mut found = best_of(found, self.width.beam);
+            self.evened(whole, &mut found)?;
             let Some(first) = found.first() else { break };
             best.clone_from(&first.point);
             beam = found.iter().map(|stack| stack.point.clone()).collect();
@@ -129,7 +128,7 @@ impl Grower<'_> {
                 break;
             }
         }
-        let best = self.again(&whole, best)?;
+        let best = self.again(whole, best)?;
         self.progress.add(1);
         Ok(best)
     }
@@ -156,32 +155,32 @@ impl Grower<'_> {
     }
 
     /// Turns the lowest layer over, and takes each out and searches for it again, while that brings the whole nearer.
-    fn again(&self, whole: &Search, mut best: Vec<Layer>) -> Result<Vec<Layer>, Diagnostic> {
-        let mut error = whole.error(&whole.taken_over(&best));
+    fn again(&self, whole: &Search, best: Vec<Layer>) -> Result<Stack, Diagnostic> {
+        let at_all = |point: Vec<Layer>| Found { error: whole.error(&whole.taken_over(&point)), point };
+        let mut best = at_all(best);
         for _ in 0..ROUNDS {
-            let before = error;
+            let before = best.error;
             // First the lowest turned over, then each without the layer in turn.
-            for out in std::iter::once(None).chain((0..best.len()).map(Some)) {
-                if error <= whole.error_of(self.enough) {
+            for out in std::iter::once(None).chain((0..best.point.len()).map(Some)) {
+                if best.error <= whole.error_of(self.enough) {
                     return Ok(best);
                 }
-                let missing = missing(whole, &best);
+                let missing = missing(whole, &best.point);
                 let search = Search::new(self.surface, self.wishes, &telling(&missing, PIXELS));
-                let mut rest = search.taken_over(&best);
-                let found = match out {
+                let mut rest = search.taken_over(&best.point);
+                let mut found = match out {
                     None => self.turned_over(&search, &rest)?,
                     Some(index) => {
                         rest.remove(index);
                         self.with_one_more(&search, &rest, &missing)?
                     }
                 };
-                let Some(Found { point, .. }) = best_of(found, 1).into_iter().next() else { continue };
-                let now = whole.error(&whole.taken_over(&point));
-                if now < 0.98 * error {
-                    (best, error) = (point, now);
+                self.evened(whole, &mut found)?;
+                if let Some(nearest) = found.into_iter().next().filter(|found| found.error < 0.98 * best.error) {
+                    best = nearest;
                 }
             }
-            if error > 0.9 * before {
+            if best.error > 0.9 * before {
                 break;
             }
         }
@@ -208,7 +207,7 @@ impl Grower<'_> {
             descend(search, stack, Until { steps, error: search.error_of(share * self.enough) }, self.progress)
         };
         let begun: Result<Vec<Stack>, Diagnostic> = stacks.into_par_iter().map(|stack| turned(stack, 8, 0.5)).collect();
-        best_of(begun?, BEAM).into_par_iter().map(|stack| turned(stack.point, 40, 0.2)).collect()
+        best_of(begun?, self.width.beam).into_par_iter().map(|stack| turned(stack.point, 40, 0.2)).collect()
     }
 
     /// Stacks with one more layer, turned downhill.
@@ -226,8 +225,7 @@ impl Grower<'_> {
                 let mut point = below.clone();
                 point.insert(place, Layer { lit: *lit, mode, tone: tone.clone() });
                 let error = few.error(&point);
-                // Where layers do not meet, all places show the same; the lowest, covering, stands for adding too.
-                if best.as_ref().is_none_or(|best| error < 0.98 * best.error) {
+                if best.as_ref().is_none_or(|best| error < best.error) {
                     best = Some(Found { point, error });
                 }
             }
@@ -236,7 +234,7 @@ impl Grower<'_> {
         let found: Result<Vec<_>, Diagnostic> = lights.par_iter().map(tried).collect();
         let mut found: Vec<(Lit, Stack)> = found?.into_iter().flatten().collect();
         found.sort_by(|a, b| a.1.error.total_cmp(&b.1.error));
-        let begun = apart(found, BEGINNINGS).into_iter().map(|stack| search.taken_over(&stack.point));
+        let begun = apart(found, self.width.beginnings).into_iter().map(|stack| search.taken_over(&stack.point));
         self.downhill(search, begun.collect())
     }
 
@@ -246,7 +244,7 @@ impl Grower<'_> {
         order.sort_by(|&a, &b| missing[b].total_cmp(&missing[a]).then(a.cmp(&b)));
         let mut lights = Vec::new();
         for (which, kind) in Kind::ALL.into_iter().enumerate() {
-            let mut directions = even_directions(EVEN);
+            let mut directions = even_directions(self.width.lights);
             let mut told: Vec<DVec3> = Vec::new();
             for &pixel in order.iter().take(order.len() / 4 + 1) {
                 let direction = self.surface[pixel][which];
@@ -278,27 +276,4 @@ fn places(count: usize, search: &Search) -> Vec<(usize, Mode)> {
         modes.iter().map(move |mode| (place, *mode))
     };
     (0..=count).flat_map(at).collect()
-}
-
-/// The best, of those that begin at much the same light only the first.
-fn apart(found: Vec<(Lit, Stack)>, most: usize) -> Vec<Stack> {
-    let mut kept: Vec<(Lit, Stack)> = Vec::new();
-    for (lit, stack) in found {
-        let is_near = |(other, _): &(Lit, Stack)| other.kind == lit.kind && other.direction.dot(lit.direction) > 0.9;
-        if kept.iter().filter(|other| is_near(other)).count() < 2 {
-            kept.push((lit, stack));
-        }
-        if kept.len() >= most {
-            break;
-        }
-    }
-    kept.into_iter().map(|(_, stack)| stack).collect()
-}
-
-/// The best, of equals only the first.
-fn best_of(mut found: Vec<Stack>, most: usize) -> Vec<Stack> {
-    found.sort_by(|a, b| a.error.total_cmp(&b.error));
-    found.dedup_by(|b, a| (b.error - a.error).abs() <= 1e-3 * a.error && b.point.len() == a.point.len());
-    found.truncate(most);
-    found
 }

@@ -10,6 +10,7 @@
 //! is searched (variable projection, Golub and Pereyra 1973; `stack`). And a hard edge pulls at nothing but its own
 //! pixels, so that every search begins with soft profiles, which narrow by themselves as they come closer.
 
+mod beam;
 mod build;
 mod choose;
 mod grow;

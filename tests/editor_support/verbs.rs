@@ -69,6 +69,14 @@ impl Hand {
         self.press_a(Role::Tab, panel);
     }
 
+    /// Scrolls until the first thing of this role and name can be seen.
+    #[track_caller]
+    pub(crate) fn bring(&mut self, role: Role, label: &str) {
+        let found = self.harness.query_all_by_role_and_label(role, label).next();
+        found.unwrap_or_else(|| panic!("there is no {role:?} \"{label}\" among {:?}", self.names())).scroll_to_me();
+        self.settle();
+    }
+
     /// Chooses from a list by the list's name.
     #[track_caller]
     pub(crate) fn choose(&mut self, list: &str, what: &str) {

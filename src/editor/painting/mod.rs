@@ -377,10 +377,11 @@ impl Painting {
             let slider = ui.add(Slider::new(&mut easel.onion, 0.0..=1.0).show_value(false));
             slider.widget_info(|| WidgetInfo::slider(true, f64::from(easel.onion), "Onion skin"));
             slider.on_hover_text(help);
-            if easel.onion > 0.0 {
-                rules::along(ui, "neighbours by", &mut easel.onion_along);
-            }
         });
+        // A row of its own, as a list does not wrap with the others.
+        if self.easel.onion > 0.0 {
+            rules::along(ui, "neighbours by", &mut self.easel.onion_along);
+        }
     }
 
     fn show_samples(&mut self, ui: &mut Ui, panel: Panel, session: &Session, out: &mut Vec<Command>) {

@@ -34,9 +34,9 @@ pub(super) const ANGLES: [(HcbtfAngle, &str); 4] = [
     (HcbtfAngle::ViewPhi, "Eye's way around"),
 ];
 
-/// What a rule does, for whoever looks at the window, with its name in files.
-fn help(rule: &Rule) -> String {
-    let does = match rule {
+/// What a rule does, for whoever looks at the window.
+fn help(rule: &Rule) -> &'static str {
+    match rule {
         Rule::Copy { .. } => "Fills everything that is empty with one painting",
         Rule::Lock { .. } => "What is painted holds for every value of these angles",
         Rule::Blend { .. } => "Blends the paintings by how near their light and eye are: a few make the whole",
@@ -51,8 +51,12 @@ fn help(rule: &Rule) -> String {
         Rule::Lambert { .. } => "Darkens what is filled as the light sinks",
         Rule::Rotate { .. } => "Turns what is filled with the eye, so that it keeps facing it",
         Rule::Recolor { .. } => "Tints what is filled from one color to another along an angle",
-    };
-    format!("{does}\nIn files and at the command line: {}", rule.word())
+    }
+}
+
+/// The same with its name in files.
+fn tip(rule: &Rule) -> String {
+    format!("{}\nIn files and at the command line: {}", help(rule), rule.word())
 }
 
 /// One of each kind, to be added.
@@ -88,7 +92,7 @@ pub(super) fn show(
     ui.horizontal(|ui| {
         ui.menu_button("+ Add a rule", |ui| {
             for rule in fresh(work) {
-                let (name, help) = (rule.about().label, help(&rule));
+                let (name, help) = (rule.about().label, tip(&rule));
                 let button = ui.button(name);
                 button.widget_info(|| WidgetInfo::labeled(Role::MenuItem, true, name));
                 if button.on_hover_text(help).clicked() {
@@ -153,7 +157,7 @@ fn card(ui: &mut Ui, work: &Work, index: usize, rule: &Rule, count: usize, out: 
     frame.show(ui, |ui| {
         ui.set_min_width(ui.available_width());
         ui.horizontal(|ui| {
-            ui.strong(format!("{}. {name}", index + 1)).on_hover_text(help);
+            ui.strong(format!("{}. {name}", index + 1)).on_hover_text(tip(rule));
             let layout = eframe::egui::Layout::right_to_left(eframe::egui::Align::Center);
             ui.with_layout(layout, |ui| {
                 let last = rules.len() - 1;

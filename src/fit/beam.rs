@@ -1,0 +1,46 @@
+//! Of many stacks of layers the few with which a search goes on.
+
+use super::lit::Lit;
+use super::solve::Found;
+use super::stack::Layer;
+
+/// Some layers with how far off they are.
+pub(super) type Stack = Found<Vec<Layer>>;
+
+/// What a search begins with, and what is tried where that does not come near.
+pub(super) const WIDTHS: [Width; 2] =
+    [Width { beam: 3, beginnings: 8, lights: 64 }, Width { beam: 6, beginnings: 20, lights: 160 }];
+
+/// How much a search tries.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Width {
+    /// Stacks that go on to the next layer.
+    pub(super) beam: usize,
+    /// Beginnings of a layer that are turned downhill.
+    pub(super) beginnings: usize,
+    /// Lights from everywhere.
+    pub(super) lights: usize,
+}
+
+/// The best, of those that begin at much the same light only the first.
+pub(super) fn apart(found: Vec<(Lit, Stack)>, most: usize) -> Vec<Stack> {
+    let mut kept: Vec<(Lit, Stack)> = Vec::new();
+    for (lit, stack) in found {
+        let is_near = |(other, _): &(Lit, Stack)| other.kind == lit.kind && other.direction.dot(lit.direction) > 0.9;
+        if kept.iter().filter(|other| is_near(other)).count() < 2 {
+            kept.push((lit, stack));
+        }
+        if kept.len() >= most {
+            break;
+        }
+    }
+    kept.into_iter().map(|(_, stack)| stack).collect()
+}
+
+/// The best, of equals only the first.
+pub(super) fn best_of(mut found: Vec<Stack>, most: usize) -> Vec<Stack> {
+    found.sort_by(|a, b| a.error.total_cmp(&b.error));
+    found.dedup_by(|b, a| (b.error - a.error).abs() <= 1e-3 * a.error && b.point.len() == a.point.len());
+    found.truncate(most);
+    found
+}
