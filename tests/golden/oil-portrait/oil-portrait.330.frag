@@ -25,10 +25,10 @@ struct Light {
 struct Look {
     vec4 toned_canvas;
     vec2 viewport;
-    Light sky;
-    Light key;
     vec4 accents_as_paint_b;
+    Light sky;
     vec4 cool_reflections_as_paint_b;
+    Light key;
     vec4 thick_lights_as_paint_b;
     vec4 light_as_paint_b;
     vec4 half_tones_as_paint_b;
@@ -617,10 +617,9 @@ BrushStrokes brush_strokes_bristles(float value, vec2 place_3, vec3 stretch_1, f
     return BrushStrokes(vec4(shade_2, shade_2, shade_2, 1.0), _e17.y);
 }
 
-MarkPlace mark_place_light(Light light, vec3 normal_3, float angle_3, vec3 view_3, vec3 position_object, mat3x3 world_from_normal_1, float magnification_2) {
-    vec3 toward_1 = (light.direction * world_from_normal_1);
-    Marked _e9 = place_across(toward_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, angle_3);
-    return MarkPlace(_e9.place, _e9.stretch);
+MarkPlace mark_place_axis(vec3 axis_1, vec3 normal_3, float angle_3, vec3 view_3, vec3 position_object, mat3x3 world_from_normal_1, float magnification_2) {
+    Marked _e7 = place_across(axis_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, angle_3);
+    return MarkPlace(_e7.place, _e7.stretch);
 }
 
 MarkPlace mark_place_object(float angle_4, vec3 anchor, vec2 pixel_1, vec2 viewport_3) {
@@ -633,14 +632,14 @@ MarkPlace mark_place_object(float angle_4, vec3 anchor, vec2 pixel_1, vec2 viewp
     return MarkPlace(_e28.place, _e28.stretch);
 }
 
-float reflectance_lambert(Light light_1, vec3 normal_4) {
+float reflectance_lambert(Light light, vec3 normal_4) {
     vec3 _e6 = normalize_or(normal_4, vec3(0.0, 0.0, 1.0));
-    return max(dot(_e6, light_1.direction), 0.0);
+    return max(dot(_e6, light.direction), 0.0);
 }
 
-float reflectance_half_lambert(Light light_2, vec3 normal_5) {
+float reflectance_half_lambert(Light light_1, vec3 normal_5) {
     vec3 _e6 = normalize_or(normal_5, vec3(0.0, 0.0, 1.0));
-    float half_ = (0.5 + (0.5 * dot(_e6, light_2.direction)));
+    float half_ = (0.5 + (0.5 * dot(_e6, light_1.direction)));
     return clamp((half_ * half_), 0.0, 1.0);
 }
 
@@ -665,52 +664,51 @@ vec4 shade(Surface surface_1) {
     float _e7 = reflectance_half_lambert(_e6, _e3);
     float _e13 = map_range(_e7, 0.02, 0.2, 1.0, 0.0, true);
     vec3 _e16 = smooth_normal_medium(surface_1.normal, surface_1.smooth_normal_3_);
-    Light _e19 = u_look.key;
-    MarkPlace _e25 = mark_place_light(_e19, _e16, 0.0, surface_1.view, surface_1.position_object, surface_1.world_from_normal, surface_1.magnification);
-    vec2 _e36 = u_look.viewport;
-    BrushStrokes _e37 = brush_strokes_bristles(_e13, _e25.place, _e25.stretch, 14.0, 3.4, 1.8, 0.6, 0.5, 1, _e36);
-    vec4 _e41 = u_look.umber_as_paint_b;
-    vec4 _e43 = mix_colors_multiply(_e37.color, _e41, 1.0);
-    vec4 _e46 = u_look.toned_canvas;
-    vec4 _e48 = mix_colors_normal(_e46, _e43, _e37.ink);
-    Light _e51 = u_look.sky;
-    float _e52 = reflectance_lambert(_e51, _e3);
-    float _e58 = map_range(_e52, 0.25, 0.75, 1.0, 0.0, true);
-    vec2 _e69 = u_look.viewport;
-    BrushStrokes _e70 = brush_strokes_bristles(_e58, _e25.place, _e25.stretch, 18.0, 3.2, 1.5, 0.6, 0.5, 6, _e69);
-    vec4 _e74 = u_look.cool_reflections_as_paint_b;
-    vec4 _e76 = mix_colors_multiply(_e70.color, _e74, 1.0);
-    vec4 _e78 = mix_colors_normal(_e48, _e76, _e70.ink);
-    float _e84 = map_range(_e7, 0.24, 0.42, 1.0, 0.0, true);
-    vec2 _e95 = u_look.viewport;
-    BrushStrokes _e96 = brush_strokes_bristles(_e84, _e25.place, _e25.stretch, 18.0, 3.2, 1.6, 0.6, 0.5, 2, _e95);
-    vec4 _e100 = u_look.half_tones_as_paint_b;
-    vec4 _e102 = mix_colors_multiply(_e96.color, _e100, 1.0);
-    vec4 _e104 = mix_colors_normal(_e78, _e102, _e96.ink);
-    float _e110 = map_range(_e7, 0.46, 0.66, 1.0, 0.0, true);
-    vec2 _e116 = u_look.viewport;
-    MarkPlace _e117 = mark_place_object(0.75, surface_1.anchor, surface_1.pixel, _e116);
-    vec2 _e128 = u_look.viewport;
-    BrushStrokes _e129 = brush_strokes_bristles(_e110, _e117.place, _e117.stretch, 24.0, 3.0, 1.5, 0.6, 0.5, 3, _e128);
-    vec4 _e133 = u_look.light_as_paint_b;
-    vec4 _e135 = mix_colors_multiply(_e129.color, _e133, 1.0);
-    vec4 _e137 = mix_colors_normal(_e104, _e135, _e129.ink);
-    float _e143 = map_range(_e7, 0.76, 0.95, 1.0, 0.0, true);
-    vec2 _e154 = u_look.viewport;
-    BrushStrokes _e155 = brush_strokes_bristles(_e143, _e117.place, _e117.stretch, 32.0, 2.6, 1.3, 0.6, 0.4, 4, _e154);
-    vec4 _e159 = u_look.thick_lights_as_paint_b;
-    vec4 _e161 = mix_colors_multiply(_e155.color, _e159, 1.0);
-    vec4 _e163 = mix_colors_normal(_e137, _e161, _e155.ink);
-    float _e165 = kappa_surface(surface_1.kappa);
-    float _e171 = map_range(_e165, -6.0, -20.0, 1.0, 0.0, true);
-    vec2 _e182 = u_look.viewport;
-    BrushStrokes _e183 = brush_strokes_bristles(_e171, _e25.place, _e25.stretch, 44.0, 3.4, 1.5, 0.6, 0.4, 8, _e182);
-    vec4 _e187 = u_look.accents_as_paint_b;
-    vec4 _e189 = mix_colors_multiply(_e183.color, _e187, 1.0);
-    vec4 _e191 = mix_colors_normal(_e163, _e189, _e183.ink);
-    vec4 _e192 = premultiplied(_e191);
-    vec4 _e193 = output_(_e192);
-    return _e193;
+    MarkPlace _e26 = mark_place_axis(vec3(0.35, 1.0, 0.25), _e16, 0.0, surface_1.view, surface_1.position_object, surface_1.world_from_normal, surface_1.magnification);
+    vec2 _e37 = u_look.viewport;
+    BrushStrokes _e38 = brush_strokes_bristles(_e13, _e26.place, _e26.stretch, 14.0, 3.4, 1.8, 0.6, 0.5, 1, _e37);
+    vec4 _e42 = u_look.umber_as_paint_b;
+    vec4 _e44 = mix_colors_multiply(_e38.color, _e42, 1.0);
+    vec4 _e47 = u_look.toned_canvas;
+    vec4 _e49 = mix_colors_normal(_e47, _e44, _e38.ink);
+    Light _e52 = u_look.sky;
+    float _e53 = reflectance_lambert(_e52, _e3);
+    float _e59 = map_range(_e53, 0.25, 0.75, 1.0, 0.0, true);
+    vec2 _e70 = u_look.viewport;
+    BrushStrokes _e71 = brush_strokes_bristles(_e59, _e26.place, _e26.stretch, 18.0, 3.2, 1.5, 0.6, 0.5, 6, _e70);
+    vec4 _e75 = u_look.cool_reflections_as_paint_b;
+    vec4 _e77 = mix_colors_multiply(_e71.color, _e75, 1.0);
+    vec4 _e79 = mix_colors_normal(_e49, _e77, _e71.ink);
+    float _e85 = map_range(_e7, 0.24, 0.42, 1.0, 0.0, true);
+    vec2 _e96 = u_look.viewport;
+    BrushStrokes _e97 = brush_strokes_bristles(_e85, _e26.place, _e26.stretch, 18.0, 3.2, 1.6, 0.6, 0.5, 2, _e96);
+    vec4 _e101 = u_look.half_tones_as_paint_b;
+    vec4 _e103 = mix_colors_multiply(_e97.color, _e101, 1.0);
+    vec4 _e105 = mix_colors_normal(_e79, _e103, _e97.ink);
+    float _e111 = map_range(_e7, 0.46, 0.66, 1.0, 0.0, true);
+    vec2 _e117 = u_look.viewport;
+    MarkPlace _e118 = mark_place_object(0.75, surface_1.anchor, surface_1.pixel, _e117);
+    vec2 _e129 = u_look.viewport;
+    BrushStrokes _e130 = brush_strokes_bristles(_e111, _e118.place, _e118.stretch, 24.0, 3.0, 1.5, 0.6, 0.5, 3, _e129);
+    vec4 _e134 = u_look.light_as_paint_b;
+    vec4 _e136 = mix_colors_multiply(_e130.color, _e134, 1.0);
+    vec4 _e138 = mix_colors_normal(_e105, _e136, _e130.ink);
+    float _e144 = map_range(_e7, 0.76, 0.95, 1.0, 0.0, true);
+    vec2 _e155 = u_look.viewport;
+    BrushStrokes _e156 = brush_strokes_bristles(_e144, _e118.place, _e118.stretch, 32.0, 2.6, 1.3, 0.6, 0.4, 4, _e155);
+    vec4 _e160 = u_look.thick_lights_as_paint_b;
+    vec4 _e162 = mix_colors_multiply(_e156.color, _e160, 1.0);
+    vec4 _e164 = mix_colors_normal(_e138, _e162, _e156.ink);
+    float _e166 = kappa_surface(surface_1.kappa);
+    float _e172 = map_range(_e166, -6.0, -20.0, 1.0, 0.0, true);
+    vec2 _e183 = u_look.viewport;
+    BrushStrokes _e184 = brush_strokes_bristles(_e172, _e26.place, _e26.stretch, 44.0, 3.4, 1.5, 0.6, 0.4, 8, _e183);
+    vec4 _e188 = u_look.accents_as_paint_b;
+    vec4 _e190 = mix_colors_multiply(_e184.color, _e188, 1.0);
+    vec4 _e192 = mix_colors_normal(_e164, _e190, _e184.ink);
+    vec4 _e193 = premultiplied(_e192);
+    vec4 _e194 = output_(_e193);
+    return _e194;
 }
 
 void main() {

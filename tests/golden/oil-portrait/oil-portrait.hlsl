@@ -35,10 +35,10 @@ struct Look {
     float2 viewport;
     int _pad2_0;
     int _pad2_1;
-    Light sky;
-    Light key;
     float4 accents_as_paint_b;
+    Light sky;
     float4 cool_reflections_as_paint_b;
+    Light key;
     float4 thick_lights_as_paint_b;
     float4 light_as_paint_b;
     float4 half_tones_as_paint_b;
@@ -809,11 +809,10 @@ MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
     return ret;
 }
 
-MarkPlace mark_place_light(Light light, float3 normal_3, float angle_3, float3 view_3, float3 position_object, float3x3 world_from_normal_1, float magnification_2)
+MarkPlace mark_place_axis(float3 axis_1, float3 normal_3, float angle_3, float3 view_3, float3 position_object, float3x3 world_from_normal_1, float magnification_2)
 {
-    float3 toward_1 = mul(world_from_normal_1, light.direction);
-    const Marked _e9 = place_across(toward_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, angle_3);
-    const MarkPlace markplace = ConstructMarkPlace(_e9.place, _e9.stretch);
+    const Marked _e7 = place_across(axis_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, angle_3);
+    const MarkPlace markplace = ConstructMarkPlace(_e7.place, _e7.stretch);
     return markplace;
 }
 
@@ -829,16 +828,16 @@ MarkPlace mark_place_object(float angle_4, float3 anchor, float2 pixel_1, float2
     return markplace_1;
 }
 
-float reflectance_lambert(Light light_1, float3 normal_4)
+float reflectance_lambert(Light light, float3 normal_4)
 {
     const float3 _e6 = normalize_or(normal_4, float3(0.0, 0.0, 1.0));
-    return max(dot(_e6, light_1.direction), 0.0);
+    return max(dot(_e6, light.direction), 0.0);
 }
 
-float reflectance_half_lambert(Light light_2, float3 normal_5)
+float reflectance_half_lambert(Light light_1, float3 normal_5)
 {
     const float3 _e6 = normalize_or(normal_5, float3(0.0, 0.0, 1.0));
-    float half_ = (0.5 + (0.5 * dot(_e6, light_2.direction)));
+    float half_ = (0.5 + (0.5 * dot(_e6, light_1.direction)));
     return clamp((half_ * half_), 0.0, 1.0);
 }
 
@@ -867,52 +866,51 @@ float4 shade(Surface surface_1)
     const float _e7 = reflectance_half_lambert(_e6, _e3);
     const float _e13 = map_range(_e7, 0.02, 0.2, 1.0, 0.0, true);
     const float3 _e16 = smooth_normal_medium(surface_1.normal, surface_1.smooth_normal_3_);
-    Light _e19 = look.key;
-    const MarkPlace _e25 = mark_place_light(_e19, _e16, 0.0, surface_1.view, surface_1.position_object, surface_1.world_from_normal, surface_1.magnification);
-    float2 _e36 = look.viewport;
-    const BrushStrokes _e37 = brush_strokes_bristles(_e13, _e25.place, _e25.stretch, 14.0, 3.4, 1.8, 0.6, 0.5, int(1), _e36);
-    float4 _e41 = look.umber_as_paint_b;
-    const float4 _e43 = mix_colors_multiply(_e37.color, _e41, 1.0);
-    float4 _e46 = look.toned_canvas;
-    const float4 _e48 = mix_colors_normal(_e46, _e43, _e37.ink);
-    Light _e51 = look.sky;
-    const float _e52 = reflectance_lambert(_e51, _e3);
-    const float _e58 = map_range(_e52, 0.25, 0.75, 1.0, 0.0, true);
-    float2 _e69 = look.viewport;
-    const BrushStrokes _e70 = brush_strokes_bristles(_e58, _e25.place, _e25.stretch, 18.0, 3.2, 1.5, 0.6, 0.5, int(6), _e69);
-    float4 _e74 = look.cool_reflections_as_paint_b;
-    const float4 _e76 = mix_colors_multiply(_e70.color, _e74, 1.0);
-    const float4 _e78 = mix_colors_normal(_e48, _e76, _e70.ink);
-    const float _e84 = map_range(_e7, 0.24, 0.42, 1.0, 0.0, true);
-    float2 _e95 = look.viewport;
-    const BrushStrokes _e96 = brush_strokes_bristles(_e84, _e25.place, _e25.stretch, 18.0, 3.2, 1.6, 0.6, 0.5, int(2), _e95);
-    float4 _e100 = look.half_tones_as_paint_b;
-    const float4 _e102 = mix_colors_multiply(_e96.color, _e100, 1.0);
-    const float4 _e104 = mix_colors_normal(_e78, _e102, _e96.ink);
-    const float _e110 = map_range(_e7, 0.46, 0.66, 1.0, 0.0, true);
-    float2 _e116 = look.viewport;
-    const MarkPlace _e117 = mark_place_object(0.75, surface_1.anchor, surface_1.pixel, _e116);
-    float2 _e128 = look.viewport;
-    const BrushStrokes _e129 = brush_strokes_bristles(_e110, _e117.place, _e117.stretch, 24.0, 3.0, 1.5, 0.6, 0.5, int(3), _e128);
-    float4 _e133 = look.light_as_paint_b;
-    const float4 _e135 = mix_colors_multiply(_e129.color, _e133, 1.0);
-    const float4 _e137 = mix_colors_normal(_e104, _e135, _e129.ink);
-    const float _e143 = map_range(_e7, 0.76, 0.95, 1.0, 0.0, true);
-    float2 _e154 = look.viewport;
-    const BrushStrokes _e155 = brush_strokes_bristles(_e143, _e117.place, _e117.stretch, 32.0, 2.6, 1.3, 0.6, 0.4, int(4), _e154);
-    float4 _e159 = look.thick_lights_as_paint_b;
-    const float4 _e161 = mix_colors_multiply(_e155.color, _e159, 1.0);
-    const float4 _e163 = mix_colors_normal(_e137, _e161, _e155.ink);
-    const float _e165 = kappa_surface(surface_1.kappa);
-    const float _e171 = map_range(_e165, -6.0, -20.0, 1.0, 0.0, true);
-    float2 _e182 = look.viewport;
-    const BrushStrokes _e183 = brush_strokes_bristles(_e171, _e25.place, _e25.stretch, 44.0, 3.4, 1.5, 0.6, 0.4, int(8), _e182);
-    float4 _e187 = look.accents_as_paint_b;
-    const float4 _e189 = mix_colors_multiply(_e183.color, _e187, 1.0);
-    const float4 _e191 = mix_colors_normal(_e163, _e189, _e183.ink);
-    const float4 _e192 = premultiplied(_e191);
-    const float4 _e193 = output(_e192);
-    return _e193;
+    const MarkPlace _e26 = mark_place_axis(float3(0.35, 1.0, 0.25), _e16, 0.0, surface_1.view, surface_1.position_object, surface_1.world_from_normal, surface_1.magnification);
+    float2 _e37 = look.viewport;
+    const BrushStrokes _e38 = brush_strokes_bristles(_e13, _e26.place, _e26.stretch, 14.0, 3.4, 1.8, 0.6, 0.5, int(1), _e37);
+    float4 _e42 = look.umber_as_paint_b;
+    const float4 _e44 = mix_colors_multiply(_e38.color, _e42, 1.0);
+    float4 _e47 = look.toned_canvas;
+    const float4 _e49 = mix_colors_normal(_e47, _e44, _e38.ink);
+    Light _e52 = look.sky;
+    const float _e53 = reflectance_lambert(_e52, _e3);
+    const float _e59 = map_range(_e53, 0.25, 0.75, 1.0, 0.0, true);
+    float2 _e70 = look.viewport;
+    const BrushStrokes _e71 = brush_strokes_bristles(_e59, _e26.place, _e26.stretch, 18.0, 3.2, 1.5, 0.6, 0.5, int(6), _e70);
+    float4 _e75 = look.cool_reflections_as_paint_b;
+    const float4 _e77 = mix_colors_multiply(_e71.color, _e75, 1.0);
+    const float4 _e79 = mix_colors_normal(_e49, _e77, _e71.ink);
+    const float _e85 = map_range(_e7, 0.24, 0.42, 1.0, 0.0, true);
+    float2 _e96 = look.viewport;
+    const BrushStrokes _e97 = brush_strokes_bristles(_e85, _e26.place, _e26.stretch, 18.0, 3.2, 1.6, 0.6, 0.5, int(2), _e96);
+    float4 _e101 = look.half_tones_as_paint_b;
+    const float4 _e103 = mix_colors_multiply(_e97.color, _e101, 1.0);
+    const float4 _e105 = mix_colors_normal(_e79, _e103, _e97.ink);
+    const float _e111 = map_range(_e7, 0.46, 0.66, 1.0, 0.0, true);
+    float2 _e117 = look.viewport;
+    const MarkPlace _e118 = mark_place_object(0.75, surface_1.anchor, surface_1.pixel, _e117);
+    float2 _e129 = look.viewport;
+    const BrushStrokes _e130 = brush_strokes_bristles(_e111, _e118.place, _e118.stretch, 24.0, 3.0, 1.5, 0.6, 0.5, int(3), _e129);
+    float4 _e134 = look.light_as_paint_b;
+    const float4 _e136 = mix_colors_multiply(_e130.color, _e134, 1.0);
+    const float4 _e138 = mix_colors_normal(_e105, _e136, _e130.ink);
+    const float _e144 = map_range(_e7, 0.76, 0.95, 1.0, 0.0, true);
+    float2 _e155 = look.viewport;
+    const BrushStrokes _e156 = brush_strokes_bristles(_e144, _e118.place, _e118.stretch, 32.0, 2.6, 1.3, 0.6, 0.4, int(4), _e155);
+    float4 _e160 = look.thick_lights_as_paint_b;
+    const float4 _e162 = mix_colors_multiply(_e156.color, _e160, 1.0);
+    const float4 _e164 = mix_colors_normal(_e138, _e162, _e156.ink);
+    const float _e166 = kappa_surface(surface_1.kappa);
+    const float _e172 = map_range(_e166, -6.0, -20.0, 1.0, 0.0, true);
+    float2 _e183 = look.viewport;
+    const BrushStrokes _e184 = brush_strokes_bristles(_e172, _e26.place, _e26.stretch, 44.0, 3.4, 1.5, 0.6, 0.4, int(8), _e183);
+    float4 _e188 = look.accents_as_paint_b;
+    const float4 _e190 = mix_colors_multiply(_e184.color, _e188, 1.0);
+    const float4 _e192 = mix_colors_normal(_e164, _e190, _e184.ink);
+    const float4 _e193 = premultiplied(_e192);
+    const float4 _e194 = output(_e193);
+    return _e194;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)

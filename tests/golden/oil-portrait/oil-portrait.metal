@@ -33,10 +33,10 @@ struct Look {
     metal::float4 toned_canvas;
     metal::float2 viewport;
     char _pad2[8];
-    Light sky;
-    Light key;
     metal::float4 accents_as_paint_b;
+    Light sky;
     metal::float4 cool_reflections_as_paint_b;
+    Light key;
     metal::float4 thick_lights_as_paint_b;
     metal::float4 light_as_paint_b;
     metal::float4 half_tones_as_paint_b;
@@ -832,8 +832,8 @@ BrushStrokes brush_strokes_bristles(
     return BrushStrokes {metal::float4(shade_2, shade_2, shade_2, 1.0), _e17.y};
 }
 
-MarkPlace mark_place_light(
-    Light light,
+MarkPlace mark_place_axis(
+    metal::float3 axis_1,
     metal::float3 normal_3,
     float angle_3,
     metal::float3 view_3,
@@ -841,9 +841,8 @@ MarkPlace mark_place_light(
     metal::float3x3 world_from_normal_1,
     float magnification_2
 ) {
-    metal::float3 toward_1 = light.direction * world_from_normal_1;
-    Marked _e9 = place_across(toward_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, angle_3);
-    return MarkPlace {_e9.place, {}, _e9.stretch};
+    Marked _e7 = place_across(axis_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, angle_3);
+    return MarkPlace {_e7.place, {}, _e7.stretch};
 }
 
 MarkPlace mark_place_object(
@@ -862,19 +861,19 @@ MarkPlace mark_place_object(
 }
 
 float reflectance_lambert(
-    Light light_1,
+    Light light,
     metal::float3 normal_4
 ) {
     metal::float3 _e6 = normalize_or(normal_4, metal::float3(0.0, 0.0, 1.0));
-    return metal::max(metal::dot(_e6, light_1.direction), 0.0);
+    return metal::max(metal::dot(_e6, light.direction), 0.0);
 }
 
 float reflectance_half_lambert(
-    Light light_2,
+    Light light_1,
     metal::float3 normal_5
 ) {
     metal::float3 _e6 = normalize_or(normal_5, metal::float3(0.0, 0.0, 1.0));
-    float half_ = 0.5 + (0.5 * metal::dot(_e6, light_2.direction));
+    float half_ = 0.5 + (0.5 * metal::dot(_e6, light_1.direction));
     return metal::clamp(half_ * half_, 0.0, 1.0);
 }
 
@@ -915,52 +914,51 @@ metal::float4 shade(
     float _e7 = reflectance_half_lambert(_e6, _e3);
     float _e13 = map_range(_e7, 0.02, 0.2, 1.0, 0.0, true);
     metal::float3 _e16 = smooth_normal_medium(surface_1.normal, surface_1.smooth_normal_3_);
-    Light _e19 = look.key;
-    MarkPlace _e25 = mark_place_light(_e19, _e16, 0.0, surface_1.view, surface_1.position_object, surface_1.world_from_normal, surface_1.magnification);
-    metal::float2 _e36 = look.viewport;
-    BrushStrokes _e37 = brush_strokes_bristles(_e13, _e25.place, _e25.stretch, 14.0, 3.4, 1.8, 0.6, 0.5, 1, _e36);
-    metal::float4 _e41 = look.umber_as_paint_b;
-    Color _e43 = mix_colors_multiply(_e37.color, _e41, 1.0);
-    metal::float4 _e46 = look.toned_canvas;
-    Color _e48 = mix_colors_normal(_e46, _e43, _e37.ink);
-    Light _e51 = look.sky;
-    float _e52 = reflectance_lambert(_e51, _e3);
-    float _e58 = map_range(_e52, 0.25, 0.75, 1.0, 0.0, true);
-    metal::float2 _e69 = look.viewport;
-    BrushStrokes _e70 = brush_strokes_bristles(_e58, _e25.place, _e25.stretch, 18.0, 3.2, 1.5, 0.6, 0.5, 6, _e69);
-    metal::float4 _e74 = look.cool_reflections_as_paint_b;
-    Color _e76 = mix_colors_multiply(_e70.color, _e74, 1.0);
-    Color _e78 = mix_colors_normal(_e48, _e76, _e70.ink);
-    float _e84 = map_range(_e7, 0.24, 0.42, 1.0, 0.0, true);
-    metal::float2 _e95 = look.viewport;
-    BrushStrokes _e96 = brush_strokes_bristles(_e84, _e25.place, _e25.stretch, 18.0, 3.2, 1.6, 0.6, 0.5, 2, _e95);
-    metal::float4 _e100 = look.half_tones_as_paint_b;
-    Color _e102 = mix_colors_multiply(_e96.color, _e100, 1.0);
-    Color _e104 = mix_colors_normal(_e78, _e102, _e96.ink);
-    float _e110 = map_range(_e7, 0.46, 0.66, 1.0, 0.0, true);
-    metal::float2 _e116 = look.viewport;
-    MarkPlace _e117 = mark_place_object(0.75, surface_1.anchor, surface_1.pixel, _e116);
-    metal::float2 _e128 = look.viewport;
-    BrushStrokes _e129 = brush_strokes_bristles(_e110, _e117.place, _e117.stretch, 24.0, 3.0, 1.5, 0.6, 0.5, 3, _e128);
-    metal::float4 _e133 = look.light_as_paint_b;
-    Color _e135 = mix_colors_multiply(_e129.color, _e133, 1.0);
-    Color _e137 = mix_colors_normal(_e104, _e135, _e129.ink);
-    float _e143 = map_range(_e7, 0.76, 0.95, 1.0, 0.0, true);
-    metal::float2 _e154 = look.viewport;
-    BrushStrokes _e155 = brush_strokes_bristles(_e143, _e117.place, _e117.stretch, 32.0, 2.6, 1.3, 0.6, 0.4, 4, _e154);
-    metal::float4 _e159 = look.thick_lights_as_paint_b;
-    Color _e161 = mix_colors_multiply(_e155.color, _e159, 1.0);
-    Color _e163 = mix_colors_normal(_e137, _e161, _e155.ink);
-    float _e165 = kappa_surface(surface_1.kappa);
-    float _e171 = map_range(_e165, -6.0, -20.0, 1.0, 0.0, true);
-    metal::float2 _e182 = look.viewport;
-    BrushStrokes _e183 = brush_strokes_bristles(_e171, _e25.place, _e25.stretch, 44.0, 3.4, 1.5, 0.6, 0.4, 8, _e182);
-    metal::float4 _e187 = look.accents_as_paint_b;
-    Color _e189 = mix_colors_multiply(_e183.color, _e187, 1.0);
-    Color _e191 = mix_colors_normal(_e163, _e189, _e183.ink);
-    Composite _e192 = premultiplied(_e191);
-    Color _e193 = output(_e192);
-    return _e193;
+    MarkPlace _e26 = mark_place_axis(metal::float3(0.35, 1.0, 0.25), _e16, 0.0, surface_1.view, surface_1.position_object, surface_1.world_from_normal, surface_1.magnification);
+    metal::float2 _e37 = look.viewport;
+    BrushStrokes _e38 = brush_strokes_bristles(_e13, _e26.place, _e26.stretch, 14.0, 3.4, 1.8, 0.6, 0.5, 1, _e37);
+    metal::float4 _e42 = look.umber_as_paint_b;
+    Color _e44 = mix_colors_multiply(_e38.color, _e42, 1.0);
+    metal::float4 _e47 = look.toned_canvas;
+    Color _e49 = mix_colors_normal(_e47, _e44, _e38.ink);
+    Light _e52 = look.sky;
+    float _e53 = reflectance_lambert(_e52, _e3);
+    float _e59 = map_range(_e53, 0.25, 0.75, 1.0, 0.0, true);
+    metal::float2 _e70 = look.viewport;
+    BrushStrokes _e71 = brush_strokes_bristles(_e59, _e26.place, _e26.stretch, 18.0, 3.2, 1.5, 0.6, 0.5, 6, _e70);
+    metal::float4 _e75 = look.cool_reflections_as_paint_b;
+    Color _e77 = mix_colors_multiply(_e71.color, _e75, 1.0);
+    Color _e79 = mix_colors_normal(_e49, _e77, _e71.ink);
+    float _e85 = map_range(_e7, 0.24, 0.42, 1.0, 0.0, true);
+    metal::float2 _e96 = look.viewport;
+    BrushStrokes _e97 = brush_strokes_bristles(_e85, _e26.place, _e26.stretch, 18.0, 3.2, 1.6, 0.6, 0.5, 2, _e96);
+    metal::float4 _e101 = look.half_tones_as_paint_b;
+    Color _e103 = mix_colors_multiply(_e97.color, _e101, 1.0);
+    Color _e105 = mix_colors_normal(_e79, _e103, _e97.ink);
+    float _e111 = map_range(_e7, 0.46, 0.66, 1.0, 0.0, true);
+    metal::float2 _e117 = look.viewport;
+    MarkPlace _e118 = mark_place_object(0.75, surface_1.anchor, surface_1.pixel, _e117);
+    metal::float2 _e129 = look.viewport;
+    BrushStrokes _e130 = brush_strokes_bristles(_e111, _e118.place, _e118.stretch, 24.0, 3.0, 1.5, 0.6, 0.5, 3, _e129);
+    metal::float4 _e134 = look.light_as_paint_b;
+    Color _e136 = mix_colors_multiply(_e130.color, _e134, 1.0);
+    Color _e138 = mix_colors_normal(_e105, _e136, _e130.ink);
+    float _e144 = map_range(_e7, 0.76, 0.95, 1.0, 0.0, true);
+    metal::float2 _e155 = look.viewport;
+    BrushStrokes _e156 = brush_strokes_bristles(_e144, _e118.place, _e118.stretch, 32.0, 2.6, 1.3, 0.6, 0.4, 4, _e155);
+    metal::float4 _e160 = look.thick_lights_as_paint_b;
+    Color _e162 = mix_colors_multiply(_e156.color, _e160, 1.0);
+    Color _e164 = mix_colors_normal(_e138, _e162, _e156.ink);
+    float _e166 = kappa_surface(surface_1.kappa);
+    float _e172 = map_range(_e166, -6.0, -20.0, 1.0, 0.0, true);
+    metal::float2 _e183 = look.viewport;
+    BrushStrokes _e184 = brush_strokes_bristles(_e172, _e26.place, _e26.stretch, 44.0, 3.4, 1.5, 0.6, 0.4, 8, _e183);
+    metal::float4 _e188 = look.accents_as_paint_b;
+    Color _e190 = mix_colors_multiply(_e184.color, _e188, 1.0);
+    Color _e192 = mix_colors_normal(_e164, _e190, _e184.ink);
+    Composite _e193 = premultiplied(_e192);
+    Color _e194 = output(_e193);
+    return _e194;
 }
 
 struct vs_mainInput {

@@ -25,11 +25,11 @@ struct Object {
 struct Look {
     toned_canvas: vec4f,
     viewport: vec2f,
+    accents_as_paint_b: vec4f,
     @align(16) sky: Light,
+    @align(16) cool_reflections_as_paint_b: vec4f,
     @align(16) key: Light,
-    @align(16) accents_as_paint_b: vec4f,
-    cool_reflections_as_paint_b: vec4f,
-    thick_lights_as_paint_b: vec4f,
+    @align(16) thick_lights_as_paint_b: vec4f,
     light_as_paint_b: vec4f,
     half_tones_as_paint_b: vec4f,
     umber_as_paint_b: vec4f,
@@ -630,14 +630,8 @@ struct BrushStrokes {
     ink: f32,
 }
 
-/// Mark place
-///
-/// Where strokes and dots are anchored, and which way strokes go: on the picture, on the picture but moving along with the
-/// object, along texture coordinates, across an axis of the object, or around the light so that they turn with it. Wire
-/// both outputs to Hatching, Stippling, Brush strokes or Paper grain, which keep their marks as large on the picture as
-/// they are, however far the surface is.
-fn mark_place_light(
-    light: Light,
+fn mark_place_axis(
+    axis: vec3f,
     normal: vec3f,
     angle: f32,
     view: vec3f,
@@ -645,8 +639,7 @@ fn mark_place_light(
     world_from_normal: mat3x3f,
     magnification: f32,
 ) -> MarkPlace {
-    let toward = light.direction * world_from_normal;
-    let m = place_across(toward, position_object, world_from_normal, normal, view, magnification, angle);
+    let m = place_across(axis, position_object, world_from_normal, normal, view, magnification, angle);
     return MarkPlace(m.place, m.stretch);
 }
 
@@ -703,7 +696,7 @@ fn shade(surface: Surface) -> vec4f {
     let light_and_shade = reflectance_half_lambert(look.key, planes);
     let where_umber_goes = map_range(light_and_shade, 0.02, 0.2, 1.0, 0.0, true);
     let large_forms = smooth_normal_medium(surface.normal, surface.smooth_normal_3);
-    let strokes_round_the_form = mark_place_light(look.key, large_forms, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
+    let strokes_round_the_form = mark_place_axis(vec3f(0.35, 1.0, 0.25), large_forms, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
     let umber = brush_strokes_bristles(where_umber_goes, strokes_round_the_form.place, strokes_round_the_form.stretch, 14.0, 3.4, 1.8, 0.6, 0.5, 1i, look.viewport);
     let umber_as_paint = mix_colors_multiply(umber.color, look.umber_as_paint_b, 1.0);
     let umber_laid_on = mix_colors_normal(look.toned_canvas, umber_as_paint, umber.ink);
