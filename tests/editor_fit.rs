@@ -244,6 +244,26 @@ fn a_fit_can_be_stopped_and_an_edit_ends_it() {
 }
 
 #[test]
+fn strokes_wait_for_their_look_and_undoing_one_ends_a_preview() {
+    let example = Path::new("examples/looks/figure3-profile.json");
+    let mut hand = painter("examples/looks/figure3-profile.json");
+    paint_both_sides(&mut hand);
+    hand.press("Fit this look");
+    assert!(hand.app().session().preview().is_some(), "{:?}", hand.app().fitting().told());
+    hand.undo();
+    assert!(hand.app().session().preview().is_none() && hand.app().fitting().errors().is_none());
+    assert_eq!(hand.app().fitting().told(), Some("The strokes were changed: fit again"));
+
+    let tile = hand.app().session().sketch().tile().cloned();
+    hand.app_mut().open(Path::new("examples/looks/figure2-diffuse.json"));
+    hand.settle();
+    assert!(hand.app().session().sketch().is_empty());
+    hand.app_mut().open(example);
+    hand.settle();
+    assert!(tile.is_some() && hand.app().session().sketch().tile() == tile.as_ref());
+}
+
+#[test]
 fn a_preview_is_discarded_or_goes_with_an_edit() {
     let mut hand = painter("examples/looks/figure3-profile.json");
     let before = hand.look().clone();

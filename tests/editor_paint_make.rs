@@ -240,7 +240,7 @@ fn a_texture_leaves_as_it_is_to_be_stored_and_its_size_is_told_before() {
         assert!(hand.says("the fewest reads") && hand.says("less memory, more reads") && hand.says("BC7"));
         let needs = hcbtf::needs(&filled.grid(), |address| filled.tile(address));
         let need = needs.iter().find(|need| need.has_levels && need.storage.word() == name).unwrap();
-        assert!(hand.says(&format!("{:.1} KiB", need.bytes() as f64 / 1024.0)), "{name}: {}", need.bytes());
+        assert!(hand.says(&chiaro::figures::bytes(need.bytes())), "{name}: {}", need.bytes());
         hand.press_a(Role::RadioButton, storage);
         let to = folder.path().join(format!("{name}.ktx2"));
         hand.app_mut().answer_dialog(&to);

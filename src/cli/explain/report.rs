@@ -207,7 +207,10 @@ impl LookReport {
                 .images
                 .iter()
                 .enumerate()
-                .filter(|(index, _)| shader.bindings.iter().any(|b| b.kind == BindingKind::Image(*index)))
+                .filter(|(index, _)| {
+                    let is_it = [BindingKind::Image(*index), BindingKind::Hcbtf(*index)];
+                    shader.bindings.iter().any(|binding| is_it.contains(&binding.kind))
+                })
                 .map(|(_, image)| ImageReport { path: image.path.clone(), node: image.node.to_string() })
                 .collect(),
             uniforms: uniforms(shader),

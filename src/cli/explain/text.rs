@@ -62,10 +62,10 @@ fn tell_look(look: &LookReport, report: &Report) -> String {
     }
     text += "\n  Textures\n";
     if look.images.is_empty() {
-        text += "    none: no node that reaches the output reads an image\n";
+        text += "    none: no node that reaches the output reads an image or an HCBTF\n";
     }
     for image in &look.images {
-        let path = if image.path.is_empty() { "(no image chosen: white)" } else { &image.path };
+        let path = if image.path.is_empty() { "(nothing chosen: white)" } else { &image.path };
         let _ = writeln!(text, "    {path}  for `{}`", image.node);
     }
     text + &tell_uniforms(look) + &tell_keys(look) + &tell_nodes(look, report)

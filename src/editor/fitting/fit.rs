@@ -7,7 +7,7 @@ use super::work::Done;
 use super::work::Job;
 use super::{ENOUGH, Fitting, LEAST_PAINTED, Painted, What, target};
 use crate::diag::Diagnostic;
-use crate::document::Edit;
+use crate::document::{Edit, Tile};
 use crate::editor::panels::problems::sentence;
 use crate::editor::session::Session;
 use crate::fit::{FitOptions, Fitted, Keep, Report};
@@ -16,14 +16,35 @@ use crate::hcbtf::Progress;
 /// Which look something is about: another revision is another look.
 pub(super) type Of = (u64, u64, Option<u64>);
 
+/// What was painted when something was asked for.
+#[derive(Clone)]
+pub(super) struct Strokes(Option<Arc<Tile>>);
+
+impl Strokes {
+    pub(super) fn of(session: &Session) -> Self {
+        Self(session.sketch().tile().cloned())
+    }
+
+    /// Whether that is what is painted now.
+    pub(super) fn are(&self, session: &Session) -> bool {
+        match (&self.0, session.sketch().tile()) {
+            (Some(one), Some(other)) => Arc::ptr_eq(one, other),
+            (None, None) => true,
+            _ => false,
+        }
+    }
+}
+
 pub(super) struct Running {
     pub(super) of: Of,
+    pub(super) strokes: Strokes,
     pub(super) progress: Arc<Progress>,
 }
 
 /// What was fitted. Errors are RMS of a channel over what was painted, from 0 to 1.
 pub(super) struct Outcome {
     pub(super) what: What,
+    pub(super) strokes: Strokes,
     pub(super) edit: Edit,
     pub(super) report: Report,
     pub(super) before: f64,
@@ -61,7 +82,8 @@ impl Fitting {
         let options = FitOptions { time: session.time, keep, starts: self.how.starts, enough: ENOUGH };
         let still = session.still_of(Arc::new(session.look().clone()));
         self.outcome = None;
-        self.running = Some(Running { of: of(session), progress: progress.clone() });
+        let strokes = Strokes::of(session);
+        self.running = Some(Running { of: of(session), strokes, progress: progress.clone() });
         self.fitter.request(|_| Job { what, still, target, painted, options, progress });
         Ok(())
     }
@@ -90,12 +112,13 @@ impl Fitting {
             }
             Ok(fitted) => {
                 session.set_preview(Some(Arc::new(fitted.look.clone())));
-                self.outcome = Some(self.outcome_of(done.what, &done.painted, fitted));
+                let strokes = Strokes::of(session);
+                self.outcome = Some(self.outcome_of(done.what, strokes, &done.painted, fitted));
             }
         }
     }
 
-    fn outcome_of(&self, what: What, painted: &[Painted], fitted: Fitted) -> Outcome {
+    fn outcome_of(&self, what: What, strokes: Strokes, painted: &[Painted], fitted: Fitted) -> Outcome {
         let Fitted { edit, report, misses, .. } = fitted;
         let after: HashMap<_, _> = misses.iter().map(|missed| (missed.pixel, *missed)).collect();
         let now = |pixel: [u32; 2]| after.get(&pixel).map(|missed| missed.shown);
@@ -107,6 +130,7 @@ impl Fitting {
         let (count, sum) = rest.fold((0.0, 0.0), |(count, sum), missed| (count + 1.0, sum + missed.error.powi(2)));
         Outcome {
             what,
+            strokes,
             edit,
             report,
             before: target::off(painted, was),

@@ -126,7 +126,7 @@ impl Fitting {
             height: HEIGHT,
             aspect: 1.0,
             tools: Tools::default(),
-            how: How { keep: Keep::default(), hold: 0.25, layers: 2, starts: STARTS },
+            how: How { keep: Keep::default(), hold: 1.0, layers: 2, starts: STARTS },
             shows: Shows { strokes: true, misses: false },
             grounds: Grounds::new(wake.clone()),
             seen: None,
@@ -235,6 +235,16 @@ impl Fitting {
         if self.running.as_ref().is_some_and(|running| running.of != of(session)) {
             self.stop();
             self.told = Some("The look was changed while it was fitted: fit again".to_owned());
+        }
+        if self.running.as_ref().is_some_and(|running| !running.strokes.are(session)) {
+            self.stop();
+            self.told = Some("The strokes were changed while they were fitted: fit again".to_owned());
+        }
+        if self.outcome.as_ref().is_some_and(|outcome| !outcome.strokes.are(session)) {
+            let awaited = self.awaits();
+            self.outcome = None;
+            session.set_preview(None);
+            self.told = awaited.then(|| "The strokes were changed: fit again".to_owned());
         }
         if self.awaits() && session.preview().is_none() {
             self.outcome = None;

@@ -13,6 +13,8 @@ use crate::editor::session::Session;
 use crate::editor::theme;
 use crate::fit::Changed;
 
+/// A fit that leaves more than this of what was missing did hardly help, and says so.
+const HARDLY: f64 = 0.7;
 /// The most layers that are fitted from nothing here.
 pub(super) const MOST_LAYERS: usize = 5;
 
@@ -154,6 +156,18 @@ fn result(ui: &mut Ui, outcome: &Outcome, session: &Session, out: &mut Vec<Comma
                 .on_hover_text(help);
         }
     });
+    if !outcome.is_applied && outcome.after > HARDLY * outcome.before {
+        let text = match outcome.what {
+            What::ThisLook => {
+                "Its lights, profiles and colors cannot show much more of it: Misses shows where not. Allow more to change, \
+                 hold less, or fit new layers."
+            }
+            What::Layers(_) => {
+                "So few layers cannot show much more of it: Misses shows where not. Allow more layers, or hold less."
+            }
+        };
+        ui.label(RichText::new(text).color(theme::of(ui).accent));
+    }
     ui.horizontal(|ui| {
         if outcome.is_applied {
             ui.label(RichText::new("Applied; undo takes it back").color(theme::of(ui).dim));

@@ -65,6 +65,11 @@ impl Sketch {
         self.state.tile.as_ref()
     }
 
+    /// The same with nothing to be taken back.
+    pub(in crate::editor) fn without_past(self) -> Self {
+        Self { state: self.state, ..Self::default() }
+    }
+
     /// Whether nothing is wished.
     pub fn is_empty(&self) -> bool {
         self.state.tile.as_ref().is_none_or(|tile| tile.bytes().chunks_exact(4).all(|texel| texel[3] == 0))

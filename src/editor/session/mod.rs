@@ -48,6 +48,8 @@ pub struct Session {
     pub(crate) hides_painting: bool,
     /// What is painted on the picture.
     sketch: Sketch,
+    /// What was painted on looks that were left, the latest last.
+    sketches: Vec<((Option<PathBuf>, String), Sketch)>,
     /// A look that is shown in place of the open one, and how often that changed.
     preview: Option<Arc<Look>>,
     preview_number: u64,
@@ -111,6 +113,7 @@ impl Session {
             stage: None,
             painting: None,
             sketch: Sketch::default(),
+            sketches: Vec::new(),
             preview: None,
             preview_number: 0,
             hides_painting: false,
@@ -250,6 +253,7 @@ impl Session {
         self.source = Arc::new(source);
         self.opened = self.source.clone();
         self.path = path;
+        self.find_sketch();
         self.selection.clear();
         // A scene has the camera, and goes on.
         if self.stage.is_none() {

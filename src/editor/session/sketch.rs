@@ -1,10 +1,14 @@
 //! What is painted on the picture, and the look that was fitted to it and is only shown.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::super::fitting::{Sketch, Standpoint};
 use super::Session;
 use crate::document::{Look, Tile};
+
+/// Of so many looks that were left strokes are kept.
+const MOST_ASIDE: usize = 16;
 
 impl Session {
     /// What is painted on the picture.
@@ -30,11 +34,34 @@ impl Session {
         }
     }
 
-    /// Forgets the strokes: they are of a look that is gone.
+    /// Puts the strokes aside, with the look that they are of.
     pub(super) fn leave_sketch(&mut self) {
-        let is_open = self.sketch.is_open;
-        self.sketch = Sketch::default();
-        self.sketch.is_open = is_open;
+        let left = std::mem::take(&mut self.sketch);
+        self.sketch.is_open = left.is_open;
+        if !left.is_empty() {
+            let of = self.sketched();
+            self.sketches.retain(|(other, _)| *other != of);
+            self.sketches.push((of, left.without_past()));
+            // The oldest goes: each is a picture of about a megabyte.
+            let surplus = self.sketches.len().saturating_sub(MOST_ASIDE);
+            self.sketches.drain(..surplus);
+        }
+    }
+
+    /// Takes the strokes up again that were put aside when this look was left.
+    pub(super) fn find_sketch(&mut self) {
+        let of = self.sketched();
+        if let Some(index) = self.sketches.iter().position(|(other, _)| *other == of) {
+            let is_open = self.sketch.is_open;
+            self.sketch = self.sketches.remove(index).1;
+            self.sketch.is_open = is_open;
+        }
+    }
+
+    /// Whose strokes they are: those of a file, or of a look that goes by this name.
+    fn sketched(&self) -> (Option<PathBuf>, String) {
+        let name = if self.path.is_none() { self.look().name.clone() } else { String::new() };
+        (self.path.clone(), name)
     }
 
     /// The look that is shown in place of the open one.
