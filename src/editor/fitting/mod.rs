@@ -126,7 +126,7 @@ impl Fitting {
             height: HEIGHT,
             aspect: 1.0,
             tools: Tools::default(),
-            how: How { keep: Keep::default(), hold: 1.0, layers: 2, starts: STARTS },
+            how: How { keep: Keep::default(), hold: 0.25, layers: 2, starts: STARTS },
             shows: Shows { strokes: true, misses: false },
             grounds: Grounds::new(wake.clone()),
             seen: None,
