@@ -156,8 +156,7 @@ impl Grower<'_> {
 
     /// Turns the lowest layer over, and takes each out and searches for it again, while that brings the whole nearer.
     fn again(&self, whole: &Search, best: Vec<Layer>) -> Result<Stack, Diagnostic> {
-        let at_all = |point: Vec<Layer>| Found { error: whole.error(&whole.taken_over(&point)), point };
-        let mut best = at_all(best);
+        let mut best = Found { error: whole.error(&whole.taken_over(&best)), point: best };
         for _ in 0..ROUNDS {
             let before = best.error;
             // First the lowest turned over, then each without the layer in turn.

@@ -27,11 +27,6 @@ pub(super) enum Knob {
 }
 
 impl Knob {
-    /// How many numbers are turned.
-    pub(super) fn numbers(&self) -> usize {
-        if matches!(self, Self::Direction(_)) { 2 } else { 3 }
-    }
-
     /// What people read, with where it is written.
     pub(super) fn told(&self) -> (&'static str, String) {
         match self {

@@ -108,7 +108,7 @@ impl Report {
             painted: target.wishes.len(),
             compared: after.len(),
             places: places(target.size, after),
-            turned: turned.iter().map(|(knob, _)| knob.numbers()).sum(),
+            turned: turned.iter().map(|(_, setting)| setting.count()).sum(),
             before: rms(before),
             after: rms(after),
             changed: changed(&old, &new),
