@@ -58,6 +58,34 @@ static FILES: &[(&str, &[u8])] = &files![
     "looks/woodcut.json",
     "looks/botanical-plate.json",
     "looks/oil-portrait.json",
+    "looks/highlight-moves.json",
+    "looks/highlight-cut.json",
+    "looks/silk-ring.json",
+    "looks/bent-light.json",
+    "looks/xtoon-distance.json",
+    "looks/xtoon-focus.json",
+    "looks/xtoon-orientation.json",
+    "looks/xtoon-highlight.json",
+    "looks/local-control.json",
+    "looks/travel-poster.json",
+    "looks/one-bit.json",
+    "looks/film-print.json",
+    "looks/glaze.json",
+    "looks/mean-curvature.json",
+    "looks/sculpting-pair.json",
+    "looks/gouache.json",
+    "looks/material-phong.json",
+    "looks/material-blinn.json",
+    "looks/material-ggx.json",
+    "looks/material-ward.json",
+    "looks/material-oren-nayar.json",
+    "looks/material-wrap.json",
+    "looks/material-film.json",
+    "looks/material-drawn.json",
+    "looks/near-lantern.json",
+    "looks/lantern.json",
+    "looks/far-and-turned.json",
+    "looks/mood.json",
     "hcbtf/grass.json",
     "hcbtf/grass-flat.json",
     "hcbtf/brick.json",
@@ -90,6 +118,13 @@ static FILES: &[(&str, &[u8])] = &files![
     "scenes/figure35-studio.json",
     "scenes/figure36-brick.json",
     "scenes/technical-cutaway.json",
+    "scenes/highlight-moves.json",
+    "scenes/xtoon-distance.json",
+    "scenes/xtoon-focus.json",
+    "scenes/materials.json",
+    "scenes/keys-near.json",
+    "scenes/keys-far-turned.json",
+    "scenes/keys-mood.json",
     "hcbtf/grass.hcbtf",
     "hcbtf/grass-flat.hcbtf",
     "hcbtf/brick.hcbtf",
@@ -101,6 +136,12 @@ static FILES: &[(&str, &[u8])] = &files![
     "hcbtf/stripes.hcbtf",
     "hcbtf/chalk.hcbtf",
     "hcbtf/copper.hcbtf",
+    "images/ball-hollow.png",
+    "images/ball-ridge.png",
+    "images/stroke.png",
+    "images/tone-air.png",
+    "images/tone-gloss.png",
+    "images/tone-ink.png",
 ];
 
 /// The names of all looks and scenes among them, without [`PREFIX`].
@@ -118,7 +159,7 @@ pub fn file(path: &Path) -> Option<&'static [u8]> {
 pub fn text(path: &Path) -> Option<String> {
     let text = std::str::from_utf8(file(path)?).ok()?;
     let mut text = text.to_owned();
-    for folder in ["looks", "hcbtf"] {
+    for folder in ["looks", "hcbtf", "images"] {
         text = text.replace(&format!("\"../{folder}/"), &format!("\"{PREFIX}{folder}/"));
     }
     let beside = FILES.iter().filter_map(|(name, _)| name.strip_prefix("hcbtf/"));
@@ -155,7 +196,7 @@ mod tests {
     fn every_example_is_there_as_it_lies_in_the_source() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
         let mut found = BTreeSet::new();
-        for folder in ["looks", "hcbtf", "scenes"] {
+        for folder in ["looks", "hcbtf", "scenes", "images"] {
             for entry in std::fs::read_dir(root.join(folder)).unwrap() {
                 let name = format!("{folder}/{}", entry.unwrap().file_name().to_str().unwrap());
                 let path = Path::new("somewhere/else").join(format!("{PREFIX}{name}"));

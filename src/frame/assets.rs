@@ -3,12 +3,14 @@
 use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
 use std::hash::{DefaultHasher, Hash, Hasher};
+use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::SystemTime;
 
 use crate::diag::Diagnostic;
 use crate::document::{Address, Directions, Grid, Hcbtf, Tile};
+use crate::examples;
 use crate::geometry::{self, Mesh};
 use crate::hcbtf::{self, Coding, Filled, LayerOptions, Layers, Progress, Region};
 
@@ -350,24 +352,33 @@ fn stamp(path: &Path) -> Option<(SystemTime, u64)> {
 /// # Errors
 /// Why they cannot be read.
 pub fn image_bytes(folder: &Path, path: &str) -> Result<Vec<u8>, Diagnostic> {
-    let path = folder.join(path);
-    let problem = |message: String| Diagnostic::error("missing-asset", message);
-    let size = std::fs::metadata(&path).map(|data| data.len());
-    if size.as_ref().is_ok_and(|&size| size > MAX_IMAGE_BYTES) {
-        return Err(problem(format!("the image `{}` is larger than {} MiB", path.display(), MAX_IMAGE_BYTES >> 20)));
+    bytes_of(&folder.join(path))
+}
+
+fn bytes_of(path: &Path) -> Result<Vec<u8>, Diagnostic> {
+    if let Some(example) = examples::file(path) {
+        return Ok(example.to_vec());
     }
-    std::fs::read(&path).map_err(|error| problem(format!("the image `{}` cannot be read: {error}", path.display())))
+    let name = path.display();
+    let problem = |message: String| {
+        Diagnostic::error("missing-asset", message).hint("paths of images are relative to the look's own file")
+    };
+    let size = std::fs::metadata(path).map(|data| data.len());
+    if size.as_ref().is_ok_and(|&size| size > MAX_IMAGE_BYTES) {
+        return Err(problem(format!("the image `{name}` is larger than {} MiB", MAX_IMAGE_BYTES >> 20)));
+    }
+    std::fs::read(path).map_err(|error| problem(format!("the image `{name}` cannot be read: {error}")))
 }
 
 fn read_image(path: &Path) -> Result<Image, Diagnostic> {
     let name = path.display();
     let problem = |message: String| {
-        Diagnostic::error("missing-asset", message).hint("paths of images are relative to the look's own file")
+        Diagnostic::error("missing-asset", message)
+            .hint("save it as PNG, JPEG, HDR or EXR, at most 16384 pixels wide and high")
     };
-    let reader = image::ImageReader::open(path)
-        .map_err(|error| problem(format!("the image `{name}` cannot be opened: {error}")))?;
-    let mut reader =
-        reader.with_guessed_format().map_err(|error| problem(format!("the image `{name}` cannot be read: {error}")))?;
+    let mut reader = image::ImageReader::new(Cursor::new(bytes_of(path)?))
+        .with_guessed_format()
+        .map_err(|error| problem(format!("the image `{name}` cannot be read: {error}")))?;
     let mut limits = image::Limits::default();
     limits.max_image_width = Some(MAX_IMAGE_SIDE);
     limits.max_image_height = Some(MAX_IMAGE_SIDE);
