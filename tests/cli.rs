@@ -741,7 +741,13 @@ fn export_writes_files_and_lists_them() {
     shop.run(&["export", "flat.json", "--to", "wgsl", "-o", "."]).fails(1, &["would-overwrite"]);
     assert_eq!(fs::read_to_string(shop.path("flat.json")).unwrap(), LOOK);
     shop.write("scene.json", r#"{"objects": [{"looks": "flat.json"}]}"#);
-    shop.run(&["export", "scene.json", "--to", "wgsl"]).fails(1, &["this is a scene"]);
+    shop.run(&["export", "scene.json", "--to", "wgsl"]).fails(1, &["this is a scene", "in its place: flat.json"]);
+    // As it would be given from here, not from the scene.
+    std::fs::create_dir(shop.path("scenes")).unwrap();
+    shop.write("scenes/far.json", r#"{"objects": [{"looks": "../flat.json"}, {"looks": "near.json"}]}"#);
+    let near = Path::new("scenes").join("near.json");
+    let named = format!("in its place: flat.json, {}", near.display());
+    shop.run(&["export", "scenes/far.json", "--to", "wgsl"]).fails(1, &["this is a scene", &named]);
 }
 
 #[cfg(feature = "gpu")]
@@ -778,7 +784,7 @@ mod gpu {
     fn render_says_what_is_wrong_before_it_works() {
         let shop = shop();
         shop.run(&["render", "flat.json", "-o", "none/a.png"]).fails(1, &["cannot-write", "none", "-o"]);
-        shop.run(&["render", "flat.json", "-o", "a.jpg"]).fails(1, &["PNG"]);
+        shop.run(&["render", "flat.json", "-o", "a.jpg"]).fails(1, &["PNG", "-o a.png"]);
         shop.run(&["render", "flat.json", "-o", "a.png", "--camera", "eye=1,2"])
             .fails(2, &["--camera", "eye=1,2", "target="]);
         shop.run(&["render", "flat.json", "-o", "a.png", "--camera", "eye=0,0,0"]).fails(2, &["--camera"]);

@@ -107,7 +107,7 @@ fn what_is_not_saved_is_exported_and_the_looks_own_folder_does_no_harm() {
     // What is offered is a new folder beside the look.
     hand.press("Export");
     hand.press("Export to WGSL, for WebGPU...");
-    assert!(hand.says("This folder is made"));
+    assert!(hand.says("The folder will be made"));
     hand.press("Export here");
     let own = home.file("rim-shaders");
     let unsaved = files(&own);

@@ -6,10 +6,12 @@ mod editor_support;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use std::path::Path;
 
-use chiaro::document::{Driver, Edit, GraphId, Interpolation, KeyDirection, Target, Value};
+use chiaro::document::{
+    DirectionKey, DirectionKeys, Driver, Edit, Exposed, GraphId, Interpolation, KeyDirection, Target, Value,
+};
 use editor_support::{Hand, close};
 use eframe::egui::{Key, Pos2, Role, pos2, vec2};
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 fn at(hand: &Hand, label: &str) -> Pos2 {
     let found = hand.harness.get_all_by_label(label).next();
@@ -136,7 +138,7 @@ fn direction_keys_are_made_from_nothing() {
     select(&mut hand, &["diffuse"]);
     click(&mut hand, "Keys");
     click(&mut hand, "Add direction keys");
-    click(&mut hand, "By the light key");
+    click(&mut hand, "By the light \"key\"");
     assert_eq!(hand.look().direction_keys[0].by, KeyDirection::Light("key".into()));
     assert_eq!(hand.look().direction_keys[0].keys.len(), 1);
     click(&mut hand, "Add value");
@@ -227,7 +229,16 @@ fn keys_by_a_wire_are_made_and_follow_it() {
     let add = Edit::AddNode { graph: GraphId::Look, id: "mood".into(), node, index: None };
     hand.app_mut().session_mut().apply(add, None).expect("it applies");
     hand.settle();
+    // Nothing could ever move it: it is not offered, and that is said.
     click(&mut hand, "Keys");
+    click(&mut hand, "Add direction keys");
+    assert!(!has(&hand, "Wire Mood"));
+    assert!(has(&hand, "never change"));
+    hand.key(Key::Escape);
+    let exposed = Exposed { name: "mood".into(), target: target("mood.value"), label: String::new() };
+    let expose = Edit::AddExposed { exposed, index: None };
+    hand.app_mut().session_mut().apply(expose, None).expect("it applies");
+    hand.settle();
     click(&mut hand, "Add direction keys");
     click(&mut hand, "Wire Mood");
     hand.settle();
@@ -255,6 +266,68 @@ fn keys_by_a_wire_are_made_and_follow_it() {
         hand.undo();
     }
     assert_eq!(*hand.look(), before);
+}
+
+/// Below a keyed value: what it is now between its keys, what decides and where that is, and which key is set. While the
+/// driver wanders about half-way between two keys that stays the same; it is chosen there too.
+#[test]
+fn a_keyed_value_says_what_it_is_and_what_is_set() {
+    let mut hand = Hand::new();
+    let target = target("diffuse.opacity");
+    let key = |at: f64, opacity: f64| DirectionKey {
+        direction: [at, 0.0, 0.0],
+        values: [(target.clone(), Value::Number(opacity))].into_iter().collect(),
+        unknown: Default::default(),
+    };
+    let keys = DirectionKeys {
+        name: "Height".to_owned(),
+        by: KeyDirection::Drivers(vec![Driver::Height("key".into())]),
+        scheme: Default::default(),
+        keys: vec![key(0.0, 0.2), key(1.0, 0.8)],
+        unknown: Default::default(),
+    };
+    let add = Edit::AddDirectionKeys { keys, index: None };
+    hand.app_mut().session_mut().apply(add, None).expect("it applies");
+    select(&mut hand, &["diffuse"]);
+    find(&mut hand, "Opacity");
+    let place = |hand: &mut Hand, height: f64| {
+        let mut light = hand.look().lights["key"].clone();
+        light.direction = [0.0, height.sin(), height.cos()];
+        let set = Edit::SetLight { id: "key".into(), light };
+        hand.app_mut().session_mut().apply(set, None).expect("it applies");
+        hand.settle();
+    };
+    // Half-way the weights are equal, by symmetry.
+    place(&mut hand, 0.5);
+    assert!(has(&hand, "Now 0.5"));
+    assert!(has(&hand, "while Height of \"key\" is 28.6°"));
+    let is_set = |hand: &Hand, key: usize| {
+        let name = format!("Set Opacity at key {key}");
+        let node = hand.harness.get_by_label(&name);
+        node.accesskit_node().toggled() == Some(eframe::egui::accesskit::Toggled::True)
+    };
+    // A light that wanders about the middle leaves the key that is set alone; one that comes to the other key does not.
+    place(&mut hand, 0.1);
+    assert!(is_set(&hand, 1) && !is_set(&hand, 2));
+    for height in [0.48, 0.51, 0.49, 0.52, 0.5] {
+        place(&mut hand, height);
+        assert!(is_set(&hand, 1), "{height}");
+    }
+    place(&mut hand, 0.9);
+    assert!(is_set(&hand, 2));
+    for height in [0.52, 0.48, 0.5] {
+        place(&mut hand, height);
+        assert!(is_set(&hand, 2), "{height}");
+    }
+    set(&mut hand, "Opacity", "0.6");
+    let opacity = |hand: &Hand, key: usize| hand.look().direction_keys[0].keys[key].values[&target].clone();
+    assert_eq!([opacity(&hand, 0), opacity(&hand, 1)], [0.2, 0.6].map(Value::Number));
+    assert!(has(&hand, "Now 0.4"), "between 0.2 and 0.6");
+    click(&mut hand, "Set Opacity at key 1");
+    place(&mut hand, 0.9);
+    assert!(is_set(&hand, 1), "what is chosen stays");
+    set(&mut hand, "Opacity", "0.1");
+    assert_eq!([opacity(&hand, 0), opacity(&hand, 1)], [0.1, 0.6].map(Value::Number));
 }
 
 #[test]

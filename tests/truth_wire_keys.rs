@@ -310,7 +310,8 @@ fn what_may_drive_is_listed() {
     let json = wired(&json!([{"wire": "d"}]), &[(vec![0.0], 0.0)]);
     let (typed, _) = check(&look(&json).look, Library::built_in(), None).expect("it is sound");
     let listed = |moved: &[chiaro::document::Target]| -> Vec<String> {
-        typed.drivable(moved).iter().map(ToString::to_string).collect()
+        let [changing, still] = typed.drivable(moved, &[]);
+        changing.iter().chain(&still).map(ToString::to_string).collect()
     };
     let all = listed(&[]);
     for wire in ["number.value", "a.value", "time.time", "parts.intensity", "c.x", "c.y", "c.z"] {
@@ -401,4 +402,25 @@ fn every_way_of_compiling_has_the_wires() {
     }
     let options = Options { stage: chiaro::compile::Stage::Normals, ..Options::default() };
     assert!(compile(&setup.look, Library::built_in(), &options).expect("it compiles").host.drivers.is_empty());
+}
+
+/// Of what may drive, what can ever change is told from what never does: what is set by a scene or keys, the time, lights.
+#[test]
+fn wires_that_never_change_are_told_apart() {
+    let json = wired(&json!([{"wire": "d"}]), &[(vec![0.0], 0.0)]);
+    let (typed, _) = check(&look(&json).look, Library::built_in(), None).expect("it is sound");
+    let target = |text: &str| chiaro::document::Target::parse(text).expect("a target");
+    let told = |set: &[chiaro::document::Target]| {
+        typed.drivable(&[], set).map(|wires| wires.iter().map(ToString::to_string).collect::<Vec<String>>())
+    };
+    // With nothing set: `number` and `a` hold still; the time and the light do not, nor does what is made of them.
+    let [changing, still] = told(&[]);
+    assert_eq!(still, ["number.value", "a.value"]);
+    for wire in ["time.time", "b.sum", "parts.intensity", "c.x", "d.product"] {
+        assert!(changing.iter().any(|known| known == wire), "{wire}: {changing:?}");
+    }
+    let [_, still] = told(&[target("a.value")]);
+    assert_eq!(still, ["number.value"], "a scene may set what is exposed");
+    let [_, still] = told(&[target("a.value"), target("number.value")]);
+    assert!(still.is_empty(), "{still:?}");
 }

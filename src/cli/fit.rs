@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use clap::ValueEnum;
 use serde_json::json;
 
-use super::open::{check_nodes_folder, check_replaced, library_for};
+use super::open::{check_nodes_folder, check_replaced, library_for, not_a_look};
 use super::output::Output;
 use super::render::{adjust_camera, check_target, parse_time};
 use crate::diag::Diagnostic;
@@ -152,9 +152,8 @@ fn setup(arguments: &Arguments, output: &Output) -> Result<Setup, Vec<Diagnostic
         output.diagnostics(&warnings);
         return Ok(setup);
     };
-    if let Document::Scene(_) = Document::load(path) {
-        let problem = Diagnostic::error("not-a-look", "this is a scene").in_file(path.display().to_string());
-        return Err(vec![problem.hint("name one of its looks")]);
+    if let Document::Scene(scene) = Document::load(path) {
+        return Err(vec![not_a_look(path, scene.value.as_ref())]);
     }
     let (setup, warnings) = open(path, mesh, &mut assets)?;
     output.diagnostics(&warnings);

@@ -70,7 +70,8 @@ enum Command {
     Edit {
         /// A look or a scene
         files: Vec<PathBuf>,
-        /// The mesh to see it on: a file (OBJ, PLY, STL, glTF, GLB) or an own shape (shape:knot)
+        /// The mesh to see it on: a file (OBJ, PLY, STL, glTF, GLB) or an own shape (shape:knot); one that lies on its
+        /// back is stood up by Options, "Z is up"
         #[arg(short, long)]
         mesh: Option<String>,
     },

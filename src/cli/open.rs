@@ -1,10 +1,10 @@
 //! What several subcommands do first: find the library, read the look.
 
-use std::path::Path;
+use std::path::{Component, Path, PathBuf};
 
 use super::output::Output;
 use crate::diag::{Diagnostic, has_errors};
-use crate::document::{Document, Look};
+use crate::document::{Document, Look, Scene};
 use crate::frame::SetupLook;
 use crate::library::Library;
 
@@ -44,14 +44,46 @@ pub(super) fn check_replaced(written: Option<&Path>, own: Option<&Path>, force: 
     if own.is_some_and(|own| place(own) == place(written)) { Ok(()) } else { Err(taken(written)) }
 }
 
+/// As many looks of a scene are named.
+const NAMED: usize = 6;
+
+/// A scene where a look is wanted: which looks it has, as they would be given in its place.
+pub(super) fn not_a_look(path: &Path, scene: Option<&Scene>) -> Diagnostic {
+    let problem = Diagnostic::error("not-a-look", "this is a scene").in_file(path.display().to_string());
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let mut looks: Vec<String> = Vec::new();
+    for look in scene.iter().flat_map(|scene| scene.objects.values()).flat_map(|object| object.looks.values()) {
+        let look = beside(folder, look);
+        if !looks.contains(&look) {
+            looks.push(look);
+        }
+    }
+    if looks.is_empty() {
+        return problem.hint("name a look in its place: a file whose \"chiaro\" is \"look\"");
+    }
+    let left = looks.len().saturating_sub(NAMED);
+    let more = if left > 0 { format!(" or {left} more") } else { String::new() };
+    looks.truncate(NAMED);
+    problem.hint(format!("name one of its looks in its place: {}{more}", looks.join(", ")))
+}
+
+/// A path of a document, as one would give it: `scenes/../looks/a.json` is `looks/a.json`.
+fn beside(folder: &Path, path: &str) -> String {
+    let mut short = PathBuf::new();
+    for part in folder.join(path).components() {
+        match (part, short.components().next_back()) {
+            (Component::ParentDir, Some(Component::Normal(_))) => drop(short.pop()),
+            _ => short.push(part),
+        }
+    }
+    short.display().to_string()
+}
+
 /// Reads a look; where there is a scene or something wrong, says so.
 pub(super) fn open_look(path: &Path, output: &Output) -> Result<SetupLook, Vec<Diagnostic>> {
     let loaded = match Document::load(path) {
         Document::Look(loaded) => loaded,
-        Document::Scene(_) => {
-            let problem = Diagnostic::error("not-a-look", "this is a scene").in_file(path.display().to_string());
-            return Err(vec![problem.hint("name one of its looks")]);
-        }
+        Document::Scene(scene) => return Err(vec![not_a_look(path, scene.value.as_ref())]),
     };
     let Some(look) = loaded.value.clone().filter(|_: &Look| !has_errors(&loaded.diagnostics)) else {
         return Err(loaded.diagnostics);

@@ -39,7 +39,8 @@ pub(super) struct Arguments {
     /// The PNG to write
     #[arg(short, long)]
     output: PathBuf,
-    /// A mesh (OBJ, PLY, STL, glTF, GLB) or an own shape (shape:creature) in place of the document's
+    /// A mesh (OBJ, PLY, STL, glTF, GLB) or an own shape (shape:creature) in place of the document's; one that lies on
+    /// its back wants --z-up
     #[arg(short, long)]
     mesh: Option<String>,
     /// Stands up meshes whose z axis points up, as in many scans
@@ -212,7 +213,9 @@ pub(super) fn check_target(path: &Path) -> Result<(), Diagnostic> {
         return Err(problem("this is a folder".to_owned()));
     }
     if !path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png")) {
-        return Err(problem("pictures are written as PNG, so the name must end in .png".to_owned()));
+        let message = "pictures are written as PNG and in no other format";
+        let hint = format!("let its name end in .png: -o {}", path.with_extension("png").display());
+        return Err(Diagnostic::error("cannot-write", message).in_file(path.display().to_string()).hint(hint));
     }
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     if !folder.is_dir() {

@@ -111,8 +111,18 @@ fn rate(node: &TypedNode, known: &[Rate]) -> Rate {
 
 impl TypedGraph {
     /// The outputs of the look's own nodes and groups that may drive keys of what `moved` names: what depends on that
-    /// itself may not. In the order of the look's nodes, groups last.
-    pub fn drivable(&self, moved: &[Target]) -> Vec<OutputPort> {
+    /// itself may not. In the order of the look's nodes, groups last. First those that may change while nobody edits the
+    /// look: what depends on a context, on a light, or on what of `set` names, which is what keys and scenes set; then
+    /// those that are always the same.
+    pub fn drivable(&self, moved: &[Target], set: &[Target]) -> [Vec<OutputPort>; 2] {
+        let changes = self.changing(set);
+        let (changing, still): (Vec<_>, Vec<_>) =
+            self.may_drive(moved).into_iter().partition(|(_, node)| changes[*node]);
+        [changing, still].map(|outputs| outputs.into_iter().map(|(wire, _)| wire).collect())
+    }
+
+    /// The outputs that may drive keys, each with the node behind it.
+    fn may_drive(&self, moved: &[Target]) -> Vec<(OutputPort, usize)> {
         let (rates, is_moved) = (rates(self), self.moved_by(moved));
         let drives = |index: usize, output: usize| {
             let node = &self.nodes[index];
@@ -122,16 +132,34 @@ impl TypedGraph {
         let mut found = Vec::new();
         for (index, node) in self.nodes.iter().enumerate().filter(|(_, node)| node.path.ids().len() == 1) {
             let outputs = node.def.outputs.iter().enumerate().filter(|(output, _)| drives(index, *output));
-            found.extend(outputs.map(|(_, port)| OutputPort { node: node.path.clone(), port: port.name.clone() }));
+            let named = |port: &PortName| OutputPort { node: node.path.clone(), port: port.clone() };
+            found.extend(outputs.map(|(_, port)| (named(&port.name), index)));
         }
-        let mut of_groups: Vec<OutputPort> = Vec::new();
+        let mut of_groups: Vec<(OutputPort, usize)> = Vec::new();
         for (path, outputs) in self.group_outputs.iter().filter(|(path, _)| path.ids().len() == 1) {
             let named = outputs.iter().filter(|(port, _)| !port.as_str().is_empty());
             let outputs = named.filter(|(_, (node, output))| drives(*node, *output));
-            of_groups.extend(outputs.map(|(port, _)| OutputPort { node: path.clone(), port: port.clone() }));
+            let wire = |port: &PortName| OutputPort { node: path.clone(), port: port.clone() };
+            of_groups.extend(outputs.map(|(port, (node, _))| (wire(port), *node)));
         }
         of_groups.sort();
         found.extend(of_groups);
+        found
+    }
+
+    /// Which nodes may give something else while nobody edits the look.
+    fn changing(&self, set: &[Target]) -> Vec<bool> {
+        let mut found = self.moved_by(set);
+        for &index in &self.order {
+            let node = &self.nodes[index];
+            let changes = |input: &TypedInput| match &input.source {
+                TypedSource::Wire { node, .. } => found[*node],
+                TypedSource::Param(..) => false,
+                TypedSource::Context(context) => context.rate() > Rate::Constant,
+            };
+            let changes = node.light.is_some() || node.inputs.iter().flatten().any(changes);
+            found[index] |= changes;
+        }
         found
     }
 

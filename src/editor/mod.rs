@@ -8,6 +8,7 @@ pub mod canvas;
 mod code;
 mod command;
 mod compiling;
+mod confirm;
 mod cost;
 mod curves;
 mod dialogs;

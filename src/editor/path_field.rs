@@ -8,6 +8,7 @@ use eframe::egui::{
     text::CCursor, text::CCursorRange,
 };
 
+use super::confirm;
 use super::dialogs::Purpose;
 use super::theme;
 
@@ -65,13 +66,14 @@ impl PathField {
                     RichText::new("This system shows no file dialog, so type the path here.").color(theme::of(ui).dim),
                 );
             }
-            let enters = self.field(ui);
+            let confirms = confirm::enters(ui);
+            let enters = self.field(ui) || confirms;
             ui.scope(|ui| self.entries(ui));
             let path = self.path();
             let verdict = verdict(self.purpose, &path);
             let reason = match verdict {
                 Verdict::Bad(reason) => reason,
-                _ if self.purpose.is_folder() && !path.exists() => "This folder is made",
+                _ if self.purpose.is_folder() && !path.exists() => "The folder will be made",
                 Verdict::Replaces => "There is such a file; it would be replaced",
                 Verdict::Good | Verdict::Folder => "",
             };

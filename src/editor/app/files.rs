@@ -9,6 +9,7 @@ use super::App;
 use crate::diag::{Diagnostic, Severity};
 use crate::document::{Grid, Hcbtf};
 use crate::editor::command::Command;
+use crate::editor::confirm;
 use crate::editor::dialogs::PAINTING;
 use crate::editor::dock::Panel;
 use crate::editor::painting::{Import, Work, look};
@@ -235,6 +236,7 @@ impl App {
         }
         let modal = egui::Modal::new(egui::Id::unique("unsaved")).show(ui.ctx(), |ui| {
             ui.set_width(320.0);
+            let enters = confirm::enters(ui);
             let name = match self.session.stage() {
                 _ if self.is_painting_at_risk() && self.at_risk() == (false, false) => {
                     self.session.painting().map(Work::name).unwrap_or_default()
@@ -246,7 +248,7 @@ impl App {
             ui.label("They are lost unless you save them.");
             ui.add_space(8.0);
             ui.horizontal(|ui| {
-                if ui.button("Save").clicked() {
+                if ui.button("Save").clicked() || enters {
                     commands.push(Command::Save);
                 }
                 if ui.button("Do not save").clicked() {

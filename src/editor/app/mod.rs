@@ -385,6 +385,7 @@ impl App {
             self.timeline.stop();
         }
         self.session.refresh_keys();
+        self.session.follow_keys(ui.input(|input| input.pointer.any_down()));
         self.painting.tick(&mut self.session);
         self.fitting.tick(ui, &mut self.session);
         let (told, again) = self.safety.tick(ui, &mut self.session);

@@ -4,4 +4,5 @@ mod handle;
 pub(crate) mod keys;
 pub(crate) mod mark;
 pub(crate) mod profile;
+pub(crate) mod still_wires;
 pub(crate) mod timeline;

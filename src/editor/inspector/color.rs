@@ -80,7 +80,7 @@ fn swatch_of(
 }
 
 /// A colour of a look's colour space as it is shown.
-fn encoded(color: [f64; 4], space: ColorSpace) -> [f64; 4] {
+pub(in super::super) fn encoded(color: [f64; 4], space: ColorSpace) -> [f64; 4] {
     let [r, g, b, a] = color.map(|x| x.clamp(0.0, 1.0));
     match space {
         ColorSpace::Display => [r, g, b, a],

@@ -5,7 +5,7 @@ use eframe::egui;
 use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
 
 use super::super::command::Command;
-use super::super::curves::mark;
+use super::super::curves::{mark, still_wires};
 use super::super::dock::Panel;
 use super::super::keying::{KeyedBy, changes_in_time, has_between};
 use super::super::session::Session;
@@ -137,23 +137,24 @@ fn keys_by_direction(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
                 let names: Vec<String> = drivers.iter().map(|driver| session.driver_name(driver)).collect();
                 format!("New keys by: {}", names.join(", "))
             }
-            KeyDirection::Light(id) => format!("New keys by the light {}", session.light_name(id)),
+            KeyDirection::Light(id) => format!("New keys by the light \"{}\"", session.light_name(id)),
             KeyDirection::View => "New keys by the view".to_owned(),
         };
         begin(ui, text, by);
     }
-    let wires = session.wires(std::slice::from_ref(&marked.target));
-    if wires.is_empty() {
+    let [wires, still] = session.wires(std::slice::from_ref(&marked.target));
+    if wires.is_empty() && still.is_empty() {
         return;
     }
-    let help = "What is the same all over the object may decide: a value, the time, a light's direction, and what is \
-                computed from these";
+    let help = "What is the same all over the object may decide: an exposed or keyed value, the time, a light's \
+                direction, and what is computed from these";
     let menu = ui.menu_button("New keys by a wire…", |ui| {
         ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
             for driver in wires {
                 begin(ui, session.driver_name(&driver), KeyDirection::Drivers(vec![driver]));
             }
         });
+        still_wires::note(ui, session, &still);
     });
     menu.response.on_hover_text(help);
 }

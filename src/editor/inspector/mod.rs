@@ -3,6 +3,7 @@
 pub(super) mod color;
 mod curve;
 mod interface;
+mod keyed;
 pub(super) mod marks;
 mod picker;
 mod ramp;

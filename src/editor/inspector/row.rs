@@ -10,7 +10,7 @@ use super::super::keying::KeyedBy;
 use super::super::painting::Wish;
 use super::super::{theme, values};
 use super::marks::{self, Marked};
-use super::{Subject, color, curve, ramp};
+use super::{Subject, color, curve, keyed, ramp};
 use crate::document::{ColorSpace, Edit, Endpoint, Grid, Node, Value, Wire};
 use crate::examples::PREFIX;
 use crate::frame::UNSAVED_HCBTF;
@@ -47,6 +47,9 @@ pub(crate) fn marked(
         }
         add(ui, response.id, out);
     });
+    if let Some(marked) = marked {
+        keyed::show(ui, marked, out);
+    }
 }
 
 /// A label with help, and a widget that is named by it; where marks are, something else is put.
@@ -72,7 +75,9 @@ fn name(ui: &mut Ui, label: RichText, help: &str, sense: egui::Sense) -> egui::R
     let layout = egui::Layout::left_to_right(egui::Align::Center);
     let response = ui.allocate_ui_with_layout(size, layout, |ui| {
         ui.set_min_width(LABEL);
-        ui.add(egui::Label::new(label).truncate().sense(sense))
+        ui.set_max_width(LABEL);
+        // A long name takes a second line.
+        ui.add(egui::Label::new(label).wrap().sense(sense))
     });
     if help.is_empty() { response.inner } else { response.inner.on_hover_text(help) }
 }
@@ -112,13 +117,18 @@ pub(super) fn show(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Ve
                 }
                 marked(ui, text, &help, Some(&with_marks), out, |ui, label, out| {
                     reset(ui, subject, port, out);
-                    if port.ty == Type::Hcbtf {
-                        paint_button(ui, subject, port, shown, out);
-                    }
                     if let Some((id, value)) = widget(ui, label, subject, port, shown) {
                         out.push(held(subject, port, id, value));
                     }
                 });
+                // Below the path, which wants all the room there is.
+                if port.ty == Type::Hcbtf {
+                    let lead = marks::size(ui).x + LABEL + 9.0;
+                    ui.horizontal(|ui| {
+                        ui.add_space(lead);
+                        paint_button(ui, subject, port, shown, out);
+                    });
+                }
             }
         }
     });
@@ -399,14 +409,14 @@ fn choice(ui: &mut Ui, label: Id, port: &Port, value: Option<&Value>) -> Option<
     let shown = port.options.iter().find(|(known, _)| known == word).map_or(word, |(_, label)| label);
     let width = room(ui);
     let mut chosen = None;
-    let combo = ComboBox::from_id_salt("choice").width(width).selected_text(shown).show_ui(ui, |ui| {
+    let combo = ComboBox::from_id_salt("choice").width(width).truncate().selected_text(shown).show_ui(ui, |ui| {
         for (known, label) in &port.options {
             if ui.selectable_label(known == word, label).clicked() && known != word {
                 chosen = Some(known.clone());
             }
         }
     });
-    let response = combo.response.labelled_by(label);
+    let response = combo.response.labelled_by(label).on_hover_text(shown);
     chosen.map(|word| (response.id.with(&word), Value::Text(word)))
 }
 
@@ -422,14 +432,14 @@ fn light_name(ui: &mut Ui, label: Id, subject: &Subject<'_>, value: Option<&Valu
     };
     let mut chosen = None;
     let shown = if id.is_empty() { "choose a light".to_owned() } else { name(id) };
-    let combo = ComboBox::from_id_salt("light").width(room(ui)).selected_text(shown).show_ui(ui, |ui| {
+    let combo = ComboBox::from_id_salt("light").width(room(ui)).truncate().selected_text(&shown).show_ui(ui, |ui| {
         for known in lights.keys() {
             if ui.selectable_label(known.as_str() == id, name(known.as_str())).clicked() {
                 chosen = Some(known.to_string());
             }
         }
     });
-    let response = combo.response.labelled_by(label);
+    let response = combo.response.labelled_by(label).on_hover_text(shown);
     chosen.map(|id| (response.id.with(&id), Value::Text(id)))
 }
 
@@ -440,7 +450,12 @@ fn path(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id, Value)> {
     };
     let edit = TextEdit::singleline(&mut text).hint_text("path beside the look").desired_width(f32::INFINITY);
     let response = ui.add(edit).labelled_by(label);
-    response.changed().then_some((response.id, Value::Text(text)))
+    let changed = response.changed().then_some(response.id);
+    // A long path does not fit.
+    if !text.is_empty() {
+        response.on_hover_text(&text);
+    }
+    changed.map(|id| (id, Value::Text(text)))
 }
 
 /// WGSL of a custom node.

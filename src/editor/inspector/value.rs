@@ -1,6 +1,6 @@
 //! A value in a cell of a table: as little room as its type can do with.
 
-use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, Ui, vec2};
+use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, TextWrapMode, Ui, vec2};
 
 use super::super::catalog::Port;
 use super::super::{theme, values};
@@ -80,13 +80,16 @@ fn choice(ui: &mut Ui, name: &str, port: &Port, value: &Value) -> Option<(Id, Va
     let Value::Text(word) = value else { return None };
     let shown = port.options.iter().find(|(known, _)| known == word).map_or(word, |(_, label)| label);
     let mut chosen = None;
-    let combo = ComboBox::from_id_salt(name).width(80.0).selected_text(shown).show_ui(ui, |ui| {
-        for (known, label) in &port.options {
-            if ui.selectable_label(known == word, label).clicked() && known != word {
-                chosen = Some(known.clone());
+    let combo = ComboBox::from_id_salt(name).width(80.0).wrap_mode(TextWrapMode::Extend).selected_text(shown).show_ui(
+        ui,
+        |ui| {
+            for (known, label) in &port.options {
+                if ui.selectable_label(known == word, label).clicked() && known != word {
+                    chosen = Some(known.clone());
+                }
             }
-        }
-    });
+        },
+    );
     named(&combo.response, eframe::egui::Role::ComboBox, name);
     chosen.map(|word| (combo.response.id.with(&word), Value::Text(word)))
 }

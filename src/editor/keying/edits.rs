@@ -14,7 +14,7 @@ use crate::library::Fallback;
 
 impl Session {
     /// The edit by which a target has a value where it is looked at: at the playhead, at the direction key that is
-    /// selected or weighs most, or at all.
+    /// selected or followed, or at all.
     pub(crate) fn set_at(&self, target: &Target, value: Value) -> Edit {
         self.set_all_at([(target.clone(), value)])
     }
@@ -136,7 +136,7 @@ impl Session {
         let values = target.and_then(|target| Some((target.clone(), self.value_now(target)?))).into_iter().collect();
         let name = match &by {
             KeyDirection::View => "By the view".to_owned(),
-            KeyDirection::Light(light) => format!("By {}", self.light_name(light)),
+            KeyDirection::Light(light) => format!("By \"{}\"", self.light_name(light)),
             KeyDirection::Drivers(drivers) => {
                 drivers.iter().map(|driver| self.driver_name(driver)).collect::<Vec<_>>().join(", ")
             }

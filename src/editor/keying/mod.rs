@@ -3,7 +3,11 @@
 //! Who changes a value need not know whether it is keyed: [`Session::set_at`] gives the edit that shows, which is one of
 //! the key at the playhead, of the direction key that is selected, or of the document's own value.
 
+mod drivers;
 mod edits;
+mod follow;
+
+pub(crate) use drivers::said;
 
 use std::collections::HashMap;
 
@@ -14,11 +18,8 @@ use super::catalog::Port;
 use super::orbit::Orbit;
 use super::session::Session;
 use super::still::Stamp;
-use crate::compile::{Options, compile};
-use crate::document::{
-    DirectionKeys, Driver, KeyDirection, Light, LightKind, Node, OutputPort, Scene, Target, Value, Values,
-};
-use crate::frame::{KeyedValues, Moment, Rig, Wires, driver_value};
+use crate::document::{DirectionKeys, KeyDirection, Light, LightKind, Node, Scene, Target, Value, Values};
+use crate::frame::{KeyedValues, Moment, Rig, Wires};
 use crate::ids::{LightId, NodeId, NodePath, ObjectId, PortName};
 use crate::library::Type;
 
@@ -28,6 +29,8 @@ pub(crate) struct Keyed {
     stamp: Option<Stamp>,
     rig: Option<Rig>,
     now: KeyedValues,
+    /// By set of keys: the one at which values are set while none is selected.
+    followed: Vec<usize>,
 }
 
 /// What moves a value.
@@ -59,7 +62,8 @@ impl Session {
         let wires = self.current_shader().map(Wires::of);
         // What runs without end is told by the compiler and the picture.
         let now = self.at_this_moment(|moment| rig.keyed_values(&base, wires, moment)).unwrap_or_default();
-        self.keyed = Keyed { stamp: Some(stamp), rig: Some(rig), now };
+        let followed = std::mem::take(&mut self.keyed.followed);
+        self.keyed = Keyed { stamp: Some(stamp), rig: Some(rig), now, followed };
         let sets = &self.look().direction_keys;
         let is_there = |&(set, key): &(usize, usize)| sets.get(set).is_some_and(|keys| key < keys.keys.len());
         self.key = self.key.filter(is_there);
@@ -97,84 +101,6 @@ impl Session {
     /// What was known of keys may be another now.
     pub(crate) fn forget_keys(&mut self) {
         self.keyed.stamp = None;
-    }
-
-    /// What a driver is now. A wire that drives nothing yet is compiled for it, once.
-    pub(crate) fn driver_now(&self, driver: &Driver) -> f64 {
-        if let Driver::Wire(wire) = driver {
-            return self.known_wire(wire).or_else(|| self.new_wire(wire)).unwrap_or(0.0);
-        }
-        let lights = &self.keyed.now.lights;
-        let lights = if lights.is_empty() { &self.look().lights } else { lights };
-        self.at_this_moment(|moment| driver_value(driver, lights, moment))
-    }
-
-    /// What a wire is now that drives keys already.
-    fn known_wire(&self, wire: &OutputPort) -> Option<f64> {
-        let sets = self.look().direction_keys.iter().zip(&self.keyed.now.decided);
-        let mut found = sets.filter_map(|(keys, (now, _))| {
-            let KeyDirection::Drivers(drivers) = &keys.by else { return None };
-            let axis = drivers.iter().position(|driver| driver.output() == Some(wire))?;
-            Some(now[axis])
-        });
-        found.next()
-    }
-
-    fn new_wire(&self, wire: &OutputPort) -> Option<f64> {
-        let by = KeyDirection::Drivers(vec![Driver::Wire(wire.clone())]);
-        let (name, scheme, unknown) = (String::new(), Default::default(), Default::default());
-        let mut trial = self.look().clone();
-        trial.direction_keys.push(DirectionKeys { name, by, scheme, keys: Vec::new(), unknown });
-        let shader = compile(&trial, &self.library, &Options::default()).ok()?;
-        let base = |node: &NodePath, port: &PortName| {
-            self.own_value(&Target::Input { node: node.clone(), port: port.clone() })
-        };
-        let (rig, _) = Rig::new(&trial);
-        let now = self.at_this_moment(|moment| rig.keyed_values(&base, Some(Wires::of(&shader)), moment)).ok()?;
-        now.decided.last().map(|(now, _)| now.x)
-    }
-
-    /// What a driver is called.
-    pub(crate) fn driver_name(&self, driver: &Driver) -> String {
-        match driver {
-            Driver::Distance => "Distance to the eye".to_owned(),
-            Driver::Facing => "Turned from the eye".to_owned(),
-            Driver::Height(light) => format!("Height of {}", self.light_name(light)),
-            Driver::Near(object) => format!("Distance to {object}"),
-            Driver::Wire(wire) => self.wire_name(wire),
-        }
-    }
-
-    /// What an output is called: its node's name, and its own where the node has several.
-    fn wire_name(&self, wire: &OutputPort) -> String {
-        let path = wire.node.to_string();
-        let Some(node) = self.node_at(&wire.node) else { return wire.to_string() };
-        let kind = self.catalog.of(node);
-        let label = kind.map_or(path.as_str(), |kind| &*kind.label);
-        let called = if node.name.is_empty() { label } else { &node.name };
-        let port = kind
-            .filter(|kind| kind.outputs.len() > 1)
-            .and_then(|kind| kind.outputs.iter().find(|port| port.name == wire.port).map(|port| &*port.label));
-        match port {
-            Some(port) => format!("Wire {called}: {port}"),
-            None => format!("Wire {called}"),
-        }
-    }
-
-    /// Everything that can drive keys.
-    pub(crate) fn drivers(&self) -> Vec<Driver> {
-        let heights = self.look().lights.keys().map(|id| Driver::Height(id.clone()));
-        let objects = self.stage().into_iter().flat_map(|stage| stage.scene().objects.keys());
-        let near = objects.map(|id| Driver::Near(id.clone()));
-        [Driver::Distance, Driver::Facing].into_iter().chain(heights).chain(near).collect()
-    }
-
-    /// The wires that can drive keys of these targets.
-    pub(crate) fn wires(&self, moved: &[Target]) -> Vec<Driver> {
-        let found = self.typed().map(|typed| typed.drivable(moved)).unwrap_or_default();
-        // The compiler may be a step behind.
-        let is_there = |wire: &OutputPort| self.node_at(&wire.node).is_some();
-        found.into_iter().filter(is_there).map(Driver::Wire).collect()
     }
 
     /// What keys come to now.
@@ -238,15 +164,6 @@ impl Session {
             Some(track) => KeyedBy::Time(track),
             None => KeyedBy::Nothing,
         }
-    }
-
-    /// The key of a set at which values are set: the one that is selected, or else the one that weighs most.
-    pub(crate) fn key_at(&self, set: usize) -> usize {
-        if let Some((_, key)) = self.key.filter(|(selected, _)| *selected == set) {
-            return key;
-        }
-        let weights = self.decided(set).map(|(_, weights)| weights.as_slice()).unwrap_or_default();
-        weights.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).map_or(0, |(key, _)| key)
     }
 
     /// What a hand on a target sets: the value of the key that is set there, or the document's own.

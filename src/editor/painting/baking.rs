@@ -10,6 +10,7 @@ use super::work::Work;
 use super::{Wish, command, counted, grid, memory};
 use crate::document::{Grid, LightKind};
 use crate::editor::command::Command;
+use crate::editor::confirm;
 use crate::editor::panels::problems::sentence;
 use crate::editor::panels::widgets::{fitted, lead, picture_frame, whole};
 use crate::editor::session::Session;
@@ -71,6 +72,7 @@ pub(super) fn show(
     let mut is_over = false;
     let modal = Modal::new(Id::unique("bake")).show(ui.ctx(), |ui| {
         ui.set_width(460.0);
+        let enters = confirm::enters(ui);
         ui.label(RichText::new("Bake this look onto a tile").heading());
         let text = "Every texel is painted as the look shows it on a flat tile, from every view and under one light that goes \
                     around; all its other lights stay where they are.";
@@ -103,8 +105,10 @@ pub(super) fn show(
         }
         ui.add_space(8.0);
         ui.horizontal(|ui| {
-            let button = ui.add_enabled(refused.is_ok() && !is_filling, Button::new("Bake to..."));
-            if button.on_hover_text("Asks which .hcbtf file to write, and opens it when it is done").clicked() {
+            let is_ready = refused.is_ok() && !is_filling;
+            let button = ui.add_enabled(is_ready, Button::new("Bake to..."));
+            let button = button.on_hover_text("Asks which .hcbtf file to write, and opens it when it is done");
+            if button.clicked() || enters && is_ready {
                 out = Some(command(Wish::Bake { to: None }));
             }
             is_over |= ui.button("Cancel").clicked();

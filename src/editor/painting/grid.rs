@@ -8,6 +8,7 @@ use super::work::Work;
 use super::{Wish, command, counted, memory};
 use crate::document::{Address, Directions, Grid, MAX_ANGLE_STEPS, MAX_TILE_SIDE, Tile};
 use crate::editor::command::Command;
+use crate::editor::confirm;
 use crate::editor::panels::problems::sentence;
 use crate::editor::panels::widgets::lead;
 use crate::editor::theme;
@@ -39,6 +40,7 @@ pub(super) fn show(ui: &Ui, asked: &mut Option<Asked>, work: Option<&Work>, devi
     let mut is_over = false;
     let modal = Modal::new(Id::unique("grid")).show(ui.ctx(), |ui| {
         ui.set_width(430.0);
+        let enters = confirm::enters(ui);
         let title = if work.is_some() { "Divide the HCBTF otherwise" } else { "A new HCBTF" };
         ui.label(RichText::new(title).heading());
         ui.add_space(6.0);
@@ -61,7 +63,8 @@ pub(super) fn show(ui: &Ui, asked: &mut Option<Asked>, work: Option<&Work>, devi
                 Some(count) => format!("Divide it, and lose {}", counted(count, "painted sample")),
             };
             let is_other = work.is_none_or(|work| *work.grid() != grid);
-            if ui.add_enabled(refused.is_none() && is_other, Button::new(label)).clicked() {
+            let is_ready = refused.is_none() && is_other;
+            if ui.add_enabled(is_ready, Button::new(label)).clicked() || enters && is_ready {
                 out = Some(command(match work {
                     Some(work) => Wish::Divide { grid, lost: lost(work, &grid) },
                     None => Wish::New { grid, keeps_look: false },

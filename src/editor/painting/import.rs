@@ -9,6 +9,7 @@ use super::{Wish, command};
 use crate::diag::Diagnostic;
 use crate::document::{Directions, Grid, Hcbtf};
 use crate::editor::command::Command;
+use crate::editor::confirm;
 use crate::editor::theme;
 use crate::hcbtf::Progress;
 use crate::hcbtf::contact::MAX_GAP;
@@ -76,6 +77,7 @@ pub(super) fn show(ui: &Ui, asked: &mut Option<Import>) -> Option<Command> {
     let mut is_over = false;
     let modal = Modal::new(Id::unique("import pictures")).show(ui.ctx(), |ui| {
         ui.set_width(400.0);
+        let enters = confirm::enters(ui);
         ui.label(RichText::new("Import painted pictures").heading());
         ui.add_space(6.0);
         let chosen = ComboBox::from_id_salt("form").width(220.0).selected_text(told(import.form).0);
@@ -100,7 +102,7 @@ pub(super) fn show(ui: &Ui, asked: &mut Option<Import>) -> Option<Command> {
         ui.checkbox(&mut import.is_tiling, "The tile repeats");
         ui.add_space(8.0);
         ui.horizontal(|ui| {
-            if ui.add(Button::new("Choose them...")).clicked() {
+            if ui.add(Button::new("Choose them...")).clicked() || enters {
                 out = Some(command(Wish::Import { import, from: None }));
                 is_over = true;
             }

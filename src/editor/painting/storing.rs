@@ -7,6 +7,7 @@ use super::work::Work;
 use super::{Wish, command};
 use crate::document::Storage;
 use crate::editor::command::Command;
+use crate::editor::confirm;
 use crate::editor::theme;
 use crate::figures::bytes;
 use crate::hcbtf::exchange::Form;
@@ -19,9 +20,12 @@ pub(super) fn show(ui: &Ui, asked: &mut Option<Storage>, work: Option<&Work>, me
     let mut is_over = work.is_none();
     let modal = Modal::new(Id::unique("storing")).show(ui.ctx(), |ui| {
         ui.set_width(520.0);
+        let enters = confirm::enters(ui);
         ui.label(RichText::new("Export as a KTX2 texture").heading());
-        let text = "The texture that shaders look up, with smaller levels of the tile for a distance. All storages hold the \
-                    same samples: they differ in how much they take and in how fast they are looked up.";
+        let text = "The texture that shaders look up. All storages hold every sample, with smaller levels of the tile for a \
+                    distance, which the sizes count: they are those of \"with levels\" in the table of memory under Fill \
+                    rules. They differ in what they take, in how fast they are looked up, and in that Blocks keep colors \
+                    nearly, not exactly.";
         ui.label(RichText::new(text).color(theme::of(ui).dim));
         ui.add_space(6.0);
         if let Some(work) = work {
@@ -29,7 +33,7 @@ pub(super) fn show(ui: &Ui, asked: &mut Option<Storage>, work: Option<&Work>, me
         }
         ui.add_space(8.0);
         ui.horizontal(|ui| {
-            if ui.button("Export to...").on_hover_text("Asks which .ktx2 file to write").clicked() {
+            if ui.button("Export to...").on_hover_text("Asks which .ktx2 file to write (Enter)").clicked() || enters {
                 out = Some(command(Wish::Export { form: Form::Ktx2, storage: *storage, to: None }));
                 is_over = true;
             }

@@ -16,6 +16,7 @@ use super::{Wish, command, grid, memory};
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf};
 use crate::editor::command::Command;
+use crate::editor::confirm;
 use crate::editor::panels::problems::sentence;
 use crate::editor::panels::widgets::lead;
 use crate::editor::theme;
@@ -65,6 +66,7 @@ pub(super) fn show(
     let mut is_over = work.is_none();
     let modal = Modal::new(Id::unique("synthesis")).show(ui.ctx(), |ui| {
         ui.set_width(2.0 * SIDE + 12.0);
+        let enters = confirm::enters(ui);
         ui.label(RichText::new("New tile from this painting").heading());
         let text = "Patches of the painted tile are laid side by side, in all samples at the same places, and cut where \
                     that is seen least. The new tile repeats; what is painted stays as it is.";
@@ -104,7 +106,8 @@ pub(super) fn show(
         ui.horizontal(|ui| {
             let ready = ready(state, device).filter(|_| making.share().is_none());
             let button = ui.add_enabled(ready.is_some(), Button::new("Begin it as a new painting"));
-            if button.on_hover_text("Opens it to be painted on, without a file yet").clicked() {
+            let button = button.on_hover_text("Opens it to be painted on, without a file yet");
+            if button.clicked() || enters && ready.is_some() {
                 out = ready.map(|hcbtf| command(Wish::Begin { hcbtf }));
                 is_over = true;
             }

@@ -80,7 +80,8 @@ impl Viewport {
             // A painted tile lies flat on the plane, which is how it begins.
             session.view.z_is_up &= session.view.mesh == crate::editor::orbit::PLANE;
         } else if session.stage().is_none() {
-            ui.checkbox(&mut session.view.z_is_up, "Z is up").on_hover_text("Stands up a mesh whose z axis points up");
+            ui.checkbox(&mut session.view.z_is_up, "Z is up")
+                .on_hover_text("Stands up a mesh that lies on its back: one whose z axis points up, as in many scans");
         }
         ui.separator();
         for (projection, label, help) in [
@@ -221,7 +222,8 @@ fn mesh_choice(ui: &mut Ui, session: &mut Session, out: &mut Vec<Command>) {
             }
         }
         ui.separator();
-        let help = "Shows the look on a mesh of yours (OBJ, PLY, STL, glTF); it can also be dropped on the window";
+        let help = "Shows the look on a mesh of yours (OBJ, PLY, STL, glTF); it can also be dropped on the window. \
+                    One that lies on its back is stood up by \"Z is up\" under Options";
         if ui.selectable_label(shape.is_none(), "From a file...").on_hover_text(help).clicked() {
             out.push(Command::ShowOn(None));
         }

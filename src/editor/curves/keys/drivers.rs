@@ -1,13 +1,13 @@
 //! Keys by drivers: which numbers decide, what they are now, and where each key lies among them.
 
 use eframe::egui::{
-    Button, Color32, ComboBox, DragValue, Grid, Rect, RichText, Role, ScrollArea, Sense, Stroke, Ui, WidgetInfo, pos2,
-    vec2,
+    Button, Color32, ComboBox, DragValue, Grid, Rect, RichText, Role, ScrollArea, Sense, Stroke, TextWrapMode, Ui,
+    WidgetInfo, pos2, vec2,
 };
 use glam::DVec3;
 
 use super::super::super::command::Command;
-use super::super::super::keying::targets_of;
+use super::super::super::keying::{said, targets_of};
 use super::super::super::theme;
 use super::sphere::{Ground, mixed};
 use super::{Shown, name};
@@ -57,21 +57,17 @@ pub(super) fn show(ui: &mut Ui, shown: &Shown<'_>, axes: &[Driver], ground: &mut
     }
 }
 
-/// A value as people read it.
-fn said(driver: &Driver, value: f64) -> String {
-    if driver.is_angle() { format!("{:.1}°", value.to_degrees()) } else { format!("{value:.3}") }
-}
-
-/// What can drive the keys of a set: numbers of the scene, then wires of the look.
+/// What can drive the keys of a set: numbers of the scene, then wires of the look that may change.
 fn all(shown: &Shown<'_>) -> impl Iterator<Item = Driver> {
-    let wires = shown.session.wires(&targets_of(shown.keys));
+    let [wires, _] = shown.session.wires(&targets_of(shown.keys));
     shown.session.drivers().into_iter().chain(wires)
 }
 
 /// Which driver an axis is of.
 fn chosen(ui: &mut Ui, shown: &Shown<'_>, axes: &[Driver], axis: usize, out: &mut Vec<Command>) {
     let session = shown.session;
-    let combo = ComboBox::from_id_salt("driver").width(150.0).selected_text(session.driver_name(&axes[axis]));
+    let combo = ComboBox::from_id_salt("driver").width(150.0).wrap_mode(TextWrapMode::Extend);
+    let combo = combo.selected_text(session.driver_name(&axes[axis]));
     let combo = combo.show_ui(ui, |ui| {
         for driver in all(shown) {
             let is_free = !axes.contains(&driver);

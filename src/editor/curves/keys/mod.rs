@@ -9,8 +9,8 @@ mod table;
 
 use eframe::egui;
 use eframe::egui::{
-    Align2, Color32, ComboBox, CursorIcon, FontId, Rect, Role, ScrollArea, Sense, Stroke, TextEdit, Ui, WidgetInfo,
-    pos2, vec2,
+    Align2, Color32, ComboBox, CursorIcon, FontId, Rect, Role, ScrollArea, Sense, Stroke, TextEdit, TextWrapMode, Ui,
+    WidgetInfo, pos2, vec2,
 };
 use glam::DVec3;
 
@@ -20,6 +20,7 @@ use super::super::keying::rounded;
 use super::super::orbit::Orbit;
 use super::super::session::Session;
 use super::super::theme;
+use super::still_wires;
 use crate::document::{DirectionKey, DirectionKeys, Edit, KeyDirection, KeyScheme};
 use sphere::{Globe, Ground};
 
@@ -264,15 +265,15 @@ fn add_menu(ui: &mut Ui, session: &Session, text: &str, out: &mut Vec<Command>) 
             }
         };
         for id in session.look().lights.keys() {
-            add(ui, format!("By the light {}", session.light_name(id)), KeyDirection::Light(id.clone()));
+            add(ui, format!("By the light \"{}\"", session.light_name(id)), KeyDirection::Light(id.clone()));
         }
         add(ui, "By the view".to_owned(), KeyDirection::View);
         ui.separator();
         for driver in session.drivers() {
             add(ui, session.driver_name(&driver), KeyDirection::Drivers(vec![driver]));
         }
-        let wires = session.wires(&[]);
-        if !wires.is_empty() {
+        let [wires, still] = session.wires(&[]);
+        if !wires.is_empty() || !still.is_empty() {
             ui.separator();
         }
         ScrollArea::vertical().max_height(drivers::MENU).show(ui, |ui| {
@@ -280,6 +281,7 @@ fn add_menu(ui: &mut Ui, session: &Session, text: &str, out: &mut Vec<Command>) 
                 add(ui, session.driver_name(&driver), KeyDirection::Drivers(vec![driver]));
             }
         });
+        still_wires::note(ui, session, &still);
     })
     .response
     .on_hover_text("Another set of keys, by the direction of a light or of the view, by a number of the scene, or by a wire of the \
@@ -290,17 +292,21 @@ fn by(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
     let Shown { session, set, keys, .. } = shown;
     let text = |by: &KeyDirection| match by {
         KeyDirection::View => "By the view".to_owned(),
-        KeyDirection::Light(id) => format!("By {}", session.light_name(id)),
+        KeyDirection::Light(id) => format!("By \"{}\"", session.light_name(id)),
         KeyDirection::Drivers(_) => String::new(),
     };
-    let combo = ComboBox::from_id_salt("by").width(84.0).selected_text(text(&keys.by)).show_ui(ui, |ui| {
-        let lights = session.look().lights.keys().map(|id| KeyDirection::Light(id.clone()));
-        for by in lights.chain([KeyDirection::View]) {
-            if ui.selectable_label(keys.by == by, text(&by)).clicked() && keys.by != by {
-                out.push(Command::Edit(session.change_set(*set, |keys| keys.by = by)));
+    let combo = ComboBox::from_id_salt("by")
+        .width(84.0)
+        .wrap_mode(TextWrapMode::Extend)
+        .selected_text(text(&keys.by))
+        .show_ui(ui, |ui| {
+            let lights = session.look().lights.keys().map(|id| KeyDirection::Light(id.clone()));
+            for by in lights.chain([KeyDirection::View]) {
+                if ui.selectable_label(keys.by == by, text(&by)).clicked() && keys.by != by {
+                    out.push(Command::Edit(session.change_set(*set, |keys| keys.by = by)));
+                }
             }
-        }
-    });
+        });
     name(&combo.response, Role::ComboBox, "What decides between the keys");
     combo.response.on_hover_text(
         "Whose direction decides: a light's as the camera sees it (it changes too when you orbit), or that to the eye",
@@ -314,15 +320,19 @@ fn scheme(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
         KeyScheme::AppendixB => ("Appendix B", "The energy of the BADF paper's Appendix B, in closed form"),
         KeyScheme::Tessellated => ("Tessellated", "The paper's own mesh; slow, for comparison"),
     };
-    let combo = ComboBox::from_id_salt("scheme").width(84.0).selected_text(text(keys.scheme).0).show_ui(ui, |ui| {
-        for choice in [KeyScheme::Biharmonic, KeyScheme::AppendixB, KeyScheme::Tessellated] {
-            let (label, help) = text(choice);
-            let is_it = keys.scheme == choice;
-            if ui.selectable_label(is_it, label).on_hover_text(help).clicked() && !is_it {
-                out.push(Command::Edit(session.change_set(*set, |keys| keys.scheme = choice)));
+    let combo = ComboBox::from_id_salt("scheme")
+        .width(84.0)
+        .wrap_mode(TextWrapMode::Extend)
+        .selected_text(text(keys.scheme).0)
+        .show_ui(ui, |ui| {
+            for choice in [KeyScheme::Biharmonic, KeyScheme::AppendixB, KeyScheme::Tessellated] {
+                let (label, help) = text(choice);
+                let is_it = keys.scheme == choice;
+                if ui.selectable_label(is_it, label).on_hover_text(help).clicked() && !is_it {
+                    out.push(Command::Edit(session.change_set(*set, |keys| keys.scheme = choice)));
+                }
             }
-        }
-    });
+        });
     name(&combo.response, Role::ComboBox, "Scheme of the weights");
     combo.response.on_hover_text("How the weights between keys are found");
 }
