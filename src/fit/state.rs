@@ -9,6 +9,9 @@ const LEAST_SHARE: f64 = 0.02;
 /// The greatest offset: at pi a profile is ambient, and neither its light nor its ends mean anything.
 const MAX_OFFSET: f64 = PI - 0.01;
 
+/// A profile that goes from 1 to 0 over so many radians is as soft as any.
+const BROAD: f64 = 1.0;
+
 /// A profile by coordinates that cannot come out of order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Shape {
@@ -46,6 +49,11 @@ impl Shape {
             [-self.width, PI - self.offset - self.width],
             [LEAST_SHARE - self.share, 1.0 - self.share],
         ]
+    }
+
+    /// How far it is from being broad and soft: 0 where it is, 1 at a spot with a hard edge.
+    pub(super) fn hardness(&self) -> f64 {
+        (1.0 - self.width / BROAD).max(0.0)
     }
 
     /// The same with a soft edge, which tells from afar where it should be: a hard one is felt in its own pixels alone.
