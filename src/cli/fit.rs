@@ -19,7 +19,7 @@ const EXAMPLES: &str = "\
 Examples:
   chiaro fit look.json --target painted.png -o fitted.json
   chiaro fit look.json --target painted.png --keep base,lights -o fitted.json
-  chiaro fit look.json --target strokes.png --keep-rest 25 -o fitted.json
+  chiaro fit look.json --target strokes.png --keep-rest 50 -o fitted.json
   chiaro fit --layers 2 --target painted.png --mesh bunny.obj -o new.json
   chiaro fit look.json --target painted.png --camera orbit=30,15 --dry-run --json
 
@@ -137,7 +137,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     };
     output.end_progress();
     let fitted = fitted?;
-    output.diagnostics(&fitted.report.warnings());
+    output.diagnostics(&fitted.report.warnings(arguments.layers.is_some()));
     if let Some(path) = &arguments.misses {
         let png = picture_of(target.size, &fitted.misses).to_png().map_err(one)?;
         write_atomic(path, &png).map_err(|problem| one(*problem))?;

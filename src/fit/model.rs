@@ -12,7 +12,6 @@ use indexmap::IndexMap;
 
 use super::choose::{evenly, telling};
 use super::knobs::Knob;
-use super::rest::eased;
 use super::solve::Problem;
 use super::state::Setting;
 use super::target::Wish;
@@ -305,9 +304,8 @@ impl Problem for Painted<'_> {
     fn residuals(&self, state: &Vec<Setting>) -> Result<Vec<f64>, Diagnostic> {
         let colors = self.model.colors(&self.sheet, state)?;
         let residuals = colors.iter().zip(&self.wishes).flat_map(|(color, wish)| {
-            let misses: [f64; 3] = std::array::from_fn(|c| color[c] - wish.color[c]);
-            let factor = if wish.is_rest { eased(rms_of(misses)) } else { 1.0 };
-            misses.map(|miss| factor * wish.weight.sqrt() * miss)
+            let root = wish.weight.sqrt();
+            (0..3).map(move |c| root * (color[c] - wish.color[c]))
         });
         let hardness = state.iter().map(|setting| match setting {
             Setting::Profile(shape) if self.soft > 0.0 => self.soft * shape.hardness(),

@@ -7,7 +7,6 @@ use serde::Serialize;
 use super::choose::{pixels_of, wearing, wishes_of};
 use super::knobs::{Knob, knobs_of};
 use super::model::{Model, Shot, rms_of};
-use super::rest::eased;
 use super::state::Setting;
 use super::target::{Target, Wish};
 use super::{FitOptions, Keep};
@@ -152,8 +151,7 @@ pub(super) struct One {
 impl One {
     /// How far off it is, as much as it counts: the root of its sum of squared residuals.
     pub(super) fn miss(&self) -> f64 {
-        let Self { missed: Missed { error, .. }, weight, is_rest } = *self;
-        (3.0 * weight).sqrt() * error * if is_rest { eased(error) } else { 1.0 }
+        (3.0 * self.weight).sqrt() * self.missed.error
     }
 }
 
@@ -207,13 +205,13 @@ impl Report {
         self.after > FAR || self.after > 0.5 * FAR && self.after > HARDLY * self.before
     }
 
-    /// What there is to warn of.
-    pub fn warnings(&self) -> Vec<Diagnostic> {
-        self.few_places().into_iter().chain(self.far_off()).collect()
+    /// What there is to warn of, of a look that was there, or of layers from nothing.
+    pub fn warnings(&self, from_nothing: bool) -> Vec<Diagnostic> {
+        self.few_places().into_iter().chain(self.far_off(from_nothing)).collect()
     }
 
     /// It does not show what was painted.
-    fn far_off(&self) -> Option<Diagnostic> {
+    fn far_off(&self, from_nothing: bool) -> Option<Diagnostic> {
         let tried = self.tried.told().unwrap_or_else(|| "nothing".to_owned());
         let steps = |error: f64| format!("{:.0}/255", 255.0 * error);
         let message = format!(
@@ -228,9 +226,8 @@ impl Report {
         if self.rest.is_some() {
             problem = problem.hint("hold less of what is not painted with a smaller --keep-rest");
         }
-        let problem = problem.hint(
-            "--misses writes a picture of where it is off; --layers begins from nothing, with more layers if it did",
-        );
+        let other = if from_nothing { "allow more --layers" } else { "--layers begins from nothing" };
+        let problem = problem.hint(format!("{other}; --misses writes a picture of where it is off"));
         self.is_far_off().then_some(problem)
     }
 

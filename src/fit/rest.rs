@@ -2,9 +2,7 @@
 //!
 //! Two strokes have all lights and colours of a look for themselves, and what is between them becomes what it will. So
 //! pixels of the rest wish to stay. All together they count in proportion to what is painted, however large either is;
-//! close to a stroke they count less, for light that falls on a place goes out around it. What must go along with a stroke
-//! goes along: beyond a few steps of eight bits a pixel of the rest pulls back evenly, and no harder the farther it is
-//! taken (Charbonnier et al. 1994). So a change that stays where it was painted is preferred to one that moves all a little.
+//! close to a stroke they count less, for light that falls on a place goes out around it.
 
 use std::collections::HashSet;
 
@@ -17,12 +15,10 @@ use crate::diag::Diagnostic;
 const MOST: usize = 768;
 /// Pixels of a picture that they are chosen from.
 const MOST_SEEN: usize = 65_536;
-/// How much the rest counts against what is painted where it is kept wholly.
-const WHOLLY: f64 = 4.0;
+/// Where the rest is kept wholly, something that moves it as much as what is painted is held back by this part.
+const WHOLLY: f64 = 0.8;
 /// So far from a stroke the rest counts as much as it does anywhere, in parts of the picture's height.
 const REACH: f64 = 0.1;
-/// From about this error on a pixel of the rest pulls back evenly.
-const EASY: f64 = 8.0 / 255.0;
 
 /// What nobody painted.
 #[derive(Clone, Debug, Default)]
@@ -59,7 +55,7 @@ impl Rest {
         };
         let mut wishes: Vec<Wish> = chosen.iter().zip(colors).map(weighed).filter(|wish| wish.weight > 0.0).collect();
         let sum = |wishes: &[Wish]| wishes.iter().map(|wish| wish.weight).sum::<f64>();
-        let each = WHOLLY * kept.min(1.0).powi(2) * sum(&target.wishes) / sum(&wishes).max(1e-9);
+        let each = share_of(kept) * sum(&target.wishes) / sum(&wishes).max(1e-9);
         wishes.iter_mut().for_each(|wish| wish.weight *= each);
         Ok(Self { wishes, share })
     }
@@ -77,24 +73,25 @@ fn away([x, y]: [u32; 2], target: &Target) -> f64 {
     part * part * (3.0 - 2.0 * part)
 }
 
-/// By what the error of a pixel of the rest is multiplied: 1 near 0, and so much less far off that what it costs grows
-/// evenly, not with the square.
-pub(super) fn eased(error: f64) -> f64 {
-    let far = error / EASY;
-    (2.0 / (1.0 + (1.0 + far * far).sqrt())).sqrt()
+/// How much the rest counts against what is painted, all together. Where all of a look moves as one, its optimum is then
+/// nearer to the rest by an even share of the way with every step of `kept`.
+fn share_of(kept: f64) -> f64 {
+    let held = WHOLLY * kept.clamp(0.0, 1.0);
+    held / (1.0 - held)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    /// Something that moves strokes and rest alike, of which strokes wish 1 and the rest 0: the least of (1 - x)^2 + s x^2.
     #[test]
-    fn errors_of_the_rest_cost_their_square_when_small_and_go_on_evenly() {
-        let cost = |error: f64| (error * eased(error)).powi(2);
-        let small = 0.01 * EASY;
-        assert!((cost(small) / (small * small) - 1.0).abs() < 1e-3);
-        let [near, far] = [40.0, 80.0].map(|times| cost(times * EASY));
-        assert!((far / near - 2.0).abs() < 0.05, "{near} {far}");
+    fn every_step_holds_an_even_share() {
+        for step in 0..=10 {
+            let kept = f64::from(step) / 10.0;
+            let moved = 1.0 / (1.0 + share_of(kept));
+            assert!((moved - (1.0 - WHOLLY * kept)).abs() < 1e-12, "{kept}: {moved}");
+        }
     }
 
     #[test]

@@ -99,6 +99,10 @@ pub fn fit_look(
         return Ok(Fitted { edit, look: setup.looks[look].look.clone(), report, misses });
     }
     let report = Report { is_stopped, ..Report::new(&shot, &fitted, target, &before, &after, options)? };
+    if is_stopped && report.changed.is_empty() {
+        // No nearer than rounding makes it.
+        return Err(vec![stopped()]);
+    }
     let edit = Edit::Group { edits: first.into_iter().chain(edits).collect() };
     let misses = painted_of(&after);
     Ok(Fitted { edit, look: fitted, report, misses })

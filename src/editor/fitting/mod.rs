@@ -132,7 +132,7 @@ impl Fitting {
             height: HEIGHT,
             aspect: 1.0,
             tools: Tools::default(),
-            how: How { keep: Keep::default(), keep_rest: 0.25, layers: 2, starts: STARTS },
+            how: How { keep: Keep::default(), keep_rest: 0.5, layers: 2, starts: STARTS },
             shows: Shows { strokes: true, misses: false },
             grounds: Grounds::new(wake.clone()),
             seen: None,
