@@ -186,7 +186,8 @@ fn a_look_is_fitted_to_what_was_painted() {
     // The same picture under lights that were turned is met by nothing but the lights, as `render` turns them.
     let turned = [&["render", "look.json", "-o", "turned.png", "--turn-lights", "40", "--on", "reference"], &drawn[..]];
     shop.run(&turned.concat()).ok();
-    let dry = ["fit", "look.json", "--target", "turned.png", "--mesh", "shape:sphere", "--dry-run", "--json", "--starts=1"];
+    let dry =
+        ["fit", "look.json", "--target", "turned.png", "--mesh", "shape:sphere", "--dry-run", "--json", "--starts=1"];
     let told: Json = serde_json::from_str(&shop.run(&[&dry[..], &["--turn-lights", "40"]].concat()).ok().out).unwrap();
     assert!(told["report"]["before"].as_f64().unwrap() < 0.5 / 255.0, "{told}");
     // What stays far off is said, with what else might be done; and what would do nothing is refused.

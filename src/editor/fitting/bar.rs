@@ -98,6 +98,8 @@ fn percent(
     // A narrow picture wraps them, each with its name.
     if ui.available_size_before_wrap().x < PERCENT {
         ui.end_row();
+        // A row is as high as its first thing, and a name is lower than what stands beside it.
+        ui.allocate_exact_size(vec2(0.0, ui.spacing().interact_size.y), Sense::hover());
     }
     let id = ui.add_enabled(is_enabled, egui::Label::new(label)).on_hover_text(help).id;
     let field = ui.add_enabled(is_enabled, drag).labelled_by(id);
