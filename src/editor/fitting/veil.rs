@@ -20,7 +20,7 @@ const HATCH: u32 = 9;
 /// A wish that is no farther from what is shown is that it stays; the steps of eight bits.
 const SAME: f64 = 2.5 / 255.0;
 /// The outline of strokes is about so wide, in pixels of the sketch.
-const WIDE: f32 = 1.3;
+const WIDE: f32 = 1.5;
 
 /// The strokes as a picture, as large as their sketch.
 pub(super) fn strokes(tile: &Tile, ground: Option<&Ground>, outlines_only: bool) -> ColorImage {
@@ -197,6 +197,6 @@ mod tests {
         assert!(at(5 * fine, middle).a() > 120 && at(5 * fine - 4, middle).a() == 0);
         let outlines = strokes(&tile, Some(&ground), true);
         assert_eq!(outlines.pixels[middle * width + middle], Color32::TRANSPARENT);
-        assert!(outlines.pixels[middle * width + 5 * fine].a() > 120);
+        assert!(outlines.pixels[middle * width + 5 * fine].a() > 100);
     }
 }
