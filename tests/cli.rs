@@ -183,6 +183,24 @@ fn a_look_is_fitted_to_what_was_painted() {
     shop.run(&[&two[..], &["fitted.json"]].concat()).fails(1, &["file-exists", "--force"]);
     let warned = ["warning[fit-few-places]", "2 painted pixels in 2 places", "11 numbers"];
     shop.run(&[&two[..], &["fitted.json", "--force"]].concat()).fails(0, &warned);
+    // The same picture under lights that were turned is met by nothing but the lights, as `render` turns them.
+    let turned = [&["render", "look.json", "-o", "turned.png", "--turn-lights", "40", "--on", "reference"], &drawn[..]];
+    shop.run(&turned.concat()).ok();
+    let dry =
+        ["fit", "look.json", "--target", "turned.png", "--mesh", "shape:sphere", "--dry-run", "--json", "--starts=1"];
+    let told: Json = serde_json::from_str(&shop.run(&[&dry[..], &["--turn-lights", "40"]].concat()).ok().out).unwrap();
+    assert!(told["report"]["before"].as_f64().unwrap() < 0.5 / 255.0, "{told}");
+    // What stays far off is said, with what else might be done; and what would do nothing is refused.
+    let kept = [&fit[..], &["--keep", "lights,profiles,base", "--dry-run"]].concat();
+    let far = ["warning[fit-far-off]", "1 color", "1 light, 1 profile", "--keep less", "--misses"];
+    let wrong = shop.path("turned.png");
+    let mut inverse = image::open(&wrong).unwrap().into_rgba8();
+    inverse.pixels_mut().for_each(|pixel| (0..3).for_each(|channel| pixel.0[channel] = 255 - pixel.0[channel]));
+    inverse.save(shop.path("painted.png")).unwrap();
+    shop.run(&kept).fails(0, &far);
+    for option in ["--starts=3", "--keep=base"] {
+        shop.run(&["fit", "--layers", "1", option, "--target", "painted.png", "--dry-run"]).fails(2, &["--layers"]);
+    }
     shop.run(&["fit", "look.json"]).fails(2, &["--target"]);
     shop.run(&["fit", "--target", "painted.png"]).fails(2, &["LOOK"]);
     shop.run(&["fit", "look.json", "--target", "none.png"]).fails(1, &["none.png"]);

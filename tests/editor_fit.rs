@@ -108,8 +108,11 @@ fn light_is_painted_fitted_applied_and_undone() {
     let read = Look::read(&after.to_text(), "fitted.json");
     assert!(!read.has_errors() && read.value == Some(after.clone()), "{:?}", read.diagnostics);
 
+    assert!(hand.app().fitting().errors().is_some() && hand.has("Applied; undo takes it back"));
     hand.key_with(Modifiers::COMMAND, Key::Z);
     assert_eq!(*hand.look(), before, "one step");
+    hand.settle();
+    assert!(hand.app().fitting().errors().is_none() && !hand.has("Applied; undo takes it back"));
     hand.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
     assert_eq!(*hand.look(), after);
 }
@@ -207,7 +210,7 @@ fn what_cannot_be_fitted_is_told() {
     let mut hand = painter("examples/looks/figure3-profile.json");
     paint_both_sides(&mut hand);
     for label in ["Lights", "Profiles", "Colors", "Base"] {
-        hand.press_a(Role::CheckBox, &format!("May change: {label}"));
+        hand.press_a(Role::CheckBox, &format!("Keep: {label}"));
     }
     hand.press("Fit this look");
     assert!(told(&hand).contains("may change"), "{}", told(&hand));
@@ -225,15 +228,25 @@ fn a_fit_can_be_stopped_and_an_edit_ends_it() {
     };
     start(&mut hand);
     hand.press("Stop");
-    assert!(!hand.app().fitting().is_fitting() && hand.app().fitting().errors().is_none());
-    assert!(hand.app().fitting().told().unwrap().contains("stopped"));
-    assert!(*hand.look() == before && hand.app().session().preview().is_none());
+    assert!(!hand.app().fitting().is_fitting() && *hand.look() == before, "nothing is applied by itself");
+    // However far it had come: either it had something, which is shown, or it tells that it had not.
+    let told = hand.app().fitting().told().unwrap().to_owned();
+    match hand.app().fitting().errors() {
+        Some([was, is]) => {
+            assert!(is < was && told.contains("best so far") && hand.app().session().preview().is_some(), "{told}");
+            hand.press("Discard");
+        }
+        None => assert!(told.contains("stopped") && hand.app().session().preview().is_none(), "{told}"),
+    }
 
     // Escape stops it too, and ends nothing else.
     start(&mut hand);
     hand.key(Key::Escape);
     hand.settle();
     assert!(hand.app().fitting().is_on() && !hand.app().fitting().is_fitting());
+    if hand.has("Discard") {
+        hand.press("Discard");
+    }
 
     start(&mut hand);
     let edit = chiaro::document::Edit::SetLookName { name: "Another".to_owned() };
@@ -257,10 +270,27 @@ fn strokes_wait_for_their_look_and_undoing_one_ends_a_preview() {
     let tile = hand.app().session().sketch().tile().cloned();
     hand.app_mut().open(Path::new("examples/looks/figure2-diffuse.json"));
     hand.settle();
-    assert!(hand.app().session().sketch().is_empty());
+    assert!(hand.app().session().sketch().is_empty() && !hand.app().fitting().is_on());
     hand.app_mut().open(example);
     hand.settle();
     assert!(tile.is_some() && hand.app().session().sketch().tile() == tile.as_ref());
+}
+
+#[test]
+fn tools_leave_the_picture_its_size_and_a_stroke_waits_until_it_is_read() {
+    let mut hand = painter("examples/looks/figure3-profile.json");
+    let rect = hand.app().viewport().rect();
+    for brush in ["Dark", "Color", "Keep", "Erase", "Light"] {
+        hand.press_a(Role::RadioButton, &format!("Brush: {brush}"));
+        assert_eq!(hand.app().viewport().rect(), rect, "{brush}");
+    }
+    // Another height is another picture, of which nothing is read yet.
+    hand.app_mut().fitting_mut().set_effort(28, 2);
+    let points: Vec<Pos2> = [[0.5, 0.4], [0.6, -0.1]].iter().map(|&[x, y]| at(&hand, x, y)).collect();
+    hand.drag_through(&points);
+    hand.settle();
+    assert_eq!(hand.app().session().steps().collect::<Vec<_>>(), ["paint light"], "{:?}", hand.app().message());
+    assert!(hand.app().fitting().painted() > 20, "{}", hand.app().fitting().painted());
 }
 
 #[test]

@@ -3,19 +3,23 @@
 
 #[path = "fit/hidden.rs"]
 mod hidden;
+#[path = "fit/strokes.rs"]
+mod strokes;
 mod support;
+
+use std::sync::{Arc, OnceLock, Weak};
 
 use chiaro::clock::Clock;
 use chiaro::compile::Live;
-use chiaro::document::Look;
+use chiaro::document::{Look, Ramp, Value};
 use chiaro::fit::{FitOptions, Fitted, Keep, Target, fit_layers, fit_look};
-use chiaro::frame::{Assets, PlanOptions, Planner, Stage};
+use chiaro::frame::{Assets, Picture, PlanOptions, Planner, Stage};
 use chiaro::hcbtf::Progress;
 use chiaro::interp::Precision;
 use chiaro::library::Library;
 use chiaro::reference::{self, Control, Gathered, Modules};
 
-use hidden::{Hidden, difference, hidden, painted, setup_of};
+use hidden::{Hidden, difference, hidden, painted, picture, setup_of};
 
 /// A look that knows nothing: a grey base.
 fn nothing() -> Look {
@@ -71,6 +75,75 @@ fn soak_the_rate_over_fifty_hidden_looks() {
     }
     println!("{near} of {count} are within 2/255 RMS on the new view");
     assert!(5 * near >= 4 * count, "fewer than four in five");
+}
+
+/// What is told in docs/performance.md of strokes and the rest: `cargo test --test fit -- soak_strokes --ignored --nocapture`.
+#[test]
+#[ignore = "minutes; `colors_of_ramps_are_turned_and_what_is_not_painted_is_kept_as_asked` is the quick part of it"]
+#[allow(clippy::print_stdout, reason = "the documentation's figures are made of what `--nocapture` shows")]
+fn soak_strokes_and_how_far_the_rest_moves() {
+    let looks = ["figure2-diffuse", "figure4-color", "figure6-glossy-jade", "watercolor-wash"];
+    for name in looks {
+        let look =
+            Look::read(&std::fs::read_to_string(format!("examples/looks/{name}.json")).unwrap(), name).value.unwrap();
+        let mesh = "shape:creature";
+        let strokes = strokes::strokes(&look, mesh);
+        let steps = |off: [f64; 3]| off.map(|x| format!("{:5.1}", 255.0 * x)).join(" ");
+        println!("{name} as it is: {}", steps(strokes::off(&strokes, &look, mesh)));
+        for keep_rest in [0.25, 0.5, 1.0] {
+            let clock = Clock::start();
+            let setup = setup_of(look.clone(), mesh);
+            let options = FitOptions { starts: 10, enough: 1.0 / 255.0, keep_rest, ..FitOptions::default() };
+            let fitted = fit_look(&setup, 0, Library::built_in(), &strokes.painted, &options, &Progress::new());
+            let fitted = fitted.map_or_else(|_| look.clone(), |fitted| fitted.look);
+            let off = strokes::off(&strokes, &fitted, mesh);
+            println!(
+                "{name} {:3.0} %: strokes, rest, its worst {} ({:.1} s)",
+                100.0 * keep_rest,
+                steps(off),
+                clock.seconds()
+            );
+        }
+    }
+}
+
+/// Pictures to be looked at of looks as they are, painted, and fitted with new layers, with nothing and a quarter of the rest
+/// kept: `cargo test --test fit -- shots --ignored --nocapture` writes them to `target/shots`, or to the folder that
+/// `CHIARO_SHOTS` names.
+#[test]
+#[ignore = "writes pictures to be looked at"]
+#[allow(clippy::print_stdout, reason = "what was laid is read beside its picture")]
+fn shots_of_new_layers_for_a_few_strokes() {
+    let folder = std::env::var_os("CHIARO_SHOTS").map_or_else(|| "target/shots".into(), std::path::PathBuf::from);
+    std::fs::create_dir_all(&folder).unwrap();
+    for (name, mesh) in [("figure4-color", "shape:creature"), ("figure3-profile", "shape:sphere")] {
+        let text = std::fs::read_to_string(format!("examples/looks/{name}.json")).unwrap();
+        let look = Look::read(&text, name).value.unwrap();
+        let strokes = strokes::strokes(&look, mesh);
+        let mut pictures = vec![picture(&setup_of(look.clone(), mesh)).to_picture()];
+        let mut wished = pictures[0].clone();
+        for wish in &strokes.painted.wishes {
+            let [r, g, b] = wish.color.map(|x| x as f32);
+            wished.rgba[(wish.pixel[1] * wished.size[0] + wish.pixel[0]) as usize] = [r, g, b, 1.0];
+        }
+        pictures.push(wished);
+        for keep_rest in [0.0, 0.25, 0.5] {
+            let setup = setup_of(look.clone(), mesh);
+            let options = FitOptions { enough: 1.0 / 255.0, keep_rest, ..FitOptions::default() };
+            let fitted =
+                fit_layers(&setup, 0, Library::built_in(), &strokes.painted, 2, &options, &Progress::new()).unwrap();
+            let off = strokes::off(&strokes, &fitted.look, mesh).map(|x| format!("{:.1}", 255.0 * x));
+            println!("{name}, {keep_rest} kept: strokes, rest, its worst {}", off.join(" "));
+            fitted.report.changed.iter().for_each(|it| println!("     {} {}: {}", it.what, it.place, it.to));
+            pictures.push(picture(&setup_of(fitted.look, mesh)).to_picture());
+        }
+        let [width, height] = pictures[0].size;
+        let row =
+            |y: u32| pictures.iter().flat_map(move |it| &it.rgba[(y * width) as usize..((y + 1) * width) as usize]);
+        let rgba = (0..height).flat_map(row).copied().collect();
+        let side_by_side = Picture { size: [width * pictures.len() as u32, height], rgba };
+        std::fs::write(folder.join(format!("layers-{name}.png")), side_by_side.to_png().unwrap()).unwrap();
+    }
 }
 
 #[test]
@@ -149,6 +222,63 @@ fn what_cannot_be_fitted_is_told() {
     ] {
         assert_eq!(problems[0].code, "stopped");
     }
+}
+
+/// A fit of two lit layers that are off, which is stopped once so many of its steps are done.
+#[test]
+fn a_fit_that_is_stopped_keeps_the_nearest_that_it_has_come_to() {
+    let mesh = "shape:sphere";
+    let start = two_layers([-0.35, 0.5, 0.8], [0.2, 0.75, 1.3], "#a08870");
+    let target = painted(&two_layers([-0.5, 0.6, 0.7], [0.3, 0.8, 1.2], "#c08850"), mesh);
+    let setup = setup_of(start.clone(), mesh);
+    let stopping = || {
+        let itself: Arc<OnceLock<Weak<Progress>>> = Arc::default();
+        let known = itself.clone();
+        let stop = move |_| known.get().and_then(Weak::upgrade).into_iter().for_each(|progress| progress.stop());
+        let progress = Arc::new(Progress::telling(stop));
+        itself.set(Arc::downgrade(&progress)).unwrap();
+        progress
+    };
+    let (library, options) = (Library::built_in(), FitOptions::default());
+    let fitted = fit_look(&setup, 0, library, &target, &options, &stopping()).unwrap();
+    assert!(fitted.report.is_stopped && fitted.report.after < fitted.report.before, "{:?}", fitted.report);
+    assert_ne!(fitted.look, start);
+    let fitted = fit_layers(&setup, 0, library, &target, 3, &options, &stopping()).unwrap();
+    assert!(fitted.report.is_stopped && fitted.look.lights.len() == 1, "{:?}", fitted.report);
+}
+
+/// A ramp over the angle from a light: nothing of it but the light and its own colours could be turned.
+#[test]
+fn colors_of_ramps_are_turned_and_what_is_not_painted_is_kept_as_asked() {
+    let text = std::fs::read_to_string("examples/looks/figure2-diffuse.json").unwrap();
+    let look = Look::read(&text, "figure2.json").value.unwrap();
+    let mesh = "shape:sphere";
+    let strokes = strokes::strokes(&look, mesh);
+    let setup = setup_of(look.clone(), mesh);
+    let keep = Keep { lights: true, ..Keep::default() };
+    let fit = |keep_rest: f64| {
+        let options = FitOptions { keep, keep_rest, starts: 1, ..FitOptions::default() };
+        fit_look(&setup, 0, Library::built_in(), &strokes.painted, &options, &Progress::new()).unwrap()
+    };
+    let [before, ..] = strokes::off(&strokes, &look, mesh);
+    let (free, half, kept) = (fit(0.0), fit(0.5), fit(1.0));
+    assert_eq!((free.report.tried.colors, free.report.kept.lights), (7, 1));
+    assert!(
+        free.report.changed.iter().all(|change| change.place.starts_with("code.ramp[")),
+        "{:?}",
+        free.report.changed
+    );
+    let Value::Ramp(ramp) = &free.look.graph.nodes["code"].values["ramp"] else { panic!("no ramp") };
+    let Value::Ramp(was) = &look.graph.nodes["code"].values["ramp"] else { panic!("no ramp") };
+    let places = |ramp: &Ramp| ramp.stops.iter().map(|stop| stop.at).collect::<Vec<_>>();
+    assert!(ramp.stops != was.stops && places(ramp) == places(was) && ramp.interpolation == was.interpolation);
+    let off = [&free, &half, &kept].map(|fitted| strokes::off(&strokes, &fitted.look, mesh));
+    assert!(off[0][0] < 0.75 * before, "{off:?}, {before} before");
+    // The more of the rest is kept, the less it moves, and strokes are still met better than before.
+    assert!(off[2][1] < off[1][1] && off[1][1] < off[0][1], "{off:?}");
+    assert!(off.iter().all(|[strokes, ..]| *strokes < before), "{off:?}, {before} before");
+    assert_eq!(free.report.rest, None);
+    assert!(kept.report.rest.is_some());
 }
 
 /// Curvature, folds, and an object before another part of itself: gathered pixels are the picture's own, to the last bit.

@@ -8,7 +8,7 @@ use serde_json::json;
 
 use super::open::{check_nodes_folder, check_replaced, library_for, not_a_look};
 use super::output::Output;
-use super::render::{adjust_camera, check_target, parse_time};
+use super::render::{adjust_camera, check_target, parse_time, turn_lights};
 use crate::diag::Diagnostic;
 use crate::document::{Document, Look, write_atomic};
 use crate::fit::{FitOptions, Fitted, Keep, Report, Target, fit_layers, fit_look, picture_of};
@@ -19,12 +19,13 @@ const EXAMPLES: &str = "\
 Examples:
   chiaro fit look.json --target painted.png -o fitted.json
   chiaro fit look.json --target painted.png --keep base,lights -o fitted.json
+  chiaro fit look.json --target strokes.png --keep-rest 50 -o fitted.json
   chiaro fit --layers 2 --target painted.png --mesh bunny.obj -o new.json
   chiaro fit look.json --target painted.png --camera orbit=30,15 --dry-run --json
 
 The target is painted over the picture that `chiaro render` makes, at the same size, with the same mesh and camera. Where it is
 transparent nothing is wished; alpha is how much a pixel counts. Lights, profiles and colours are turned until the look shows
-what was painted; its nodes and wires stay. With --layers it gets light layers in their place: as many as help, at most so many.
+what was painted; its nodes and wires stay. --keep and --keep-rest are Keep and Keep the rest of the window's Paint light. With --layers it gets light layers in their place: as many as help, at most so many.
 Pixels at the outline of an object are left out, for a smooth picture has mixed them with what is behind.";
 
 /// What `chiaro fit` is given.
@@ -43,15 +44,21 @@ pub(super) struct Arguments {
     /// Begins from nothing: up to so many light layers over a base, from 1 to 7
     #[arg(long, value_parser = clap::value_parser!(u8).range(1..=7))]
     layers: Option<u8>,
-    /// What stays as it is, separated by commas
-    #[arg(long, value_enum, value_delimiter = ',')]
+    /// What of the look stays as it is, separated by commas
+    #[arg(long, value_enum, value_delimiter = ',', conflicts_with = "layers")]
     keep: Vec<Kept>,
+    /// How far what is not painted stays as it is, in percent: at 0 only what is painted counts
+    #[arg(long, value_name = "PERCENT", default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..=100))]
+    keep_rest: u8,
     /// From how many beginnings a look is turned, its own first, from 1 to 100
-    #[arg(long, default_value_t = 6, value_parser = clap::value_parser!(u32).range(1..=100))]
+    #[arg(long, default_value_t = 6, value_parser = clap::value_parser!(u32).range(1..=100), conflicts_with = "layers")]
     starts: u32,
     /// Where the picture was taken from, as `chiaro render` takes it
     #[arg(short, long)]
     camera: Option<String>,
+    /// How all lights were turned for the picture, as `chiaro render` turns them
+    #[arg(long, allow_hyphen_values = true, value_name = "YAW[,PITCH]")]
+    turn_lights: Option<String>,
     /// The time in seconds
     #[arg(long, default_value_t = 0.0, value_parser = parse_time, allow_negative_numbers = true)]
     time: f64,
@@ -103,6 +110,9 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     if let Some(text) = &arguments.camera {
         adjust_camera(&mut setup.scene, text).map_err(one)?;
     }
+    if let Some(text) = &arguments.turn_lights {
+        turn_lights(&mut setup.scene, text).map_err(one)?;
+    }
     let named = arguments.target.display().to_string();
     let bytes = image_bytes(Path::new(""), &named).map_err(one)?;
     let target = Target::from_png(&bytes).map_err(|problem| one(problem.in_file(named)))?;
@@ -113,7 +123,13 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         colors: keeps(Kept::Colors),
         base: keeps(Kept::Base),
     };
-    let options = FitOptions { time: arguments.time, keep, starts: arguments.starts as usize, ..FitOptions::default() };
+    let options = FitOptions {
+        time: arguments.time,
+        keep,
+        keep_rest: f64::from(arguments.keep_rest) / 100.0,
+        starts: arguments.starts as usize,
+        ..FitOptions::default()
+    };
     let progress = telling();
     let fitted = match arguments.layers {
         Some(layers) => fit_layers(&setup, 0, &library, &target, layers.into(), &options, &progress),
@@ -121,7 +137,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     };
     output.end_progress();
     let fitted = fitted?;
-    output.diagnostics(fitted.report.warning().as_slice());
+    output.diagnostics(&fitted.report.warnings(arguments.layers.is_some()));
     if let Some(path) = &arguments.misses {
         let png = picture_of(target.size, &fitted.misses).to_png().map_err(one)?;
         write_atomic(path, &png).map_err(|problem| one(*problem))?;
@@ -196,6 +212,7 @@ fn told(report: &Report) -> String {
         report.compared,
         report.painted
     )];
+    lines.extend(report.rest.map(|rest| format!("  the rest moved by {}", steps(rest))));
     lines.extend(report.changed.iter().map(|change| {
         let from = if change.from.is_empty() { String::new() } else { format!(", was {}", change.from) };
         format!("  {} {}: {}{from}", change.what, change.place, change.to)

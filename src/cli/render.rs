@@ -231,13 +231,7 @@ fn adjust(scene: &mut Scene, arguments: &Arguments) -> Result<(), Diagnostic> {
         adjust_camera(scene, text)?;
     }
     if let Some(text) = &arguments.turn_lights {
-        let angles = numbers(text)
-            .filter(|n| (1..=2).contains(&n.len()))
-            .ok_or_else(|| bad_argument("--turn-lights", text, "degrees around the vertical axis, or YAW,PITCH"))?;
-        let yaw = DQuat::from_rotation_y(angles[0].to_radians());
-        let pitch = DQuat::from_rotation_x(-angles.get(1).copied().unwrap_or(0.0).to_radians());
-        let turned = yaw * pitch * DQuat::from_array(scene.illumination);
-        scene.illumination = turned.normalize().to_array();
+        turn_lights(scene, text)?;
     }
     if let Some(text) = &arguments.backdrop {
         scene.backdrop = match text.as_str() {
@@ -248,6 +242,18 @@ fn adjust(scene: &mut Scene, arguments: &Arguments) -> Result<(), Diagnostic> {
             ),
         };
     }
+    Ok(())
+}
+
+/// Turns the illumination frame by degrees around the vertical axis, then up.
+pub(super) fn turn_lights(scene: &mut Scene, text: &str) -> Result<(), Diagnostic> {
+    let angles = numbers(text)
+        .filter(|n| (1..=2).contains(&n.len()))
+        .ok_or_else(|| bad_argument("--turn-lights", text, "degrees around the vertical axis, or YAW,PITCH"))?;
+    let yaw = DQuat::from_rotation_y(angles[0].to_radians());
+    let pitch = DQuat::from_rotation_x(-angles.get(1).copied().unwrap_or(0.0).to_radians());
+    let turned = yaw * pitch * DQuat::from_array(scene.illumination);
+    scene.illumination = turned.normalize().to_array();
     Ok(())
 }
 

@@ -15,8 +15,9 @@ use super::build::layered;
 use super::choose::{Surface, evenly, pixels_of, telling, thinned, wearing, wishes_of};
 use super::lit::{Kind, Lit};
 use super::model::Shot;
-use super::report::{Report, compared_as_is};
-use super::solve::{Found, Until, check, descend};
+use super::report::{Report, compared_as_is, painted};
+use super::rest::Rest;
+use super::solve::{Found, Until, descend, stopped};
 use super::stack::{Layer, MAX_LAYERS, Mode, Search};
 use super::state::{Shape, even_directions};
 use super::target::{Target, Wish};
@@ -43,6 +44,8 @@ const SHAPES: [[f64; 3]; 6] = [
     [45.0, 60.0, 75.0],
     [70.0, 85.0, 100.0],
 ];
+/// A hard profile counts as such an RMS error of a channel where next to nothing is painted.
+const SOFT: f64 = 4.0 / 255.0;
 /// How often layers are searched for again where the whole is not near enough.
 const ROUNDS: usize = 2;
 
@@ -50,8 +53,8 @@ const ROUNDS: usize = 2;
 /// place of the nodes of look number `look`. Layers that would change nothing are left out.
 ///
 /// # Errors
-/// `fit-target` where no painted pixel can be compared; `fit-layers` for no or too many layers; `stopped`; what is wrong
-/// with the setup.
+/// `fit-target` where no painted pixel can be compared; `fit-layers` for no or too many layers; `stopped` where it was
+/// stopped before there was a layer, else the nearest that it had come to is what was fitted; what is wrong with the setup.
 pub fn fit_layers(
     setup: &Setup,
     look: usize,
@@ -67,33 +70,53 @@ pub fn fit_layers(
         return Err(one(Diagnostic::error("fit-layers", message)));
     }
     let shot = Shot { setup, look, library, size: target.size, time: options.time };
-    let given = thinned(target);
+    let rest = Rest::new(&shot, target, options.keep_rest)?;
+    // The less is painted, the less calls for a hard edge.
+    let soft = SOFT * rest.share;
+    let mut given = thinned(target);
+    given.extend(rest.wishes);
     let chosen = pixels_of(&given);
     let Surface { directions, pixels } = Surface::new(&shot, &chosen)?;
     let wishes = wishes_of(&pixels, &given)?;
-    let whole = Search::new(&directions, &wishes, &evenly(wishes.len(), wishes.len()));
+    let at = |most: usize| Search::new(&directions, &wishes, &evenly(wishes.len(), most)).softly(soft);
+    let (whole, even) = (at(wishes.len()), at(PIXELS));
     let mut best: Option<Stack> = None;
     for width in WIDTHS {
         // Another search begins anew, and so does what is told of it.
         progress.begin(layers as u64 + 2);
-        let grower = Grower { surface: &directions, wishes: &wishes, enough: options.enough, width, progress };
-        let found = grower.grow(&whole, layers).map_err(one)?;
+        let grower = Grower {
+            surface: &directions,
+            wishes: &wishes,
+            whole: &whole,
+            even: &even,
+            soft,
+            enough: options.enough,
+            width,
+            progress,
+        };
+        let found = grower.grow(layers).map_err(one)?;
         if best.as_ref().is_none_or(|best| found.error < best.error) {
             best = Some(found);
         }
-        if best.as_ref().is_some_and(|best| best.error <= whole.error_of(2.0 * options.enough)) {
+        if progress.is_stopped() || best.as_ref().is_some_and(|best| best.error <= whole.error_of(2.0 * options.enough))
+        {
             break;
         }
     }
     let stack = whole.taken_over(&best.map(|best| best.point).unwrap_or_default());
+    if stack.is_empty() && progress.is_stopped() {
+        return Err(one(stopped()));
+    }
     let colors = whole.colors(&stack);
     let built = layered(&setup.looks[look].look.name, &stack, &colors);
     let worn = wearing(&shot, built);
     let before = compared_as_is(&shot, &given)?;
-    let Polished { look: fitted, after, .. } = polished(&Shot { setup: &worn, ..shot }, &given, options, progress)?;
+    let Polished { look: fitted, after, .. } =
+        polished(&Shot { setup: &worn, ..shot }, &given, soft, options, progress)?;
     progress.add(1);
-    let report = Report::new(&shot, &fitted, target, &before, &after, &options.keep)?;
-    let misses = after.into_iter().map(|(missed, _)| missed).collect();
+    let report = Report::new(&shot, &fitted, target, &before, &after, options)?;
+    let report = Report { is_stopped: progress.is_stopped(), ..report };
+    let misses = painted(&after);
     Ok(Fitted { edit: Edit::Replace { look: Box::new(fitted.clone()) }, look: fitted, report, misses })
 }
 
@@ -101,25 +124,31 @@ struct Grower<'a> {
     /// The normal and the mirrored view at each pixel.
     surface: &'a [[DVec3; 2]],
     wishes: &'a [Wish],
+    /// All pixels, and as many as stand for them.
+    whole: &'a Search,
+    even: &'a Search,
+    /// How much a hard profile counts as an error of its own, an RMS of a channel.
+    soft: f64,
     enough: f64,
     width: Width,
     progress: &'a Progress,
 }
 
 impl Grower<'_> {
-    /// Up to `most` layers; `whole` looks at all pixels.
-    fn grow(&self, whole: &Search, most: usize) -> Result<Stack, Diagnostic> {
+    /// Up to `most` layers.
+    fn grow(&self, most: usize) -> Result<Stack, Diagnostic> {
+        let whole = self.whole;
         let mut best: Vec<Layer> = Vec::new();
         let mut beam = vec![best.clone()];
         for _ in 0..most {
             let missing = missing(whole, &best);
-            let search = Search::new(self.surface, self.wishes, &telling(&missing, PIXELS));
+            let search = self.search(&missing);
             let mut found = Vec::new();
             for stack in &beam {
                 found.extend(self.with_one_more(&search, &search.taken_over(stack), &missing)?);
             }
             let mut found = best_of(found, self.width.beam);
-            self.evened(whole, &mut found)?;
+            self.evened(&mut found)?;
             let Some(first) = found.first() else { break };
             best.clone_from(&first.point);
             beam = found.iter().map(|stack| stack.point.clone()).collect();
@@ -128,20 +157,25 @@ impl Grower<'_> {
                 break;
             }
         }
-        let best = self.again(whole, best)?;
+        let best = self.again(best)?;
         self.progress.add(1);
         Ok(best)
     }
 
+    /// A search that looks most where most is missing.
+    fn search(&self, missing: &[f64]) -> Search {
+        Search::new(self.surface, self.wishes, &telling(missing, PIXELS)).softly(self.soft)
+    }
+
     /// Where not all that is wished can be had, what is farthest off must not have its way alone: stacks go on downhill at
     /// pixels that stand for all. The nearest by all pixels comes first.
-    fn evened(&self, whole: &Search, stacks: &mut [Stack]) -> Result<(), Diagnostic> {
-        let even = Search::new(self.surface, self.wishes, &evenly(self.wishes.len(), PIXELS));
+    fn evened(&self, stacks: &mut [Stack]) -> Result<(), Diagnostic> {
+        let Self { whole, even, .. } = *self;
         let step = |stack: &mut Stack| -> Result<(), Diagnostic> {
             stack.error = whole.error(&whole.taken_over(&stack.point));
             if stack.error > whole.error_of(self.enough) {
                 let until = Until { steps: 20, error: even.error_of(0.5 * self.enough) };
-                let point = descend(&even, even.taken_over(&stack.point), until, self.progress)?.point;
+                let point = descend(even, even.taken_over(&stack.point), until, self.progress)?.point;
                 let error = whole.error(&whole.taken_over(&point));
                 if error < stack.error {
                     *stack = Found { point, error };
@@ -155,17 +189,18 @@ impl Grower<'_> {
     }
 
     /// Turns the lowest layer over, and takes each out and searches for it again, while that brings the whole nearer.
-    fn again(&self, whole: &Search, best: Vec<Layer>) -> Result<Stack, Diagnostic> {
+    fn again(&self, best: Vec<Layer>) -> Result<Stack, Diagnostic> {
+        let whole = self.whole;
         let mut best = Found { error: whole.error(&whole.taken_over(&best)), point: best };
         for _ in 0..ROUNDS {
             let before = best.error;
             // First the lowest turned over, then each without the layer in turn.
             for out in std::iter::once(None).chain((0..best.point.len()).map(Some)) {
-                if best.error <= whole.error_of(self.enough) {
+                if best.error <= whole.error_of(self.enough) || self.progress.is_stopped() {
                     return Ok(best);
                 }
                 let missing = missing(whole, &best.point);
-                let search = Search::new(self.surface, self.wishes, &telling(&missing, PIXELS));
+                let search = self.search(&missing);
                 let mut rest = search.taken_over(&best.point);
                 let mut found = match out {
                     None => self.turned_over(&search, &rest)?,
@@ -174,7 +209,7 @@ impl Grower<'_> {
                         self.with_one_more(&search, &rest, &missing)?
                     }
                 };
-                self.evened(whole, &mut found)?;
+                self.evened(&mut found)?;
                 if let Some(nearest) = found.into_iter().next().filter(|found| found.error < 0.98 * best.error) {
                     best = nearest;
                 }
@@ -211,13 +246,17 @@ impl Grower<'_> {
 
     /// Stacks with one more layer, turned downhill.
     fn with_one_more(&self, search: &Search, layers: &[Layer], missing: &[f64]) -> Result<Vec<Stack>, Diagnostic> {
-        check(self.progress)?;
+        if self.progress.is_stopped() {
+            return Ok(Vec::new());
+        }
         let lights = self.lights(missing);
         let few = search.thinned(FEW_PIXELS);
         let below = few.taken_over(layers);
         let places = places(layers.len(), search);
         let tried = |lit: &Lit| {
-            check(self.progress)?;
+            if self.progress.is_stopped() {
+                return None;
+            }
             let tone = few.tone(lit);
             let mut best: Option<Stack> = None;
             for &(place, mode) in &places {
@@ -228,10 +267,9 @@ impl Grower<'_> {
                     best = Some(Found { point, error });
                 }
             }
-            Ok(best.map(|best| (*lit, best)))
+            best.map(|best| (*lit, best))
         };
-        let found: Result<Vec<_>, Diagnostic> = lights.par_iter().map(tried).collect();
-        let mut found: Vec<(Lit, Stack)> = found?.into_iter().flatten().collect();
+        let mut found: Vec<(Lit, Stack)> = lights.par_iter().filter_map(tried).collect();
         found.sort_by(|a, b| a.1.error.total_cmp(&b.1.error));
         let begun = apart(found, self.width.beginnings).into_iter().map(|stack| search.taken_over(&stack.point));
         self.downhill(search, begun.collect())

@@ -2,9 +2,11 @@
 
 use std::collections::HashSet;
 
+use indexmap::IndexMap;
+
 use crate::compile::{Param, TypedGraph, TypedInput, TypedSource, check};
 use crate::diag::Diagnostic;
-use crate::document::{Edit, LightKind, Look, Target, Value};
+use crate::document::{Edit, Light, LightKind, Look, Ramp, Target, Value};
 use crate::frame::Setup;
 use crate::ids::{LightId, NodePath, PortName};
 use crate::library::{Library, Type};
@@ -15,6 +17,9 @@ use super::state::{Setting, Shape};
 /// The ports of a profile, which belong together.
 const ENDS: [&str; 3] = ["offset", "falloff", "cutoff"];
 
+/// Of ramps as many stops are turned: each is a colour of its own, and more of them than this few strokes tell nothing of.
+const MOST_STOPS: usize = 24;
+
 /// What is turned.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Knob {
@@ -24,6 +29,8 @@ pub(super) enum Knob {
     Profile(NodePath),
     /// A colour; its alpha stays.
     Color { node: NodePath, port: PortName, alpha: f64 },
+    /// A colour of a ramp, by its index; its place and alpha stay.
+    Stop { node: NodePath, port: PortName, index: usize, ramp: Ramp },
 }
 
 impl Knob {
@@ -33,6 +40,7 @@ impl Knob {
             Self::Direction(light) => ("light", light.to_string()),
             Self::Profile(node) => ("profile", node.to_string()),
             Self::Color { node, port, .. } => ("color", format!("{node}.{port}")),
+            Self::Stop { node, port, index, .. } => ("color", format!("{node}.{port}[{index}]")),
         }
     }
 
@@ -41,35 +49,55 @@ impl Knob {
         match self {
             Self::Direction(_) => Vec::new(),
             Self::Profile(node) => ENDS.map(|port| (node.clone(), port.into())).to_vec(),
-            Self::Color { node, port, .. } => vec![(node.clone(), port.clone())],
+            Self::Color { node, port, .. } | Self::Stop { node, port, .. } => vec![(node.clone(), port.clone())],
         }
     }
 
-    /// The values of its inputs, in their order.
-    pub(super) fn values(&self, setting: &Setting) -> Vec<Value> {
+    /// The values of its inputs, in their order. `before` is what a ramp has by now: its stops are set one after the other.
+    pub(super) fn values(&self, setting: &Setting, before: Option<&Value>) -> Vec<Value> {
         match (self, setting) {
+            (Self::Stop { index, ramp, .. }, Setting::Color(color)) => {
+                let before = if let Some(Value::Ramp(before)) = before { before } else { ramp };
+                vec![Value::Ramp(with_stop(before, *index, *color))]
+            }
             (Self::Profile(_), Setting::Profile(shape)) => shape.ends().map(Value::Number).to_vec(),
             (Self::Color { alpha, .. }, Setting::Color([r, g, b])) => vec![Value::Vector(vec![*r, *g, *b, *alpha])],
             _ => Vec::new(),
         }
     }
+}
 
-    /// Writes a setting into a look, in numbers that people can read: five decimals are finer than a tenth of a pixel.
-    pub(super) fn edits(&self, setting: &Setting, look: &Look) -> Vec<Edit> {
-        if let (Self::Direction(id), Setting::Direction(direction)) = (self, setting) {
-            let Some(light) = look.lights.get(id) else { return Vec::new() };
-            let mut light = light.clone();
-            light.direction = direction.to_array().map(short);
-            return vec![Edit::SetLight { id: id.clone(), light }];
+/// Writes settings into a look, in numbers that people can read: five decimals are finer than a tenth of a pixel.
+pub(super) fn edits(knobs: &[Knob], state: &[Setting], look: &Look) -> Vec<Edit> {
+    let mut edits = Vec::new();
+    let mut values: IndexMap<(NodePath, PortName), Value> = IndexMap::new();
+    for (knob, setting) in knobs.iter().zip(state) {
+        if let (Knob::Direction(id), Setting::Direction(direction)) = (knob, setting) {
+            edits.extend(look.lights.get(id).map(|light| {
+                let light = Light { direction: direction.to_array().map(short), ..light.clone() };
+                Edit::SetLight { id: id.clone(), light }
+            }));
         }
-        let values = self.inputs().into_iter().zip(self.values(setting));
-        let edit = |((path, port), value): ((NodePath, PortName), Value)| {
-            let found = look.find(&path)?;
-            let (graph, id) = (found.graph, path.last()?.clone());
-            Some(Edit::SetValue { graph, id, port, value: shortened(value), index: None })
-        };
-        values.filter_map(edit).collect()
+        let inputs = knob.inputs();
+        let before = inputs.first().and_then(|input| values.get(input));
+        let new = knob.values(setting, before);
+        values.extend(inputs.into_iter().zip(new));
     }
+    edits.extend(values.into_iter().filter_map(|((path, port), value)| {
+        let found = look.find(&path)?;
+        let (graph, id) = (found.graph, path.last()?.clone());
+        Some(Edit::SetValue { graph, id, port, value: shortened(value), index: None })
+    }));
+    edits
+}
+
+/// A ramp with another colour at a stop, which keeps its alpha.
+fn with_stop(ramp: &Ramp, index: usize, color: [f64; 3]) -> Ramp {
+    let mut ramp = ramp.clone();
+    if let Some(stop) = ramp.stops.get_mut(index) {
+        stop.color.iter_mut().zip(color).for_each(|(channel, new)| *channel = new);
+    }
+    ramp
 }
 
 fn short(x: f64) -> f64 {
@@ -84,11 +112,16 @@ fn shortened(value: Value) -> Value {
             let is_opaque = v.len() == 4 && v[3] == 1.0;
             Value::Vector(v.into_iter().take(if is_opaque { 3 } else { 4 }).map(short).collect())
         }
+        Value::Ramp(mut ramp) => {
+            ramp.stops.iter_mut().flat_map(|stop| &mut stop.color).for_each(|channel| *channel = short(*channel));
+            Value::Ramp(ramp)
+        }
         other => other,
     }
 }
 
-/// Everything of a look that can be turned, with where it stands. What is wired, keyed, or set by the scene stays.
+/// Everything of a look that can be turned, with where it stands. What is wired, keyed, or set by the scene stays, and so
+/// does a ramp whose stops would be more than [`MOST_STOPS`] with those of others.
 ///
 /// # Errors
 /// Everything that is wrong with the look.
@@ -111,6 +144,7 @@ pub(super) fn knobs_of(
         knobs.extend(lights(setup, look, &typed, &live, &fixed));
     }
     let mut known = HashSet::new();
+    let mut stops_left = MOST_STOPS;
     for node in live.iter().map(|&node| &typed.nodes[node]) {
         for input in node.inputs.iter().flatten() {
             let TypedSource::Param(id, _) = &input.source else { continue };
@@ -120,6 +154,17 @@ pub(super) fn knobs_of(
             } else {
                 color(param, input, look).filter(|_| !keep.colors)
             };
+            if let Some(Value::Ramp(ramp)) = param.value.as_ref().filter(|_| !keep.colors)
+                && ramp.stops.len() <= stops_left
+            {
+                let target = Target::Input { node: param.path.clone(), port: param.port.clone() };
+                let stops = stops(param, ramp);
+                if !fixed.contains(&target) && stops.iter().all(|(knob, _)| known.insert(knob.told())) {
+                    stops_left -= stops.len();
+                    knobs.extend(stops);
+                }
+                continue;
+            }
             let Some((knob, setting)) = found else { continue };
             let is_base = keep.base && node.def.kind == "base";
             let is_fixed = knob.inputs().into_iter().any(|(node, port)| fixed.contains(&Target::Input { node, port }));
@@ -194,6 +239,16 @@ fn profile(param: &Param, params: &[Param]) -> Option<(Knob, Setting)> {
     };
     let shape = Shape::new([end(ENDS[0])?, end(ENDS[1])?, end(ENDS[2])?]);
     Some((Knob::Profile(param.path.clone()), Setting::Profile(shape)))
+}
+
+/// The colours of a ramp.
+fn stops(param: &Param, ramp: &Ramp) -> Vec<(Knob, Setting)> {
+    let stop = |(index, color): (usize, &Vec<f64>)| {
+        let &[r, g, b, ..] = color.as_slice() else { return None };
+        let knob = Knob::Stop { node: param.path.clone(), port: param.port.clone(), index, ramp: ramp.clone() };
+        Some((knob, Setting::Color([r, g, b].map(|x| x.clamp(0.0, 1.0)))))
+    };
+    ramp.stops.iter().map(|stop| &stop.color).enumerate().filter_map(stop).collect()
 }
 
 fn color(param: &Param, input: &TypedInput, look: &Look) -> Option<(Knob, Setting)> {

@@ -18,6 +18,7 @@ mod knobs;
 mod lit;
 mod model;
 mod report;
+mod rest;
 mod solve;
 mod stack;
 mod state;
@@ -27,7 +28,7 @@ mod turn;
 use crate::document::{Edit, Look};
 
 pub use grow::fit_layers;
-pub use report::{Changed, Missed, Report, picture_of};
+pub use report::{Changed, Missed, Report, Things, picture_of};
 pub use target::{MAX_SIDE, Target, Wish};
 pub use turn::fit_look;
 
@@ -51,6 +52,8 @@ pub struct FitOptions {
     pub time: f64,
     /// What stays.
     pub keep: Keep,
+    /// How far what is not painted stays as it is: 0 lets it go, 1 keeps it as far as strokes let it.
+    pub keep_rest: f64,
     /// From how many beginnings a look that is there is turned, its own first: at least 1.
     pub starts: usize,
     /// The RMS error of a channel, from 0 to 1, that is small enough.
@@ -59,7 +62,7 @@ pub struct FitOptions {
 
 impl Default for FitOptions {
     fn default() -> Self {
-        Self { time: 0.0, keep: Keep::default(), starts: 6, enough: 0.5 / 255.0 }
+        Self { time: 0.0, keep: Keep::default(), keep_rest: 0.0, starts: 6, enough: 0.5 / 255.0 }
     }
 }
 
@@ -72,6 +75,6 @@ pub struct Fitted {
     pub edit: Edit,
     /// How far off it was and is.
     pub report: Report,
-    /// How far off it is at every pixel that was compared, by row and column.
+    /// How far off it is at every painted pixel that was compared, by row and column.
     pub misses: Vec<Missed>,
 }

@@ -213,10 +213,11 @@ impl Model {
         };
         let params: &[Param] = &part.shader.params;
         let mut values = self.rig.evaluate(params, &part.table, Wires::of(&part.shader), &moment)?;
+        // What is turned is neither wired nor keyed, so nothing else has set it.
         for ((knob, setting), ids) in self.knobs.iter().zip(state).zip(&part.ids) {
-            for (id, value) in ids.iter().zip(knob.values(setting)) {
-                id.map(|id| values.params.entry(id).or_insert(value));
-            }
+            let before = ids.first().copied().flatten().and_then(|id| values.params.get(&id));
+            let new = knob.values(setting, before);
+            values.params.extend(ids.iter().zip(new).filter_map(|(id, value)| Some(((*id)?, value))));
         }
         let inputs = HostInputs {
             params: &values.params,
@@ -250,19 +251,32 @@ fn is_edge(gathered: &Gathered, [x, y]: [u32; 2]) -> bool {
     around(y, height).any(|v| around(x, width).any(|u| draw(u, v) != draw(x, y)))
 }
 
+/// The RMS of three channels.
+pub(super) fn rms_of(channels: [f64; 3]) -> f64 {
+    (channels.iter().map(|x| x * x).sum::<f64>() / 3.0).sqrt()
+}
+
 /// How far a look is from what is wished of some pixels.
 #[derive(Debug)]
 pub(super) struct Painted<'a> {
     pub(super) model: &'a Model,
     pub(super) sheet: Sheet,
     pub(super) wishes: Vec<Wish>,
+    /// How much a hard or narrow profile counts as an error of its own.
+    pub(super) soft: f64,
 }
 
 impl<'a> Painted<'a> {
     /// The pixels of `wishes` (one for each of the model's pixels) at these places.
     pub(super) fn new(model: &'a Model, wishes: &[Wish], chosen: &[usize]) -> Self {
         let wishes = chosen.iter().map(|&index| wishes[index]).collect();
-        Self { model, sheet: model.sheet(chosen), wishes }
+        Self { model, sheet: model.sheet(chosen), wishes, soft: 0.0 }
+    }
+
+    /// The same, with profiles that are to be broad and soft where that costs less than `soft`, an RMS of a channel.
+    #[must_use]
+    pub(super) fn softly(self, soft: f64) -> Self {
+        Self { soft: soft * (3.0 * self.wishes.iter().map(|wish| wish.weight).sum::<f64>()).sqrt(), ..self }
     }
 }
 
@@ -293,6 +307,10 @@ impl Problem for Painted<'_> {
             let root = wish.weight.sqrt();
             (0..3).map(move |c| root * (color[c] - wish.color[c]))
         });
-        Ok(residuals.collect())
+        let hardness = state.iter().map(|setting| match setting {
+            Setting::Profile(shape) if self.soft > 0.0 => self.soft * shape.hardness(),
+            _ => 0.0,
+        });
+        Ok(residuals.chain(hardness).collect())
     }
 }

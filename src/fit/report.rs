@@ -4,12 +4,12 @@ use std::collections::HashSet;
 
 use serde::Serialize;
 
-use super::Keep;
 use super::choose::{pixels_of, wearing, wishes_of};
 use super::knobs::{Knob, knobs_of};
-use super::model::{Model, Shot};
+use super::model::{Model, Shot, rms_of};
 use super::state::Setting;
 use super::target::{Target, Wish};
+use super::{FitOptions, Keep};
 use crate::diag::Diagnostic;
 use crate::document::Look;
 use crate::figures::count;
@@ -19,6 +19,10 @@ use crate::frame::Picture;
 const CELLS: u64 = 32;
 /// Pixels that are told of.
 const WORST: usize = 5;
+/// An RMS error of a channel that is plainly seen.
+const FAR: f64 = 10.0 / 255.0;
+/// A fit that leaves more than this of what was missing did hardly help.
+const HARDLY: f64 = 0.7;
 
 /// What a fit came to. Errors are of a channel, straight and as shown, from 0 to 1, weighted as painted.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -31,14 +35,66 @@ pub struct Report {
     pub places: usize,
     /// Numbers that could be turned: two of a light, three of a profile and of a colour.
     pub turned: usize,
+    /// What these are of.
+    pub tried: Things,
+    /// What could have been turned as well, and was kept.
+    pub kept: Things,
     /// The RMS error of the look as it was.
     pub before: f64,
     /// The RMS error now.
     pub after: f64,
+    /// How far what is not painted moved, RMS, where it was to stay.
+    pub rest: Option<f64>,
+    /// It was stopped, and this is the nearest that it had come to.
+    pub is_stopped: bool,
     /// Everything that is another now.
     pub changed: Vec<Changed>,
     /// The pixels that are farthest off, the worst first.
     pub worst: Vec<Missed>,
+}
+
+/// How many things of a look.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Things {
+    /// Directional lights.
+    pub lights: usize,
+    /// Profiles.
+    pub profiles: usize,
+    /// Colours, also of ramps.
+    pub colors: usize,
+}
+
+impl Things {
+    fn of(knobs: &[(Knob, Setting)]) -> Self {
+        let mut things = Self::default();
+        for (knob, _) in knobs {
+            let count = match knob {
+                Knob::Direction(_) => &mut things.lights,
+                Knob::Profile(_) => &mut things.profiles,
+                Knob::Color { .. } | Knob::Stop { .. } => &mut things.colors,
+            };
+            *count += 1;
+        }
+        things
+    }
+
+    /// Those of `all` that are none of these.
+    fn left_of(&self, all: &Self) -> Self {
+        Self {
+            lights: all.lights.saturating_sub(self.lights),
+            profiles: all.profiles.saturating_sub(self.profiles),
+            colors: all.colors.saturating_sub(self.colors),
+        }
+    }
+
+    /// As people say it: `1 light, 2 profiles and 7 colors`; nothing where there are none.
+    pub fn told(&self) -> Option<String> {
+        let each = [(self.lights, "light"), (self.profiles, "profile"), (self.colors, "color")];
+        let mut named: Vec<String> =
+            each.into_iter().filter(|(n, _)| *n > 0).map(|(n, noun)| count(n as u64, noun)).collect();
+        let last = named.pop()?;
+        Some(if named.is_empty() { last } else { format!("{} and {last}", named.join(", ")) })
+    }
 }
 
 /// One thing that is another than it was.
@@ -84,8 +140,28 @@ pub fn picture_of(size: [u32; 2], misses: &[Missed]) -> Picture {
     Picture { size, rgba }
 }
 
-/// Every compared pixel with its weight.
-pub(super) type Compared = Vec<(Missed, f64)>;
+/// A compared pixel.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct One {
+    missed: Missed,
+    weight: f64,
+    is_rest: bool,
+}
+
+impl One {
+    /// How far off it is, as much as it counts: the root of its sum of squared residuals.
+    pub(super) fn miss(&self) -> f64 {
+        (3.0 * self.weight).sqrt() * self.missed.error
+    }
+}
+
+/// Every compared pixel.
+pub(super) type Compared = Vec<One>;
+
+/// Those of them that were painted.
+pub(super) fn painted(compared: &Compared) -> Vec<Missed> {
+    compared.iter().filter(|one| !one.is_rest).map(|one| one.missed).collect()
+}
 
 impl Report {
     /// What became of the look of `shot`, from how far off it was and is.
@@ -95,22 +171,28 @@ impl Report {
         target: &Target,
         before: &Compared,
         after: &Compared,
-        keep: &Keep,
+        how: &FitOptions,
     ) -> Result<Self, Vec<Diagnostic>> {
-        let turned = knobs_of(&wearing(shot, fitted.clone()), shot.look, shot.library, keep)?;
+        let turned = knobs_of(&wearing(shot, fitted.clone()), shot.look, shot.library, &how.keep)?;
         let all = Keep::default();
         let old = knobs_of(shot.setup, shot.look, shot.library, &all)?;
         let new = knobs_of(&wearing(shot, fitted.clone()), shot.look, shot.library, &all)?;
-        let mut worst: Vec<Missed> = after.iter().map(|(missed, _)| *missed).collect();
+        let mut worst = painted(after);
+        let compared = worst.len();
+        let tried = Things::of(&turned);
         worst.sort_by(|a, b| b.error.total_cmp(&a.error));
         worst.truncate(WORST);
         Ok(Self {
             painted: target.wishes.len(),
-            compared: after.len(),
+            compared,
             places: places(target.size, after),
             turned: turned.iter().map(|(_, setting)| setting.count()).sum(),
-            before: rms(before),
-            after: rms(after),
+            tried,
+            kept: tried.left_of(&Things::of(&new)),
+            before: rms(before, false).unwrap_or_default(),
+            after: rms(after, false).unwrap_or_default(),
+            rest: rms(after, true),
+            is_stopped: false,
             changed: changed(&old, &new),
             worst,
         })
@@ -118,8 +200,39 @@ impl Report {
 }
 
 impl Report {
-    /// What there is to warn of: more was turned than so few places can tell.
-    pub fn warning(&self) -> Option<Diagnostic> {
+    /// Whether what was painted is hardly there: it is off by more than an eye passes over, or by most of what it was.
+    pub fn is_far_off(&self) -> bool {
+        self.after > FAR || self.after > 0.5 * FAR && self.after > HARDLY * self.before
+    }
+
+    /// What there is to warn of, of a look that was there, or of layers from nothing.
+    pub fn warnings(&self, from_nothing: bool) -> Vec<Diagnostic> {
+        self.few_places().into_iter().chain(self.far_off(from_nothing)).collect()
+    }
+
+    /// It does not show what was painted.
+    fn far_off(&self, from_nothing: bool) -> Option<Diagnostic> {
+        let tried = self.tried.told().unwrap_or_else(|| "nothing".to_owned());
+        let steps = |error: f64| format!("{:.0}/255", 255.0 * error);
+        let message = format!(
+            "the look is off by {} of what was painted, and was by {}: {tried} of it cannot show more",
+            steps(self.after),
+            steps(self.before)
+        );
+        let mut problem = Diagnostic::warning("fit-far-off", message);
+        if let Some(kept) = self.kept.told() {
+            problem = problem.hint(format!("{kept} of it did not take part: --keep less"));
+        }
+        if self.rest.is_some() {
+            problem = problem.hint("hold less of what is not painted with a smaller --keep-rest");
+        }
+        let other = if from_nothing { "allow more --layers" } else { "--layers begins from nothing" };
+        let problem = problem.hint(format!("{other}; --misses writes a picture of where it is off"));
+        self.is_far_off().then_some(problem)
+    }
+
+    /// More was turned than so few places can tell.
+    fn few_places(&self) -> Option<Diagnostic> {
         let Self { places, turned, compared, .. } = self;
         let message = format!(
             "{} in {} of the picture cannot tell what {} should be: much of the look is a guess",
@@ -128,14 +241,14 @@ impl Report {
             count(*turned as u64, "number")
         );
         let problem = Diagnostic::warning("fit-few-places", message);
-        (places < turned).then(|| problem.hint("paint more of the light, of the shade, and of where one becomes the other; or keep what is right already"))
+        (places < turned).then(|| problem.hint("paint more of the light, of the shade, and of where one becomes the other; or keep what is right already, with --keep and --keep-rest"))
     }
 }
 
 /// The cells that pixels lie in, of a picture that is cut into 32 by 32.
 fn places(size: [u32; 2], compared: &Compared) -> usize {
     let cell = |pixel: [u32; 2]| [0, 1].map(|axis| u64::from(pixel[axis]) * CELLS / u64::from(size[axis].max(1)));
-    compared.iter().map(|(missed, _)| cell(missed.pixel)).collect::<HashSet<_>>().len()
+    compared.iter().map(|one| cell(one.missed.pixel)).collect::<HashSet<_>>().len()
 }
 
 /// How far the look of `shot` is off as it is.
@@ -149,18 +262,19 @@ pub(super) fn compared_as_is(shot: &Shot<'_>, given: &[Wish]) -> Result<Compared
 pub(super) fn compared(model: &Model, wishes: &[Wish], state: &[Setting]) -> Result<Compared, Diagnostic> {
     let colors = model.colors(&model.sheet(&model.all()), state)?;
     let missed = |(wish, shown): (&Wish, [f64; 3])| {
-        let squares: f64 = shown.iter().zip(wish.color).map(|(shown, wished)| (shown - wished).powi(2)).sum();
-        let missed = Missed { pixel: wish.pixel, wished: wish.color, shown, error: (squares / 3.0).sqrt() };
-        (missed, wish.weight)
+        let error = rms_of(std::array::from_fn(|c| shown[c] - wish.color[c]));
+        let missed = Missed { pixel: wish.pixel, wished: wish.color, shown, error };
+        One { missed, weight: wish.weight, is_rest: wish.is_rest }
     };
     Ok(wishes.iter().zip(colors).map(missed).collect())
 }
 
-fn rms(missed: &Compared) -> f64 {
-    let (sum, weight) = missed.iter().fold((0.0, 0.0), |(sum, total), (missed, weight)| {
-        (sum + weight * missed.error * missed.error, total + weight)
-    });
-    if weight > 0.0 { (sum / weight).sqrt() } else { 0.0 }
+/// The RMS of what was painted, or of the rest; `None` where there is none.
+fn rms(compared: &Compared, of_rest: bool) -> Option<f64> {
+    let chosen = compared.iter().filter(|one| one.is_rest == of_rest);
+    let (sum, weight) =
+        chosen.fold((0.0, 0.0), |(sum, total), one| (sum + one.weight * one.missed.error.powi(2), total + one.weight));
+    (weight > 0.0).then(|| (sum / weight).sqrt())
 }
 
 fn changed(old: &[(Knob, Setting)], new: &[(Knob, Setting)]) -> Vec<Changed> {

@@ -53,18 +53,26 @@ pub(super) struct Search {
     /// The normal and the mirrored view at each pixel.
     surface: Vec<[DVec3; 2]>,
     wishes: Vec<Wish>,
+    /// How much a hard profile counts as an error of its own, an RMS of a channel.
+    soft: f64,
 }
 
 impl Search {
     /// At these places among all pixels.
     pub(super) fn new(surface: &[[DVec3; 2]], wishes: &[Wish], chosen: &[usize]) -> Self {
         let surface = chosen.iter().map(|&index| surface[index]).collect();
-        Self { surface, wishes: chosen.iter().map(|&index| wishes[index]).collect() }
+        Self { surface, wishes: chosen.iter().map(|&index| wishes[index]).collect(), soft: 0.0 }
+    }
+
+    /// The same, with profiles that are to be broad where that costs less than `soft`, an RMS of a channel.
+    #[must_use]
+    pub(super) fn softly(self, soft: f64) -> Self {
+        Self { soft, ..self }
     }
 
     /// The same at no more than so many pixels.
     pub(super) fn thinned(&self, most: usize) -> Self {
-        Self::new(&self.surface, &self.wishes, &evenly(self.wishes.len(), most))
+        Self::new(&self.surface, &self.wishes, &evenly(self.wishes.len(), most)).softly(self.soft)
     }
 
     /// Whether a channel is as bright as can be wished somewhere, where sums may have been cut off.
@@ -123,9 +131,19 @@ impl Search {
         misses
     }
 
-    /// The sum of their squares.
+    /// The sum of their squares, with what hard profiles count.
     pub(super) fn error(&self, layers: &[Layer]) -> f64 {
-        self.misses(layers).iter().map(|miss| miss * miss).sum()
+        let misses: f64 = self.misses(layers).iter().map(|miss| miss * miss).sum();
+        misses + self.hardness(layers).iter().map(|hard| hard * hard).sum::<f64>()
+    }
+
+    /// What each profile counts for as an error of its own; nothing where none is to be soft.
+    fn hardness(&self, layers: &[Layer]) -> Vec<f64> {
+        if self.soft <= 0.0 {
+            return Vec::new();
+        }
+        let root = self.error_of(self.soft).sqrt();
+        layers.iter().map(|layer| root * layer.lit.shape.hardness()).collect()
     }
 }
 
@@ -219,6 +237,8 @@ impl Problem for Search {
     }
 
     fn residuals(&self, layers: &Vec<Layer>) -> Result<Vec<f64>, Diagnostic> {
-        Ok(self.misses(layers))
+        let mut residuals = self.misses(layers);
+        residuals.extend(self.hardness(layers));
+        Ok(residuals)
     }
 }

@@ -9,6 +9,11 @@ const LEAST_SHARE: f64 = 0.02;
 /// The greatest offset: at pi a profile is ambient, and neither its light nor its ends mean anything.
 const MAX_OFFSET: f64 = PI - 0.01;
 
+/// A profile that goes from 1 to 0 over so many radians is as soft as any.
+const BROAD: f64 = 1.0;
+/// Fall-offs between these shares of the way to the cut-off make neither end of a profile hard.
+const EASY: [f64; 2] = [0.3, 0.8];
+
 /// A profile by coordinates that cannot come out of order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Shape {
@@ -46,6 +51,15 @@ impl Shape {
             [-self.width, PI - self.offset - self.width],
             [LEAST_SHARE - self.share, 1.0 - self.share],
         ]
+    }
+
+    /// How far it is from being broad and soft: 0 where it is, 1 or more at a spot and with a hard edge.
+    pub(super) fn hardness(&self) -> f64 {
+        let narrow = (1.0 - self.width / BROAD).max(0.0);
+        // It falls steeply at its offset, or at its cut-off.
+        let early = (1.0 - self.share / EASY[0]).max(0.0);
+        let late = ((self.share - EASY[1]) / (1.0 - EASY[1])).max(0.0);
+        narrow + early + late
     }
 
     /// The same with a soft edge, which tells from afar where it should be: a hard one is felt in its own pixels alone.
@@ -133,6 +147,15 @@ mod tests {
         }
         let color = Setting::Color([0.2, 0.9, 0.0]).moved(&[0.1, 0.5, -0.5]);
         assert_eq!(color, Setting::Color([0.2 + 0.1, 1.0, 0.0]));
+    }
+
+    #[test]
+    fn spots_and_edges_are_hard_and_a_broad_light_is_soft() {
+        let hardness = |ends: [f64; 3]| Shape::new(ends.map(f64::to_radians)).hardness();
+        assert_eq!(hardness([0.0, 45.0, 90.0]), 0.0);
+        assert_eq!(hardness([20.0, 60.0, 90.0]), 0.0);
+        assert!(hardness([10.0, 15.0, 20.0]) > 0.8, "a spot");
+        assert!(hardness([20.0, 80.0, 80.0]) > 0.95 && hardness([0.0, 2.0, 90.0]) > 0.9, "edges");
     }
 
     #[test]

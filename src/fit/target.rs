@@ -18,6 +18,8 @@ pub struct Wish {
     pub color: [f64; 3],
     /// How much it counts, above 0.
     pub weight: f64,
+    /// Nobody painted it: it is what the look shows there, and is to stay.
+    pub is_rest: bool,
 }
 
 /// A painted picture: wishes for some of its pixels.
@@ -37,6 +39,7 @@ impl Target {
             pixel: [index % size[0].max(1), index / size[0].max(1)],
             color: [channel(texel[0]), channel(texel[1]), channel(texel[2])],
             weight: channel(texel[3]),
+            is_rest: false,
         });
         Self { size, wishes: wishes.collect() }
     }
@@ -77,7 +80,7 @@ mod tests {
         let png = Picture { size: [2, 2], rgba }.to_png().unwrap();
         let target = Target::from_png(&png).unwrap();
         assert_eq!(target.size, [2, 2]);
-        let wish = |pixel, color, weight| Wish { pixel, color, weight };
+        let wish = |pixel, color, weight| Wish { pixel, color, weight, is_rest: false };
         assert_eq!(target.wishes, [wish([0, 0], [1.0, 0.0, 0.0], 1.0), wish([0, 1], [0.0, 1.0, 0.0], 0.2)]);
     }
 

@@ -1,10 +1,11 @@
 //! A look that is there: its lights, profiles and colours are turned until it shows what was painted.
 
 use super::choose::{Surface, pixels_of, thinned, wearing, wishes_of};
-use super::knobs::{Knob, knobs_of};
+use super::knobs::{Knob, edits, knobs_of};
 use super::model::{Model, Painted, Shot};
-use super::report::{Compared, Report, compared};
-use super::solve::{Found, Until, descend};
+use super::report::{Compared, One, Report, compared, painted as painted_of};
+use super::rest::Rest;
+use super::solve::{Found, Until, descend, stopped};
 use super::state::Setting;
 use super::target::{Target, Wish};
 use super::{FitOptions, Fitted};
@@ -33,7 +34,8 @@ const SOFT: f64 = 0.6;
 ///
 /// # Errors
 /// `fit-nothing` where the look has nothing that could be turned; `fit-target` where no painted pixel can be compared;
-/// `stopped`; what is wrong with the setup.
+/// `stopped` where it was stopped before it came nearer, else the nearest that it had come to is what was fitted; what is
+/// wrong with the setup.
 pub fn fit_look(
     setup: &Setup,
     look: usize,
@@ -45,7 +47,10 @@ pub fn fit_look(
     let one = |problem| vec![problem];
     progress.begin(options.starts.max(1) as u64 + GOING_ON as u64 + 1);
     let shot = Shot { setup, look, library, size: target.size, time: options.time };
-    let given = thinned(target);
+    let mut given = thinned(target);
+    if options.keep_rest > 0.0 {
+        given.extend(Rest::new(&shot, target, options.keep_rest)?.wishes);
+    }
     let (model, begin) = model(&shot, &given, options)?;
     let wishes = wishes_of(&model.pixels, &given)?;
     let before = compared(&model, &wishes, &begin).map_err(one)?;
@@ -58,7 +63,7 @@ pub fn fit_look(
         found.push(descend(&painted, start, until, progress).map_err(one)?);
         progress.add(1);
         found.sort_by(|a, b| a.error.total_cmp(&b.error));
-        if found[0].error <= enough {
+        if found[0].error <= enough || progress.is_stopped() {
             break;
         }
     }
@@ -79,18 +84,27 @@ pub fn fit_look(
     let state = best.state;
     let (turned, first) = applied(&model, &state, &setup.looks[look].look).map_err(one)?;
     let worn = wearing(&shot, turned);
-    let Polished { look: fitted, edits, after } = polished(&Shot { setup: &worn, ..shot }, &given, options, progress)?;
+    let Polished { look: fitted, edits, after } =
+        polished(&Shot { setup: &worn, ..shot }, &given, 0.0, options, progress)?;
     progress.add(1);
+    let is_stopped = progress.is_stopped();
     if squares(&missing_of(&after)) >= squares(&missing_of(&before)) {
+        if is_stopped {
+            return Err(vec![stopped()]);
+        }
         // What is written in numbers that people read is no nearer: it stays.
-        let report = Report::new(&shot, &setup.looks[look].look, target, &before, &before, &options.keep)?;
-        let misses = before.into_iter().map(|(missed, _)| missed).collect();
+        let report = Report::new(&shot, &setup.looks[look].look, target, &before, &before, options)?;
+        let misses = painted_of(&before);
         let edit = Edit::Group { edits: Vec::new() };
         return Ok(Fitted { edit, look: setup.looks[look].look.clone(), report, misses });
     }
-    let report = Report::new(&shot, &fitted, target, &before, &after, &options.keep)?;
+    let report = Report { is_stopped, ..Report::new(&shot, &fitted, target, &before, &after, options)? };
+    if is_stopped && report.changed.is_empty() {
+        // No nearer than rounding makes it.
+        return Err(vec![stopped()]);
+    }
     let edit = Edit::Group { edits: first.into_iter().chain(edits).collect() };
-    let misses = after.into_iter().map(|(missed, _)| missed).collect();
+    let misses = painted_of(&after);
     Ok(Fitted { edit, look: fitted, report, misses })
 }
 
@@ -103,13 +117,15 @@ pub(super) struct Polished {
     pub(super) after: Compared,
 }
 
-/// Turns a look that is near downhill at all painted pixels.
+/// Turns a look that is near downhill at all painted pixels; its profiles are to be broad where that costs less than `soft`,
+/// an RMS of a channel.
 ///
 /// # Errors
 /// As [`fit_look`].
 pub(super) fn polished(
     shot: &Shot<'_>,
     given: &[Wish],
+    soft: f64,
     options: &FitOptions,
     progress: &Progress,
 ) -> Result<Polished, Vec<Diagnostic>> {
@@ -120,11 +136,11 @@ pub(super) fn polished(
     let mut is_even = false;
     for _ in 0..ROUNDS {
         // What is painted in eight bits is off by a third of a step.
-        if best.error <= error_of(&wishes, 0.4 / 255.0) {
+        if best.error <= error_of(&wishes, 0.4 / 255.0) || progress.is_stopped() {
             break;
         }
         let chosen = if is_even { model.even(EVEN_QUADS) } else { model.telling(&best.missing, QUADS) };
-        let painted = Painted::new(&model, &wishes, &chosen);
+        let painted = Painted::new(&model, &wishes, &chosen).softly(soft);
         let steps = if is_even { EVEN_STEPS } else { 25 };
         let until = Until { steps, error: error_of(&painted.wishes, 0.1 / 255.0) };
         let before = best.error;
@@ -190,8 +206,7 @@ fn model(shot: &Shot<'_>, given: &[Wish], options: &FitOptions) -> Result<(Model
 /// A look with what is turned written into it, and the edits that do that.
 fn applied(model: &Model, state: &[Setting], look: &Look) -> Result<(Look, Vec<Edit>), Diagnostic> {
     let mut turned = look.clone();
-    let edits: Vec<Edit> =
-        model.knobs.iter().zip(state).flat_map(|(knob, setting)| knob.edits(setting, look)).collect();
+    let edits = edits(&model.knobs, state, look);
     turned.apply(Edit::Group { edits: edits.clone() }).map_err(|problem| *problem)?;
     Ok((turned, edits))
 }
@@ -203,7 +218,7 @@ fn error_of(wishes: &[Wish], enough: f64) -> f64 {
 
 /// How far off each pixel is, as much as it counts.
 fn missing_of(compared: &Compared) -> Vec<f64> {
-    compared.iter().map(|(missed, weight)| (3.0 * weight).sqrt() * missed.error).collect()
+    compared.iter().map(One::miss).collect()
 }
 
 /// Where to begin: as it is, then with soft profiles, then also with the lights where most is missing.

@@ -14,6 +14,7 @@ impl App {
             Wish::Apply => {
                 if let Some(edit) = self.fitting.apply(&mut self.session) {
                     self.tell(|session| session.apply(edit, None));
+                    self.fitting.is_taken_on(&self.session);
                 }
             }
             Wish::Discard => self.fitting.discard(&mut self.session),

@@ -9,6 +9,8 @@ use crate::editor::command::Command;
 use crate::editor::inspector::color;
 use crate::editor::theme;
 
+/// A field with its name is no wider, in points.
+const PERCENT: f32 = 110.0;
 /// The width of the button that begins it, in points.
 const SUN: f32 = 28.0;
 
@@ -37,25 +39,22 @@ impl Fitting {
                     self.tools.kind = kind;
                 }
             }
-            if let Some((_, [r, g, b, _])) = self.swatch(ui) {
+            let [r, g, b] = self.tools.color;
+            let swatch = color::named_swatch(ui, "Color to paint", [r, g, b, 1.0], ColorSpace::Display, false);
+            if let Some((_, [r, g, b, _])) = swatch {
                 self.tools.color = [r, g, b];
+                self.tools.kind = Kind::Color;
             }
             ui.separator();
             let help = "The brush's diameter, in percent of the picture's height ([ and ] change it)";
-            percent(ui, "Size", help, &mut self.tools.size, SIZES);
-            percent(ui, "Hardness", "How sharp the brush's edge is", &mut self.tools.hardness, 0.0..=1.0);
-            if matches!(self.tools.kind, Kind::Light | Kind::Dark) {
-                let help =
-                    "How much lighter or darker one stroke wishes it, as an eye sees it: from black to white is 100%";
-                percent(ui, "Amount", help, &mut self.tools.amount, 0.01..=1.0);
-            }
+            percent(ui, true, "Size", help, &mut self.tools.size, SIZES);
+            percent(ui, true, "Hardness", "How sharp the brush's edge is", &mut self.tools.hardness, 0.0..=1.0);
+            // All tools have all controls: a bar that grew would push the picture, which would be read anew.
+            let has_amount = matches!(self.tools.kind, Kind::Light | Kind::Dark);
+            let help = "How much lighter or darker Light and Dark make it, as an eye sees it: from black to white is 100%. A \
+                        stroke that crosses itself makes no more of it; another stroke goes on from there";
+            percent(ui, has_amount, "Amount", help, &mut self.tools.amount, 0.01..=1.0);
         });
-    }
-
-    fn swatch(&self, ui: &mut Ui) -> Option<(egui::Id, [f64; 4])> {
-        let [r, g, b] = self.tools.color;
-        let shown = self.tools.kind == Kind::Color;
-        shown.then(|| color::named_swatch(ui, "Color to paint", [r, g, b, 1.0], ColorSpace::Display, false)).flatten()
     }
 }
 
@@ -85,13 +84,26 @@ fn sun(ui: &mut Ui, is_on: bool) -> Response {
 }
 
 /// A part of a whole, shown in percent.
-fn percent(ui: &mut Ui, label: &str, help: &str, value: &mut f64, range: std::ops::RangeInclusive<f64>) {
+fn percent(
+    ui: &mut Ui,
+    is_enabled: bool,
+    label: &str,
+    help: &str,
+    value: &mut f64,
+    range: std::ops::RangeInclusive<f64>,
+) {
     let mut shown = *value * 100.0;
     let range = range.start() * 100.0..=range.end() * 100.0;
     let drag = DragValue::new(&mut shown).range(range).speed(0.5).max_decimals(0).suffix("%");
-    // One after the other, so that a narrow picture wraps them.
-    let id = ui.label(label).on_hover_text(help).id;
-    if ui.add(drag).labelled_by(id).on_hover_text(help).changed() {
+    // A narrow picture wraps them, each with its name.
+    if ui.available_size_before_wrap().x < PERCENT {
+        ui.end_row();
+        // A row is as high as its first thing, and a name is lower than what stands beside it.
+        ui.allocate_exact_size(vec2(0.0, ui.spacing().interact_size.y), Sense::hover());
+    }
+    let id = ui.add_enabled(is_enabled, egui::Label::new(label)).on_hover_text(help).id;
+    let field = ui.add_enabled(is_enabled, drag).labelled_by(id);
+    if field.on_hover_text(help).on_disabled_hover_text(help).changed() {
         *value = shown / 100.0;
     }
 }

@@ -1,16 +1,15 @@
 //! A fit from its beginning to what becomes of it: asked for, stopped, previewed, applied or let go.
 
-use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use super::work::Done;
 use super::work::Job;
-use super::{ENOUGH, Fitting, LEAST_PAINTED, Painted, What, target};
+use super::{ENOUGH, Fitting, LEAST_PAINTED, What};
 use crate::diag::Diagnostic;
 use crate::document::{Edit, Tile};
 use crate::editor::panels::problems::sentence;
 use crate::editor::session::Session;
-use crate::fit::{FitOptions, Fitted, Keep, Report};
+use crate::fit::{FitOptions, Fitted, Keep, Report, Target};
 use crate::hcbtf::Progress;
 
 /// Which look something is about: another revision is another look.
@@ -35,23 +34,23 @@ impl Strokes {
     }
 }
 
+/// What is told of a fit that was stopped too soon.
+const STOPPED: &str = "The fit was stopped before it came nearer: the look is as it was";
+
 pub(super) struct Running {
     pub(super) of: Of,
     pub(super) strokes: Strokes,
     pub(super) progress: Arc<Progress>,
 }
 
-/// What was fitted. Errors are RMS of a channel over what was painted, from 0 to 1.
+/// What was fitted.
 pub(super) struct Outcome {
     pub(super) what: What,
     pub(super) strokes: Strokes,
     pub(super) edit: Edit,
     pub(super) report: Report,
-    pub(super) before: f64,
-    pub(super) after: f64,
-    /// How far the rest, which was to stay, went off.
-    pub(super) rest: f64,
-    pub(super) is_applied: bool,
+    /// The look that it was applied to, once it is: what is told of it holds for no other.
+    pub(super) applied: Option<Of>,
 }
 
 impl Fitting {
@@ -75,24 +74,41 @@ impl Fitting {
             }
             wishes => wishes.to_vec(),
         };
-        let target = target::target(&painted, ground, self.how.hold);
+        let target = Target { size: ground.size, wishes: painted };
         let wake = self.wake.clone();
         let progress = Arc::new(Progress::telling(move |_| wake()));
         let keep = if what == What::ThisLook { self.how.keep } else { Keep::default() };
-        let options = FitOptions { time: session.time, keep, starts: self.how.starts, enough: ENOUGH };
+        let options = FitOptions {
+            time: session.time,
+            keep,
+            keep_rest: self.how.keep_rest,
+            starts: self.how.starts,
+            enough: ENOUGH,
+        };
         let still = session.still_of(Arc::new(session.look().clone()));
         self.outcome = None;
         let strokes = Strokes::of(session);
         self.running = Some(Running { of: of(session), strokes, progress: progress.clone() });
-        self.fitter.request(|_| Job { what, still, target, painted, options, progress });
+        self.fitter.request(|_| Job { what, still, target, options, progress });
         Ok(())
     }
 
-    /// Gives up the fit that is going on.
+    /// Ends the fit that is going on: what it has come to is shown soon after. Again, that is given up too.
     pub(crate) fn stop(&mut self) {
+        let Some(running) = &self.running else { return };
+        if running.progress.is_stopped() {
+            self.give_up();
+            self.told = Some(STOPPED.to_owned());
+        } else {
+            running.progress.stop();
+            self.told = Some("Stopping".to_owned());
+        }
+    }
+
+    /// Gives up the fit that is going on, with what it has come to.
+    pub(super) fn give_up(&mut self) {
         if let Some(running) = self.running.take() {
             running.progress.stop();
-            self.told = Some("The fit was stopped: the look is as it was".to_owned());
         }
     }
 
@@ -108,51 +124,40 @@ impl Fitting {
                 self.told = Some("The look was changed while it was fitted: fit again".to_owned());
             }
             Ok(fitted) if fitted.look == *done.look => {
-                self.told = Some("Nothing was turned: the look is as near to the strokes as it can come".to_owned());
+                let tried = fitted.report.tried.told().unwrap_or_else(|| "nothing".to_owned());
+                let help = self.advice(done.what, &fitted.report);
+                self.told =
+                    Some(format!("Nothing was turned: {tried} of this look bring it no nearer to the strokes. {help}"));
             }
-            Ok(fitted) => {
-                session.set_preview(Some(Arc::new(fitted.look.clone())));
+            Ok(Fitted { look, edit, report, .. }) => {
+                session.set_preview(Some(Arc::new(look)));
+                self.told = report.is_stopped.then(|| "Stopped: this is the best so far".to_owned());
                 let strokes = Strokes::of(session);
-                self.outcome = Some(self.outcome_of(done.what, strokes, &done.painted, fitted));
+                self.outcome = Some(Outcome { what: done.what, strokes, edit, report, applied: None });
             }
-        }
-    }
-
-    fn outcome_of(&self, what: What, strokes: Strokes, painted: &[Painted], fitted: Fitted) -> Outcome {
-        let Fitted { edit, report, misses, .. } = fitted;
-        let after: HashMap<_, _> = misses.iter().map(|missed| (missed.pixel, *missed)).collect();
-        let now = |pixel: [u32; 2]| after.get(&pixel).map(|missed| missed.shown);
-        // The same pixels, as they were.
-        let ground = self.grounds.latest();
-        let was = |pixel: [u32; 2]| ground.filter(|_| after.contains_key(&pixel)).map(|it| target::shown(it, pixel));
-        let known: HashSet<_> = painted.iter().map(|wish| wish.pixel).collect();
-        let rest = misses.iter().filter(|missed| !known.contains(&missed.pixel));
-        let (count, sum) = rest.fold((0.0, 0.0), |(count, sum), missed| (count + 1.0, sum + missed.error.powi(2)));
-        Outcome {
-            what,
-            strokes,
-            edit,
-            report,
-            before: target::off(painted, was),
-            after: target::off(painted, now),
-            rest: if count > 0.0 { f64::sqrt(sum / count) } else { 0.0 },
-            is_applied: false,
         }
     }
 
     /// Takes on what was fitted: the edit, one step.
     pub(crate) fn apply(&mut self, session: &mut Session) -> Option<Edit> {
-        let outcome = self.outcome.as_mut().filter(|outcome| !outcome.is_applied)?;
-        outcome.is_applied = true;
+        let outcome = self.outcome.as_mut().filter(|outcome| outcome.applied.is_none())?;
+        outcome.applied = Some(of(session));
         session.set_preview(None);
         self.told = None;
         Some(outcome.edit.clone())
     }
 
+    /// What was fitted has been taken on: from now on it is about the look as it is.
+    pub(crate) fn is_taken_on(&mut self, session: &Session) {
+        if let Some(applied) = self.outcome.as_mut().and_then(|outcome| outcome.applied.as_mut()) {
+            *applied = of(session);
+        }
+    }
+
     /// Lets go of what was fitted.
     pub(crate) fn discard(&mut self, session: &mut Session) {
         session.set_preview(None);
-        self.outcome = self.outcome.take().filter(|outcome| outcome.is_applied);
+        self.outcome = self.outcome.take().filter(|outcome| outcome.applied.is_some());
         self.told = None;
     }
 }
@@ -166,9 +171,9 @@ pub(super) fn of(session: &Session) -> Of {
 fn why(problems: &[Diagnostic]) -> String {
     let Some(first) = problems.first() else { return "Nothing could be fitted".to_owned() };
     match first.code {
-        "stopped" => "The fit was stopped: the look is as it was".to_owned(),
+        "stopped" => STOPPED.to_owned(),
         "fit-nothing" => {
-            "The look has no light, profile or color that may change: allow more, or fit new layers. What is \
+            "The look has no light, profile or color that may change: keep less, or fit new layers. What is \
                           wired or keyed stays as it is."
                 .to_owned()
         }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use eframe::egui::{Event, Modifiers, PointerButton, Pos2, Rect, Response, Ui};
 use glam::DVec2;
 
+use super::cover::Cover;
 use super::ground::Ground;
 use super::target::FINENESS;
 use super::tools::Tools;
@@ -12,11 +13,10 @@ use super::{Fitting, Kind, Standpoint};
 use crate::document::Tile;
 use crate::editor::command::Command;
 use crate::editor::session::Session;
-use crate::hcbtf::paint::{Stroke, Symmetry};
 
-/// A stroke that goes on. The brush of HCBTFs says how much it covers; what is wished there is made of that.
+/// A stroke that goes on: what is wished is made of how much it covers.
 pub(super) struct Going {
-    cover: Box<Stroke>,
+    cover: Cover,
     before: Arc<Tile>,
     pub(super) now: Arc<Tile>,
     tools: Tools,
@@ -24,35 +24,44 @@ pub(super) struct Going {
     meets: bool,
 }
 
+/// A stroke over a picture that is still being read.
+pub(super) struct Waiting {
+    /// Where it went, in heights of the picture from its middle.
+    pub(super) path: Vec<DVec2>,
+    /// The brush that was taken for it.
+    tools: Tools,
+    /// Whether the button is up again.
+    is_over: bool,
+}
+
 impl Going {
     fn begin(before: Arc<Tile>, tools: &Tools) -> Self {
-        let [_, height] = before.size();
-        let nothing = Tile::filled(before.size(), [0; 4]);
-        let cover = Stroke::begin(&nothing, &tools.brush(height), &Symmetry::default(), false);
-        Self { cover: Box::new(cover), now: before.clone(), before, tools: tools.clone(), meets: false }
+        let size = before.size();
+        let cover = Cover::new(size, tools.radius(size[1]), tools.hardness);
+        Self { cover, now: before.clone(), before, tools: tools.clone(), meets: false }
     }
 
     /// Goes on to a place in pixels of the sketch.
     fn to(&mut self, at: DVec2, ground: &Ground) {
         let [width, _] = self.before.size();
-        for [x, y, columns, rows] in self.cover.to(at, 1.0) {
-            for (x, y) in (y..y + rows).flat_map(|y| (x..x + columns).map(move |x| (x, y))) {
-                let at = 4 * (y as usize * width as usize + x as usize);
-                let cover = f64::from(self.cover.tile().bytes()[at + 3]) / 255.0;
-                if cover <= 0.0 {
-                    continue;
-                }
-                let place = |x: u32| (f64::from(x) + 0.5) / f64::from(FINENESS);
-                let (shown, share) = ground.at(place(x), place(y));
-                if share < 0.5 && self.tools.kind != Kind::Erase {
-                    continue;
-                }
-                self.meets = true;
-                let texel = laid(&self.before.bytes()[at..at + 4], cover, shown, &self.tools);
-                Arc::make_mut(&mut self.now).bytes_mut()[at..at + 4].copy_from_slice(&texel);
+        for ([x, y], cover) in self.cover.to(at) {
+            let place = |x: u32| (f64::from(x) + 0.5) / f64::from(FINENESS);
+            let (shown, share) = ground.at(place(x), place(y));
+            if share < 0.5 && self.tools.kind != Kind::Erase {
+                continue;
             }
+            self.meets = true;
+            let at = 4 * (y as usize * width as usize + x as usize);
+            let texel = laid(&self.before.bytes()[at..at + 4], cover, shown, &self.tools);
+            Arc::make_mut(&mut self.now).bytes_mut()[at..at + 4].copy_from_slice(&texel);
         }
     }
+}
+
+/// A place in heights of the picture from its middle, in pixels of one of this size.
+fn on_sketch(at: DVec2, size: [u32; 2]) -> DVec2 {
+    let [width, height] = size.map(f64::from);
+    at * height + 0.5 * DVec2::new(width, height)
 }
 
 /// A pixel of a sketch after a stroke that covers it by so much.
@@ -76,29 +85,41 @@ impl Fitting {
             let pointer = &input.pointer;
             (pointer.primary_down(), pointer.button_pressed(PointerButton::Primary), input.modifiers)
         });
-        let size = self.size(session);
-        let canvas = Self::canvas(rect, size);
+        let canvas = Self::canvas(rect, self.size(session));
+        // However wide the picture becomes, its middle and its height stay where they are.
         let place = |at: Pos2| {
-            let scale = f64::from(size[1] * FINENESS) / f64::from(canvas.height().max(1.0));
-            DVec2::new(f64::from(at.x - canvas.left()), f64::from(at.y - canvas.top())) * scale
+            let [x, y] = (at - canvas.center()).into();
+            DVec2::new(f64::from(x), f64::from(y)) / f64::from(canvas.height().max(1.0))
         };
         let mut out = None;
-        if self.going.is_none() && is_pressed && response.is_pointer_button_down_on() && !modifiers.alt {
+        let is_free = self.going.is_none() && self.waiting.is_none();
+        if is_free && is_pressed && response.is_pointer_button_down_on() && !modifiers.alt {
             let at = ui.input(|input| input.pointer.press_origin()).map(place);
             out = at.and_then(|at| self.press(at, modifiers, session));
         }
+        let path = ui.input(|input| {
+            let moves = input.events.iter().filter_map(|event| match event {
+                Event::PointerMoved(at) => Some(place(*at)),
+                _ => None,
+            });
+            moves.collect::<Vec<DVec2>>()
+        });
         if let Some(going) = &mut self.going {
             let ground = self.grounds.latest();
-            let path = ui.input(|input| {
-                let moves = input.events.iter().filter_map(|event| match event {
-                    Event::PointerMoved(at) => Some(*at),
-                    _ => None,
-                });
-                moves.collect::<Vec<Pos2>>()
-            });
             for at in path {
-                ground.into_iter().for_each(|ground| going.to(place(at), ground));
+                ground.into_iter().for_each(|ground| going.to(on_sketch(at, going.before.size()), ground));
             }
+        } else if let Some(waiting) = self.waiting.as_mut().filter(|waiting| !waiting.is_over) {
+            waiting.path.extend(path);
+            waiting.is_over = !is_down;
+        }
+        if self.waiting.is_some() && (self.ground().is_some() || self.obstacle(session).is_some()) {
+            let is_over = self.waiting.as_ref().is_some_and(|waiting| waiting.is_over);
+            out = out.or(self.catch_up(session));
+            if is_over && let Some(going) = self.going.take() {
+                out = out.or(self.end(going, session));
+            }
+            return out;
         }
         if !is_down && let Some(going) = self.going.take() {
             out = out.or(self.end(going, session));
@@ -110,26 +131,37 @@ impl Fitting {
         if let Some(obstacle) = self.obstacle(session) {
             return Some(Command::Tell(obstacle.to_owned()));
         }
-        let Some(ground) = self.ground() else {
-            return Some(Command::Tell("The picture is being read: paint in a moment".to_owned()));
-        };
-        let place = at / f64::from(FINENESS);
-        let (shown, share) = ground.at(place.x, place.y);
         if modifiers.command {
+            let Some(ground) = self.ground() else {
+                return Some(Command::Tell("The picture is being read: take the color in a moment".to_owned()));
+            };
+            let place = on_sketch(at, ground.size);
+            let (shown, share) = ground.at(place.x, place.y);
             if share > 0.0 {
                 self.tools.color = shown;
                 self.tools.kind = Kind::Color;
             }
             return None;
         }
+        self.waiting = Some(Waiting { path: vec![at], tools: self.tools.clone(), is_over: false });
+        self.told = None;
+        None
+    }
+
+    /// Begins the stroke that waits, as far as it went.
+    fn catch_up(&mut self, session: &Session) -> Option<Command> {
+        let waiting = self.waiting.take()?;
+        if let Some(obstacle) = self.obstacle(session) {
+            return Some(Command::Tell(obstacle.to_owned()));
+        }
+        let ground = self.ground()?;
         let empty = || Arc::new(Tile::filled(ground.size.map(|side| side * FINENESS), [0; 4]));
         let before = session.sketch().tile().cloned().unwrap_or_else(empty);
-        let mut going = Going::begin(before, &self.tools);
-        going.to(at, ground);
+        let mut going = Going::begin(before, &waiting.tools);
+        for at in waiting.path {
+            going.to(on_sketch(at, going.before.size()), ground);
+        }
         self.going = Some(going);
-        // What came of the last fit is no longer about what is painted.
-        self.outcome = None;
-        self.told = None;
         None
     }
 

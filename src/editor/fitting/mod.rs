@@ -6,6 +6,7 @@
 //! preview of the session, which is no edit until it is applied, as one step.
 
 mod bar;
+mod cover;
 mod fit;
 mod ground;
 mod hand;
@@ -14,6 +15,7 @@ mod panel;
 mod sketch;
 mod target;
 mod tools;
+mod veil;
 mod work;
 
 use std::sync::Arc;
@@ -29,7 +31,7 @@ use crate::document::Tile;
 use crate::fit::{Keep, Wish as Painted};
 use fit::{Outcome, Running, of};
 use ground::{Ground, Grounds, Moment};
-use hand::Going;
+use hand::{Going, Waiting};
 use overlay::Textures;
 pub use sketch::Sketch;
 pub(crate) use sketch::Standpoint;
@@ -78,8 +80,8 @@ const REST: f64 = 0.15;
 #[derive(Clone, Copy, Debug)]
 struct How {
     keep: Keep,
-    /// How much all that is not painted counts against all that is.
-    hold: f64,
+    /// How far what is not painted stays as it is, from 0 to 1.
+    keep_rest: f64,
     /// The most layers of a fit from nothing.
     layers: usize,
     /// From how many beginnings a look is turned.
@@ -107,6 +109,10 @@ pub struct Fitting {
     /// What was seen last, and when, in seconds of the window's clock.
     seen: Option<(Moment, f64)>,
     going: Option<Going>,
+    /// A stroke that waits until the picture under it is read.
+    waiting: Option<Waiting>,
+    /// The document that is painted on: no other is.
+    document: u64,
     wishes: Option<(Arc<Tile>, Moment, Vec<Painted>)>,
     fitter: Worker<Job, Done>,
     running: Option<Running>,
@@ -126,11 +132,13 @@ impl Fitting {
             height: HEIGHT,
             aspect: 1.0,
             tools: Tools::default(),
-            how: How { keep: Keep::default(), hold: 0.25, layers: 2, starts: STARTS },
+            how: How { keep: Keep::default(), keep_rest: 0.5, layers: 2, starts: STARTS },
             shows: Shows { strokes: true, misses: false },
             grounds: Grounds::new(wake.clone()),
             seen: None,
             going: None,
+            waiting: None,
+            document: 0,
             wishes: None,
             fitter: work::start(wake.clone()),
             running: None,
@@ -160,7 +168,7 @@ impl Fitting {
     /// How far the picture was off what is painted before the last fit, and how far it is after it: RMS of a channel, from
     /// 0 to 1.
     pub fn errors(&self) -> Option<[f64; 2]> {
-        self.outcome.as_ref().map(|outcome| [outcome.before, outcome.after])
+        self.outcome.as_ref().map(|outcome| [outcome.report.before, outcome.report.after])
     }
 
     /// What there is to be said, or why nothing could be fitted.
@@ -202,10 +210,11 @@ impl Fitting {
     /// Begins or ends painting. The strokes stay.
     pub(crate) fn turn(&mut self, on: bool, session: &mut Session) {
         self.is_on = on;
+        self.document = session.document_number();
         session.open_sketch(on);
-        self.going = None;
+        (self.going, self.waiting) = (None, None);
         if !on {
-            self.stop();
+            self.give_up();
             self.discard(session);
             self.grounds.rest();
             self.told = None;
@@ -214,7 +223,7 @@ impl Fitting {
 
     /// Gives up the nearest thing that is going on: a stroke, a fit, what was fitted, the painting.
     pub(crate) fn leave(&mut self, session: &mut Session) {
-        if self.going.take().is_some() {
+        if self.going.take().is_some() || self.waiting.take().is_some() {
             return;
         }
         if self.running.is_some() {
@@ -229,15 +238,19 @@ impl Fitting {
 
     /// Takes what was done on threads, and asks for what is missing.
     pub(crate) fn tick(&mut self, ui: &Ui, session: &mut Session) {
+        if self.is_on && self.document != session.document_number() {
+            // Strokes went aside with their look, and nobody asked to paint on another.
+            self.turn(false, session);
+        }
         for done in self.fitter.answers() {
             self.take(done, session);
         }
         if self.running.as_ref().is_some_and(|running| running.of != of(session)) {
-            self.stop();
+            self.give_up();
             self.told = Some("The look was changed while it was fitted: fit again".to_owned());
         }
         if self.running.as_ref().is_some_and(|running| !running.strokes.are(session)) {
-            self.stop();
+            self.give_up();
             self.told = Some("The strokes were changed while they were fitted: fit again".to_owned());
         }
         if self.outcome.as_ref().is_some_and(|outcome| !outcome.strokes.are(session)) {
@@ -249,6 +262,11 @@ impl Fitting {
         if self.awaits() && session.preview().is_none() {
             self.outcome = None;
             self.told = Some("The look was changed, and what was fitted to it before is gone: fit again".to_owned());
+        }
+        let applied = self.outcome.as_ref().and_then(|outcome| outcome.applied);
+        if applied.is_some_and(|applied| applied != of(session)) {
+            // It was undone or gone on from, and what is told of it holds no more.
+            self.outcome = None;
         }
         if !self.is_on {
             return;
@@ -302,7 +320,7 @@ impl Fitting {
 
     /// Whether something was fitted that is neither applied nor discarded.
     fn awaits(&self) -> bool {
-        self.outcome.as_ref().is_some_and(|outcome| !outcome.is_applied)
+        self.outcome.as_ref().is_some_and(|outcome| outcome.applied.is_none())
     }
 
     /// Whether the view is the one that the strokes belong to.
@@ -332,7 +350,7 @@ impl Fitting {
 
     /// Takes all strokes away.
     pub(crate) fn clear(&mut self, session: &mut Session) {
-        self.going = None;
+        (self.going, self.waiting) = (None, None);
         if !session.sketch().is_empty() {
             let here = Standpoint::new(&session.view, session.time);
             session.paint_sketch("clear the strokes", here, None);

@@ -4,25 +4,21 @@ use std::sync::Arc;
 
 use eframe::egui;
 use eframe::egui::{
-    Align2, Color32, ColorImage, Context, CursorIcon, FontId, Rect, Response, Role, Stroke, TextureHandle, TextureId,
-    TextureOptions, Ui, UiBuilder, WidgetInfo, pos2, vec2,
+    Align2, Color32, ColorImage, Context, CursorIcon, FontId, Pos2, Rect, Response, Role, Stroke, TextureHandle,
+    TextureId, TextureOptions, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 
-use super::ground::{Ground, Moment};
-use super::target::{self, FINENESS};
+use glam::DVec2;
+
+use super::ground::Moment;
+use super::target;
+use super::veil::strokes;
 use super::{Fitting, Wish};
 use crate::document::Tile;
 use crate::editor::command::Command;
 use crate::editor::session::Session;
 use crate::editor::theme;
 use crate::fit::picture_of;
-
-/// The outline of strokes is dashed: so many pixels of the sketch light, as many dark.
-const DASH: u32 = 4;
-/// What stays as it is, is hatched by lines so many pixels of the sketch apart.
-const HATCH: u32 = 8;
-/// A wish that is no farther from what is shown is that it stays; the steps of eight bits.
-const SAME: f64 = 2.5 / 255.0;
 
 /// What a texture of strokes is of.
 #[derive(PartialEq)]
@@ -78,10 +74,15 @@ impl Fitting {
                 painter.image(texture, canvas, whole(), Color32::WHITE);
             }
         }
-        if self.awaits() {
-            tag(ui, rect, "Preview of the fit: apply or discard it");
-        } else if self.shows.misses && is_here && !self.wishes().is_empty() {
-            tag(ui, rect, "Black: as painted. Red to white: off by up to 25/255 and more");
+        let shows_misses = self.shows.misses && is_here && !self.wishes().is_empty();
+        let tags = [
+            (shows_misses, "Black: as painted. Red to white: off by up to 25/255 and more"),
+            (self.awaits(), "Preview of the fit: apply or discard it"),
+            (self.waiting.is_some(), "Reading the picture: the stroke comes with it"),
+        ];
+        let mut corner = rect.left_bottom() + vec2(8.0, -8.0);
+        for (_, text) in tags.into_iter().filter(|(is_seen, _)| *is_seen) {
+            corner.y = tag(ui, corner, text);
         }
         self.hint = "";
         if !is_here {
@@ -90,11 +91,13 @@ impl Fitting {
             return;
         }
         let pointer = response.contains_pointer().then(|| ui.input(|input| input.pointer.hover_pos())).flatten();
-        let Some(at) = pointer.or(self.going.as_ref().and(ui.input(|input| input.pointer.latest_pos()))) else {
+        let is_at_work = self.going.is_some() || self.waiting.is_some();
+        let Some(at) = pointer.or(ui.input(|input| input.pointer.latest_pos()).filter(|_| is_at_work)) else {
             return;
         };
-        self.hint = match self.ground() {
-            None if self.going.is_none() => "Reading the picture: paint in a moment",
+        let is_reading = self.ground().is_none() && self.going.is_none();
+        self.hint = match is_reading {
+            true => "Reading the picture: a stroke waits until it is read",
             _ => {
                 "Drag to paint · [ and ] change the brush · Ctrl-click takes a color · Alt-drag turns the camera · Esc ends it"
             }
@@ -108,13 +111,17 @@ impl Fitting {
         let inner = radius * self.tools.hardness as f32;
         painter.circle_stroke(at, inner, Stroke::new(1.0, Color32::from_white_alpha(70)));
         painter.circle_filled(at, 1.2, Color32::WHITE);
-        ui.ctx().set_cursor_icon(CursorIcon::None);
+        if let Some(waiting) = &self.waiting {
+            let place = |at: &DVec2| canvas.center() + vec2(at.x as f32, at.y as f32) * canvas.height();
+            painter.line(waiting.path.iter().map(place).collect(), Stroke::new(1.5, Color32::WHITE));
+        }
+        ui.ctx().set_cursor_icon(if is_reading { CursorIcon::Progress } else { CursorIcon::None });
     }
 
     /// The strokes as they are now. Under a preview, and where they are not to be seen, their outlines alone.
     fn strokes(&mut self, ctx: &Context, session: &Session) -> Option<TextureId> {
         let tile = self.going.as_ref().map(|going| &going.now).or(session.sketch().tile())?.clone();
-        let outlines_only = !self.shows.strokes || self.shows.misses || self.outcome.is_some();
+        let outlines_only = !self.shows.strokes || self.shows.misses || self.awaits();
         let moment = self.grounds.moment().cloned();
         let of = Of { tile: Arc::as_ptr(&tile) as usize, moment, outlines_only };
         if let Some((known, _, handle)) = &self.textures.strokes
@@ -149,7 +156,7 @@ impl Fitting {
         let picture = picture_of(ground.size, &target::misses(wishes, ground));
         let size = ground.size.map(|side| side as usize);
         let image = ColorImage::from_rgba_unmultiplied(size, &picture.to_rgba8());
-        let handle = ctx.load_texture("misses of strokes", image, TextureOptions::NEAREST);
+        let handle = ctx.load_texture("misses of strokes", image, TextureOptions::LINEAR);
         let id = handle.id();
         self.textures.misses = Some((of, handle));
         Some(id)
@@ -160,69 +167,14 @@ fn whole() -> Rect {
     Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0))
 }
 
-/// The strokes as a picture: veils over what is shown, hatched where it stays as it is, with a dashed outline
-/// that is seen on anything.
-fn strokes(tile: &Tile, ground: Option<&Ground>, outlines_only: bool) -> ColorImage {
-    let [width, height] = tile.size();
-    let (texels, _) = tile.bytes().as_chunks::<4>();
-    let at = |x: u32, y: u32| texels[(y * width + x) as usize];
-    let is_in = |x: u32, y: u32| at(x, y)[3] >= 128;
-    let shown = |x: u32, y: u32| {
-        let place = |x: u32| (f64::from(x) + 0.5) / f64::from(FINENESS);
-        ground.map(|ground| ground.at(place(x), place(y)).0)
-    };
-    let mut image = ColorImage::filled([width as usize, height as usize], Color32::TRANSPARENT);
-    for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
-        let [r, g, b, alpha] = at(x, y);
-        if alpha == 0 {
-            continue;
-        }
-        let is_edge = is_in(x, y)
-            && !(x > 0
-                && is_in(x - 1, y)
-                && y > 0
-                && is_in(x, y - 1)
-                && x + 1 < width
-                && is_in(x + 1, y)
-                && y + 1 < height
-                && is_in(x, y + 1));
-        let pixel = &mut image.pixels[(y * width + x) as usize];
-        if is_edge {
-            let is_light = ((x + y) / DASH).is_multiple_of(2);
-            *pixel = if is_light { Color32::from_white_alpha(220) } else { Color32::from_black_alpha(200) };
-        } else if !outlines_only && let Some(shown) = shown(x, y) {
-            let wish = [r, g, b].map(|byte| f64::from(byte) / 255.0);
-            let stays = wish.iter().zip(shown).all(|(wish, shown)| (wish - shown).abs() < SAME);
-            *pixel = match (stays, (x + y) % HATCH < 2 && is_in(x, y)) {
-                (true, true) => Color32::from_white_alpha(110),
-                (true, false) => Color32::TRANSPARENT,
-                (false, _) => veil(shown, wish, f64::from(alpha) / 255.0),
-            };
-        }
-    }
-    image
-}
-
-/// The thinnest veil over what is shown through which it looks as wished, so that the picture's own detail is seen through
-/// it; as much of it as there is of the wish.
-fn veil(shown: [f64; 3], wish: [f64; 3], share: f64) -> Color32 {
-    let cover = shown.iter().zip(wish).map(|(shown, wish)| {
-        let room = if wish > *shown { 1.0 - shown } else { *shown };
-        ((wish - shown).abs() / room.max(1e-6)).min(1.0)
-    });
-    let cover = cover.fold(0.0, f64::max).max(1e-6);
-    let byte = |x: f64| x.clamp(0.0, 1.0).mul_add(255.0, 0.5) as u8;
-    let color = |c: usize| byte((wish[c] - shown[c] * (1.0 - cover)) / cover);
-    Color32::from_rgba_unmultiplied(color(0), color(1), color(2), byte(cover * share))
-}
-
-/// What is seen now, in a corner of the picture.
-fn tag(ui: &Ui, rect: Rect, text: &str) {
+/// What is seen now, above a corner of the picture; returns what the next is above.
+fn tag(ui: &Ui, corner: Pos2, text: &str) -> f32 {
     let font = FontId::proportional(theme::SMALL_TEXT);
     let galley = ui.painter().layout_no_wrap(text.to_owned(), font, Color32::WHITE);
-    let place = Align2::LEFT_BOTTOM.anchor_size(rect.left_bottom() + vec2(8.0, -8.0), galley.size());
+    let place = Align2::LEFT_BOTTOM.anchor_size(corner, galley.size());
     ui.painter().rect_filled(place.expand2(vec2(6.0, 3.0)), 4.0, theme::PLATE);
     ui.painter().galley(place.min, galley, Color32::WHITE);
+    place.top() - 10.0
 }
 
 /// Says that the strokes are not seen from here, and leads back.

@@ -11,10 +11,8 @@ use crate::editor::dock::hint;
 use crate::editor::panels::problems::sentence;
 use crate::editor::session::Session;
 use crate::editor::theme;
-use crate::fit::Changed;
+use crate::fit::{Changed, Report};
 
-/// A fit that leaves more than this of what was missing did hardly help, and says so.
-const HARDLY: f64 = 0.7;
 /// The most layers that are fitted from nothing here.
 pub(super) const MOST_LAYERS: usize = 5;
 
@@ -46,10 +44,10 @@ impl Fitting {
                 ui.label(RichText::new(told).color(theme::of(ui).accent));
             }
             if let Some(outcome) = &self.outcome {
-                if outcome.is_applied {
+                if outcome.applied.is_some() {
                     ui.separator();
                 }
-                result(ui, outcome, session, &mut out);
+                self.result(ui, outcome, session, &mut out);
             }
         });
         out
@@ -91,38 +89,72 @@ impl Fitting {
 
     fn how_rows(&mut self, ui: &mut Ui) {
         ui.horizontal_wrapped(|ui| {
-            ui.label("May change").on_hover_text("What of this look is turned; the rest stays as it is");
+            ui.label("Keep").on_hover_text("What of this look stays as it is; all else is turned");
             let keep = &mut self.how.keep;
             for (kept, label, help) in [
-                (&mut keep.lights, "Lights", "Directions of directional lights"),
-                (&mut keep.profiles, "Profiles", "Offsets, fall-offs and cut-offs"),
-                (&mut keep.colors, "Colors", "Colors of layers and of the base"),
-                (&mut keep.base, "Base", "The color of the base"),
+                (&mut keep.lights, "Lights", "Directions of directional lights stay"),
+                (&mut keep.profiles, "Profiles", "Offsets, fall-offs and cut-offs stay"),
+                (&mut keep.colors, "Colors", "Colors stay: of layers, ramps and the base"),
+                (&mut keep.base, "Base", "The color of the base stays"),
             ] {
-                let mut may = !*kept;
-                let name = format!("May change: {label}");
-                let response = ui.checkbox(&mut may, label).on_hover_text(help);
-                response.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, may, &name));
-                *kept = !may;
+                let name = format!("Keep: {label}");
+                let response = ui.checkbox(kept, label).on_hover_text(help);
+                response.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, *kept, &name));
             }
         });
         ui.horizontal_wrapped(|ui| {
-            let help = "How much all that is not painted counts, to stay as it is, against all that is: at 0% only strokes \
-                        count, and the rest becomes what it will";
-            let label = ui.label("Hold the rest").on_hover_text(help);
-            let mut percent = self.how.hold * 100.0;
-            let slider = Slider::new(&mut percent, 0.0..=200.0).max_decimals(0).suffix("%");
+            let help = "How far what is not painted stays as it is: at 0% only strokes count, and the rest becomes what it \
+                        will; at 100% it moves only where strokes cannot be met otherwise";
+            let label = ui.label("Keep the rest").on_hover_text(help);
+            let mut percent = self.how.keep_rest * 100.0;
+            let slider = Slider::new(&mut percent, 0.0..=100.0).max_decimals(0).suffix("%");
             if ui.add(slider).labelled_by(label.id).on_hover_text(help).changed() {
-                self.how.hold = percent / 100.0;
+                self.how.keep_rest = percent / 100.0;
             }
         });
+    }
+
+    /// What came of a fit.
+    fn result(&self, ui: &mut Ui, outcome: &Outcome, session: &Session, out: &mut Vec<Command>) {
+        let report = &outcome.report;
+        errors(ui, report);
+        if outcome.applied.is_none() && report.is_far_off() {
+            let tried = report.tried.told().unwrap_or_else(|| "nothing".to_owned());
+            let text = format!(
+                "{tried} were turned, and cannot show more of it: Misses shows where not. {}",
+                self.advice(outcome.what, report)
+            );
+            ui.label(RichText::new(text).color(theme::of(ui).accent));
+        }
+        choice(ui, outcome, out);
+        changes(ui, report, session);
+    }
+
+    /// What else may bring a look nearer to the strokes.
+    pub(super) fn advice(&self, what: What, report: &Report) -> String {
+        let mut ways = Vec::new();
+        if let Some(kept) = report.kept.told().filter(|_| what == What::ThisLook) {
+            ways.push(format!("keep less ({kept} did not take part)"));
+        }
+        if self.how.keep_rest > 0.0 {
+            ways.push("keep less of the rest".to_owned());
+        }
+        ways.push(match what {
+            What::ThisLook => "fit new layers".to_owned(),
+            What::Layers(_) => "allow more layers".to_owned(),
+        });
+        let last = ways.pop().unwrap_or_default();
+        let ways = if ways.is_empty() { last } else { format!("{}, or {last}", ways.join(", ")) };
+        let wired = if what == What::ThisLook { " What is wired or keyed stays as it is." } else { "" };
+        format!("What may help: {ways}.{wired}")
     }
 
     fn fit_row(&mut self, ui: &mut Ui, out: &mut Vec<Command>) {
         if let Some(running) = &self.running {
             let share = running.progress.share() as f32;
             ui.horizontal(|ui| {
-                if ui.button("Stop").on_hover_text("Gives the fit up: the look stays as it is (Esc)").clicked() {
+                let help = "Ends the fit, and shows the best that it has come to (Esc)";
+                if ui.button("Stop").on_hover_text(help).clicked() {
                     out.push(Command::Fit(Wish::Stop));
                 }
                 ui.add(ProgressBar::new(share).text(format!("fitting, {:.0} %", 100.0 * share)));
@@ -144,32 +176,24 @@ impl Fitting {
     }
 }
 
-/// What came of a fit: how far off it was and is, and everything that is another now.
-fn result(ui: &mut Ui, outcome: &Outcome, session: &Session, out: &mut Vec<Command>) {
+/// How far off it was and is.
+fn errors(ui: &mut Ui, report: &Report) {
     ui.horizontal_wrapped(|ui| {
-        let text = format!("Off by {}, before {}", steps(outcome.after), steps(outcome.before));
+        let text = format!("Off by {}, before {}", steps(report.after), steps(report.before));
         let help = "RMS of a channel over what is painted, in steps of eight bits";
         ui.label(RichText::new(text).strong()).on_hover_text(help);
-        if outcome.rest > 0.0 {
+        if let Some(rest) = report.rest {
             let help = "How far what is not painted went off, though it was to stay";
-            ui.label(RichText::new(format!("the rest moved by {}", steps(outcome.rest))).color(theme::of(ui).dim))
+            ui.label(RichText::new(format!("the rest moved by {}", steps(rest))).color(theme::of(ui).dim))
                 .on_hover_text(help);
         }
     });
-    if !outcome.is_applied && outcome.after > HARDLY * outcome.before {
-        let text = match outcome.what {
-            What::ThisLook => {
-                "Its lights, profiles and colors cannot show much more of it: Misses shows where not. Allow more to change, \
-                 hold less, or fit new layers."
-            }
-            What::Layers(_) => {
-                "So few layers cannot show much more of it: Misses shows where not. Allow more layers, or hold less."
-            }
-        };
-        ui.label(RichText::new(text).color(theme::of(ui).accent));
-    }
+}
+
+/// What is to be done with what was fitted.
+fn choice(ui: &mut Ui, outcome: &Outcome, out: &mut Vec<Command>) {
     ui.horizontal(|ui| {
-        if outcome.is_applied {
+        if outcome.applied.is_some() {
             ui.label(RichText::new("Applied; undo takes it back").color(theme::of(ui).dim));
             return;
         }
@@ -183,8 +207,12 @@ fn result(ui: &mut Ui, outcome: &Outcome, session: &Session, out: &mut Vec<Comma
             ui.label(RichText::new("New layers take the place of all nodes").color(theme::of(ui).dim));
         }
     });
+}
+
+/// Everything that is another now.
+fn changes(ui: &mut Ui, report: &Report, session: &Session) {
     let mut last = None;
-    for change in &outcome.report.changed {
+    for change in &report.changed {
         let (whose, what) = named(change, session);
         if last.as_ref() != Some(&whose) {
             ui.label(RichText::new(&whose).strong());
@@ -216,6 +244,10 @@ fn named(change: &Changed, session: &Session) -> (String, String) {
     let (node, port) = match change.what {
         "color" => change.place.rsplit_once('.').unwrap_or((change.place.as_str(), "color")),
         _ => (change.place.as_str(), "profile"),
+    };
+    let port = match port.strip_suffix(']').and_then(|port| port.split_once('[')) {
+        Some((ramp, index)) => format!("{ramp}, stop {}", index.parse::<usize>().unwrap_or_default() + 1),
+        None => port.to_owned(),
     };
     let id = node.split('/').next().unwrap_or(node);
     // New layers are not in the open look yet.

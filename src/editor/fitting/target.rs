@@ -1,17 +1,13 @@
-//! What is asked of the fit: the strokes at the size that is fitted at, and the rest as it is.
-
-use std::collections::HashMap;
+//! What is asked of the fit: the strokes at the size that is fitted at.
 
 use super::ground::Ground;
 use crate::document::Tile;
-use crate::fit::{Missed, Target, Wish};
+use crate::fit::{Missed, Wish};
 
 /// A sketch has so many pixels along each side of one that is fitted.
 pub(super) const FINENESS: u32 = 3;
 /// What is covered by less than this was hardly painted.
 const LEAST: f64 = 1.0 / 32.0;
-/// As many pixels tell of what was not painted.
-const MOST_REST: usize = 768;
 
 /// The wishes of a sketch at the pixels that can be compared. Colours are means of what covers a pixel, and the weight is
 /// how much of it is covered.
@@ -38,28 +34,10 @@ pub(super) fn wishes(tile: &Tile, ground: &Ground) -> Vec<Wish> {
         }
         let weight = alpha / f64::from(FINENESS * FINENESS);
         if weight >= LEAST {
-            wishes.push(Wish { pixel: [x, y], color: sum.map(|channel| channel / alpha), weight });
+            wishes.push(Wish { pixel: [x, y], color: sum.map(|channel| channel / alpha), weight, is_rest: false });
         }
     }
     wishes
-}
-
-/// The whole target: what is painted, and of the rest some pixels that are to stay as they are. These count `hold` times
-/// as much, all together, as all that is painted; 0 lets them go.
-pub(super) fn target(painted: &[Wish], ground: &Ground, hold: f64) -> Target {
-    let mut wishes = painted.to_vec();
-    let known: HashMap<[u32; 2], f64> = painted.iter().map(|wish| (wish.pixel, wish.weight)).collect();
-    let [width, _] = ground.size;
-    let pixel = |index: usize| [index as u32 % width, index as u32 / width];
-    let is_free = |index: &usize| ground.counts[*index] && !known.contains_key(&pixel(*index));
-    let free: Vec<usize> = (0..ground.counts.len()).filter(is_free).collect();
-    let step = free.len().div_ceil(MOST_REST).max(1);
-    let rest: Vec<usize> = free.into_iter().step_by(step).collect();
-    let weight = hold * known.values().sum::<f64>() / rest.len().max(1) as f64;
-    if weight > 0.0 {
-        wishes.extend(rest.into_iter().map(|index| Wish { pixel: pixel(index), color: ground.colors[index], weight }));
-    }
-    Target { size: ground.size, wishes }
 }
 
 /// The RMS of a channel, weighted as painted, from 0 to 1.
@@ -94,7 +72,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_pixel_wishes_as_much_as_it_is_covered_and_the_rest_counts_as_told() {
+    fn a_pixel_wishes_as_much_as_it_is_covered() {
         let mut ground = Ground::flat([40, 30], [0.2; 3]);
         ground.counts[1] = false;
         let mut tile = Tile::filled([120, 90], [0; 4]);
@@ -108,17 +86,6 @@ mod tests {
         let near = |wish: &Wish| wish.color.iter().zip([1.0, 0.0, 0.2]).all(|(a, b)| (a - b).abs() < 1e-12);
         assert!(painted.iter().all(near));
         assert!((painted[2].weight - 1.0 / 3.0).abs() < 1e-12 && painted[0].weight == 1.0);
-        let target = target(&painted, &ground, 0.5);
-        assert_eq!(target.wishes[..3], painted);
-        let rest = &target.wishes[3..];
-        assert!(rest.len() > MOST_REST / 2 && rest.len() <= MOST_REST, "{}", rest.len());
-        assert!(
-            rest.iter()
-                .all(|wish| wish.color == [0.2; 3] && ground.counts[(wish.pixel[1] * 40 + wish.pixel[0]) as usize])
-        );
-        let sum = |wishes: &[Wish]| wishes.iter().map(|wish| wish.weight).sum::<f64>();
-        assert!((sum(rest) - 0.5 * sum(&painted)).abs() < 1e-9);
-        assert_eq!(super::target(&painted, &ground, 0.0).wishes, painted);
         // Of three pixels, of which each is off by 0.8, 0.2 and 0 in its channels.
         let off = off(&painted, |pixel| Some(shown(&ground, pixel)));
         assert!((off - ((0.64 + 0.04) / 3.0_f64).sqrt()).abs() < 1e-12);

@@ -1,7 +1,6 @@
 //! The brushes of painted light, and what each wishes where it goes.
 
 use crate::document::{linear_to_srgb, srgb_to_linear};
-use crate::hcbtf::paint;
 
 /// What a stroke wishes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -86,10 +85,9 @@ impl Tools {
         self.size = (self.size * factor).clamp(*SIZES.start(), *SIZES.end());
     }
 
-    /// A brush that covers where a stroke goes, on a sketch of so many pixels in height.
-    pub(super) fn brush(&self, height: u32) -> paint::Brush {
-        let size = (self.size * f64::from(height)).max(1.0);
-        paint::Brush { size, hardness: self.hardness, color: [255; 4], ..paint::Brush::default() }
+    /// Half the brush's diameter, on a sketch of so many pixels in height.
+    pub(super) fn radius(&self, height: u32) -> f64 {
+        (0.5 * self.size * f64::from(height)).max(0.5)
     }
 
     /// What is wished of a pixel that the look shows as `shown` and that is seen, with what was painted before, as `seen`;

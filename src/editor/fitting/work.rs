@@ -6,7 +6,7 @@ use crate::diag::Diagnostic;
 use crate::document::Look;
 use crate::editor::still::Still;
 use crate::editor::worker::Worker;
-use crate::fit::{FitOptions, Fitted, Target, Wish, fit_layers, fit_look};
+use crate::fit::{FitOptions, Fitted, Target, fit_layers, fit_look};
 use crate::frame::Assets;
 use crate::hcbtf::Progress;
 
@@ -24,8 +24,6 @@ pub(super) struct Job {
     pub(super) what: What,
     pub(super) still: Still,
     pub(super) target: Target,
-    /// Of the target what was painted.
-    pub(super) painted: Vec<Wish>,
     pub(super) options: FitOptions,
     pub(super) progress: Arc<Progress>,
 }
@@ -33,7 +31,6 @@ pub(super) struct Job {
 /// What became of it.
 pub(super) struct Done {
     pub(super) what: What,
-    pub(super) painted: Vec<Wish>,
     pub(super) look: Arc<Look>,
     pub(super) progress: Arc<Progress>,
     pub(super) result: Result<Fitted, Vec<Diagnostic>>,
@@ -44,7 +41,7 @@ pub(super) fn start(wake: impl Fn() + Send + 'static) -> Worker<Job, Done> {
     let mut assets = Assets::default();
     Worker::new("fit", wake, move |job: Job| {
         let result = fit(&mut assets, &job);
-        Done { what: job.what, painted: job.painted, look: job.still.look, progress: job.progress, result }
+        Done { what: job.what, look: job.still.look, progress: job.progress, result }
     })
 }
 

@@ -1,0 +1,202 @@
+//! Strokes as a picture over the one that is painted on: veils of what they wish, hatched where it stays, with a dashed
+//! outline that is seen on anything.
+//!
+//! What is wished is made of the picture that is fitted at, whose pixels are large on the screen. So veils are smoothed over
+//! these, and outlines are as wide as their distance from the stroke's edge says.
+
+use std::f32::consts::PI;
+use std::ops::Range;
+
+use eframe::egui::{Color32, ColorImage};
+
+use super::ground::Ground;
+use super::target::FINENESS;
+use crate::document::Tile;
+
+/// The outline of strokes is dashed: so many pixels of the sketch light, as many dark.
+const DASH: f32 = 4.0;
+/// What stays as it is, is hatched by lines so many pixels of the sketch apart.
+const HATCH: u32 = 9;
+/// A wish that is no farther from what is shown is that it stays; the steps of eight bits.
+const SAME: f64 = 2.5 / 255.0;
+/// The outline of strokes is about so wide, in pixels of the sketch.
+const WIDE: f32 = 1.5;
+
+/// The strokes as a picture, as large as their sketch.
+pub(super) fn strokes(tile: &Tile, ground: Option<&Ground>, outlines_only: bool) -> ColorImage {
+    let mut layer = Layer::of(tile);
+    if let Some(ground) = ground.filter(|_| !outlines_only) {
+        layer.lay_veils(tile, ground);
+        // A pixel that is fitted at is smeared over as much again on each side.
+        layer.smooth();
+        layer.smooth();
+        layer.lay_hatching(tile, ground);
+    }
+    layer.lay_outlines(tile);
+    layer.into_image()
+}
+
+/// Premultiplied colours from 0 to 1, of which only a part is not clear.
+struct Layer {
+    size: [usize; 2],
+    colors: Vec<[f32; 4]>,
+    columns: Range<usize>,
+    rows: Range<usize>,
+}
+
+impl Layer {
+    /// Nothing yet over all that a sketch covers, and a little around it.
+    fn of(tile: &Tile) -> Self {
+        let size = tile.size().map(|side| side as usize);
+        let (texels, _) = tile.bytes().as_chunks::<4>();
+        let (mut low, mut high) = (size, [0; 2]);
+        for (index, _) in texels.iter().enumerate().filter(|(_, texel)| texel[3] > 0) {
+            for (axis, at) in [index % size[0], index / size[0]].into_iter().enumerate() {
+                (low[axis], high[axis]) = (low[axis].min(at), high[axis].max(at + 1));
+            }
+        }
+        let around = 2 * FINENESS as usize;
+        let range = |axis: usize| low[axis].saturating_sub(around)..(high[axis] + around).min(size[axis]);
+        Self { size, colors: vec![[0.0; 4]; size[0] * size[1]], columns: range(0), rows: range(1) }
+    }
+
+    /// Every place, with its index.
+    fn places(&self) -> impl Iterator<Item = ([usize; 2], usize)> + use<> {
+        let (width, columns) = (self.size[0], self.columns.clone());
+        self.rows.clone().flat_map(move |y| columns.clone().map(move |x| ([x, y], y * width + x)))
+    }
+
+    fn lay_veils(&mut self, tile: &Tile, ground: &Ground) {
+        let (texels, _) = tile.bytes().as_chunks::<4>();
+        for (at, index) in self.places() {
+            let [r, g, b, alpha] = texels[index];
+            let wish = [r, g, b].map(|byte| f64::from(byte) / 255.0);
+            if alpha > 0 && !stays(wish, shown(ground, at)) {
+                self.colors[index] = veil(shown(ground, at), wish, f64::from(alpha) / 255.0);
+            }
+        }
+    }
+
+    fn lay_hatching(&mut self, tile: &Tile, ground: &Ground) {
+        let (texels, _) = tile.bytes().as_chunks::<4>();
+        for (at, index) in self.places() {
+            let [r, g, b, alpha] = texels[index];
+            let wish = [r, g, b].map(|byte| f64::from(byte) / 255.0);
+            if alpha > 0 && stays(wish, shown(ground, at)) {
+                let along = ((at[0] + at[1]) as u32 % HATCH) as f32;
+                let line = (1.5 - (along - 2.0).abs()).clamp(0.0, 1.0);
+                self.over(index, 1.0, 0.45 * line * f32::from(alpha) / 255.0);
+            }
+        }
+    }
+
+    fn lay_outlines(&mut self, tile: &Tile) {
+        let (texels, _) = tile.bytes().as_chunks::<4>();
+        let [width, height] = self.size;
+        let share = |x: usize, y: usize| f32::from(texels[y.min(height - 1) * width + x.min(width - 1)][3]) / 255.0;
+        for ([x, y], index) in self.places() {
+            let across = share(x + 1, y) - share(x.saturating_sub(1), y);
+            let down = share(x, y + 1) - share(x, y.saturating_sub(1));
+            let slope = 0.5 * across.hypot(down);
+            if slope < 0.01 {
+                continue;
+            }
+            let distance = (share(x, y) - 0.5).abs() / slope;
+            let light = 0.5 + 1.5 * ((x + y) as f32 * PI / DASH).sin();
+            self.over(index, light.clamp(0.0, 1.0), 0.85 * (WIDE - distance).clamp(0.0, 1.0));
+        }
+    }
+
+    /// Lays a grey over a place.
+    fn over(&mut self, index: usize, grey: f32, alpha: f32) {
+        let below = self.colors[index];
+        let new = [grey, grey, grey, 1.0];
+        self.colors[index] = std::array::from_fn(|c| new[c] * alpha + below[c] * (1.0 - alpha));
+    }
+
+    /// Means over as many pixels as one that is fitted at has, along both axes.
+    fn smooth(&mut self) {
+        let half = FINENESS as usize / 2;
+        for axis in [0, 1] {
+            let before = self.colors.clone();
+            for (at, index) in self.places() {
+                let stride = [1, self.size[0]][axis];
+                let around = at[axis].saturating_sub(half)..(at[axis] + half + 1).min(self.size[axis]);
+                let count = around.len() as f32;
+                let first = index - (at[axis] - around.start) * stride;
+                let mut sum = [0.0; 4];
+                for step in 0..around.len() {
+                    let color = before[first + step * stride];
+                    (0..4).for_each(|c| sum[c] += color[c]);
+                }
+                self.colors[index] = sum.map(|x| x / count);
+            }
+        }
+    }
+
+    fn into_image(self) -> ColorImage {
+        let byte = |x: f32| (x.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
+        let mut image = ColorImage::filled(self.size, Color32::TRANSPARENT);
+        for (_, index) in self.places() {
+            let [r, g, b, a] = self.colors[index].map(byte);
+            image.pixels[index] = Color32::from_rgba_premultiplied(r, g, b, a);
+        }
+        image
+    }
+}
+
+/// What is shown under a pixel of the sketch.
+fn shown(ground: &Ground, [x, y]: [usize; 2]) -> [f64; 3] {
+    let place = |at: usize| (at as f64 + 0.5) / f64::from(FINENESS);
+    ground.at(place(x), place(y)).0
+}
+
+/// Whether it is wished as it is.
+fn stays(wish: [f64; 3], shown: [f64; 3]) -> bool {
+    wish.iter().zip(shown).all(|(wish, shown)| (wish - shown).abs() < SAME)
+}
+
+/// The thinnest veil over what is shown through which it looks as wished, so that the picture's own detail is seen through
+/// it; as much of it as there is of the wish. Premultiplied.
+fn veil(shown: [f64; 3], wish: [f64; 3], share: f64) -> [f32; 4] {
+    let cover = shown.iter().zip(wish).map(|(shown, wish)| {
+        let room = if wish > *shown { 1.0 - shown } else { *shown };
+        ((wish - shown).abs() / room.max(1e-6)).min(1.0)
+    });
+    let cover = cover.fold(0.0, f64::max).max(1e-6);
+    let channel = |c: usize| (wish[c] - shown[c] * (1.0 - cover)).clamp(0.0, cover) * share;
+    [channel(0) as f32, channel(1) as f32, channel(2) as f32, (cover * share) as f32]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// One block of a light wish amid of others: on the screen there is no step from one to the next.
+    #[test]
+    fn veils_have_no_blocks_and_a_stroke_has_an_outline() {
+        let fine = FINENESS as usize;
+        let size = [20 * FINENESS; 2];
+        let mut tile = Tile::filled(size, [0; 4]);
+        let width = size[0] as usize;
+        for (x, y) in (0..10 * fine).flat_map(|y| (0..10 * fine).map(move |x| (x + 5 * fine, y + 5 * fine))) {
+            let is_lighter = (x / fine + y / fine) % 2 == 0;
+            let value = if is_lighter { 200 } else { 160 };
+            tile.bytes_mut()[4 * (y * width + x)..][..4].copy_from_slice(&[value, value, value, 255]);
+        }
+        let ground = Ground::flat([20; 2], [0.4; 3]);
+        let image = strokes(&tile, Some(&ground), false);
+        let at = |x: usize, y: usize| image.pixels[y * width + x];
+        let middle = 10 * fine;
+        let steps = (middle - 6..middle + 6).map(|x| at(x, middle).a().abs_diff(at(x + 1, middle).a()));
+        assert!(
+            steps.max().unwrap() < 12,
+            "{:?}",
+            (middle - 6..middle + 6).map(|x| at(x, middle).a()).collect::<Vec<_>>()
+        );
+        assert!(at(5 * fine, middle).a() > 120 && at(5 * fine - 4, middle).a() == 0);
+        let outlines = strokes(&tile, Some(&ground), true);
+        assert_eq!(outlines.pixels[middle * width + middle], Color32::TRANSPARENT);
+        assert!(outlines.pixels[middle * width + 5 * fine].a() > 100);
+    }
+}

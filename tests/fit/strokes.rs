@@ -1,0 +1,61 @@
+//! A few strokes of light and dark on the picture of a look, as a hand paints them.
+
+use chiaro::document::Look;
+use chiaro::fit::{Target, Wish};
+
+use crate::hidden::{SIDE, picture, setup_of};
+
+/// What a few strokes wish, and what the look shows of the rest.
+pub(crate) struct Strokes {
+    pub(crate) painted: Target,
+    /// Pixels within the object that nobody painted, as they are.
+    pub(crate) rest: Vec<Wish>,
+}
+
+/// Two broad strokes: light on the right, dark on the left, in parts of the picture's side from its middle.
+const SPOTS: [([f64; 2], f64); 2] = [([0.14, -0.08], 0.25), ([-0.14, 0.02], -0.2)];
+/// Half the brush's width, in the same parts.
+const RADIUS: f64 = 0.075;
+
+/// Strokes on a look that is worn by a mesh.
+pub(crate) fn strokes(look: &Look, mesh: &str) -> Strokes {
+    let picture = picture(&setup_of(look.clone(), mesh));
+    let (mut painted, mut rest) = (Target { size: [SIDE; 2], wishes: Vec::new() }, Vec::new());
+    for (x, y) in (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y))) {
+        if picture.coverage(x, y).draw.is_none() {
+            continue;
+        }
+        let at = [x, y].map(|at| (f64::from(at) + 0.5) / f64::from(SIDE) - 0.5);
+        let [r, g, b, _] = picture.straight(x, y);
+        let shown = [r, g, b];
+        // A stroke goes up and down from its middle.
+        let near = |(middle, _): &&([f64; 2], f64)| {
+            let beyond = (at[1] - middle[1]).abs() - 0.08;
+            (at[0] - middle[0]).hypot(beyond.max(0.0)) < RADIUS
+        };
+        match SPOTS.iter().find(near) {
+            Some((_, by)) => {
+                let color = shown.map(|c| if *by > 0.0 { c + by * (1.0 - c) } else { c * (1.0 + by) });
+                painted.wishes.push(Wish { pixel: [x, y], color, weight: 1.0, is_rest: false });
+            }
+            None => rest.push(Wish { pixel: [x, y], color: shown, weight: 1.0, is_rest: false }),
+        }
+    }
+    Strokes { painted, rest }
+}
+
+/// How far another look is from what strokes wish: the RMS of a channel at the strokes and at the rest, and the largest
+/// there, 0 to 1.
+pub(crate) fn off(strokes: &Strokes, look: &Look, mesh: &str) -> [f64; 3] {
+    let picture = picture(&setup_of(look.clone(), mesh));
+    let off = |wishes: &[Wish]| {
+        let each = wishes.iter().map(|wish| {
+            let shown = picture.straight(wish.pixel[0], wish.pixel[1]);
+            (0..3).map(|c| (shown[c] - wish.color[c]).powi(2)).sum::<f64>() / 3.0
+        });
+        each.collect::<Vec<f64>>()
+    };
+    let rms = |squares: &[f64]| (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt();
+    let (painted, rest) = (off(&strokes.painted.wishes), off(&strokes.rest));
+    [rms(&painted), rms(&rest), rest.iter().copied().fold(0.0, f64::max).sqrt()]
+}
