@@ -372,7 +372,7 @@ fn an_example_is_painted_as_a_copy_that_keeps_its_name_and_is_seen_wherever_the_
     hand.key(Key::Escape);
     hand.press("Paint a copy of halftone");
     let work = hand.app().session().painting().unwrap();
-    assert!(work.is_dirty() && work.path().is_none());
+    assert!(!work.is_dirty() && work.path().is_none(), "nothing was painted yet");
     assert!(hand.says("halftone (copy of the example)"));
     assert!(hand.app().message().unwrap().contains("saving asks where"));
     // This look has two lookups of one sheet.
@@ -416,7 +416,7 @@ fn the_panels_are_about_the_look_that_is_open() {
     hand.key_with(Modifiers::COMMAND, Key::N);
     hand.settle();
     hand.tab("Paint");
-    assert!(hand.says("shows another painting, or none") && hand.has("Another grid..."));
+    assert!(hand.says("The open look shows no painting") && hand.has("Another grid..."));
     hand.press("Paint");
     hand.press("Close the HCBTF");
     hand.press("Do not save");

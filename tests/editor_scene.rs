@@ -457,8 +457,7 @@ fn bad_scene_files_are_told_and_what_is_open_stays() {
         fs::write(home.file(name), text).unwrap();
         hand.app_mut().open(&home.file(name));
         hand.settle();
-        let message = hand.app().message().unwrap_or_default().to_owned();
-        assert!(message.contains(told), "{name}: {message}");
+        assert!(hand.harness.query_by_label_contains(told).is_some(), "{name}");
         assert_eq!(stage(&hand).path(), Some(home.scene().as_path()), "{name}");
     }
     // Looks and meshes that are missing or broken are told, and all else is there.

@@ -136,7 +136,7 @@ fn what_was_open_is_offered_and_what_is_gone_is_forgotten() {
     assert!(hand.app().shows_start_page(), "forgetting opens nothing");
     press(&mut hand, "Open the look odd");
     assert!(hand.app().shows_start_page(), "what cannot be read is told, and nothing is lost");
-    assert!(hand.app().message().unwrap().contains("could not be opened"));
+    assert!(hand.says("odd.json could not be opened") && hand.app().message().is_none());
     press(&mut hand, "Open the look rim");
     assert!(!hand.app().shows_start_page());
     assert_eq!(hand.app().session().path(), Some(rim.as_path()));

@@ -16,6 +16,7 @@ use crate::editor::dock;
 use crate::editor::fitting;
 use crate::editor::look_export::stem_of;
 use crate::editor::painting;
+use crate::editor::safety::Wish;
 use crate::editor::session::Session;
 use crate::editor::shortcuts::{self, Action};
 use crate::editor::stage::Stage;
@@ -98,6 +99,9 @@ impl App {
             Command::ShowReference(None) => self.dialogs.ask(Purpose::Reference, self.session.path()),
             Command::LeaveProbe => self.probe.escape(),
             Command::Solo(solo) => self.session.set_solo(solo),
+            Command::ShowPanel(dock::Panel::Paint) if painting::look::shows(&self.session) => {
+                self.show_painting_panels();
+            }
             Command::ShowPanel(panel) => {
                 self.start = None;
                 self.dock.open(panel);
@@ -114,6 +118,9 @@ impl App {
             Command::Paint(wish) => self.apply_to_painting(ui, wish),
             Command::Fit(wish) => self.apply_to_fitting(wish),
             Command::Safety(wish) => {
+                if wish == Wish::OpenAnother {
+                    self.dialogs.ask(Purpose::Open, self.session.path());
+                }
                 let painting = self.painting_number();
                 self.message = self.safety.apply(wish, &mut self.session);
                 self.open_lacking_look();
@@ -157,6 +164,7 @@ impl App {
                 Command::Export(Export::Picture(size), None)
             }
             Action::Paint => Command::ShowPanel(dock::Panel::Paint),
+            Action::PaintShown => Command::Paint(painting::Wish::PaintShown),
             Action::NewHcbtf(preset) => Command::Paint(painting::Wish::New { grid: preset.grid(), keeps_look: false }),
             Action::NewHcbtfOf => Command::Paint(painting::Wish::AskGrid { changes: false }),
             Action::GridOfHcbtf => Command::Paint(painting::Wish::AskGrid { changes: true }),

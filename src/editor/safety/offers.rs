@@ -234,6 +234,16 @@ impl Offers {
         is_same.then_some(number)
     }
 
+    /// What was left of a look that has no file and was as this one is.
+    pub(crate) fn of_look(&self, look: &Look) -> Option<usize> {
+        let text = look.to_text();
+        let is_same = |found: Found| matches!(found, Found::Look(found) if found.history.document().to_text() == text);
+        self.all.iter().position(|offer| {
+            let may_be = offer.is_readable && offer.path.is_none() && !offer.is_scene && !offer.is_painting;
+            may_be && recover_any(offer.slot.path()).is_ok_and(is_same)
+        })
+    }
+
     /// What is offered under a number.
     pub(crate) fn get(&self, number: usize) -> Option<&Offer> {
         self.all.get(number)
