@@ -268,15 +268,15 @@ impl App {
         self.dock.open(Panel::Paint);
     }
 
-    /// After work was taken back: shows what was painted, if that came back, in a look of its own where nothing else is
-    /// open. `before` is the number of what was painted before.
+    /// After work was taken back: shows what was painted, if that came back. Where nothing else is open it is shown in the
+    /// look that was left with it, or in one of its own. `before` is the number of what was painted before.
     pub(super) fn show_painting_taken_back(&mut self, before: Option<u64>) {
         let now = self.painting_number();
         if now.is_none() || now == before {
             return;
         }
         let is_new = self.session.path().is_none() && !self.session.is_look_dirty() && self.session.stage().is_none();
-        if is_new {
+        if is_new && !self.safety.take_back_look_of_painting(&mut self.session) {
             self.begin_bare_look();
         }
         if look::shows(&self.session) {

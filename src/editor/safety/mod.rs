@@ -17,6 +17,7 @@ use std::time::Duration;
 use eframe::egui;
 use eframe::egui::Ui;
 
+use super::painting::look;
 use super::session::Session;
 use super::settings::{Settings, Theme};
 use super::stage::real;
@@ -148,9 +149,21 @@ impl Safety {
     /// Takes a look without a file back that was put aside as it is here. Returns whether there was one.
     pub(crate) fn take_back_look(&mut self, look: &Look, session: &mut Session) -> bool {
         self.look();
-        let Some(number) = self.offers.of_look(look) else { return false };
-        self.take_back(number, session);
-        true
+        let text = look.to_text();
+        let number = self.offers.of_look(|other, path| path.is_none() && other.to_text() == text);
+        number.map(|number| self.take_back(number, session)).is_some()
+    }
+
+    /// Takes the look back that was left behind and shows what is painted. Returns whether there was one.
+    pub(crate) fn take_back_look_of_painting(&mut self, session: &mut Session) -> bool {
+        self.look();
+        let is_it = |look: &Look, path: Option<&Path>| look::shows_in(session, look, path);
+        let number = self.offers.of_look(is_it);
+        if let Some(number) = number {
+            self.take_back(number, session);
+            session.look_as_kept(true);
+        }
+        number.is_some()
     }
 
     /// Takes the look back that was put aside with a scene, and that has no file.

@@ -234,13 +234,13 @@ impl Offers {
         is_same.then_some(number)
     }
 
-    /// What was left of a look that has no file and was as this one is.
-    pub(crate) fn of_look(&self, look: &Look) -> Option<usize> {
-        let text = look.to_text();
-        let is_same = |found: Found| matches!(found, Found::Look(found) if found.history.document().to_text() == text);
+    /// The newest that was left of a look for which `is_it` is true; that is told its file, if it has one.
+    pub(crate) fn of_look(&self, is_it: impl Fn(&Look, Option<&Path>) -> bool) -> Option<usize> {
         self.all.iter().position(|offer| {
-            let may_be = offer.is_readable && offer.path.is_none() && !offer.is_scene && !offer.is_painting;
-            may_be && recover_any(offer.slot.path()).is_ok_and(is_same)
+            let may_be = offer.is_readable && !offer.is_scene && !offer.is_painting && !offer.is_thrown;
+            let found = may_be.then(|| recover_any(offer.slot.path()).ok()).flatten();
+            let Some(Found::Look(found)) = found else { return false };
+            is_it(found.history.document(), offer.path.as_deref())
         })
     }
 

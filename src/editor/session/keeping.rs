@@ -10,6 +10,7 @@ use super::Session;
 use crate::diag::Diagnostic;
 use crate::document::journal::{About, Journaled, Op, Recovered, Slot};
 use crate::document::{Edit, Look, read_text};
+use crate::frame::UNSAVED_HCBTF;
 use crate::library::Library;
 
 /// What a journal calls where the window looks from.
@@ -252,7 +253,10 @@ impl Session {
         self.commit(false);
         self.note_home();
         // What has no file is needed by a scene that is put aside with it, be it as it was in the beginning.
-        let is_needed = self.path.is_none() && self.stage.as_ref().is_some_and(|stage| stage.is_dirty());
+        let by_scene = self.stage.as_ref().is_some_and(|stage| stage.is_dirty());
+        // And by what is painted in it.
+        let by_painting = self.is_painting_dirty() && self.shows_painting(Path::new(UNSAVED_HCBTF));
+        let is_needed = self.path.is_none() && (by_scene || by_painting);
         self.kept.leave_journal(is_needed, in_peace);
     }
 
