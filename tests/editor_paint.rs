@@ -552,10 +552,13 @@ fn what_a_look_of_two_shows_is_chosen_and_the_other_panels_tell_of_it() {
     hand.press_a(Role::MenuItem, "Paint surface.hcbtf");
     assert_eq!(hand.app().session().path(), Some(path.as_path()), "the look stays");
     assert!(hand.has("Painting canvas") && hand.says("look.json, surface.hcbtf") && !hand.says("changed"));
-    // Saved, the look that names it otherwise is what has changed.
     hand.press("Paint");
     assert!(hand.has("Paint a copy of halftone") && hand.has("Go on painting surface.hcbtf"));
     assert!(!hand.has("Paint surface.hcbtf"));
+    hand.tab("Graph");
+    hand.press("Paint");
+    hand.press_a(Role::MenuItem, "Go on painting surface.hcbtf");
+    assert!(hand.has("Painting canvas") && hand.app().session().painting().unwrap().path().is_some());
 }
 
 #[test]

@@ -342,7 +342,7 @@ fn saving_a_scene_unchanged_writes_it_byte_for_byte_and_changes_are_saved_with_o
     press(&mut hand, "Object ball is seen");
     assert!(!scene(&hand).objects["ball"].visible);
     set_name(&mut hand, "renamed");
-    assert!(sees(&hand, "figure4-color.json in two.json"));
+    assert!(sees(&hand, "figure4-color.json changed in two.json changed"));
     hand.key_with(Modifiers::COMMAND, Key::S);
     hand.settle();
     assert!(!hand.app().session().is_dirty());

@@ -237,26 +237,26 @@ fn menu_with(
 /// What the open look shows, to be painted.
 fn paint_shown(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
     let all = shown(session);
-    let mut entry = |ui: &mut Ui, label: &str, help: &str, wish: Option<Wish>| {
-        let button = ui.add_enabled(wish.is_some(), egui::Button::new(label));
-        button.widget_info(|| WidgetInfo::labeled(Role::MenuItem, wish.is_some(), label));
+    let mut entry = |ui: &mut Ui, label: &str, help: &str, command: Option<Command>| {
+        let button = ui.add_enabled(command.is_some(), egui::Button::new(label));
+        button.widget_info(|| WidgetInfo::labeled(Role::MenuItem, command.is_some(), label));
         let button = button.on_hover_text(help).on_disabled_hover_text(help);
-        if let Some(wish) = wish.filter(|_| button.clicked()) {
-            commands.push(Command::Paint(wish));
+        if let Some(command) = command.filter(|_| button.clicked()) {
+            commands.push(command);
             ui.close();
         }
     };
     if let Some(work) = session.painting() {
-        let label = if look::shows(session) { "Go on painting" } else { "Back to" };
-        let wish = if look::shows(session) { Wish::PaintShown } else { Wish::GoBack };
-        let help = "Shows what is open to be painted, where it was painted";
-        entry(ui, &format!("{label} {}", work.name()), help, Some(wish));
+        let is_shown = look::shows(session);
+        let label = format!("{} {}", if is_shown { "Go on painting" } else { "Back to" }, work.name());
+        let command = if is_shown { Command::ShowPanel(dock::Panel::Paint) } else { Command::Paint(Wish::GoBack) };
+        entry(ui, &label, "Shows what is open to be painted, where it was painted", Some(command));
+    }
+    if session.painting().is_none() && all.is_empty() {
+        entry(ui, "Paint what the look shows", "The open look shows nothing that is painted", None);
     }
     for Shown { label, help, path, .. } in all {
-        entry(ui, &label, help, Some(Wish::Open { path, keeps_look: true }));
-    }
-    if session.painting().is_none() && shown(session).is_empty() {
-        entry(ui, "Paint what the look shows", "The open look shows nothing that is painted", None);
+        entry(ui, &label, help, Some(Command::Paint(Wish::Open { path, keeps_look: true })));
     }
     ui.separator();
 }

@@ -129,6 +129,9 @@ impl App {
 
     /// Paints what the open look shows, or shows what there is to choose from.
     fn paint_shown(&mut self) {
+        if look::shows(&self.session) {
+            return self.show_painting_panels();
+        }
         let mut shown = shown(&self.session);
         match (shown.pop(), shown.is_empty()) {
             (Some(only), true) => self.do_or_ask(Pending::OpenPainting { path: only.path, keeps_look: true }),
@@ -136,7 +139,6 @@ impl App {
                 self.start = None;
                 self.dock.open(Panel::Paint);
             }
-            (None, _) if look::shows(&self.session) => self.show_painting_panels(),
             (None, _) => self.message = Some("The open look shows nothing that is painted".to_owned()),
         }
     }
@@ -276,7 +278,11 @@ impl App {
             return;
         }
         let is_new = self.session.path().is_none() && !self.session.is_look_dirty() && self.session.stage().is_none();
-        if is_new && !self.safety.take_back_look_of_painting(&mut self.session) {
+        if is_new && self.safety.take_back_look_of_painting(&mut self.session) {
+            let painting = self.session.painting().map(Work::name).unwrap_or_default();
+            let told = format!("{painting} and {} are as they were, with all their changes", self.session.name());
+            self.message = Some(told);
+        } else if is_new {
             self.begin_bare_look();
         }
         if look::shows(&self.session) {

@@ -88,7 +88,7 @@ pub(crate) enum Wish {
         grid: Grid,
         lost: usize,
     },
-    /// Paints what the open look shows; where that is more than one, shows which there are.
+    /// Paints what the open look shows, or goes on with that; where it is more than one, shows which there are.
     PaintShown,
     /// Shows the open one in the look that it was painted in, or in one of its own.
     GoBack,

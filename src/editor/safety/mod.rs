@@ -29,6 +29,10 @@ use offers::Offers;
 use places::Places;
 use unopened::Unopened;
 
+/// When, in seconds of the window's clock, it looks for left work once more: a program that was killed may take a while to
+/// let go of its own.
+const LOOKS: [f64; 3] = [2.0, 6.0, 20.0];
+
 /// What the bar asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Wish {
@@ -66,6 +70,8 @@ pub(crate) struct Safety {
     window: Option<(Theme, f32)>,
     /// Whether the note that nothing is kept was read.
     is_problem_read: bool,
+    /// How many of [`LOOKS`] were made.
+    looks: usize,
     /// The file that could not be opened last.
     unopened: Option<Unopened>,
     /// The files of scenes, and of looks within them, that this window has put aside: their work comes back with them.
@@ -83,6 +89,7 @@ impl Safety {
             settings: Settings::default(),
             window: None,
             is_problem_read: false,
+            looks: 0,
             unopened: None,
             aside: HashSet::new(),
         }
@@ -272,8 +279,13 @@ impl Safety {
 
     /// Looks at files when it is time to. Returns what to tell, and when to call again.
     pub(crate) fn tick(&mut self, ui: &Ui, session: &mut Session) -> (Option<String>, Option<Duration>) {
+        let now = ui.input(|input| input.time);
+        if LOOKS.get(self.looks).is_some_and(|&time| now >= time) {
+            self.looks += 1;
+            self.look();
+        }
         let came_back = ui.input(|input| input.events.contains(&egui::Event::WindowFocused(true)));
-        self.disk.tick(session, ui.input(|input| input.time), came_back)
+        self.disk.tick(session, now, came_back)
     }
 
     /// Looks at files now. Returns what to tell.

@@ -28,7 +28,7 @@ impl Unopened {
         let help = if hints.is_empty() { String::new() } else { format!(": {hints}") };
         Self {
             text: format!("{name} could not be opened: {why}{at}"),
-            help: format!("{}{help}. Nothing of what was open has changed.", whole.display()),
+            help: format!("{}{help}", whole.display()),
             open: Self::open(session),
         }
     }
