@@ -117,18 +117,20 @@ impl App {
             Command::Stage(wish) => self.apply_to_stage(ui, wish),
             Command::Paint(wish) => self.apply_to_painting(ui, wish),
             Command::Fit(wish) => self.apply_to_fitting(wish),
-            Command::Safety(wish) => {
-                if wish == Wish::OpenAnother {
-                    self.dialogs.ask(Purpose::Open, self.session.path());
-                }
-                let painting = self.painting_number();
-                self.message = self.safety.apply(wish, &mut self.session);
-                self.open_lacking_look();
-                self.show_painting_taken_back(painting);
-            }
+            Command::Safety(wish) => self.apply_to_safety(wish),
             Command::Tell(text) => self.message = Some(text),
             Command::Act(action) => self.act(ui, action),
         }
+    }
+
+    fn apply_to_safety(&mut self, wish: Wish) {
+        if wish == Wish::OpenAnother {
+            self.dialogs.ask(Purpose::Open, self.session.path());
+        }
+        let painting = self.painting_number();
+        self.message = self.safety.apply(wish, &mut self.session);
+        self.open_lacking_look();
+        self.show_painting_taken_back(painting);
     }
 
     /// What edits: a widget, for as long as it is held or has the keyboard.

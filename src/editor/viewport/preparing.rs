@@ -42,26 +42,19 @@ impl Preparing {
         let is_made = matches!(awaited, Some(Awaited::Shader | Awaited::Picture));
         let (strength, calm) = self.tell(is_made, ui.input(|input| input.time));
         let name = session.name();
+        if is_made && strength == 0.0 {
+            return ui.ctx().request_repaint_after(Duration::from_secs_f64(calm.max(0.01)));
+        }
+        let text = format!("Preparing {name}");
         match awaited {
+            Some(Awaited::Shader) => sign(ui, rect, strength, true, &text, "building its shader"),
+            Some(Awaited::Picture) => sign(ui, rect, strength, true, &text, "reading meshes and paintings, drawing"),
             Some(Awaited::Mended) => {
-                sign(ui, rect, 1.0, false, "No picture yet", "until what is listed below is mended")
-            }
-            _ if strength == 0.0 => {
-                if calm.is_finite() {
-                    ui.ctx().request_repaint_after(Duration::from_secs_f64(calm.max(0.01)));
-                }
-            }
-            Some(Awaited::Shader) => sign(ui, rect, strength, true, &preparing(&name), "building its shader"),
-            Some(Awaited::Picture) => {
-                sign(ui, rect, strength, true, &preparing(&name), "reading meshes and paintings, drawing");
+                sign(ui, rect, 1.0, false, "No picture yet", "until what is listed below is mended");
             }
             None => {}
         }
     }
-}
-
-fn preparing(name: &str) -> String {
-    format!("Preparing {name}")
 }
 
 fn sign(ui: &mut Ui, rect: Rect, strength: f32, turns: bool, text: &str, more: &str) {
