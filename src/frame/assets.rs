@@ -367,7 +367,8 @@ fn bytes_of(path: &Path) -> Result<Vec<u8>, Diagnostic> {
     if size.as_ref().is_ok_and(|&size| size > MAX_IMAGE_BYTES) {
         return Err(problem(format!("the image `{name}` is larger than {} MiB", MAX_IMAGE_BYTES >> 20)));
     }
-    std::fs::read(path).map_err(|error| problem(format!("the image `{name}` cannot be read: {error}")))
+    std::fs::read(path)
+        .map_err(|error| problem(format!("the image `{name}` cannot be read: {}", crate::diag::reason(&error))))
 }
 
 fn read_image(path: &Path) -> Result<Image, Diagnostic> {
