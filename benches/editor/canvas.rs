@@ -62,7 +62,7 @@ impl Motion {
 /// Seconds of frames of the canvas alone.
 fn canvas_frames(path: &std::path::Path, motion: Motion) -> Vec<f64> {
     let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
-    assert!(session.open(path));
+    session.open(path).expect("the example opens");
     let mut canvas = Canvas::default();
     let mut frames = Frames::new();
     let mut frame = |canvas: &mut Canvas, events| {
