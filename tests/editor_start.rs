@@ -121,7 +121,7 @@ fn the_start_page_has_every_example_and_leaves_when_one_is_opened() {
 #[test]
 fn a_file_that_cannot_be_opened_is_told_above_the_start_page() {
     let home = Home::new();
-    fs::write(home.file("odd.json"), "{\n  \"name\": ,\n}").unwrap();
+    fs::write(home.file("odd.json"), "\n  not JSON at all").unwrap();
     let missing = "could not be opened: there is no such file";
     for (name, why, help) in [
         ("nope.txt", missing, "check the spelling"),
