@@ -3,9 +3,12 @@
 
 mod editor_support;
 
+use chiaro::editor::App;
 use editor_support::Hand;
-use eframe::egui::{Role, vec2};
-use egui_kittest::kittest::Queryable as _;
+use editor_support::home::Home;
+use eframe::egui::accesskit::Toggled;
+use eframe::egui::{Key, Modifiers, Role, vec2};
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 fn has_tab(hand: &Hand, label: &str) -> bool {
     hand.harness.query_by_role_and_label(Role::Tab, label).is_some()
@@ -88,6 +91,99 @@ fn the_arrangement_is_remembered_and_a_damaged_one_changes_nothing() {
         other.settle();
         assert!(!has_tab(&other, "Effects") && has_tab(&other, "Probe") && has_tab(&other, "Graph"));
     }
+}
+
+/// Whether a panel's tab is the one in front.
+fn is_in_front(hand: &Hand, label: &str) -> bool {
+    hand.harness
+        .query_by_role_and_label(Role::Tab, label)
+        .is_some_and(|tab| tab.accesskit_node().toggled() == Some(Toggled::True))
+}
+
+fn new_painting(hand: &mut Hand) {
+    hand.press("Paint");
+    hand.press("New HCBTF, small (16 x 16, 3 x 6 directions)");
+    assert!(hand.has("Painting canvas"));
+}
+
+fn view(hand: &mut Hand, role: Role, label: &str) {
+    hand.press("View");
+    hand.press_a(role, label);
+    hand.key(Key::Escape);
+    hand.settle();
+}
+
+#[test]
+fn painting_has_a_layout_of_its_own_and_each_is_kept_as_it_was_left() {
+    let home = Home::new();
+    let mut hand = home.window(None);
+    view(&mut hand, Role::CheckBox, "Effects");
+    assert!(!has_tab(&hand, "Effects") && !has_tab(&hand, "Paint") && is_in_front(&hand, "Graph"));
+    new_painting(&mut hand);
+    assert!(is_in_front(&hand, "Paint") && is_in_front(&hand, "Samples") && !has_tab(&hand, "Effects"));
+    view(&mut hand, Role::CheckBox, "Fill rules");
+    view(&mut hand, Role::CheckBox, "Sheet");
+    // Another look has the graph back, and nothing of painting.
+    hand.key_with(Modifiers::COMMAND, Key::N);
+    hand.settle();
+    assert!(is_in_front(&hand, "Graph") && !has_tab(&hand, "Effects"));
+    assert!(["Paint", "Samples", "Sheet", "Light and eye", "Fill rules"].iter().all(|panel| !has_tab(&hand, panel)));
+    // To and fro by hand, too.
+    view(&mut hand, Role::RadioButton, "Layout for painting");
+    assert!(has_tab(&hand, "Sheet") && !has_tab(&hand, "Fill rules"));
+    view(&mut hand, Role::RadioButton, "Layout for looks");
+    assert!(is_in_front(&hand, "Graph") && !has_tab(&hand, "Paint"));
+    // The way back to what is painted brings its layout.
+    view(&mut hand, Role::CheckBox, "Paint");
+    hand.press("Back to New HCBTF");
+    assert!(is_in_front(&hand, "Paint") && has_tab(&hand, "Sheet") && !has_tab(&hand, "Fill rules"));
+    hand.press("Paint");
+    hand.press("Close the HCBTF");
+    assert!(is_in_front(&hand, "Graph"), "the panel that was opened to paint is behind it");
+    assert!(!has_tab(&hand, "Sheet") && !has_tab(&hand, "Effects"));
+    drop(hand);
+
+    let mut hand = home.window(None);
+    assert!(is_in_front(&hand, "Graph") && !has_tab(&hand, "Sheet") && !has_tab(&hand, "Effects"));
+    new_painting(&mut hand);
+    assert!(has_tab(&hand, "Sheet") && !has_tab(&hand, "Fill rules") && !has_tab(&hand, "Effects"));
+    // Each is reset by itself.
+    view(&mut hand, Role::Button, "Reset panels");
+    assert!(has_tab(&hand, "Fill rules") && !has_tab(&hand, "Sheet") && is_in_front(&hand, "Paint"));
+    hand.key_with(Modifiers::COMMAND, Key::N);
+    hand.settle();
+    assert!(!has_tab(&hand, "Effects"), "the other one stays");
+}
+
+#[test]
+fn edits_of_a_look_move_no_panels() {
+    let mut hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
+    new_painting(&mut hand);
+    hand.app_mut().session_mut().select(vec!["painting".into()]);
+    let edit = chiaro::document::Edit::SetValue {
+        graph: chiaro::document::GraphId::Look,
+        id: "painting".into(),
+        port: "sheet".into(),
+        value: chiaro::document::Value::Text(String::new()),
+        index: None,
+    };
+    hand.app_mut().session_mut().apply(edit, None).unwrap();
+    hand.settle();
+    assert!(!hand.has("Painting canvas") && is_in_front(&hand, "Paint") && has_tab(&hand, "Samples"));
+}
+
+#[test]
+fn the_one_layout_of_before_becomes_both_where_painting_had_covered_the_graph() {
+    let mut hand = Hand::new();
+    new_painting(&mut hand);
+    let saved = hand.app_mut().changed_arrangement().expect("it changed");
+    // It was written without a name, and painting had left its panels in it.
+    let mut other = Hand::new();
+    other.app_mut().arrange(&saved["painting"]);
+    other.settle();
+    assert!(is_in_front(&other, "Graph") && has_tab(&other, "Paint"), "nothing that was arranged is taken away");
+    new_painting(&mut other);
+    assert!(is_in_front(&other, "Paint") && is_in_front(&other, "Samples"));
 }
 
 #[test]

@@ -372,7 +372,7 @@ fn an_example_is_painted_as_a_copy_that_keeps_its_name_and_is_seen_wherever_the_
     hand.key(Key::Escape);
     hand.press("Paint a copy of halftone");
     let work = hand.app().session().painting().unwrap();
-    assert!(work.is_dirty() && work.path().is_none());
+    assert!(!work.is_dirty() && work.path().is_none(), "nothing was painted yet");
     assert!(hand.says("halftone (copy of the example)"));
     assert!(hand.app().message().unwrap().contains("saving asks where"));
     // This look has two lookups of one sheet.
@@ -404,7 +404,10 @@ fn the_panels_are_about_the_look_that_is_open() {
     let painted = hcbtf(&hand).clone();
     assert!(hand.app().session().undo_label().is_some());
     show_example(&mut hand, "Half-tone metal");
-    hand.tab("Paint");
+    assert!(hand.has("Node canvas"), "the look's own panels are back");
+    hand.press("View");
+    hand.press_a(Role::CheckBox, "Paint");
+    hand.key(Key::Escape);
     assert!(!hand.has("Painting canvas") && hand.says("surface.hcbtf is still open"));
     assert!(hand.has("Paint a copy of halftone") && !hand.has("80 empty"), "another look's samples are not its own");
     assert_eq!(hand.app().session().undo_label(), None, "nothing is taken back that nobody sees");
@@ -416,11 +419,166 @@ fn the_panels_are_about_the_look_that_is_open() {
     hand.key_with(Modifiers::COMMAND, Key::N);
     hand.settle();
     hand.tab("Paint");
-    assert!(hand.says("shows another painting, or none") && hand.has("Another grid..."));
+    assert!(hand.says("The open look shows no painting") && hand.has("Another grid..."));
     hand.press("Paint");
     hand.press("Close the HCBTF");
     hand.press("Do not save");
     assert!(hand.has("The open look has no painting."));
+}
+
+#[test]
+fn a_copy_of_an_example_is_no_change_and_is_gone_back_to_in_the_look_that_it_was_painted_in() {
+    let home = Home::new();
+    let mut hand = home.window(None);
+    show_example(&mut hand, "Half-tone metal");
+    hand.app_mut().show_on("shape:torus");
+    hand.settle();
+    hand.press("Paint");
+    hand.press_a(Role::MenuItem, "Paint a copy of halftone");
+    assert_eq!(sheets(&hand), ["hcbtf:open"]);
+    let session = hand.app().session();
+    assert!(!session.is_dirty() && !session.painting().unwrap().is_dirty() && !hand.says("changed"));
+    assert!(hand.says("Half-tone metal, halftone (copy of the example)"), "both are told");
+    let at = texel(&hand, 4, 4);
+    hand.drag(at, at + eframe::egui::vec2(0.5, 0.0));
+    hand.settle();
+    let painted = hcbtf(&hand).clone();
+    assert!(hand.says("Half-tone metal, halftone (copy of the example) changed"), "what changed is told");
+    let look = hand.look().clone();
+    let seen = hand.app().session().orbit().clone();
+    assert_eq!(seen.mesh, "shape:torus");
+
+    hand.key_with(Modifiers::COMMAND, Key::N);
+    hand.settle();
+    hand.app_mut().show_on("shape:sphere");
+    assert!(!hand.says("Work that was not saved"), "all that was done is open");
+    hand.press("Paint");
+    assert!(!hand.says("Paint a copy of"), "this look shows none");
+    hand.press_a(Role::MenuItem, "Back to halftone (copy of the example)");
+    assert_eq!((hand.look(), hcbtf(&hand)), (&look, &painted));
+    assert_eq!(hand.app().session().orbit().mesh, "shape:torus");
+    assert!(hand.has("Painting canvas") && !hand.says("Work that was not saved"));
+
+    // After a crash it comes back in its look, too.
+    hand.app().session().wait_for_journal();
+    let later = home.after_a_crash();
+    let mut hand = later.window(None);
+    assert!(hand.says("halftone (copy of the example), 1 change"));
+    hand.press("Restore it");
+    assert_eq!((hand.look(), hcbtf(&hand)), (&look, &painted));
+    assert!(hand.has("Painting canvas") && !hand.says("Work that was not saved"));
+    // And after the window was closed.
+    hand.app_mut().session_mut().close_journal(true);
+    drop(hand);
+    let hand = later.window(None);
+    assert_eq!((hand.look(), hcbtf(&hand)), (&look, &painted));
+    assert!(hand.has("Painting canvas"));
+}
+
+#[test]
+fn after_a_crash_a_look_and_what_is_painted_in_it_come_back_whichever_is_asked_for_first() {
+    let home = Home::new();
+    let folder = home.file("work");
+    fs::create_dir_all(&folder).unwrap();
+    file(&folder, Vec::new());
+    let path = look_with_example(&folder);
+    let text = fs::read_to_string(&path).unwrap().replace("example:hcbtf/halftone.hcbtf", "surface.hcbtf");
+    fs::write(&path, text).unwrap();
+    let mut hand = home.window(Some(&path));
+    hand.press("Paint");
+    hand.press_a(Role::MenuItem, "Paint surface.hcbtf");
+    let at = texel(&hand, 4, 4);
+    hand.drag(at, at + eframe::egui::vec2(0.5, 0.0));
+    hand.settle();
+    let edit = chiaro::document::Edit::SetLookName { name: "worked on".to_owned() };
+    hand.app_mut().session_mut().apply(edit, None).unwrap();
+    hand.settle();
+    assert!(hand.says("look.json changed, surface.hcbtf changed"));
+    hand.app().session().wait_for_journal();
+    let (look, painted) = (hand.look().clone(), hcbtf(&hand).clone());
+
+    for first in ["look.json, 1 change", "surface.hcbtf, 1 change"] {
+        let later = home.after_a_crash();
+        let mut hand = later.window(None);
+        assert!(hand.says("Work that was not saved, of 2 documents"), "{first}");
+        hand.press("Choose...");
+        let row = hand.place_like(first).center().y;
+        let restores = hand.harness.query_all_by_label("Restore it").map(|node| node.rect().center());
+        let restore = restores.into_iter().min_by(|a, b| (a.y - row).abs().total_cmp(&(b.y - row).abs())).unwrap();
+        hand.click(restore);
+        hand.settle();
+        if first.starts_with("look") {
+            assert!(hand.says("Work that was not saved: surface.hcbtf, 1 change"));
+            hand.press("Restore it");
+        }
+        assert_eq!((hand.look(), hcbtf(&hand)), (&look, &painted), "{first}");
+        assert_eq!(hand.app().session().path(), Some(path.as_path()), "{first}");
+        assert!(hand.says("look.json changed, surface.hcbtf changed") && hand.has("Painting canvas"), "{first}");
+        assert!(!hand.says("Work that was not saved"), "{first}");
+    }
+}
+
+#[test]
+fn an_untouched_copy_is_closed_without_a_trace() {
+    let home = Home::new();
+    let mut hand = home.window(None);
+    show_example(&mut hand, "Half-tone metal");
+    hand.press("Paint");
+    hand.press_a(Role::MenuItem, "Paint a copy of halftone");
+    hand.press("Paint");
+    hand.press("Close the HCBTF");
+    assert!(!hand.has("Do not save") && hand.app().session().painting().is_none());
+    assert_eq!(sheets(&hand), ["example:hcbtf/halftone.hcbtf"]);
+    assert!(!hand.says("changed") && hand.has("Node canvas"), "the graph is back");
+    hand.press("Paint");
+    assert!(hand.has("Paint a copy of halftone"));
+}
+
+#[test]
+fn what_a_look_of_two_shows_is_chosen_and_the_other_panels_tell_of_it() {
+    let folder = tempfile::tempdir().unwrap();
+    file(folder.path(), Vec::new());
+    let path = look_with_example(folder.path());
+    let text = fs::read_to_string(&path).unwrap().replacen("example:hcbtf/halftone.hcbtf", "surface.hcbtf", 1);
+    fs::write(&path, text).unwrap();
+    let mut hand = opened(&path);
+    hand.press("View");
+    hand.press_a(Role::CheckBox, "Fill rules");
+    hand.key(Key::Escape);
+    hand.tab("Fill rules");
+    assert!(hand.says("The open look shows halftone and surface.hcbtf, which are not open to be painted"));
+    hand.press("Paint");
+    assert!(hand.has("Paint a copy of halftone"));
+    hand.press_a(Role::MenuItem, "Paint surface.hcbtf");
+    assert_eq!(hand.app().session().path(), Some(path.as_path()), "the look stays");
+    assert!(hand.has("Painting canvas") && hand.says("look.json, surface.hcbtf") && !hand.says("changed"));
+    hand.press("Paint");
+    assert!(hand.has("Paint a copy of halftone") && hand.has("Go on painting surface.hcbtf"));
+    assert!(!hand.has("Paint surface.hcbtf"));
+    hand.tab("Graph");
+    hand.press("Paint");
+    hand.press_a(Role::MenuItem, "Go on painting surface.hcbtf");
+    assert!(hand.has("Painting canvas") && hand.app().session().painting().unwrap().path().is_some());
+}
+
+#[test]
+fn a_look_that_names_what_has_no_file_is_saved_after_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = look_with_example(folder.path());
+    let mut hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
+    hand.app_mut().open(&path);
+    hand.settle();
+    hand.press("Paint");
+    hand.press_a(Role::MenuItem, "Paint a copy of halftone");
+    // Neither was painted on, and the look names the copy.
+    let painting = folder.path().join("mine.hcbtf");
+    hand.app_mut().answer_dialog(&painting);
+    hand.key_with(Modifiers::COMMAND, Key::S);
+    hand.settle();
+    assert!(painting.is_file() && hand.says("look.json changed, mine.hcbtf"), "which of them is not saved is told");
+    hand.key_with(Modifiers::COMMAND, Key::S);
+    hand.settle();
+    assert!(fs::read_to_string(&path).unwrap().contains("\"mine.hcbtf\"") && !hand.says("changed"));
 }
 
 #[test]

@@ -4,6 +4,7 @@
 
 mod editor_support;
 
+use std::path::Path;
 use std::time::Duration;
 
 use editor_support::Hand;
@@ -68,6 +69,36 @@ fn the_last_good_picture_stays_while_the_look_is_broken() {
     // The list of problems makes the viewport lower, so only what it shows is held, not where.
     let is_near = |color: &[u8; 4]| color.iter().zip(good[good.len() / 2]).all(|(a, b)| a.abs_diff(b) <= 6);
     assert!(middle_row(&mut hand).iter().any(is_near));
+}
+
+#[test]
+fn the_old_picture_steps_back_while_another_look_is_prepared() {
+    // Four frames a second by the window's clock.
+    let mut hand = Hand::drawing_with(|app, _| app.without_dialogs());
+    assert!(!hand.app().is_preparing() && !hand.says("Preparing"));
+    hand.app_mut().session_mut().open(Path::new("examples/looks/figure4-color.json")).unwrap();
+    for frame in 0..40 {
+        hand.harness.step();
+        // What is still prepared after a frame was so in it; and what took up to a third of a second has no sign.
+        if frame < 2 {
+            assert!(!hand.says("Preparing"), "frame {frame}: quick ones do not flicker");
+        } else if frame > 3 && hand.app().is_preparing() {
+            assert!(hand.says("Preparing figure4-color.json"), "frame {frame}");
+        }
+    }
+    hand.settle();
+    assert!(!hand.app().is_preparing() && !hand.says("Preparing"));
+
+    // The picture of another look is none of a broken one.
+    let folder = tempfile::tempdir().unwrap();
+    let broken = folder.path().join("broken.json");
+    std::fs::write(&broken, r#"{"chiaro": "look", "nodes": [{"kind": "base"}]}"#).unwrap();
+    hand.app_mut().session_mut().open(&broken).unwrap();
+    hand.settle();
+    assert!(hand.says("No picture yet"), "{:?}", hand.errors());
+    hand.app_mut().session_mut().start_new();
+    hand.settle();
+    assert!(!hand.says("No picture yet"));
 }
 
 #[test]

@@ -259,6 +259,22 @@ fn a_named_file_that_has_changed_since_is_opened_as_it_is() {
 }
 
 #[test]
+fn work_of_a_program_that_dies_slowly_is_offered_as_soon_as_it_lets_go() {
+    let home = Home::new();
+    let mut dying = home.window(None);
+    set_offset(&mut dying, 0.5);
+    let mut hand = home.window(None);
+    assert!(!hand.says(OFFER), "it is in use, as far as anybody knows");
+    dying.app_mut().session_mut().close_journal(false);
+    drop(dying);
+    // Four frames a second by the window's clock.
+    hand.harness.run_steps(24);
+    assert!(hand.says("New look, 1 change"));
+    hand.press("Restore it");
+    assert_eq!(offset(&hand), Some(0.5));
+}
+
+#[test]
 fn another_look_puts_this_one_aside() {
     let home = Home::new();
     let mut hand = home.window(None);

@@ -119,6 +119,36 @@ fn the_start_page_has_every_example_and_leaves_when_one_is_opened() {
 }
 
 #[test]
+fn a_file_that_cannot_be_opened_is_told_above_the_start_page() {
+    let home = Home::new();
+    fs::write(home.file("odd.json"), "\n  not JSON at all").unwrap();
+    let missing = "could not be opened: there is no such file";
+    for (name, why, help) in [
+        ("nope.txt", missing, "check the spelling"),
+        ("nope.hcbtf", missing, "check the spelling"),
+        ("odd.json", "(line 2, column", "odd.json"),
+    ] {
+        let mut hand = home.window(None);
+        hand.app_mut().begin_with(&home.file(name));
+        hand.settle();
+        assert!(hand.app().shows_start_page() && says(&hand, &format!("{name} could not be opened")), "{name}");
+        assert!(says(&hand, why) && says(&hand, help) && says(&hand, home.file(name).to_str().unwrap()), "{name}");
+        assert!(!says(&hand, "os error"), "{name}");
+        // Once: what is open has no problem, and the status bar does not say it again.
+        assert!(hand.app().message().is_none() && hand.app().session().problems().is_empty(), "{name}");
+        assert!(!says(&hand, "1 error"), "{name}");
+        press(&mut hand, "Understood");
+        assert!(!says(&hand, "could not be opened") && hand.app().shows_start_page(), "{name}");
+        // It goes with whatever is opened next, too.
+        hand.app_mut().open(&home.file(name));
+        hand.settle();
+        assert!(says(&hand, "could not be opened"), "{name}");
+        hand.press_a(Role::Button, "New look");
+        assert!(!says(&hand, "could not be opened"), "{name}");
+    }
+}
+
+#[test]
 fn what_was_open_is_offered_and_what_is_gone_is_forgotten() {
     let home = Home::new();
     let [rim, lost, odd, stage] = ["rim.json", "lost.json", "odd.json", "stage.json"].map(|name| home.file(name));
@@ -136,7 +166,7 @@ fn what_was_open_is_offered_and_what_is_gone_is_forgotten() {
     assert!(hand.app().shows_start_page(), "forgetting opens nothing");
     press(&mut hand, "Open the look odd");
     assert!(hand.app().shows_start_page(), "what cannot be read is told, and nothing is lost");
-    assert!(hand.app().message().unwrap().contains("could not be opened"));
+    assert!(hand.says("odd.json could not be opened") && hand.app().message().is_none());
     press(&mut hand, "Open the look rim");
     assert!(!hand.app().shows_start_page());
     assert_eq!(hand.app().session().path(), Some(rim.as_path()));

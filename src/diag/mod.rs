@@ -207,6 +207,17 @@ pub fn has_errors(diagnostics: &[Diagnostic]) -> bool {
     diagnostics.iter().any(Diagnostic::is_error)
 }
 
+/// Why the system refused something, in words, without the number that it has for that.
+pub(crate) fn reason(error: &std::io::Error) -> String {
+    match error.kind() {
+        std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
+        _ => {
+            let text = error.to_string();
+            text.rfind(" (os error ").map_or(text.clone(), |end| text[..end].to_owned())
+        }
+    }
+}
+
 /// Up to three of the `known` names that could have been meant by `wrong`, best first.
 pub fn nearest<'a>(wrong: &str, known: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
     let lower = wrong.to_lowercase();

@@ -38,7 +38,7 @@ pub fn read_text(path: &Path) -> Result<String, Box<Diagnostic>> {
             io::ErrorKind::IsADirectory => "this is a folder: name a file in it",
             _ => "",
         };
-        fail("cannot-read", format!("cannot read the file: {error}"), hint)
+        fail("cannot-read", format!("cannot read the file: {}", crate::diag::reason(&error)), hint)
     };
     let mut bytes = Vec::new();
     match crate::examples::file(path) {

@@ -118,7 +118,7 @@ pub fn run(files: &[PathBuf], mesh: Option<&str>) -> Result<(), Box<Diagnostic>>
             app.keep_in(places, &context.egui_ctx);
         }
         match file {
-            Some(file) => app.open(&file),
+            Some(file) => app.begin_with(&file),
             None => app.begin(),
         }
         if let Some(mesh) = mesh {

@@ -13,15 +13,42 @@ use super::session::{Session, Showing};
 use super::still::Still;
 use super::worker::Worker;
 use crate::compile::{CompiledShader, Live};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, has_errors};
 use crate::document::Look;
 use crate::frame::{Cull, Effect, PlanOptions, Planner, effects};
 use crate::library::Library;
 use crate::milestones;
 use crate::render::{Gpu, Renderer, block_on, set_times};
 
+/// What a picture is of: with another look or another mesh it is another one.
+#[derive(Clone, PartialEq)]
+struct Subject {
+    document: u64,
+    mesh: String,
+}
+
+impl Subject {
+    fn of(session: &Session) -> Self {
+        // A scene has meshes of its own.
+        let mesh = if session.stage().is_some() { String::new() } else { session.view.mesh.clone() };
+        Self { document: session.document_number(), mesh }
+    }
+}
+
+/// What is missing for the first picture of what is open.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Awaited {
+    /// The look is being compiled.
+    Shader,
+    /// It is being drawn.
+    Picture,
+    /// Nothing is done: there is something wrong with it.
+    Mended,
+}
+
 /// What is to be drawn.
 struct Wish {
+    subject: Subject,
     showing: Showing,
     still: Still,
     size: [u32; 2],
@@ -42,6 +69,7 @@ struct Wished {
 
 /// What was drawn: a texture where it could be.
 struct Drawn {
+    subject: Subject,
     texture: Option<wgpu::TextureView>,
     /// What was made ready for it, and need not be made for the next one.
     ready: Option<Ready>,
@@ -131,6 +159,8 @@ pub(crate) struct Picture {
     gpu: Gpu,
     worker: Worker<Wish, Drawn>,
     texture: Option<TextureId>,
+    /// What it shows.
+    shown: Option<Subject>,
     wished: Option<Wished>,
     pace: Pace,
     /// What the last picture was drawn with.
@@ -166,6 +196,7 @@ impl Picture {
             gpu,
             worker,
             texture: None,
+            shown: None,
             wished: None,
             pace: Pace::default(),
             ready: None,
@@ -220,6 +251,7 @@ impl Picture {
         for drawn in self.worker.answers() {
             if let Some(view) = drawn.texture {
                 self.show(&view);
+                self.shown = Some(drawn.subject);
             }
             self.ready = drawn.ready.or(self.ready.take());
             self.problems = drawn.problems;
@@ -249,7 +281,7 @@ impl Picture {
             let wanted = Ready::of(&showing, &still);
             let is_ready = self.ready.as_ref().is_some_and(|ready| ready.is(&wanted));
             self.is_quick = is_ready && (self.is_quick || !self.worker.is_busy());
-            let wish = Wish { showing, still, size, tells_effects: self.tells_effects };
+            let wish = Wish { subject: Subject::of(session), showing, still, size, tells_effects: self.tells_effects };
             self.worker.request(|_| wish);
             return true;
         }
@@ -269,6 +301,22 @@ impl Picture {
     /// Whether there is one.
     pub(crate) fn is_there(&self) -> bool {
         self.texture.is_some()
+    }
+
+    /// What is missing for the first picture of what is open, while the one that is there shows something else.
+    pub(crate) fn awaited(&self, session: &Session) -> Option<Awaited> {
+        let subject = Subject::of(session);
+        let shown = self.shown.as_ref().filter(|shown| **shown != subject && self.is_there())?;
+        if session.is_compiling() {
+            return Some(Awaited::Shader);
+        }
+        if self.is_busy() {
+            return Some(Awaited::Picture);
+        }
+        // On a mesh that cannot be read the last good picture stays.
+        let is_broken = shown.document != subject.document;
+        let is_broken = is_broken && (!self.problems.is_empty() || has_errors(session.problems()));
+        is_broken.then_some(Awaited::Mended)
     }
 
     /// Waits for it.
@@ -298,13 +346,14 @@ struct Artist {
 
 impl Artist {
     fn draw(&mut self, wish: &Wish) -> Drawn {
+        let subject = wish.subject.clone();
         match self.try_draw(wish) {
             Ok(effects) => {
                 let problems = std::mem::take(&mut self.planner.warnings);
                 let ready = Some(Ready::of(&wish.showing, &wish.still));
-                Drawn { texture: self.renderer.picture_view(), ready, problems, effects }
+                Drawn { subject, texture: self.renderer.picture_view(), ready, problems, effects }
             }
-            Err(problems) => Drawn { texture: None, ready: None, problems, effects: None },
+            Err(problems) => Drawn { subject, texture: None, ready: None, problems, effects: None },
         }
     }
 

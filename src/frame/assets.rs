@@ -356,7 +356,9 @@ pub fn image_bytes(folder: &Path, path: &str) -> Result<Vec<u8>, Diagnostic> {
     if size.as_ref().is_ok_and(|&size| size > MAX_IMAGE_BYTES) {
         return Err(problem(format!("the image `{}` is larger than {} MiB", path.display(), MAX_IMAGE_BYTES >> 20)));
     }
-    std::fs::read(&path).map_err(|error| problem(format!("the image `{}` cannot be read: {error}", path.display())))
+    std::fs::read(&path).map_err(|error| {
+        problem(format!("the image `{}` cannot be read: {}", path.display(), crate::diag::reason(&error)))
+    })
 }
 
 fn read_image(path: &Path) -> Result<Image, Diagnostic> {

@@ -45,7 +45,7 @@ pub fn read_bytes(path: &Path) -> Result<Vec<u8>, Box<Diagnostic>> {
     };
     let cannot = |error: std::io::Error| {
         let hint = if path.exists() { "name a file that you may read" } else { "check the spelling and the folder" };
-        fail("cannot-read", format!("cannot read the file: {error}"), hint)
+        fail("cannot-read", format!("cannot read the file: {}", crate::diag::reason(&error)), hint)
     };
     let mut bytes = Vec::new();
     // One byte beyond the bound tells that there is more, whatever the file's length is said to be.

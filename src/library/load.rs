@@ -98,8 +98,11 @@ impl Library {
                 Ok(text) if name.ends_with(".json") => library.add_groups(&name, &text),
                 Ok(text) => library.add_file(&name, &text),
                 Err(error) => library.problems.push(
-                    Diagnostic::error("unreadable-node", format!("this node file cannot be read: {error}"))
-                        .in_file(name),
+                    Diagnostic::error(
+                        "unreadable-node",
+                        format!("this node file cannot be read: {}", crate::diag::reason(&error)),
+                    )
+                    .in_file(name),
                 ),
             }
         }

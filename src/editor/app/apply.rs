@@ -16,6 +16,7 @@ use crate::editor::dock;
 use crate::editor::fitting;
 use crate::editor::look_export::stem_of;
 use crate::editor::painting;
+use crate::editor::safety::Wish;
 use crate::editor::session::Session;
 use crate::editor::shortcuts::{self, Action};
 use crate::editor::stage::Stage;
@@ -98,6 +99,9 @@ impl App {
             Command::ShowReference(None) => self.dialogs.ask(Purpose::Reference, self.session.path()),
             Command::LeaveProbe => self.probe.escape(),
             Command::Solo(solo) => self.session.set_solo(solo),
+            Command::ShowPanel(dock::Panel::Paint) if painting::look::shows(&self.session) => {
+                self.show_painting_panels();
+            }
             Command::ShowPanel(panel) => {
                 self.start = None;
                 self.dock.open(panel);
@@ -113,15 +117,20 @@ impl App {
             Command::Stage(wish) => self.apply_to_stage(ui, wish),
             Command::Paint(wish) => self.apply_to_painting(ui, wish),
             Command::Fit(wish) => self.apply_to_fitting(wish),
-            Command::Safety(wish) => {
-                let painting = self.painting_number();
-                self.message = self.safety.apply(wish, &mut self.session);
-                self.open_lacking_look();
-                self.show_painting_taken_back(painting);
-            }
+            Command::Safety(wish) => self.apply_to_safety(wish),
             Command::Tell(text) => self.message = Some(text),
             Command::Act(action) => self.act(ui, action),
         }
+    }
+
+    fn apply_to_safety(&mut self, wish: Wish) {
+        if wish == Wish::OpenAnother {
+            self.dialogs.ask(Purpose::Open, self.session.path());
+        }
+        let painting = self.painting_number();
+        self.message = self.safety.apply(wish, &mut self.session);
+        self.open_lacking_look();
+        self.show_painting_taken_back(painting);
     }
 
     /// What edits: a widget, for as long as it is held or has the keyboard.
@@ -157,6 +166,7 @@ impl App {
                 Command::Export(Export::Picture(size), None)
             }
             Action::Paint => Command::ShowPanel(dock::Panel::Paint),
+            Action::PaintShown => Command::Paint(painting::Wish::PaintShown),
             Action::NewHcbtf(preset) => Command::Paint(painting::Wish::New { grid: preset.grid(), keeps_look: false }),
             Action::NewHcbtfOf => Command::Paint(painting::Wish::AskGrid { changes: false }),
             Action::GridOfHcbtf => Command::Paint(painting::Wish::AskGrid { changes: true }),

@@ -4,7 +4,9 @@ use eframe::egui::{self, RichText, Role, Ui, ViewportCommand, WidgetInfo};
 
 use super::App;
 use crate::editor::command::Command;
+use crate::editor::painting::{Shown, Wish, Work, look, shown};
 use crate::editor::panels::problems;
+use crate::editor::session::Session;
 use crate::editor::shortcuts::{self, Action};
 use crate::editor::spots::{self, Spot};
 use crate::editor::{dock, theme};
@@ -54,7 +56,7 @@ impl App {
             let is_open = self.session.painting().is_some();
             let why = |action| (!is_open && works_on_painting(action)).then_some(NOTHING_PAINTED);
             let help = "Light on the picture; surfaces that change with the light and the eye, painted by hand";
-            menu_but(ui, "Paint", help, &news, why, commands);
+            menu_with(ui, "Paint", help, &news, why, |ui, commands| paint_shown(ui, &self.session, commands), commands);
             let exports = of_kind(|action| matches!(action, Action::Export(_) | Action::ExportPicture));
             menu(ui, "Export", "The look as shaders for other programs, or the picture, as files", &exports, commands);
             let shaders = of_kind(|action| matches!(action, Action::CopyShader(..)));
@@ -63,17 +65,9 @@ impl App {
             let helps = [Action::Start, Action::Tour, Action::Commands, Action::Shortcuts];
             menu(ui, "Help", "The start page, the tour, all commands and keys", &helps, commands);
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                let name = self.documents();
-                if self.is_changed() && ui.available_width() > LEAST_NAME {
-                    ui.label(RichText::new("changed").color(theme::of(ui).accent)).on_hover_text("Not saved yet");
-                }
-                let path = self.session.path().map(|path| path.display().to_string());
                 // A narrow window has room for the buttons alone.
                 if ui.available_width() > LEAST_NAME {
-                    let label = ui.add(egui::Label::new(RichText::new(name).strong()).truncate());
-                    if let Some(path) = path {
-                        label.on_hover_text(path);
-                    }
+                    self.show_documents(ui);
                 }
             });
         });
@@ -87,8 +81,20 @@ impl App {
                 if is_there { self.dock.open(panel) } else { self.dock.close(panel) }
             }
         }
-        if ui.button("Reset panels").on_hover_text("Puts all panels where a new window has them").clicked() {
+        if ui
+            .button("Reset panels")
+            .on_hover_text("Puts all panels of this layout where a new window has them")
+            .clicked()
+        {
             self.dock.reset();
+        }
+        ui.separator();
+        for workspace in dock::Workspace::ALL {
+            let is_it = self.dock.workspace() == workspace;
+            if ui.radio(is_it, workspace.label()).on_hover_text(workspace.help()).clicked() {
+                self.start = None;
+                self.dock.enter(workspace);
+            }
         }
         ui.separator();
         let mut theme = ui.ctx().options(|options| options.theme_preference);
@@ -133,36 +139,52 @@ impl App {
         .inner
     }
 
-    pub(super) fn document_name(&self) -> String {
-        match self.session.path().and_then(|path| path.file_name()) {
-            Some(name) => name.to_string_lossy().into_owned(),
-            None if self.session.look().name.is_empty() => "New look".to_owned(),
-            None => self.session.look().name.clone(),
+    /// What is open: the look, the scene that it is in, and what is painted, each with what stands before it and whether it
+    /// has changes that no file holds.
+    fn documents(&self) -> Vec<(&'static str, String, bool)> {
+        let session = &self.session;
+        let stage = session.stage();
+        let work = session.painting();
+        let is_look_dirty = session.is_look_dirty();
+        let mut all = Vec::new();
+        // The look that only shows what is painted goes without saying.
+        let is_bare = |work: &Work| session.path().is_none() && session.look().name == work.name();
+        if is_look_dirty || stage.is_some() || !(work.is_some_and(is_bare) && self.keeps_look()) {
+            all.push(("", session.name(), is_look_dirty));
         }
+        all.extend(stage.map(|stage| (" in ", stage.name(), stage.is_dirty())));
+        let between = if all.is_empty() { "" } else { ", " };
+        all.extend(work.map(|work| (between, work.name(), work.is_dirty())));
+        all
     }
 
-    /// What is open: the look, and the scene that it is in.
-    fn documents(&self) -> String {
-        let look = match self.session.stage() {
-            Some(stage) => format!("{} in {}", self.document_name(), stage.name()),
-            None => self.document_name(),
-        };
-        match self.session.painting() {
-            // The look that only shows it has no name of its own.
-            Some(work) if self.session.path().is_none() && self.keeps_look() => work.name(),
-            Some(work) => format!("{look}, {}", work.name()),
-            None => look,
+    /// The names of what is open, told which of it is changed.
+    fn show_documents(&self, ui: &mut Ui) {
+        let (colors, font) = (theme::of(ui), egui::TextStyle::Body.resolve(ui.style()));
+        let mut job = egui::text::LayoutJob::default();
+        let mut add = |text: &str, color| job.append(text, 0.0, egui::TextFormat::simple(font.clone(), color));
+        let mut help: Vec<String> = self.session.path().map(|path| path.display().to_string()).into_iter().collect();
+        for (between, name, is_changed) in self.documents() {
+            add(between, colors.dim);
+            add(&name, ui.visuals().strong_text_color());
+            if is_changed {
+                add(" changed", colors.accent);
+                help.push(format!("{name} has changes that no file holds yet"));
+            }
         }
-    }
-
-    /// Whether there is anything that no file holds.
-    fn is_changed(&self) -> bool {
-        self.session.is_dirty() || self.session.is_painting_dirty()
+        let label = ui.add(egui::Label::new(job).truncate());
+        if !help.is_empty() {
+            label.on_hover_text(help.join("\n"));
+        }
     }
 
     pub(super) fn set_title(&self, ctx: &egui::Context) {
-        let mark = if self.is_changed() { "*" } else { "" };
-        let title = format!("{}{mark} - Chiaro", self.documents());
+        let documents = self.documents().into_iter();
+        let names = documents.map(|(between, name, is_changed)| {
+            let mark = if is_changed { "*" } else { "" };
+            format!("{between}{name}{mark}")
+        });
+        let title = format!("{} - Chiaro", names.collect::<String>());
         let id = egui::Id::unique("title");
         if ctx.data(|data| data.get_temp::<String>(id)).as_ref() != Some(&title) {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
@@ -184,19 +206,21 @@ fn works_on_painting(action: Action) -> bool {
 
 /// A menu of what the table of shortcuts has, with its keys.
 fn menu(ui: &mut Ui, label: &str, help: &str, actions: &[Action], commands: &mut Vec<Command>) {
-    menu_but(ui, label, help, actions, |_| None, commands);
+    menu_with(ui, label, help, actions, |_| None, |_, _| (), commands);
 }
 
-/// The same, but for what `why` says why it cannot be done.
-fn menu_but(
+/// The same after `first`, but for what `why` says why it cannot be done.
+fn menu_with(
     ui: &mut Ui,
     label: &str,
     help: &str,
     actions: &[Action],
     why: impl Fn(Action) -> Option<&'static str>,
+    first: impl FnOnce(&mut Ui, &mut Vec<Command>),
     commands: &mut Vec<Command>,
 ) {
     let menu = ui.menu_button(label, |ui| {
+        first(ui, commands);
         for row in actions.iter().filter_map(|action| shortcuts::of(*action)) {
             let why = why(row.action);
             let button = ui.add_enabled(why.is_none(), egui::Button::new(row.label).shortcut_text(row.text()));
@@ -208,4 +232,31 @@ fn menu_but(
         }
     });
     menu.response.on_hover_text(help);
+}
+
+/// What the open look shows, to be painted.
+fn paint_shown(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
+    let all = shown(session);
+    let mut entry = |ui: &mut Ui, label: &str, help: &str, command: Option<Command>| {
+        let button = ui.add_enabled(command.is_some(), egui::Button::new(label));
+        button.widget_info(|| WidgetInfo::labeled(Role::MenuItem, command.is_some(), label));
+        let button = button.on_hover_text(help).on_disabled_hover_text(help);
+        if let Some(command) = command.filter(|_| button.clicked()) {
+            commands.push(command);
+            ui.close();
+        }
+    };
+    if let Some(work) = session.painting() {
+        let is_shown = look::shows(session);
+        let label = format!("{} {}", if is_shown { "Go on painting" } else { "Back to" }, work.name());
+        let command = if is_shown { Command::ShowPanel(dock::Panel::Paint) } else { Command::Paint(Wish::GoBack) };
+        entry(ui, &label, "Shows what is open to be painted, where it was painted", Some(command));
+    }
+    if session.painting().is_none() && all.is_empty() {
+        entry(ui, "Paint what the look shows", "The open look shows nothing that is painted", None);
+    }
+    for Shown { label, help, path, .. } in all {
+        entry(ui, &label, help, Some(Command::Paint(Wish::Open { path, keeps_look: true })));
+    }
+    ui.separator();
 }

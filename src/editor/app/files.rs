@@ -6,7 +6,7 @@ use std::sync::Arc;
 use eframe::egui::{self, RichText, Ui, ViewportCommand};
 
 use super::App;
-use crate::diag::{Diagnostic, Severity};
+use crate::diag::Diagnostic;
 use crate::document::{Grid, Hcbtf};
 use crate::editor::command::Command;
 use crate::editor::dialogs::PAINTING;
@@ -15,6 +15,7 @@ use crate::editor::painting::{Import, Work, look};
 use crate::editor::panels::{library, problems};
 use crate::editor::stage::{Stage, Wanted};
 use crate::examples;
+use crate::frame::UNSAVED_HCBTF;
 
 /// What would lose unsaved changes.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,7 +46,7 @@ pub(super) enum Pending {
         hcbtf: Arc<Hcbtf>,
     },
     ClosePainting,
-    /// Shows what is painted in a look of its own.
+    /// Shows what is painted in the look that it was painted in.
     ShowPainting,
     Close,
 }
@@ -59,6 +60,7 @@ impl App {
         self.open_alone(path);
         self.open_lacking_look();
         if self.session.stage().is_some_and(|stage| stage.path() == Some(path)) {
+            self.lay_out();
             self.dock.open(Panel::Objects);
             // The scene was asked for, and the look came with it.
             self.safety.opened(path);
@@ -83,12 +85,10 @@ impl App {
         if let Some(told) = self.safety.reopen(path, &mut self.session) {
             self.message = Some(told).filter(|told| !told.is_empty());
         } else {
-            let is_open = self.session.open(path);
-            let why = self.session.load_problems.iter().find(|problem| problem.severity == Severity::Error);
-            let why = why.map(|problem| format!(": {}", problem.message)).unwrap_or_default();
-            self.message = (!is_open).then(|| format!("{} could not be opened{why}", path.display()));
-        }
-        if self.message.is_none() {
+            self.message = None;
+            if let Err(problems) = self.session.open(path) {
+                return self.safety.could_not_open(path, &problems, &self.session);
+            }
             self.safety.opened(path);
         }
         self.safety.look();
@@ -174,10 +174,19 @@ impl App {
 
     /// Whether Save is to save what is painted: where that is asked about, or nothing is.
     pub(super) fn saves_painting(&self) -> bool {
+        // A look that names what has no file is saved after that: it would name nothing else.
+        let is_look_saved = self.pending.is_none() || self.at_risk().0;
+        if is_look_saved && self.session.painting().is_some_and(|work| work.path().is_none()) && self.names_unsaved() {
+            return true;
+        }
         // One without a file that the open look does not show would be asked about out of the blue.
         let has_place = self.session.painting().is_some_and(|work| work.path().is_some());
         let is_meant = self.pending.is_none() && (has_place || look::shows(&self.session));
         self.session.is_painting_dirty() && (is_meant || self.is_painting_at_risk())
+    }
+
+    fn names_unsaved(&self) -> bool {
+        self.session.shows_painting(Path::new(UNSAVED_HCBTF))
     }
 
     /// After a save: does what waited for it, if nothing else is to be saved.
@@ -209,7 +218,7 @@ impl App {
             Some(Pending::ImportPainting { path, import }) => self.import_painting(path, import),
             Some(Pending::BeginPainting { hcbtf }) => self.begin_made(&hcbtf),
             Some(Pending::ClosePainting) => self.close_painting(),
-            Some(Pending::ShowPainting) => self.show_painting_alone(),
+            Some(Pending::ShowPainting) => self.go_back_to_painting(),
             Some(Pending::Close) => self.closes = true,
             None => {}
         }
@@ -220,6 +229,7 @@ impl App {
         match example.content {
             library::Content::Scene(scene) => {
                 self.session.start_scene(scene, example.stem);
+                self.lay_out();
                 self.dock.open(Panel::Objects);
             }
             library::Content::Look(_) => {
@@ -240,7 +250,7 @@ impl App {
                     self.session.painting().map(Work::name).unwrap_or_default()
                 }
                 Some(stage) if !self.at_risk().0 && self.at_risk().1 => stage.name(),
-                _ => self.document_name(),
+                _ => self.session.name(),
             };
             ui.label(RichText::new(format!("{name} has changes")).heading());
             ui.label("They are lost unless you save them.");

@@ -22,14 +22,14 @@ use super::curves::keys::Keys;
 use super::curves::profile::Profile;
 use super::curves::timeline::Timeline;
 use super::dialogs::{Dialogs, IMAGES, MESHES, Purpose, Way};
-use super::dock::Dock;
 use super::dock::effects::Effects;
+use super::dock::{Dock, Workspace};
 use super::fitting::{Fitting, Wish as FitWish};
 use super::look_export::{self, LookExports};
 use super::painting::Painting;
 use super::panels::{Panels, library, solo};
 use super::path_field::PathField;
-use super::picture::Picture;
+use super::picture::{Awaited, Picture};
 use super::probe::{Probe, picture_size};
 use super::safety::Safety;
 use super::safety::places::Places;
@@ -88,6 +88,8 @@ pub struct App {
     shows_first_picture: bool,
     /// Where the panel of objects is, while it is seen.
     objects: Option<egui::Rect>,
+    /// The look and the painting that the panels were laid out for last.
+    laid_out_for: Option<(u64, Option<u64>)>,
 }
 
 impl App {
@@ -136,6 +138,7 @@ impl App {
             closes: false,
             shows_first_picture: false,
             objects: None,
+            laid_out_for: None,
         }
     }
 
@@ -294,6 +297,7 @@ impl App {
     /// Arranges the panels as they were; what cannot be read changes nothing.
     pub fn arrange(&mut self, saved: &serde_json::Value) {
         self.dock.restore(saved);
+        self.laid_out_for = None;
     }
 
     /// Whether shaders, pictures or values are being made.
@@ -326,6 +330,12 @@ impl App {
         if let Some(picture) = &self.picture {
             picture.wait();
         }
+    }
+
+    /// Whether the first picture of what is open is being made, while there is one of something else.
+    pub fn is_preparing(&self) -> bool {
+        let awaited = self.picture.as_ref().and_then(|picture| picture.awaited(&self.session));
+        matches!(awaited, Some(Awaited::Shader | Awaited::Picture))
     }
 
     /// Whether a picture was asked for that is not handed to the GPU yet.
@@ -402,6 +412,7 @@ impl App {
             // What was changed in this frame is seen in the next one.
             ui.ctx().request_repaint();
         }
+        self.lay_out();
         let is_held = ui.input(|input| input.pointer.any_down());
         self.session.commit(is_held);
         // A panel is resized in many steps; where it ends is remembered.
@@ -413,6 +424,17 @@ impl App {
         }
         self.close_or_stay(ui.ctx());
         self.set_title(ui.ctx());
+    }
+
+    /// Lays the panels out for painting once what is painted is shown, and for looks once another look is open. Edits of
+    /// the look move nothing: only what is opened and closed does.
+    pub(super) fn lay_out(&mut self) {
+        let open = (self.session.document_number(), self.painting_number());
+        if self.laid_out_for != Some(open) {
+            self.laid_out_for = Some(open);
+            let is_painted = super::painting::look::shows(&self.session);
+            self.dock.enter(if is_painted { Workspace::Painting } else { Workspace::Look });
+        }
     }
 
     fn panels(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {

@@ -9,8 +9,8 @@ use super::files::Pending;
 use crate::diag::Diagnostic;
 use crate::document::{Edit, Grid, Hcbtf, HcbtfEdit, Storage};
 use crate::editor::dialogs::Purpose;
-use crate::editor::dock::Panel;
-use crate::editor::painting::{Import, Made, Wish, Work, counted, look};
+use crate::editor::dock::{Panel, Workspace};
+use crate::editor::painting::{Home, Import, Made, Wish, Work, counted, look, shown};
 use crate::editor::panels::problems::sentence;
 use crate::frame::UNSAVED_HCBTF;
 use crate::hcbtf::exchange::Form;
@@ -38,7 +38,8 @@ impl App {
                     self.message = Some(text);
                 }
             }
-            Wish::ShowAlone => self.do_or_ask(Pending::ShowPainting),
+            Wish::GoBack => self.do_or_ask(Pending::ShowPainting),
+            Wish::PaintShown => self.paint_shown(),
             Wish::AskGrid { changes } => self.painting.ask_grid(&self.session, changes),
             Wish::AskSynthesis if self.session.painting().is_some() => self.painting.ask_synthesis(&self.session),
             Wish::AskSynthesis => {
@@ -105,30 +106,68 @@ impl App {
                     self.name_copy_of_example(path);
                 }
             }
-            Err(problems) => {
-                let why = problems.first().map(|problem| problem.message.as_str()).unwrap_or_default();
-                self.message = Some(format!("{} could not be opened: {why}", path.display()));
-            }
+            Err(problems) => self.safety.could_not_open(path, &problems, &self.session),
         }
     }
 
     /// Lets the open look show what is painted wherever it named the example that this is a copy of, as one step.
     fn name_copy_of_example(&mut self, path: &Path) {
-        let Some(work) = self.session.painting().filter(|work| work.is_copy_of_example()) else { return };
+        let Some(work) = self.session.painting().filter(|work| work.example().is_some()) else { return };
         let told = format!("{}: saving asks where it is to go", work.name());
         let name = path.to_string_lossy();
         let edits = look::rename(self.session.look(), &self.session.catalog, &name, UNSAVED_HCBTF);
         if !edits.is_empty() {
+            // Nobody has done anything yet in a look that has no file either, and there is nothing to be saved.
+            let is_untouched = self.session.path().is_none() && !self.session.is_look_dirty();
             self.tell(|session| session.apply(Edit::Group { edits }, None));
+            if is_untouched {
+                self.session.count_as_saved();
+            }
         }
         self.message.get_or_insert(told);
     }
 
-    /// Shows what is painted in a look of its own.
-    pub(super) fn show_painting_alone(&mut self) {
-        self.begin_bare_look();
+    /// Paints what the open look shows, or shows what there is to choose from.
+    fn paint_shown(&mut self) {
+        if look::shows(&self.session) {
+            return self.show_painting_panels();
+        }
+        let mut shown = shown(&self.session);
+        match (shown.pop(), shown.is_empty()) {
+            (Some(only), true) => self.do_or_ask(Pending::OpenPainting { path: only.path, keeps_look: true }),
+            (Some(_), false) => {
+                self.start = None;
+                self.dock.open(Panel::Paint);
+            }
+            (None, _) => self.message = Some("The open look shows nothing that is painted".to_owned()),
+        }
+    }
+
+    /// Shows what is painted in the look that it was painted in; where that is not to be had, in a look of its own.
+    pub(super) fn go_back_to_painting(&mut self) {
+        let home = self.session.painting().and_then(Work::home).cloned();
+        if !home.is_some_and(|home| self.open_home(&home)) {
+            self.begin_bare_look();
+        }
         self.safety.look();
         self.show_painting_panels();
+    }
+
+    /// Opens a look that showed what is painted, with its changes. Returns whether it still does.
+    fn open_home(&mut self, home: &Home) -> bool {
+        match &home.path {
+            Some(path) if path.is_file() => {
+                self.safety.want_back(path);
+                self.open(path);
+            }
+            _ if self.safety.take_back_look(&home.look, &mut self.session) => {}
+            _ => self.session.start_from(&home.look.to_text(), &home.name()),
+        }
+        let is_shown = look::shows(&self.session);
+        if is_shown && self.session.stage().is_none() {
+            self.session.view = home.view.clone();
+        }
+        is_shown
     }
 
     /// Begins to make an HCBTF of pictures of other programs.
@@ -224,25 +263,33 @@ impl App {
         self.session.view.look_at_a_sheet();
     }
 
-    fn show_painting_panels(&mut self) {
+    pub(super) fn show_painting_panels(&mut self) {
         self.start = None;
-        for panel in [Panel::Rules, Panel::Directions, Panel::Samples, Panel::Paint] {
-            self.dock.open(panel);
-        }
+        self.dock.enter(Workspace::Painting);
+        self.laid_out_for = Some((self.session.document_number(), self.painting_number()));
+        self.dock.open(Panel::Paint);
     }
 
-    /// After work was taken back: shows what was painted, if that came back, in a look of its own where nothing else is
-    /// open. `before` is the number of what was painted before.
+    /// After work was taken back: shows what was painted, if that came back. Where nothing else is open it is shown in the
+    /// look that was left with it, or in one of its own. `before` is the number of what was painted before.
     pub(super) fn show_painting_taken_back(&mut self, before: Option<u64>) {
         let now = self.painting_number();
         if now.is_none() || now == before {
             return;
         }
         let is_new = self.session.path().is_none() && !self.session.is_look_dirty() && self.session.stage().is_none();
-        if is_new {
+        if is_new && self.safety.take_back_look_of_painting(&mut self.session) {
+            let painting = self.session.painting().map(Work::name).unwrap_or_default();
+            let told = format!("{painting} and {} are as they were, with all their changes", self.session.name());
+            self.message = Some(told);
+        } else if is_new {
             self.begin_bare_look();
         }
-        self.show_painting_panels();
+        if look::shows(&self.session) {
+            return self.show_painting_panels();
+        }
+        self.start = None;
+        self.dock.open(Panel::Paint);
     }
 
     /// Tells what is painted from what was before.
@@ -251,6 +298,7 @@ impl App {
     }
 
     pub(super) fn close_painting(&mut self) {
+        self.session.give_up_copy();
         self.session.set_painting(None);
         self.safety.look();
     }

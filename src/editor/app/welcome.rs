@@ -1,5 +1,7 @@
 //! What greets a newcomer: the start page and the tour; and the field that asks for paths where no dialog does.
 
+use std::path::Path;
+
 use eframe::egui::{self, Ui};
 
 use super::App;
@@ -32,6 +34,14 @@ impl App {
     pub fn begin(&mut self) {
         self.resume();
         if self.message.is_none() {
+            self.show_start_page();
+        }
+    }
+
+    /// What a window that is opened with a file begins with: the file, or else the start page, where what is wrong is told.
+    pub fn begin_with(&mut self, file: &Path) {
+        self.open(file);
+        if self.safety.tells_unopened() {
             self.show_start_page();
         }
     }

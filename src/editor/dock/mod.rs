@@ -2,6 +2,7 @@
 //! closed and brought back; the arrangement is remembered.
 
 pub(crate) mod effects;
+mod workspace;
 
 use eframe::egui;
 use eframe::egui::{
@@ -14,6 +15,7 @@ use egui_tiles::{
 use serde::{Deserialize, Serialize};
 
 use super::theme;
+pub(crate) use workspace::Workspace;
 
 /// Beside the name on a tab, in points.
 const TAB_MARGIN: f32 = 20.0;
@@ -161,13 +163,16 @@ impl Panel {
 /// How the panels share the window.
 pub(crate) struct Dock {
     tree: Tree<Panel>,
-    /// What [`saved`](Self::saved) was made of is another now.
+    workspace: Workspace,
+    /// The layout of the other workspace, once that was entered.
+    aside: Option<Tree<Panel>>,
+    /// What is saved of it is another now.
     is_changed: bool,
 }
 
 impl Default for Dock {
     fn default() -> Self {
-        Self { tree: arrangement(), is_changed: false }
+        Self { tree: arrangement(), workspace: Workspace::default(), aside: None, is_changed: false }
     }
 }
 
@@ -234,11 +239,6 @@ impl Dock {
         }
     }
 
-    /// The arrangement that a new window has.
-    pub(crate) fn reset(&mut self) {
-        *self = Self { is_changed: true, ..Self::default() };
-    }
-
     fn bring_back(&mut self, panel: Panel) {
         let tiles = &mut self.tree.tiles;
         let pane = tiles.insert_pane(panel);
@@ -260,24 +260,6 @@ impl Dock {
                 self.tree.root = Some(self.tree.tiles.insert_horizontal_tile(vec![root, tabs]));
             }
             None => self.tree.root = Some(tabs),
-        }
-    }
-
-    /// The arrangement, where it changed since it was asked for last.
-    pub(crate) fn changed(&mut self) -> Option<serde_json::Value> {
-        let is_changed = std::mem::take(&mut self.is_changed);
-        is_changed.then(|| serde_json::to_value(&self.tree).ok()).flatten()
-    }
-
-    /// Takes on an arrangement of before. One that cannot be read, or in which a panel is twice, changes nothing.
-    pub(crate) fn restore(&mut self, saved: &serde_json::Value) {
-        let Ok(tree) = serde_json::from_value::<Tree<Panel>>(saved.clone()) else { return };
-        let count =
-            |panel| tree.tiles.tiles().filter(|tile| matches!(tile, Tile::Pane(found) if *found == panel)).count();
-        let is_sound =
-            Panel::ALL.into_iter().all(|panel| count(panel) < 2) && count(Panel::Picture) + count(Panel::Graph) > 0;
-        if is_sound && tree.root.is_some() {
-            self.tree = tree;
         }
     }
 }

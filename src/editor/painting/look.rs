@@ -11,7 +11,7 @@ use crate::document::{Edit, GraphId, Look, Value};
 use crate::editor::catalog::Catalog;
 use crate::editor::orbit::{Orbit, PLANE};
 use crate::editor::session::Session;
-use crate::editor::stage::real;
+use crate::editor::stage::{folder_of, real};
 use crate::frame::{SetupLook, UNSAVED_HCBTF};
 use crate::library::Type;
 
@@ -76,6 +76,19 @@ pub(crate) fn shows(session: &Session) -> bool {
         names.iter().any(|name| !name.is_empty() && real(&look.folder.join(name)) == real(path))
     };
     session.shows_painting(path) || session.stage().is_some_and(|stage| stage.other_looks().any(names_it))
+}
+
+/// Whether another look, of a file or of none, shows what is painted.
+pub(crate) fn shows_in(session: &Session, look: &Look, path: Option<&Path>) -> bool {
+    let Some(work) = session.painting() else { return false };
+    let names = sheets(look, &session.catalog);
+    match work.path() {
+        None => path.is_none() && names.iter().any(|name| name == UNSAVED_HCBTF),
+        Some(painted) => {
+            let folder = path.map(folder_of).unwrap_or_default();
+            names.iter().any(|name| !name.is_empty() && real(&folder.join(name)) == real(painted))
+        }
+    }
 }
 
 /// The HCBTFs that a look names, wherever in it.

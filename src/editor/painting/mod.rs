@@ -16,6 +16,7 @@ mod export;
 mod filling;
 mod grid;
 mod hand;
+mod home;
 mod icons;
 mod import;
 mod keeping;
@@ -54,9 +55,10 @@ use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf, HcbtfEdit, Storage};
 use crate::hcbtf::Device;
 use crate::hcbtf::exchange::Form;
+pub(crate) use home::Home;
 pub(crate) use import::Import;
 pub(crate) use making::Made;
-pub(crate) use start::Preset;
+pub(crate) use start::{Preset, Shown, shown};
 pub(crate) use tools::Kind;
 pub(crate) use work::OnDisk;
 use work::State;
@@ -86,8 +88,10 @@ pub(crate) enum Wish {
         grid: Grid,
         lost: usize,
     },
-    /// Shows the open one in a look of its own.
-    ShowAlone,
+    /// Paints what the open look shows, or goes on with that; where it is more than one, shows which there are.
+    PaintShown,
+    /// Shows the open one in the look that it was painted in, or in one of its own.
+    GoBack,
     /// Asks how finely a new one is divided, or how the open one is to be from now on.
     AskGrid {
         changes: bool,
@@ -301,7 +305,7 @@ impl Painting {
                     self.easel.leave();
                     start::show(ui, session, &mut out);
                 }
-                _ => dock::hint(ui, "The open look shows nothing that is painted: the panel Paint begins something"),
+                _ => dock::hint(ui, &start::in_short(session)),
             }
             return out;
         }

@@ -5,11 +5,13 @@ use std::path::PathBuf;
 use eframe::egui::{Button, Response, RichText, ScrollArea, Ui};
 
 use super::look::sheets;
-use super::memory::in_short;
+use super::memory;
+use super::work::Work;
 use super::{Wish, command};
 use crate::document::{Directions, Grid};
 use crate::editor::command::Command;
 use crate::editor::session::Session;
+use crate::editor::stage::real;
 use crate::editor::theme;
 use crate::examples::PREFIX;
 use crate::frame::UNSAVED_HCBTF;
@@ -76,46 +78,99 @@ fn wide(ui: &mut Ui, label: &str) -> Response {
     ui.add_sized([400.0, 30.0], Button::new(label))
 }
 
-/// What the open look shows, and what is open that it does not show.
-fn of_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+/// An HCBTF that the open look shows, and that is not open to be painted.
+pub(crate) struct Shown {
+    /// What asks for it.
+    pub(crate) label: String,
+    pub(crate) help: &'static str,
+    pub(crate) path: PathBuf,
+    /// What people call it.
+    pub(crate) name: String,
+}
+
+/// What the open look shows that is not open to be painted.
+pub(crate) fn shown(session: &Session) -> Vec<Shown> {
     let mut names = sheets(session.look(), &session.catalog);
     names.retain(|name| !name.is_empty() && name != UNSAVED_HCBTF);
     names.sort();
     names.dedup();
+    let open = session.painting().and_then(Work::path).map(real);
+    let all = names.into_iter().map(|named| {
+        let path = PathBuf::from(&named);
+        if named.starts_with(PREFIX) {
+            let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            let help = "Opens a copy of the example that this look shows; the example itself stays as it is";
+            return Shown { label: format!("Paint a copy of {name}"), help, path, name };
+        }
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let help = "Opens what this look shows to be painted";
+        Shown { label: format!("Paint {name}"), help, path: session.folder().join(named), name }
+    });
+    all.filter(|shown| open.as_ref().is_none_or(|open| real(&shown.path) != *open)).take(MOST_SHEETS).collect()
+}
+
+/// What the other panels say meanwhile: what the look shows, and where that is opened.
+pub(super) fn in_short(session: &Session) -> String {
+    let shown = shown(session);
+    let names: Vec<_> = shown.iter().map(|shown| shown.name.as_str()).collect();
+    match (names.as_slice(), session.painting()) {
+        ([], None) => "The open look shows nothing that is painted: the menu Paint begins something".to_owned(),
+        ([], Some(work)) => {
+            format!("The open look shows nothing that is painted: the menu Paint goes back to {}", work.name())
+        }
+        (names, _) => {
+            let those = if names.len() == 1 { "which is" } else { "which are" };
+            format!("The open look shows {}, {those} not open to be painted: the menu Paint does that", listed(names))
+        }
+    }
+}
+
+/// Names as people list them.
+fn listed(names: &[&str]) -> String {
+    match names {
+        [] => String::new(),
+        [only] => (*only).to_owned(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
+/// What the open look shows, and what is open that it does not show.
+fn of_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+    let shown = shown(session);
+    let names: Vec<_> = shown.iter().map(|shown| shown.name.as_str()).collect();
+    let dim = theme::of(ui).dim;
     if let Some(work) = session.painting() {
-        ui.heading("This look shows another painting, or none");
+        let what = if names.is_empty() { "no painting".to_owned() } else { listed(&names) };
+        ui.heading(format!("The open look shows {what}"));
         ui.add_space(4.0);
         let name = work.name();
         let unsaved = if work.is_dirty() { ", not saved yet" } else { "" };
-        let text = format!("{name} is still open{unsaved}. The look that is open now does not show it.");
-        ui.label(RichText::new(text).color(theme::of(ui).dim));
+        let place = work.home().map(|home| format!("It was painted in {}.", home.name())).unwrap_or_default();
+        let text = format!("{name} is still open{unsaved}, and this look does not show it. {place}");
+        ui.label(RichText::new(text.trim_end()).color(dim));
         ui.add_space(8.0);
-        let help = "Shows it in a look of its own, and goes on painting it";
+        let help = match work.home() {
+            Some(_) => "Shows it in the look that it was painted in, and goes on painting it",
+            None => "Shows it in a look of its own, and goes on painting it",
+        };
         if wide(ui, &format!("Back to {name}")).on_hover_text(help).clicked() {
-            out.push(command(Wish::ShowAlone));
+            out.push(command(Wish::GoBack));
         }
         ui.add_space(4.0);
     } else if names.is_empty() {
-        let text = "The open look has no painting.";
-        ui.label(RichText::new(text).color(theme::of(ui).dim));
+        ui.label(RichText::new("The open look has no painting.").color(dim));
         ui.add_space(8.0);
+    } else {
+        ui.heading(format!("The open look shows {}", listed(&names)));
+        ui.add_space(4.0);
     }
-    for name in names.iter().take(MOST_SHEETS) {
-        let path = PathBuf::from(name);
-        let file = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let (label, help, path) = match name.starts_with(PREFIX) {
-            true => {
-                let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-                let help = "Opens a copy of the example that this look shows; the example itself stays as it is";
-                (format!("Paint a copy of {stem}"), help, path.clone())
-            }
-            false => (format!("Paint {file}"), "Opens what this look shows to be painted", session.folder().join(name)),
-        };
+    let is_any = !shown.is_empty() || session.painting().is_some();
+    for Shown { label, help, path, .. } in shown {
         if wide(ui, &label).on_hover_text(help).clicked() {
             out.push(command(Wish::Open { path, keeps_look: true }));
         }
     }
-    if !names.is_empty() || session.painting().is_some() {
+    if is_any {
         ui.add_space(12.0);
     }
 }
@@ -139,7 +194,7 @@ fn anew(ui: &mut Ui, out: &mut Vec<Command>) {
             grid.view.distinct_count()
         );
         let button = wide(ui, &label);
-        if button.on_hover_text(format!("{}: {}", preset.help(), in_short(&grid))).clicked() {
+        if button.on_hover_text(format!("{}: {}", preset.help(), memory::in_short(&grid))).clicked() {
             out.push(command(Wish::New { grid, keeps_look: false }));
         }
     }

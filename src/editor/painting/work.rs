@@ -8,6 +8,7 @@ use std::time::{Duration, SystemTime};
 
 use serde_json::{Value as Json, json};
 
+use super::home::Home;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf, HcbtfEdit, History, Rule, Tile, write_atomic};
 use crate::editor::session::kept::Kept;
@@ -89,6 +90,10 @@ pub struct Work {
     path: Option<PathBuf>,
     /// What it is called while it has no file; empty for a new one.
     title: String,
+    /// The example that it is a copy of.
+    example: Option<PathBuf>,
+    /// The look that it was seen in, once another one was opened.
+    home: Option<Home>,
     /// The file as it was when this was read from it or saved to it.
     pub(super) stamp: Option<Stamp>,
     /// What reading the file told.
@@ -125,6 +130,8 @@ impl Work {
             stamp: path.as_deref().and_then(Stamp::of),
             path,
             title: String::new(),
+            example: None,
+            home: None,
             load_problems: Vec::new(),
             at,
             before: at,
@@ -160,7 +167,8 @@ impl Work {
         let (hcbtf, notes) = hcbtf::load(path)?;
         if crate::examples::file(path).is_some() {
             let name = path.file_stem().unwrap_or_default().to_string_lossy();
-            return Ok(Self { title: format!("{name}{COPY}"), ..Self::imported(hcbtf, notes) });
+            let (title, example) = (format!("{name}{COPY}"), Some(path.to_owned()));
+            return Ok(Self { title, example, load_problems: notes, ..Self::with(hcbtf, None) });
         }
         let mut work = Self::with(hcbtf, Some(std::path::absolute(path).unwrap_or_else(|_| path.to_owned())));
         work.load_problems = notes;
@@ -256,9 +264,24 @@ impl Work {
         self.title = if title == NEW { String::new() } else { title.to_owned() };
     }
 
-    /// Whether it is a copy of an example that has no file yet.
-    pub(crate) fn is_copy_of_example(&self) -> bool {
-        self.path.is_none() && self.title.ends_with(COPY)
+    /// The example that it is a copy of, as long as it has no file.
+    pub(crate) fn example(&self) -> Option<&Path> {
+        self.example.as_deref().filter(|_| self.path.is_none())
+    }
+
+    /// The look that it was seen in before another one was opened.
+    pub(crate) fn home(&self) -> Option<&Home> {
+        self.home.as_ref()
+    }
+
+    /// The same, to be named otherwise.
+    pub(crate) fn home_mut(&mut self) -> Option<&mut Home> {
+        self.home.as_mut()
+    }
+
+    /// Remembers the look that it is seen in.
+    pub(crate) fn set_home(&mut self, home: Home) {
+        self.home = Some(home);
     }
 
     /// What its file is to be called, if nobody says otherwise.

@@ -23,13 +23,24 @@ impl Safety {
         let problem = problem.filter(|_| !self.is_problem_read);
         let count = self.offers.shown().count();
         let painting = self.disk.painting_conflict.filter(|_| session.painting().is_some());
-        let is_any = self.disk.conflict.is_some() || self.disk.scene_conflict.is_some() || painting.is_some();
+        self.unopened = self.unopened.take().filter(|unopened| unopened.is_new(session));
+        let is_any = self.unopened.is_some()
+            || self.disk.conflict.is_some()
+            || self.disk.scene_conflict.is_some()
+            || painting.is_some();
         if problem.is_none() && !is_any && count == 0 {
             return Vec::new();
         }
         let mut wishes = Vec::new();
         let frame = egui::Frame::side_top_panel(ui.style());
         Panel::top("safety").frame(frame).resizable(false).show(ui, |ui| {
+            if let Some(unopened) = &self.unopened {
+                row(ui, Tone::Warning, &unopened.text, |ui| {
+                    ask(ui, "Understood", "Hides this", Wish::HideUnopened, &mut wishes);
+                    ask(ui, "Open another file", "Asks for a file", Wish::OpenAnother, &mut wishes);
+                });
+                ui.add(egui::Label::new(RichText::new(&unopened.help).weak()).wrap());
+            }
             if let Some(problem) = problem {
                 let hint = problem.hints.join("\n");
                 row(ui, Tone::Warning, &problem.message, |ui| {

@@ -7,6 +7,7 @@ mod disk;
 pub(crate) mod keeper;
 mod offers;
 pub(crate) mod places;
+mod unopened;
 mod watch;
 
 use std::collections::HashSet;
@@ -16,13 +17,21 @@ use std::time::Duration;
 use eframe::egui;
 use eframe::egui::Ui;
 
+use super::painting::look;
 use super::session::Session;
 use super::settings::{Settings, Theme};
 use super::stage::real;
+use crate::diag::Diagnostic;
+use crate::document::Look;
 use crate::frame::SHAPE_PREFIX;
 use disk::{Conflict, Disk};
 use offers::Offers;
 use places::Places;
+use unopened::Unopened;
+
+/// When, in seconds of the window's clock, it looks for left work once more: a program that was killed may take a while to
+/// let go of its own.
+const LOOKS: [f64; 3] = [2.0, 6.0, 20.0];
 
 /// What the bar asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,6 +54,10 @@ pub(crate) enum Wish {
     KeepMyPainting,
     /// The note was read.
     Hide,
+    /// The note of a file that could not be opened was read.
+    HideUnopened,
+    /// Asks for another file in its place.
+    OpenAnother,
 }
 
 /// What looks after a window's work.
@@ -57,6 +70,10 @@ pub(crate) struct Safety {
     window: Option<(Theme, f32)>,
     /// Whether the note that nothing is kept was read.
     is_problem_read: bool,
+    /// How many of [`LOOKS`] were made.
+    looks: usize,
+    /// The file that could not be opened last.
+    unopened: Option<Unopened>,
     /// The files of scenes, and of looks within them, that this window has put aside: their work comes back with them.
     aside: HashSet<PathBuf>,
 }
@@ -72,6 +89,8 @@ impl Safety {
             settings: Settings::default(),
             window: None,
             is_problem_read: false,
+            looks: 0,
+            unopened: None,
             aside: HashSet::new(),
         }
     }
@@ -87,6 +106,16 @@ impl Safety {
         }
         self.places = Some(places);
         self.look();
+    }
+
+    /// Tells that a file could not be opened, until another one is.
+    pub(crate) fn could_not_open(&mut self, path: &Path, problems: &[Diagnostic], session: &Session) {
+        self.unopened = Some(Unopened::new(path, problems, session));
+    }
+
+    /// Whether that is told.
+    pub(crate) fn tells_unopened(&self) -> bool {
+        self.unopened.is_some()
     }
 
     /// Looks for work that nobody holds.
@@ -117,6 +146,31 @@ impl Safety {
     pub(crate) fn put_aside(&mut self, session: &Session) {
         let Some(stage) = session.stage() else { return };
         self.aside.extend([stage.path(), session.path()].into_iter().flatten().map(real));
+    }
+
+    /// Remembers that a file was put aside, and is wanted back with the work on it.
+    pub(crate) fn want_back(&mut self, path: &Path) {
+        self.aside.insert(real(path));
+    }
+
+    /// Takes a look without a file back that was put aside as it is here. Returns whether there was one.
+    pub(crate) fn take_back_look(&mut self, look: &Look, session: &mut Session) -> bool {
+        self.look();
+        let text = look.to_text();
+        let number = self.offers.of_look(|other, path| path.is_none() && other.to_text() == text);
+        number.map(|number| self.take_back(number, session)).is_some()
+    }
+
+    /// Takes the look back that was left behind and shows what is painted. Returns whether there was one.
+    pub(crate) fn take_back_look_of_painting(&mut self, session: &mut Session) -> bool {
+        self.look();
+        let is_it = |look: &Look, path: Option<&Path>| look::shows_in(session, look, path);
+        let number = self.offers.of_look(is_it);
+        if let Some(number) = number {
+            self.take_back(number, session);
+            session.look_as_kept(true);
+        }
+        number.is_some()
     }
 
     /// Takes the look back that was put aside with a scene, and that has no file.
@@ -178,7 +232,8 @@ impl Safety {
         let is_open =
             |path: &Path| session.stage().and_then(|stage| stage.path()).is_some_and(|open| real(open) == real(path));
         if let Some(scene) = offer.beside.clone().filter(|path| path.is_file() && !is_open(path)) {
-            session.open(&scene);
+            // Where it cannot be read the look comes back without it.
+            let _ = session.open(&scene);
         }
     }
 
@@ -224,8 +279,13 @@ impl Safety {
 
     /// Looks at files when it is time to. Returns what to tell, and when to call again.
     pub(crate) fn tick(&mut self, ui: &Ui, session: &mut Session) -> (Option<String>, Option<Duration>) {
+        let now = ui.input(|input| input.time);
+        if LOOKS.get(self.looks).is_some_and(|&time| now >= time) {
+            self.looks += 1;
+            self.look();
+        }
         let came_back = ui.input(|input| input.events.contains(&egui::Event::WindowFocused(true)));
-        self.disk.tick(session, ui.input(|input| input.time), came_back)
+        self.disk.tick(session, now, came_back)
     }
 
     /// Looks at files now. Returns what to tell.
@@ -288,6 +348,7 @@ impl Safety {
                     return Some("Saving what is painted will write the file as it is here".to_owned());
                 }
             }
+            Wish::HideUnopened | Wish::OpenAnother => self.unopened = None,
             Wish::Hide => {
                 self.is_problem_read = session.keeping_problem().is_some();
                 self.disk.forget_gone();

@@ -234,6 +234,16 @@ impl Offers {
         is_same.then_some(number)
     }
 
+    /// The newest that was left of a look for which `is_it` is true; that is told its file, if it has one.
+    pub(crate) fn of_look(&self, is_it: impl Fn(&Look, Option<&Path>) -> bool) -> Option<usize> {
+        self.all.iter().position(|offer| {
+            let may_be = offer.is_readable && !offer.is_scene && !offer.is_painting && !offer.is_thrown;
+            let found = may_be.then(|| recover_any(offer.slot.path()).ok()).flatten();
+            let Some(Found::Look(found)) = found else { return false };
+            is_it(found.history.document(), offer.path.as_deref())
+        })
+    }
+
     /// What is offered under a number.
     pub(crate) fn get(&self, number: usize) -> Option<&Offer> {
         self.all.get(number)

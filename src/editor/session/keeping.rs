@@ -10,6 +10,7 @@ use super::Session;
 use crate::diag::Diagnostic;
 use crate::document::journal::{About, Journaled, Op, Recovered, Slot};
 use crate::document::{Edit, Look, read_text};
+use crate::frame::UNSAVED_HCBTF;
 use crate::library::Library;
 
 /// What a journal calls where the window looks from.
@@ -225,10 +226,9 @@ impl Session {
             return self.kept.keeping.clear();
         }
         let path = self.path().map(|path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned()));
-        let file_name = path.as_ref().and_then(|path| path.file_name()).map(|name| name.to_string_lossy().into_owned());
         let scene = self.stage.as_ref().and_then(|stage| std::path::absolute(stage.path()?).ok());
         let about = About {
-            name: file_name.unwrap_or_else(|| "New look".to_owned()),
+            name: self.name(),
             path: path.as_ref().and_then(|path| path.to_str()).map(str::to_owned),
             is_partial: self.is_partial,
             window: serde_json::json!({
@@ -251,8 +251,12 @@ impl Session {
     /// Lets go of the look's journal before another look comes: it stays if anything in it is not saved.
     pub(crate) fn leave_journal(&mut self, in_peace: bool) {
         self.commit(false);
+        self.note_home();
         // What has no file is needed by a scene that is put aside with it, be it as it was in the beginning.
-        let is_needed = self.path.is_none() && self.stage.as_ref().is_some_and(|stage| stage.is_dirty());
+        let by_scene = self.stage.as_ref().is_some_and(|stage| stage.is_dirty());
+        // And by what is painted in it.
+        let by_painting = self.is_painting_dirty() && self.shows_painting(Path::new(UNSAVED_HCBTF));
+        let is_needed = self.path.is_none() && (by_scene || by_painting);
         self.kept.leave_journal(is_needed, in_peace);
     }
 

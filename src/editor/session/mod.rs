@@ -180,26 +180,26 @@ impl Session {
         self.load_problems = loaded.diagnostics;
     }
 
-    /// Opens a look, within the scene if one is open that wears it, or a scene. Where the file cannot be read at all, what
-    /// was open stays, and the problems are told.
-    pub fn open(&mut self, path: &Path) -> bool {
+    /// Opens a look, within the scene if one is open that wears it, or a scene.
+    ///
+    /// # Errors
+    /// What keeps the file from being read at all; what was open stays then.
+    pub fn open(&mut self, path: &Path) -> Result<(), Vec<Diagnostic>> {
         let loaded = match Document::load(path) {
             Document::Look(loaded) => loaded,
             Document::Scene(loaded) => return self.open_scene(path, loaded),
         };
         let is_partial = loaded.has_errors();
         let diagnostics = loaded.diagnostics;
-        let opened = loaded.value.is_some();
-        if let Some(look) = loaded.value {
-            self.leave_journal(false);
-            self.leave_stage_unless_worn(Some(path));
-            self.use_project(path);
-            self.replace(look, loaded.source, Some(path.to_owned()));
-            self.is_partial = is_partial;
-        }
+        let Some(look) = loaded.value else { return Err(diagnostics) };
+        self.leave_journal(false);
+        self.leave_stage_unless_worn(Some(path));
+        self.use_project(path);
+        self.replace(look, loaded.source, Some(path.to_owned()));
+        self.is_partial = is_partial;
         self.load_problems = diagnostics;
         self.problems_number += 1;
-        opened
+        Ok(())
     }
 
     /// Saves to a file, which is the look's own from then on.
@@ -281,6 +281,17 @@ impl Session {
     /// The file, once there is one.
     pub fn path(&self) -> Option<&Path> {
         self.path.as_deref()
+    }
+
+    /// What people call the look: as its file, or else as itself. One that is called as what is painted is told from that.
+    pub(crate) fn name(&self) -> String {
+        let look = &self.look().name;
+        match self.path().and_then(Path::file_name) {
+            Some(name) => name.to_string_lossy().into_owned(),
+            None if look.is_empty() => "New look".to_owned(),
+            None if self.painting.as_ref().is_some_and(|work| work.name() == *look) => format!("Look of {look}"),
+            None => look.clone(),
+        }
     }
 
     /// Whether there are changes that no file holds, of the look or of the scene around it.

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::super::painting::{Work, look};
+use super::super::painting::{Home, Work, look};
 use super::super::stage::{folder_of, real, relative};
 use super::Session;
 use crate::diag::Diagnostic;
@@ -91,7 +91,9 @@ impl Session {
     pub(crate) fn save_painting_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
         let Some(work) = &mut self.painting else { return Ok(()) };
         let had_no_file = work.path().is_none();
+        let before = work.name();
         work.save_as(path)?;
+        let now = work.name();
         let file = work.path().map(Path::to_path_buf).filter(|_| had_no_file);
         if let Some(file) = file {
             let name = match &self.path {
@@ -99,6 +101,10 @@ impl Session {
                 None => file.to_string_lossy().into_owned(),
             };
             let is_named = self.rename_painting(UNSAVED_HCBTF, &name);
+            self.rename_home(&file.to_string_lossy());
+            if self.path.is_none() && self.look().name == before {
+                self.call_look(now);
+            }
             if is_named && self.path.is_some() {
                 self.kept.history.mark_unsaved();
             }
@@ -109,6 +115,49 @@ impl Session {
         }
         self.painting_changed();
         Ok(())
+    }
+
+    /// The same in the look that is gone back to.
+    fn rename_home(&mut self, name: &str) {
+        let Some(home) = self.painting.as_mut().and_then(Work::home_mut) else { return };
+        for edit in look::rename(&home.look, &self.catalog, UNSAVED_HCBTF, name) {
+            // What names nothing of this catalog stays as it is.
+            let _ = home.look.apply(edit);
+        }
+    }
+
+    /// Calls the look that only shows what is painted as that is called; no step, as the name of a file is none.
+    fn call_look(&mut self, name: String) {
+        let look = Look { name, ..self.look().clone() };
+        self.kept.history.amend(look, |_| ());
+    }
+
+    /// Remembers the open look for the way back to what is painted, if it shows that.
+    pub(super) fn note_home(&mut self) {
+        let document = self.document_number;
+        let is_known = |work: &Work| work.home().is_some_and(|home| home.document == document);
+        if self.painting.as_ref().is_none_or(is_known) || !look::shows(self) {
+            return;
+        }
+        let of_scene = self.stage.as_ref().and_then(|stage| stage.path().map(Path::to_path_buf));
+        let path = of_scene.or_else(|| self.path.clone());
+        let home = Home { document, path, look: self.look().clone(), view: self.view.clone() };
+        if let Some(work) = &mut self.painting {
+            work.set_home(home);
+        }
+    }
+
+    /// Lets a look without a file, as it stands, count as saved: whoever loses it loses nothing that they did.
+    pub(crate) fn count_as_saved(&mut self) {
+        self.kept.history.mark_saved();
+        self.saved();
+    }
+
+    /// Lets the look show the example again that an untouched copy was opened of, which is closed.
+    pub(crate) fn give_up_copy(&mut self) {
+        let Some(work) = self.painting.as_ref().filter(|work| !work.is_dirty()) else { return };
+        let Some(example) = work.example().map(|path| path.to_string_lossy().into_owned()) else { return };
+        self.rename_painting(UNSAVED_HCBTF, &example);
     }
 
     /// Lets the look name what is painted otherwise, now and in all its past: that is no step, since undo would bring a name

@@ -44,18 +44,9 @@ impl Session {
     }
 
     /// Puts a scene around a look that is still to be opened: [`look_to_open`](Self::look_to_open) says which.
-    pub(super) fn open_scene(&mut self, path: &Path, loaded: Loaded<Scene>) -> bool {
-        match Stage::opened(path, loaded) {
-            Ok(stage) => {
-                self.set_stage(stage);
-                true
-            }
-            Err(problems) => {
-                self.load_problems = problems;
-                self.problems_number += 1;
-                false
-            }
-        }
+    pub(super) fn open_scene(&mut self, path: &Path, loaded: Loaded<Scene>) -> Result<(), Vec<Diagnostic>> {
+        self.set_stage(Stage::opened(path, loaded)?);
+        Ok(())
     }
 
     /// Begins a new scene with an example's, around a new look with what one of its objects wears.

@@ -11,6 +11,7 @@ mod isocurves;
 mod layer;
 mod lights;
 mod objects;
+mod preparing;
 mod show;
 mod strip;
 mod surface;
@@ -81,6 +82,7 @@ pub struct Viewport {
     /// In stops; for this window only.
     exposure: f32,
     exports: Exports,
+    preparing: preparing::Preparing,
     reference: Option<Reference>,
     /// The side of baked images, in pixels.
     bake_side: u32,
@@ -109,6 +111,7 @@ impl Viewport {
             turns: false,
             exposure: 0.0,
             exports: Exports::new(gpu, wake),
+            preparing: preparing::Preparing::default(),
             reference: None,
             bake_side: 512,
         }
@@ -153,7 +156,10 @@ impl Viewport {
         self.wheel_and_keys(ui, pointer, session, fitting, &mut out);
         self.turn(ui, session);
         match picture {
-            Some(picture) => show_picture(ui, rect, session, picture, self.turns, self.exposure),
+            Some(picture) => {
+                show_picture(ui, rect, session, picture, self.turns, self.exposure);
+                self.preparing.show(ui, rect, session, picture);
+            }
             None => {
                 if !fitting.stand_in(ui, rect) {
                     ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);

@@ -81,14 +81,14 @@ pub fn load(path: &Path) -> Result<Imported, Vec<Diagnostic>> {
 
 /// The bytes of a plain file within [`MAX_FILE_BYTES`].
 fn read_bounded(path: &Path) -> Result<Vec<u8>, String> {
-    let about = std::fs::metadata(path).map_err(|error| error.to_string())?;
+    let about = std::fs::metadata(path).map_err(|error| crate::diag::reason(&error))?;
     if !about.is_file() {
         return Err("it is not a file".to_owned());
     }
     if about.len() > MAX_FILE_BYTES {
         return Err(format!("it has {} bytes, more than the {MAX_FILE_BYTES} allowed", about.len()));
     }
-    std::fs::read(path).map_err(|error| error.to_string())
+    std::fs::read(path).map_err(|error| crate::diag::reason(&error))
 }
 
 fn read(name: &str, bytes: &[u8], siblings: Siblings, report: &mut Report) -> Soup {

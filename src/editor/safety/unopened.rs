@@ -1,0 +1,44 @@
+//! The note of a file that could not be opened: which, why, and what to do.
+
+use std::path::Path;
+
+use crate::diag::{Diagnostic, LineColumn};
+use crate::editor::session::Session;
+
+/// A file that could not be opened.
+pub(super) struct Unopened {
+    /// Which, and why.
+    pub(super) text: String,
+    /// Where it was looked for, and what to do.
+    pub(super) help: String,
+    /// What was open meanwhile: the note goes with that.
+    open: (u64, Option<u64>),
+}
+
+impl Unopened {
+    pub(super) fn new(path: &Path, problems: &[Diagnostic], session: &Session) -> Self {
+        let problem = problems.iter().find(|problem| problem.is_error()).or(problems.first());
+        let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
+        let why = problem.map(|problem| problem.message.as_str()).unwrap_or_default();
+        let why = why.strip_prefix("cannot read the file: ").unwrap_or(why);
+        let at = problem.and_then(|problem| problem.place.at);
+        let at = at.map(|LineColumn { line, column }| format!(" (line {line}, column {column})")).unwrap_or_default();
+        let whole = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+        let hints = problem.map(|problem| problem.hints.join("; ")).unwrap_or_default();
+        let help = if hints.is_empty() { String::new() } else { format!(": {hints}") };
+        Self {
+            text: format!("{name} could not be opened: {why}{at}"),
+            help: format!("{}{help}", whole.display()),
+            open: Self::open(session),
+        }
+    }
+
+    fn open(session: &Session) -> (u64, Option<u64>) {
+        (session.document_number(), session.painting().map(crate::editor::painting::Work::number))
+    }
+
+    /// Whether nothing else was opened since.
+    pub(super) fn is_new(&self, session: &Session) -> bool {
+        self.open == Self::open(session)
+    }
+}

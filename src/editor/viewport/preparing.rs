@@ -1,0 +1,106 @@
+//! The sign that the picture of what was just opened is on its way: the old picture steps back behind it. What comes quickly
+//! has none, so that nothing flickers, and it fades in calmly.
+
+use std::time::Duration;
+
+use eframe::egui::{self, Align2, FontId, Rect, Role, Sense, Spinner, Ui, Vec2, WidgetInfo, vec2};
+
+use crate::editor::picture::{Awaited, Picture};
+use crate::editor::session::Session;
+use crate::editor::theme;
+
+/// What takes no longer, in seconds, has no sign.
+const CALM: f64 = 0.35;
+/// For so long it fades in, in seconds.
+const FADE: f64 = 0.3;
+/// How far the old picture steps back.
+const VEIL: f32 = 0.6;
+/// The room for the sign, and its wheel, in points.
+const SIGN: Vec2 = vec2(340.0, 84.0);
+const WHEEL: f32 = 22.0;
+
+/// Since when a picture is awaited, in seconds of the window's clock.
+#[derive(Debug, Default)]
+pub(super) struct Preparing {
+    since: Option<f64>,
+}
+
+impl Preparing {
+    /// How plainly the sign is seen, from 0 to 1, and for how long, in seconds, nothing of it will be.
+    fn tell(&mut self, is_awaited: bool, now: f64) -> (f32, f64) {
+        if !is_awaited {
+            self.since = None;
+            return (0.0, f64::INFINITY);
+        }
+        let age = now - *self.since.get_or_insert(now);
+        (((age - CALM) / FADE).clamp(0.0, 1.0) as f32, (CALM - age).max(0.0))
+    }
+
+    /// Shows the sign over the picture, once that is awaited for a while.
+    pub(super) fn show(&mut self, ui: &mut Ui, rect: Rect, session: &Session, picture: &Picture) {
+        let awaited = picture.awaited(session);
+        let is_made = matches!(awaited, Some(Awaited::Shader | Awaited::Picture));
+        let (strength, calm) = self.tell(is_made, ui.input(|input| input.time));
+        let name = session.name();
+        if is_made && strength == 0.0 {
+            return ui.ctx().request_repaint_after(Duration::from_secs_f64(calm.max(0.01)));
+        }
+        let text = format!("Preparing {name}");
+        match awaited {
+            Some(Awaited::Shader) => sign(ui, rect, strength, true, &text, "building its shader"),
+            Some(Awaited::Picture) => sign(ui, rect, strength, true, &text, "reading meshes and paintings, drawing"),
+            Some(Awaited::Mended) => {
+                sign(ui, rect, 1.0, false, "No picture yet", "until what is listed below is mended");
+            }
+            None => {}
+        }
+    }
+}
+
+fn sign(ui: &mut Ui, rect: Rect, strength: f32, turns: bool, text: &str, more: &str) {
+    let colors = theme::of(ui);
+    let painter = ui.painter().with_clip_rect(rect);
+    painter.rect_filled(rect, 0.0, colors.canvas.gamma_multiply(VEIL * strength));
+    let room = Rect::from_center_size(rect.center(), SIGN.min(rect.size()));
+    painter.rect_filled(room, 6.0, colors.panel.gamma_multiply(0.9 * strength));
+    let response = ui.interact(room, ui.scope_id().with("preparing"), Sense::empty());
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text));
+    let left = room.left() + if turns { 24.0 + WHEEL + 16.0 } else { 24.0 };
+    if turns {
+        let wheel = egui::pos2(room.left() + 24.0 + WHEEL / 2.0, room.center().y);
+        let wheel = Rect::from_center_size(wheel, Vec2::splat(WHEEL));
+        Spinner::new().color(colors.accent.gamma_multiply(strength)).paint_at(ui, wheel);
+    }
+    let width = (room.right() - 16.0 - left).max(0.0);
+    let line = |text: &str, font: FontId, color: egui::Color32| {
+        let mut job = egui::text::LayoutJob::simple_singleline(text.to_owned(), font, color.gamma_multiply(strength));
+        job.wrap = egui::text::TextWrapping::truncate_at_width(width);
+        painter.layout_job(job)
+    };
+    let first = line(text, FontId::proportional(theme::TEXT_SIZE + 2.0), colors.text);
+    let second = line(more, FontId::proportional(theme::TEXT_SIZE), colors.dim);
+    let gap = 2.0;
+    let height = first.size().y + gap + second.size().y;
+    let top = Align2::LEFT_CENTER.anchor_size(egui::pos2(left, room.center().y), vec2(width, height)).min;
+    let below = top + vec2(0.0, first.size().y + gap);
+    painter.galley(top, first, colors.text);
+    painter.galley(below, second, colors.dim);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_quick_has_no_sign_and_what_is_slow_one_that_fades_in() {
+        let mut preparing = Preparing::default();
+        let mut at = |is_awaited, now| preparing.tell(is_awaited, now).0;
+        assert_eq!([at(true, 10.0), at(true, 10.2), at(true, 10.0 + CALM)], [0.0; 3]);
+        let half = at(true, 10.0 + CALM + FADE / 2.0);
+        assert!((half - 0.5).abs() < 1e-6, "{half}");
+        assert_eq!([at(true, 12.0), at(true, 60.0)], [1.0; 2], "as long as it takes");
+        assert_eq!(at(false, 60.1), 0.0, "it goes at once");
+        assert_eq!(at(true, 61.0), 0.0, "and the next one is as calm");
+        assert_eq!(preparing.tell(true, 61.1).1, CALM - (61.1 - 61.0), "to be shown without anything that moves");
+    }
+}
