@@ -224,7 +224,7 @@ impl Report {
             problem = problem.hint(format!("{kept} of it did not take part: --keep less"));
         }
         if self.rest.is_some() {
-            problem = problem.hint("hold less of what is not painted with a smaller --keep-rest");
+            problem = problem.hint("keep less of what is not painted, with a smaller --keep-rest");
         }
         let other = if from_nothing { "allow more --layers" } else { "--layers begins from nothing" };
         let problem = problem.hint(format!("{other}; --misses writes a picture of where it is off"));

@@ -180,7 +180,7 @@ mod tests {
         let mut tile = Tile::filled(size, [0; 4]);
         let width = size[0] as usize;
         for (x, y) in (0..10 * fine).flat_map(|y| (0..10 * fine).map(move |x| (x + 5 * fine, y + 5 * fine))) {
-            let is_lighter = (x / fine + y / fine) % 2 == 0;
+            let is_lighter = (x / fine + y / fine).is_multiple_of(2);
             let value = if is_lighter { 200 } else { 160 };
             tile.bytes_mut()[4 * (y * width + x)..][..4].copy_from_slice(&[value, value, value, 255]);
         }
