@@ -585,3 +585,20 @@ fn shots_of_a_scenes_parts() {
     }
     save(&mut hand, "scene-start");
 }
+
+/// A value keyed by a light's height, half-way between two keys, in the inspector and the Keys panel.
+#[test]
+#[ignore = "writes pictures to be looked at"]
+fn keyed_by_a_height_shots() {
+    let mut hand = window();
+    hand.app_mut().session_mut().select(vec!["diffuse".into()]);
+    hand.settle();
+    click(&mut hand, "Keys of Cut-off");
+    click(&mut hand, "New keys by: Height of \"key\"");
+    click(&mut hand, "Copy key");
+    save(&mut hand, "keyed-by-height");
+    hand.app_mut().open(Path::new("examples/hcbtf/pencil.json"));
+    hand.settle();
+    hand.app_mut().session_mut().select(vec!["painting".into()]);
+    save(&mut hand, "long-names");
+}
