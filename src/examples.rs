@@ -62,18 +62,12 @@ static FILES: &[(&str, &[u8])] = &files![
     "looks/highlight-cut.json",
     "looks/silk-ring.json",
     "looks/bent-light.json",
-    "looks/xtoon-distance.json",
-    "looks/xtoon-focus.json",
-    "looks/xtoon-orientation.json",
-    "looks/xtoon-highlight.json",
     "looks/local-control.json",
     "looks/travel-poster.json",
     "looks/one-bit.json",
     "looks/film-print.json",
     "looks/glaze.json",
     "looks/mean-curvature.json",
-    "looks/sculpting-pair.json",
-    "looks/gouache.json",
     "looks/material-phong.json",
     "looks/material-blinn.json",
     "looks/material-ggx.json",
@@ -98,6 +92,12 @@ static FILES: &[(&str, &[u8])] = &files![
     "hcbtf/stripes.json",
     "hcbtf/chalk.json",
     "hcbtf/copper.json",
+    "images/xtoon-distance.json",
+    "images/xtoon-focus.json",
+    "images/xtoon-orientation.json",
+    "images/xtoon-highlight.json",
+    "images/sculpting-pair.json",
+    "images/gouache.json",
     "scenes/painted.json",
     "scenes/city.json",
     "scenes/cast.json",
@@ -162,9 +162,10 @@ pub fn text(path: &Path) -> Option<String> {
     for folder in ["looks", "hcbtf", "images"] {
         text = text.replace(&format!("\"../{folder}/"), &format!("\"{PREFIX}{folder}/"));
     }
-    let beside = FILES.iter().filter_map(|(name, _)| name.strip_prefix("hcbtf/"));
-    for name in beside.filter(|name| name.ends_with(".hcbtf")) {
-        text = text.replace(&format!("\"{name}\""), &format!("\"{PREFIX}hcbtf/{name}\""));
+    // What looks name beside themselves.
+    for (beside, _) in FILES.iter().filter(|(name, _)| !name.ends_with(".json")) {
+        let name = beside.rsplit('/').next().unwrap_or(beside);
+        text = text.replace(&format!("\"{name}\""), &format!("\"{PREFIX}{beside}\""));
     }
     Some(text)
 }

@@ -7,8 +7,10 @@ use chiaro::document::Look;
 use chiaro::library::Library;
 
 fn looks() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");
-    let mut files: Vec<_> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    let folders =
+        ["looks", "images", "hcbtf"].map(|name| Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(name));
+    let entries = folders.iter().flat_map(|folder| std::fs::read_dir(folder).unwrap());
+    let mut files: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
     files.retain(|path| path.extension().is_some_and(|extension| extension == "json"));
     files.sort();
     assert!(files.len() >= 10, "the example looks are gone");

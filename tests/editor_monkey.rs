@@ -332,7 +332,7 @@ fn a_monkey_breaks_no_tour() {
 fn a_monkey_breaks_no_scene() {
     let mut monkey = Monkey::new(5);
     let folder = tempfile::tempdir().unwrap();
-    for part in ["looks", "scenes"] {
+    for part in ["looks", "images", "scenes"] {
         std::fs::create_dir(folder.path().join(part)).unwrap();
         let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(part);
         for file in std::fs::read_dir(examples).unwrap().flatten() {

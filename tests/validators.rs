@@ -4,8 +4,11 @@
 mod support;
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use chiaro::document::Look;
+use chiaro::export::{LANGUAGES, export};
+use chiaro::library::Library;
 use support::files;
 use support::validators::{Stage, Tool, glslang, spirv_val, tint, tools_are_required};
 
@@ -142,17 +145,12 @@ fn spirv_val_takes_what_is_right_and_refuses_what_is_not() {
     }
 }
 
-/// The committed outputs of `tests/golden/`, found by a walk so that none is forgotten. A file's extension says what
-/// it is and so who judges it; an extension that nobody knows is a mistake.
-#[test]
-fn golden_outputs_pass_their_validators() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let golden = files::below(&root.join("tests/golden"));
-    let looks = files::below(&root.join("examples/looks"));
-    assert!(looks.is_empty() || !golden.is_empty(), "there are example looks and no golden outputs of them");
+/// What validators say against exported files. A file's extension says what it is and so who judges it; an extension that
+/// nobody knows is a mistake.
+fn complaints(files: Vec<PathBuf>) -> Vec<String> {
     let mut wgsl = Vec::new();
     let mut complaints = Vec::new();
-    for path in golden {
+    for path in files {
         let extension = path.extension().unwrap_or_default().to_string_lossy().into_owned();
         let text = || fs::read_to_string(&path).map_err(|error| error.to_string());
         let verdict = match extension.as_str() {
@@ -173,5 +171,40 @@ fn golden_outputs_pass_their_validators() {
     if !wgsl.is_empty() {
         complaints.extend(tint(&wgsl).err());
     }
+    complaints
+}
+
+/// The committed outputs of `tests/golden/`, found by a walk so that none is forgotten.
+#[test]
+fn golden_outputs_pass_their_validators() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let golden = files::below(&root.join("tests/golden"));
+    let looks = files::below(&root.join("examples/looks"));
+    assert!(looks.is_empty() || !golden.is_empty(), "there are example looks and no golden outputs of them");
+    let complaints = complaints(golden);
+    assert!(complaints.is_empty(), "{}", complaints.join("\n\n"));
+}
+
+/// Looks that read pictures and HCBTFs have no golden outputs, but are exported to every language all the same. Their
+/// textures are held elsewhere (`tests/export.rs`).
+#[test]
+fn looks_with_textures_pass_their_validators() {
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let looks = ["images", "hcbtf"].map(|folder| files::below(&examples.join(folder))).concat();
+    let out = tempfile::tempdir().unwrap();
+    let mut written = Vec::new();
+    for path in looks.iter().filter(|path| path.extension().is_some_and(|extension| extension == "json")) {
+        let stem = path.file_stem().unwrap().to_string_lossy().into_owned();
+        let look = Look::load(path).value.unwrap();
+        let exported = export(&look, Library::built_in(), &stem, &LANGUAGES, Path::new(""));
+        for file in exported.unwrap_or_else(|problems| panic!("{stem}: {problems:?}")).files {
+            let path = out.path().join(&stem).join(&file.name);
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            fs::write(&path, &file.bytes).unwrap();
+            written.push(path);
+        }
+    }
+    assert!(written.len() > 15 * LANGUAGES.len(), "only {} files are written", written.len());
+    let complaints = complaints(written);
     assert!(complaints.is_empty(), "{}", complaints.join("\n\n"));
 }
