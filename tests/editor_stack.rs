@@ -454,6 +454,20 @@ fn small_pictures_are_drawn_at_rest_and_kept_by_what_they_show() {
     assert_eq!(rest(&mut hand), first + 1, "the old one is still there");
 }
 
+/// The picture behind the start page is not asked for, and nothing waits for it.
+#[test]
+fn a_window_that_begins_with_the_start_page_draws_its_pictures() {
+    let mut hand = Hand::drawing_with(|mut app, _| {
+        app.show_start_page();
+        app
+    });
+    for _ in 0..20 {
+        hand.settle();
+    }
+    let drawn = hand.app().small_pictures();
+    assert!(drawn >= 3, "{drawn} pictures are drawn");
+}
+
 #[test]
 fn what_was_opened_before_is_among_the_looks() {
     let mut hand = figure1();

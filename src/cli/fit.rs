@@ -47,7 +47,8 @@ pub(super) struct Arguments {
     /// What of the look stays as it is, separated by commas
     #[arg(long, value_enum, value_delimiter = ',', conflicts_with = "layers")]
     keep: Vec<Kept>,
-    /// How far what is not painted stays as it is, in percent: at 0 only what is painted counts
+    /// How far what is not painted stays as it is, in percent: at 0 only what is painted counts (the
+    /// window begins with 50)
     #[arg(long, value_name = "PERCENT", default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..=100))]
     keep_rest: u8,
     /// From how many beginnings a look is turned, its own first, from 1 to 100
@@ -114,7 +115,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         turn_lights(&mut setup.scene, text).map_err(one)?;
     }
     let named = arguments.target.display().to_string();
-    let bytes = image_bytes(Path::new(""), &named).map_err(one)?;
+    let bytes = image_bytes(Path::new(""), &named)
+        .map_err(|problem| one(problem.hint("check the spelling, and the folder that the path starts from")))?;
     let target = Target::from_png(&bytes).map_err(|problem| one(problem.in_file(named)))?;
     let keeps = |kept| arguments.keep.contains(&kept);
     let keep = Keep {

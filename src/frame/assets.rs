@@ -360,9 +360,7 @@ fn bytes_of(path: &Path) -> Result<Vec<u8>, Diagnostic> {
         return Ok(example.to_vec());
     }
     let name = path.display();
-    let problem = |message: String| {
-        Diagnostic::error("missing-asset", message).hint("paths of images are relative to the look's own file")
-    };
+    let problem = |message: String| Diagnostic::error("missing-asset", message);
     let size = std::fs::metadata(path).map(|data| data.len());
     if size.as_ref().is_ok_and(|&size| size > MAX_IMAGE_BYTES) {
         return Err(problem(format!("the image `{name}` is larger than {} MiB", MAX_IMAGE_BYTES >> 20)));
@@ -372,12 +370,14 @@ fn bytes_of(path: &Path) -> Result<Vec<u8>, Diagnostic> {
 }
 
 fn read_image(path: &Path) -> Result<Image, Diagnostic> {
+    let bytes =
+        bytes_of(path).map_err(|problem| problem.hint("paths of images are relative to the look's own file"))?;
     let name = path.display();
     let problem = |message: String| {
         Diagnostic::error("missing-asset", message)
             .hint("save it as PNG, JPEG, HDR or EXR, at most 16384 pixels wide and high")
     };
-    let mut reader = image::ImageReader::new(Cursor::new(bytes_of(path)?))
+    let mut reader = image::ImageReader::new(Cursor::new(bytes))
         .with_guessed_format()
         .map_err(|error| problem(format!("the image `{name}` cannot be read: {error}")))?;
     let mut limits = image::Limits::default();

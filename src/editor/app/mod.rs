@@ -26,6 +26,7 @@ use super::dock::effects::Effects;
 use super::dock::{Dock, Workspace};
 use super::fitting::{Fitting, Wish as FitWish};
 use super::look_export::{self, LookExports};
+use super::orbit::Orbit;
 use super::painting::Painting;
 use super::panels::{Panels, library, solo};
 use super::path_field::PathField;
@@ -90,6 +91,8 @@ pub struct App {
     objects: Option<egui::Rect>,
     /// The look and the painting that the panels were laid out for last.
     laid_out_for: Option<(u64, Option<u64>)>,
+    /// What was looked at before a painting's flat square.
+    view_before_painting: Option<Orbit>,
 }
 
 impl App {
@@ -139,6 +142,7 @@ impl App {
             shows_first_picture: false,
             objects: None,
             laid_out_for: None,
+            view_before_painting: None,
         }
     }
 
@@ -435,6 +439,17 @@ impl App {
             self.laid_out_for = Some(open);
             let is_painted = super::painting::look::shows(&self.session);
             self.dock.enter(if is_painted { Workspace::Painting } else { Workspace::Look });
+            self.leave_sheet(is_painted);
+        }
+    }
+
+    /// Gives the view back that a painting's flat square took the place of, once another look is open.
+    fn leave_sheet(&mut self, is_painted: bool) {
+        let is_over = !is_painted && self.session.stage().is_none();
+        if let Some(view) = self.view_before_painting.take_if(|_| is_over)
+            && super::painting::look::lies_flat(&self.session.view)
+        {
+            self.session.view = view;
         }
     }
 
@@ -516,10 +531,11 @@ impl App {
         });
     }
 
-    /// Whether the first picture is on its way.
+    /// Whether the first picture is on its way. Behind the start page none is asked for.
     fn awaits_first_picture(&self) -> bool {
         let is_awaited = |picture: &Picture| !picture.is_there() && picture.problems.is_empty();
-        self.dock.shows(dock::Panel::Picture)
+        self.start.is_none()
+            && self.dock.shows(dock::Panel::Picture)
             && self.picture.as_ref().is_some_and(is_awaited)
             && !has_errors(self.session.problems())
     }

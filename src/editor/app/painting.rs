@@ -259,6 +259,8 @@ impl App {
         let Some(work) = self.session.painting() else { return };
         let sheet = work.path().map_or_else(|| UNSAVED_HCBTF.to_owned(), |path| path.display().to_string());
         let look = look::default_look(&sheet, &work.name(), work.grid().size);
+        let is_own = self.session.stage().is_none() && !look::lies_flat(&self.session.view);
+        self.view_before_painting = is_own.then(|| self.session.view.clone()).or(self.view_before_painting.take());
         self.session.start_from(&look, "painting");
         self.session.view.look_at_a_sheet();
     }

@@ -75,6 +75,10 @@ pub(super) fn idle(session: &Session) -> HashMap<NodeId, Idle> {
             found.insert(id.clone(), Idle { word, reason: format!("Adds nothing: {}.", removal.reason) });
         }
     }
+    // What drives keys is read before there is a fragment.
+    for driving in session.driving_nodes() {
+        found.remove(&driving);
+    }
     found
 }
 

@@ -138,7 +138,7 @@ impl Canvas {
             GraphId::Look => None,
             GraphId::Definition(id) => Some(id.as_str()),
         };
-        if self.table.sync(key, session.graph(), &session.catalog, group) {
+        if self.table.sync(key, session.graph(), &session.catalog, group, &session.driving_nodes()) {
             // Indices are others now.
             self.gesture = Gesture::Idle;
             self.menu_hit = None;

@@ -117,7 +117,14 @@ pub(crate) struct Table {
 impl Table {
     /// Makes the table again if `key` (which document, which revision, which of its graphs) is another; `group` is the
     /// kind whose graph it is. Whether it was.
-    pub(crate) fn sync(&mut self, key: (u64, u64, u64), graph: &Graph, catalog: &Catalog, group: Option<&str>) -> bool {
+    pub(crate) fn sync(
+        &mut self,
+        key: (u64, u64, u64),
+        graph: &Graph,
+        catalog: &Catalog,
+        group: Option<&str>,
+        driving: &[NodeId],
+    ) -> bool {
         if self.key == Some(key) {
             return false;
         }
@@ -151,7 +158,7 @@ impl Table {
         self.by_id = self.nodes.iter().enumerate().map(|(index, row)| (row.id.clone(), index)).collect();
         self.sync_wires(graph);
         self.level_ends();
-        self.find_unused();
+        self.find_unused(driving);
         self.sync_frames(graph);
         true
     }
@@ -199,11 +206,12 @@ impl Table {
         }
     }
 
-    /// Marks what no output depends on, where there is one.
-    fn find_unused(&mut self) {
-        let is_root = |row: &NodeRow| row.kind.id == "output" || row.is_end && row.kind.outputs.is_empty();
+    /// Marks what no output depends on, where there is one, and what drives no keys.
+    fn find_unused(&mut self, driving: &[NodeId]) {
+        let is_output = |row: &NodeRow| row.kind.id == "output" || row.is_end && row.kind.outputs.is_empty();
+        let is_root = |row: &NodeRow| is_output(row) || driving.contains(&row.id);
         let mut open: Vec<usize> = (0..self.nodes.len()).filter(|&index| is_root(&self.nodes[index])).collect();
-        if open.is_empty() {
+        if !self.nodes.iter().any(is_output) {
             return;
         }
         let mut into: HashMap<usize, Vec<usize>> = HashMap::new();
@@ -480,8 +488,20 @@ mod tests {
         let mut table = Table::default();
         let mut catalog = Catalog::new(Library::built_in());
         catalog.sync(&look, Library::built_in());
-        table.sync((0, 0, 0), &look.graph, &catalog, None);
+        table.sync((0, 0, 0), &look.graph, &catalog, None, &[]);
         (look, table)
+    }
+
+    #[test]
+    fn what_drives_keys_is_used() {
+        let (look, mut table) = table(
+            r#"{"nodes": [{"id": "mood", "kind": "number", "at": [0, 0]}, {"id": "end", "kind": "output", "at": [400, 0]}]}"#,
+        );
+        assert!(table.nodes[0].is_unused && !table.nodes[1].is_unused);
+        let mut catalog = Catalog::new(Library::built_in());
+        catalog.sync(&look, Library::built_in());
+        table.sync((0, 0, 1), &look.graph, &catalog, None, &["mood".into()]);
+        assert!(!table.nodes[0].is_unused);
     }
 
     #[test]

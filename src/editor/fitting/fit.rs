@@ -34,6 +34,8 @@ impl Strokes {
     }
 }
 
+/// A smaller gain is seen by nobody, and shows in no figure that is told.
+const LEAST_GAIN: f64 = 0.05 / 255.0;
 /// What is told of a fit that was stopped too soon.
 const STOPPED: &str = "The fit was stopped before it came nearer: the look is as it was";
 
@@ -123,7 +125,7 @@ impl Fitting {
             Ok(_) if running.is_some_and(|running| running.of != of(session)) => {
                 self.told = Some("The look was changed while it was fitted: fit again".to_owned());
             }
-            Ok(fitted) if fitted.look == *done.look => {
+            Ok(fitted) if fitted.look == *done.look || gains_nothing(&fitted.report) => {
                 let tried = fitted.report.tried.told().unwrap_or_else(|| "nothing".to_owned());
                 let help = self.advice(done.what, &fitted.report);
                 self.told =
@@ -165,6 +167,11 @@ impl Fitting {
 /// Which look is open.
 pub(super) fn of(session: &Session) -> Of {
     (session.document_number(), session.revision(), session.stage_version())
+}
+
+/// Whether a whole search came no nearer than anybody sees.
+fn gains_nothing(report: &Report) -> bool {
+    !report.is_stopped && report.before - report.after < LEAST_GAIN
 }
 
 /// Why a fit came to nothing, for who paints.

@@ -18,7 +18,7 @@ use super::catalog::Port;
 use super::orbit::Orbit;
 use super::session::Session;
 use super::still::Stamp;
-use crate::document::{DirectionKeys, KeyDirection, Light, LightKind, Node, Scene, Target, Value, Values};
+use crate::document::{DirectionKeys, KeyDirection, Light, LightKind, Node, Object, Scene, Target, Value, Values};
 use crate::frame::{KeyedValues, Moment, Rig, Wires};
 use crate::ids::{LightId, NodeId, NodePath, ObjectId, PortName};
 use crate::library::Type;
@@ -27,6 +27,8 @@ use crate::library::Type;
 #[derive(Default)]
 pub(crate) struct Keyed {
     stamp: Option<Stamp>,
+    /// The object that it is of.
+    own: Option<ObjectId>,
     rig: Option<Rig>,
     now: KeyedValues,
     /// By set of keys: the one at which values are set while none is selected.
@@ -48,7 +50,8 @@ impl Session {
     /// Computes what keys come to, where anything changed since.
     pub(crate) fn refresh_keys(&mut self) {
         let stamp = self.stamp();
-        if self.keyed.stamp.as_ref() == Some(&stamp) {
+        let own = self.own_object().map(|(own, _)| own.clone());
+        if self.keyed.stamp.as_ref() == Some(&stamp) && self.keyed.own == own {
             return;
         }
         let look = self.look();
@@ -63,23 +66,32 @@ impl Session {
         // What runs without end is told by the compiler and the picture.
         let now = self.at_this_moment(|moment| rig.keyed_values(&base, wires, moment)).unwrap_or_default();
         let followed = std::mem::take(&mut self.keyed.followed);
-        self.keyed = Keyed { stamp: Some(stamp), rig: Some(rig), now, followed };
+        self.keyed = Keyed { stamp: Some(stamp), own, rig: Some(rig), now, followed };
         let sets = &self.look().direction_keys;
         let is_there = |&(set, key): &(usize, usize)| sets.get(set).is_some_and(|keys| key < keys.keys.len());
         self.key = self.key.filter(is_there);
     }
 
-    /// Asks something of this moment: the first object of the scene stands for whatever wears the look.
+    /// The object of the scene that stands for all that wear the open look: the one that is selected, or else the first.
+    fn own_object(&self) -> Option<(&ObjectId, &Object)> {
+        let stage = self.stage()?;
+        let seen = || stage.scene().objects.iter().filter(|(_, object)| object.visible);
+        let wears = |(_, object): &(&ObjectId, &Object)| stage.wears_open(object);
+        let selected = stage.selected().filter(|(_, object)| object.visible).filter(wears);
+        selected.or_else(|| seen().find(wears)).or_else(|| seen().next())
+    }
+
+    /// Asks something of this moment, of the object that stands for all that wear the look.
     fn at_this_moment<R>(&self, ask: impl FnOnce(&Moment<'_>) -> R) -> R {
         let scene = self.stage().map(super::stage::Stage::scene);
-        let place = |object: &crate::document::Object| DVec3::from(object.transform.translate);
-        let own = scene.and_then(|scene| scene.objects.iter().find(|(_, object)| object.visible));
+        let place = |object: &Object| DVec3::from(object.transform.translate);
+        let own = self.own_object();
         let own_place = own.map_or(DVec3::ZERO, |(_, object)| place(object));
         let front = own.map_or(DVec3::Z, |(_, object)| DQuat::from_array(object.transform.rotate) * DVec3::Z);
         let others = scene.into_iter().flat_map(|scene| &scene.objects);
         let others = others.filter(|(id, _)| own.is_none_or(|(own, _)| own != *id));
         let near = others.map(|(id, object)| (id.clone(), place(object).distance(own_place))).collect();
-        let none = IndexMap::new();
+        let (none, no_values) = (IndexMap::new(), Values::new());
         ask(&Moment {
             time: self.time,
             illumination: self.view.illumination,
@@ -89,7 +101,7 @@ impl Session {
             distance: eye_of(&self.view).distance(own_place),
             front,
             near: &near,
-            exposed: &Values::new(),
+            exposed: own.map_or(&no_values, |(_, object)| &object.values),
             lights: scene.map_or(&none, |scene| &scene.lights),
             // What the picture's size says about wires is not asked for here.
             viewport: [1.0; 2],

@@ -63,7 +63,7 @@ pub(super) fn from_here(session: &Session, work: &Work) -> Option<Orbit> {
 }
 
 /// Whether the picture shows a flat square that lies.
-pub(super) fn lies_flat(view: &Orbit) -> bool {
+pub(crate) fn lies_flat(view: &Orbit) -> bool {
     view.mesh == PLANE && view.z_is_up
 }
 

@@ -41,6 +41,8 @@ pub(super) struct Start {
     examples: Vec<Card>,
     recent: Vec<Recent>,
     logo: Option<TextureHandle>,
+    /// Whether it was seen in the last frame; each time it comes it begins at its top.
+    is_seen: bool,
 }
 
 /// A file that was open before.
@@ -102,6 +104,7 @@ impl Start {
     /// Forgets what files held, so that they are read anew when the page is shown the next time.
     pub(super) fn rest(&mut self) {
         self.recent.clear();
+        self.is_seen = false;
     }
 
     /// Shows the page.
@@ -111,7 +114,11 @@ impl Start {
         }
         let mut out = Vec::new();
         ui.painter().rect_filled(ui.max_rect(), 0.0, theme::of(ui).panel);
-        ScrollArea::vertical().auto_shrink([false, false]).id_salt("start").show(ui, |ui| {
+        let mut area = ScrollArea::vertical().auto_shrink([false, false]).id_salt("start");
+        if !std::mem::replace(&mut self.is_seen, true) {
+            area = area.vertical_scroll_offset(0.0);
+        }
+        area.show(ui, |ui| {
             let room = ui.available_width();
             let width = (room - 2.0 * MARGIN.min(room * 0.04)).min(WIDEST);
             ui.horizontal_top(|ui| {

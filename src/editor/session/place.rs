@@ -1,7 +1,7 @@
 //! Which graph of the look is open: its own, or that of a group, the library's groups included.
 
 use super::Session;
-use crate::document::{Definition, Edit, Graph, GraphId};
+use crate::document::{Definition, Edit, Graph, GraphId, OutputPort};
 use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, NodeId, NodePath};
 
 /// The groups that were opened, one in the other.
@@ -47,6 +47,12 @@ impl Session {
     /// The nodes of groups that lead to the open graph, outermost first.
     pub fn open_groups(&self) -> &[NodeId] {
         &self.place.path
+    }
+
+    /// Nodes of the open graph whose outputs, or those of what lies in them, drive keys.
+    pub(crate) fn driving_nodes(&self) -> Vec<NodeId> {
+        let here = |wire: &OutputPort| wire.node.ids().strip_prefix(self.open_groups())?.first().cloned();
+        self.look().direction_keys.iter().flat_map(|keys| keys.by.outputs()).filter_map(here).collect()
     }
 
     /// Grows whenever another graph is open.

@@ -1,0 +1,81 @@
+#version 450 core
+// Light that wavers: made by Chiaro 0.1.0, GLSL 4.50.
+// The vertex shader. Draws a mesh with the look; the result is straight RGBA.
+// Uniform blocks (std140): ViewBlock 0, ObjectBlock 1, LookBlock 2.
+// bent-light.json says what to put there and how to draw.
+struct View {
+    mat4x4 clip_from_world;
+    mat4x4 camera_from_world;
+    vec4 eye;
+};
+struct Object {
+    mat4x4 world_from_object;
+    mat3x3 world_from_normal;
+    float id;
+    float cutoff;
+};
+struct ProfileShape {
+    float half_cos_offset;
+    float half_sin_offset;
+    float scale;
+    float exponent;
+    float offset;
+    float edge_mean;
+    float edge_deviation;
+    uint kind;
+};
+struct Vertex {
+    vec3 position;
+    vec3 normal;
+};
+struct Varyings {
+    vec4 clip;
+    vec3 position;
+    vec3 position_object;
+    vec3 normal;
+};
+const float PI = 3.1415927;
+const float HALF_PI = 1.5707964;
+const float LN_2_ = 0.6931472;
+const float LOG2_E = 1.442695;
+const float SMALLEST_NORMAL = 1.1754944e-38;
+const uint PROFILE_STEP = 1u;
+const uint PROFILE_AMBIENT = 2u;
+const uint NOISE_PERLIN = 1u;
+const uint NOISE_SIMPLEX = 2u;
+const uint NOISE_WORLEY = 3u;
+const float SIMPLEX_SCALE = 38.4553;
+const float WORLEY_MEAN = 0.5205;
+const ProfileShape lit_shape = ProfileShape(0.8253356, 0.5646425, 25.006668, 1.7790966, 1.2, 0.04446849, 0.018017149, 0u);
+const ProfileShape brightest_shape = ProfileShape(0.9358968, 0.35227424, 40.004166, 3.6241908, 0.72, 0.021168118, 0.009611014, 0u);
+const ProfileShape window_shape = ProfileShape(0.9963897, 0.08489768, 0.0, 1.0, 0.17, 0.0, 0.0, 1u);
+
+layout(std140, binding = 0) uniform ViewBlock { View u_view; };
+
+layout(std140, binding = 1) uniform ObjectBlock { Object u_object; };
+
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec3 a_normal;
+layout(location = 0) smooth out vec3 v_position;
+layout(location = 1) smooth out vec3 v_position_object;
+layout(location = 2) smooth out vec3 v_normal;
+
+void main() {
+    Vertex vertex = Vertex(a_position, a_normal);
+    Varyings out_ = Varyings(vec4(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+    mat4x4 _e3 = u_object.world_from_object;
+    vec4 world = (_e3 * vec4(vertex.position, 1.0));
+    mat4x4 _e12 = u_view.clip_from_world;
+    out_.clip = (_e12 * world);
+    out_.position = world.xyz;
+    out_.position_object = vertex.position;
+    mat3x3 _e21 = u_object.world_from_normal;
+    out_.normal = (_e21 * vertex.normal);
+    Varyings _e24 = out_;
+    gl_Position = _e24.clip;
+    v_position = _e24.position;
+    v_position_object = _e24.position_object;
+    v_normal = _e24.normal;
+    return;
+}
+

@@ -1,0 +1,80 @@
+#version 450 core
+// Travel poster: made by Chiaro 0.1.0, GLSL 4.50.
+// The vertex shader. Draws a mesh with the look; the result is straight RGBA.
+// Uniform blocks (std140): ViewBlock 0, ObjectBlock 1, LookBlock 2.
+// Textures: u_curvature_map 0.
+// travel-poster.json says what to put there and how to draw.
+struct View {
+    mat4x4 clip_from_world;
+    mat4x4 camera_from_world;
+    vec4 eye;
+};
+struct Object {
+    mat4x4 world_from_object;
+    mat3x3 world_from_normal;
+    float id;
+    float cutoff;
+};
+struct Ramp {
+    vec4 colors[16];
+    vec4 places[4];
+    uint count;
+    uint interpolation;
+};
+struct ProfileShape {
+    float half_cos_offset;
+    float half_sin_offset;
+    float scale;
+    float exponent;
+    float offset;
+    float edge_mean;
+    float edge_deviation;
+    uint kind;
+};
+struct Vertex {
+    vec3 position;
+    vec3 normal;
+};
+struct Varyings {
+    vec4 clip;
+    vec3 position;
+    vec3 normal;
+};
+const float PI = 3.1415927;
+const float HALF_PI = 1.5707964;
+const float LN_2_ = 0.6931472;
+const float LOG2_E = 1.442695;
+const float SMALLEST_NORMAL = 1.1754944e-38;
+const uint PROFILE_STEP = 1u;
+const uint PROFILE_AMBIENT = 2u;
+const ProfileShape evening_sun_tone_shape = ProfileShape(1.0, 0.0, 1.0955735, 1.6395584, 0.0, 1.1385497, 0.5052584, 0u);
+const ProfileShape sky_tone_shape = ProfileShape(1.0, 0.0, 1.229384, 1.2860026, 0.0, 1.0836705, 0.44442755, 0u);
+const ProfileShape glow_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.425296, 2.5857167, 0.1, 0.4039123, 0.17722374, 0u);
+const Ramp seven_inks = Ramp(vec4[16](vec4(0.0863, 0.1333, 0.2471, 1.0), vec4(0.1725, 0.3176, 0.3882, 1.0), vec4(0.4863, 0.2275, 0.2706, 1.0), vec4(0.7686, 0.3294, 0.2471, 1.0), vec4(0.8784, 0.5412, 0.298, 1.0), vec4(0.9412, 0.7608, 0.4824, 1.0), vec4(0.9843, 0.9333, 0.7961, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.15, 0.3, 0.45), vec4(0.6, 0.8, 1.0, 0.0), vec4(0.0), vec4(0.0)), 7u, 0u);
+
+layout(std140, binding = 0) uniform ViewBlock { View u_view; };
+
+layout(std140, binding = 1) uniform ObjectBlock { Object u_object; };
+
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec3 a_normal;
+layout(location = 0) smooth out vec3 v_position;
+layout(location = 1) smooth out vec3 v_normal;
+
+void main() {
+    Vertex vertex = Vertex(a_position, a_normal);
+    Varyings out_ = Varyings(vec4(0.0), vec3(0.0), vec3(0.0));
+    mat4x4 _e3 = u_object.world_from_object;
+    vec4 world = (_e3 * vec4(vertex.position, 1.0));
+    mat4x4 _e12 = u_view.clip_from_world;
+    out_.clip = (_e12 * world);
+    out_.position = world.xyz;
+    mat3x3 _e19 = u_object.world_from_normal;
+    out_.normal = (_e19 * vertex.normal);
+    Varyings _e22 = out_;
+    gl_Position = _e22.clip;
+    v_position = _e22.position;
+    v_normal = _e22.normal;
+    return;
+}
+
