@@ -688,6 +688,8 @@ fn nodes_lists_and_documents_the_library() {
     assert_eq!((&blend["type"], &blend["default"]), (&json!("choice"), &json!("add")));
     let text = shop.run(&["nodes", "profile"]).ok().out;
     assert!(text.contains("Half-Lambert") && text.contains("BADF eq. 5"), "{text}");
+    assert_eq!(shop.run(&["nodes", "Light Layer", "--json"]).ok().json(), layer, "by what the window calls it");
+    assert_eq!(shop.run(&["nodes", "light_layer.diffuse", "--json"]).ok().json(), layer, "with a choice");
     shop.run(&["nodes", "profil"]).fails(1, &["did you mean `profile`"]);
     shop.run(&["nodes", "--markdown", "profile"]).fails(2, &["cannot be used with"]);
 }

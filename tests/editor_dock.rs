@@ -3,7 +3,7 @@
 
 mod editor_support;
 
-use chiaro::editor::App;
+use chiaro::editor::{App, Orbit};
 use editor_support::Hand;
 use editor_support::home::Home;
 use eframe::egui::accesskit::Toggled;
@@ -153,6 +153,60 @@ fn painting_has_a_layout_of_its_own_and_each_is_kept_as_it_was_left() {
     hand.key_with(Modifiers::COMMAND, Key::N);
     hand.settle();
     assert!(!has_tab(&hand, "Effects"), "the other one stays");
+}
+
+#[test]
+fn a_painting_that_is_left_gives_the_view_of_before_back() {
+    let mut hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
+    hand.app_mut().show_on("shape:torus");
+    hand.settle();
+    let middle = hand.app().viewport().rect().unwrap().center();
+    hand.drag(middle, middle + vec2(70.0, -30.0));
+    hand.settle();
+    let before = hand.app().session().orbit().clone();
+    new_painting(&mut hand);
+    let sheet = hand.app().session().orbit().clone();
+    assert!(sheet.mesh == "shape:plane" && sheet.z_is_up, "a painting is seen on a square that lies");
+    // Turned about, it is a sheet still, and the second painting's square is no view to come back to either.
+    hand.drag(middle, middle + vec2(-40.0, 20.0));
+    new_painting(&mut hand);
+    hand.key_with(Modifiers::COMMAND, Key::N);
+    hand.settle();
+    assert_eq!(*hand.app().session().orbit(), before);
+    // The way back to it shows the square again, and from there as before.
+    hand.press("Paint");
+    hand.press_a(Role::MenuItem, "Back to New HCBTF");
+    assert_eq!(hand.app().session().orbit().mesh, "shape:plane");
+    hand.key_with(Modifiers::COMMAND, Key::N);
+    hand.settle();
+    assert_eq!(*hand.app().session().orbit(), before);
+}
+
+#[test]
+fn a_mesh_that_was_chosen_while_painting_stays_and_stands_as_it_stood() {
+    let mut hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
+    new_painting(&mut hand);
+    hand.app_mut().show_on("shape:knot");
+    hand.key_with(Modifiers::COMMAND, Key::N);
+    hand.settle();
+    assert_eq!(*hand.app().session().orbit(), Orbit { mesh: "shape:knot".to_owned(), ..Orbit::default() });
+}
+
+#[test]
+fn after_a_restart_a_painting_gives_the_view_of_the_beginning() {
+    let home = Home::new();
+    let mut hand = home.window(None);
+    new_painting(&mut hand);
+    let at = hand.app().painting().screen([8.0, 8.0]).unwrap();
+    hand.drag(at, at + vec2(0.5, 0.0));
+    hand.settle();
+    hand.app_mut().session_mut().close_journal(true);
+    drop(hand);
+    let mut hand = home.window(None);
+    assert!(hand.has("Painting canvas") && hand.app().session().orbit().mesh == "shape:plane");
+    hand.key_with(Modifiers::COMMAND, Key::N);
+    hand.settle();
+    assert_eq!(*hand.app().session().orbit(), Orbit::default());
 }
 
 #[test]

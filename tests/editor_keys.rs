@@ -6,9 +6,11 @@ mod editor_support;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use std::path::Path;
 
+use chiaro::catalog::values::number_text;
 use chiaro::document::{
     DirectionKey, DirectionKeys, Driver, Edit, Exposed, GraphId, Interpolation, KeyDirection, Target, Value,
 };
+use chiaro::editor::App;
 use editor_support::{Hand, close};
 use eframe::egui::{Key, Pos2, Role, pos2, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -187,7 +189,7 @@ fn keys_by_drivers_are_made_from_nothing() {
     assert_eq!(set(&hand).by, KeyDirection::Drivers(vec![Driver::Distance]));
     let far = set(&hand).keys[0].direction[0];
     assert!((far - hand.app().session().orbit().distance).abs() < 1e-3, "the key lies where it is now: {far}");
-    assert!(has(&hand, &format!("Distance to the eye now: {far:.3}")));
+    assert!(has(&hand, &format!("Distance to the eye now: {}", number_text(far, 3))));
     click(&mut hand, "Add value");
     click(&mut hand, "Diffuse: Opacity");
     click(&mut hand, "Copy key");
@@ -232,7 +234,7 @@ fn keys_by_a_wire_are_made_and_follow_it() {
     // Nothing could ever move it: it is not offered, and that is said.
     click(&mut hand, "Keys");
     click(&mut hand, "Add direction keys");
-    assert!(!has(&hand, "Wire Mood"));
+    assert!(!has(&hand, "Value of \"Mood\""));
     assert!(has(&hand, "never change"));
     hand.key(Key::Escape);
     let exposed = Exposed { name: "mood".into(), target: target("mood.value"), label: String::new() };
@@ -240,7 +242,7 @@ fn keys_by_a_wire_are_made_and_follow_it() {
     hand.app_mut().session_mut().apply(expose, None).expect("it applies");
     hand.settle();
     click(&mut hand, "Add direction keys");
-    click(&mut hand, "Wire Mood");
+    click(&mut hand, "Value of \"Mood\"");
     hand.settle();
     let set = |hand: &Hand| hand.look().direction_keys[0].clone();
     let KeyDirection::Drivers(drivers) = set(&hand).by else { panic!("{:?}", set(&hand).by) };
@@ -259,7 +261,7 @@ fn keys_by_a_wire_are_made_and_follow_it() {
     hand.settle();
     let weights = hand.app().session().key_weights(0);
     assert!(close(weights[0], 0.5), "half-way between the keys: {weights:?}");
-    assert!(has(&hand, "Wire Mood now: 2.250"));
+    assert!(has(&hand, "Value of \"Mood\" now: 2.25"));
     let problems = hand.app().session().problems();
     assert!(problems.iter().all(|problem| !problem.is_error()), "{problems:?}");
     while hand.app().session().undo_label().is_some() {
@@ -459,4 +461,40 @@ fn the_inspector_exposes_finds_and_sets_several() {
     find(&mut hand, "opac");
     assert!(hand.harness.query_by_label("Keys of Opacity").is_some());
     assert!(hand.harness.query_by_label("Keys of Blending").is_none());
+}
+
+/// An exposed number drives the keys, and each object of the scene has its own: what the inspector says, and which key a
+/// hand sets, are of the object that is selected.
+#[test]
+fn keyed_values_are_of_the_object_that_is_selected() {
+    let mut hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
+    hand.app_mut().open(Path::new("examples/scenes/keys-mood.json"));
+    hand.settle();
+    let at_key = |hand: &Hand, key: usize| {
+        let keys = &hand.look().direction_keys[0].keys;
+        keys[key].values.get(&target("body.offset")).cloned()
+    };
+    let own = radians(&hand, "body", "offset");
+    for (object, said, key, now) in [("mood-1", "0", 0, own), ("mood-3", "0.5", 1, 0.5), ("mood-5", "1", 2, 0.85)] {
+        hand.app_mut().session_mut().select_object(Some(object.into()));
+        select(&mut hand, &["body"]);
+        find(&mut hand, "Offset");
+        hand.place_like(&format!("while Value of \"Mood\" is {said}"));
+        let degrees = number_text(now.to_degrees(), 1);
+        assert!(has(&hand, &format!("Now {degrees}")), "{object}: {degrees}");
+        let before = hand.look().clone();
+        set(&mut hand, "Offset", "33");
+        let set = (0..3).filter(|&key| at_key(&hand, key) == Some(Value::Number(33_f64.to_radians())));
+        assert_eq!(set.collect::<Vec<_>>(), [key], "{object}");
+        hand.undo();
+        assert_eq!(*hand.look(), before, "one step");
+    }
+    // The object's own value is what decides, and not that of the look.
+    hand.press_a(Role::Tab, "Objects");
+    hand.bring(Role::SpinButton, "Mood");
+    let mood = hand.place_of(Role::SpinButton, "Mood");
+    hand.type_over(mood, "0.5");
+    select(&mut hand, &["body"]);
+    find(&mut hand, "Offset");
+    assert!(has(&hand, "while Value of \"Mood\" is 0.5"));
 }

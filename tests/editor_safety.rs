@@ -11,7 +11,7 @@ use chiaro::document::{Edit, GraphId, Value};
 use chiaro::editor::settings::Theme;
 use editor_support::home::Home;
 use editor_support::{Hand, node_center};
-use eframe::egui::{Event, Key, Modifiers, ViewportEvent, ViewportId, vec2};
+use eframe::egui::{Event, Key, Modifiers, Role, ViewportEvent, ViewportId, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 const OFFER: &str = "Work that was not saved";
@@ -475,6 +475,38 @@ fn set_value(hand: &mut Hand) {
     let edit = Edit::SetValue { graph, id, port: "value".into(), value, index: None };
     hand.app_mut().session_mut().apply(edit, None).unwrap();
     hand.settle();
+}
+
+#[test]
+fn a_mesh_that_was_stood_up_stays_so() {
+    let home = Home::new();
+    let mesh = home.file("tri.obj");
+    fs::write(&mesh, "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n").unwrap();
+    let mesh = mesh.to_string_lossy().into_owned();
+    let stands = |hand: &Hand| hand.app().session().orbit().z_is_up;
+    let mut hand = home.window(None);
+    hand.app_mut().show_on(&mesh);
+    hand.settle();
+    hand.press("Options");
+    assert!(!stands(&hand));
+    hand.press_a(Role::CheckBox, "Z is up");
+    hand.key(Key::Escape);
+    assert!(stands(&hand));
+    // Under another look, and in another window.
+    hand.key_with(Modifiers::COMMAND, Key::N);
+    hand.settle();
+    assert!(stands(&hand));
+    drop(hand);
+    let mut hand = home.window(None);
+    assert!(stands(&hand) && hand.app().session().orbit().mesh == mesh);
+    hand.app_mut().show_on(&mesh);
+    assert!(stands(&hand), "named again it is the same");
+    // What is chosen next stands by itself, and is remembered so.
+    hand.choose("On", "Torus");
+    assert!(!stands(&hand) && hand.app().session().orbit().mesh == "shape:torus");
+    drop(hand);
+    let hand = home.window(None);
+    assert!(!stands(&hand) && hand.app().session().orbit().mesh == "shape:torus");
 }
 
 #[test]

@@ -129,8 +129,9 @@ fn a_file_that_cannot_be_opened_is_told_above_the_start_page() {
         ("odd.json", "(line 2, column", "odd.json"),
     ] {
         let mut hand = home.window(None);
-        hand.app_mut().begin_with(&home.file(name));
+        let told = hand.app_mut().begin_with(&home.file(name)).unwrap();
         hand.settle();
+        assert!(told.contains(why) && told.contains(help), "a terminal is told the same: {told}");
         assert!(hand.app().shows_start_page() && says(&hand, &format!("{name} could not be opened")), "{name}");
         assert!(says(&hand, why) && says(&hand, help) && says(&hand, home.file(name).to_str().unwrap()), "{name}");
         assert!(!says(&hand, "os error"), "{name}");

@@ -4,8 +4,8 @@
 
 mod support;
 
-use chiaro::accuracy::Stopped;
-use chiaro::accuracy::sweep::{Case, Effort, Lab, Measured};
+use chiaro::accuracy::sweep::{Case, Effort, Lab, LookEffort, Measured, StabilityEffort, Survey, survey};
+use chiaro::accuracy::{Progress, Stopped};
 use chiaro::diag::Diagnostic;
 use chiaro::library::Library;
 use support::eval::{renderer, told};
@@ -108,4 +108,66 @@ fn the_smallest_point_has_an_angle() {
     for angle in one("arctangent", &[("y", &least), ("x", &least)]) {
         assert!((angle[0] + 0.75 * std::f64::consts::PI).abs() < 1e-6, "{angle:?}");
     }
+}
+
+/// Workers share a survey, and it says what one alone would, in the same order.
+#[test]
+fn a_survey_by_several_workers_is_that_of_one() {
+    let library = Library::built_in();
+    let kinds = ["profile", "add", "facing"];
+    let effort = Effort { ordinary: 64, extreme: 64, rounds: 1 };
+    let folder = tempfile::tempdir().expect("a folder");
+    for name in ["b", "a"] {
+        let look = include_str!("../examples/looks/figure3-profile.json");
+        std::fs::write(folder.path().join(format!("{name}.json")), look).expect("it is written");
+    }
+    let tiny = LookEffort { meshes: vec!["shape:sphere"], stations: 2, sides: vec![24], ..LookEffort::quick() };
+    let wanted = Survey {
+        nodes: kinds.map(str::to_owned).to_vec(),
+        effort,
+        looks: Some(folder.path().to_owned()),
+        look_effort: tiny.clone(),
+        large: Some(LookEffort { sides: vec![48], ..tiny }),
+        stability: StabilityEffort { frames: 2, side: 24 },
+    };
+    let mut steps = Vec::new();
+    let mut told = |done, total| {
+        steps.push((done, total));
+        true
+    };
+    let report = survey(&wanted, library, &mut Progress::new(&mut told)).unwrap_or_else(|stopped| {
+        let problems: Vec<Diagnostic> = stopped.into();
+        panic!("{}", self::told(&problems))
+    });
+    let names = |all: &[chiaro::accuracy::sweep::LookMeasured]| -> Vec<String> {
+        all.iter().map(|one| format!("{} {:?}", one.look, one.tier)).collect()
+    };
+    let all = ["a Exact", "a Balanced", "a Fast", "b Exact", "b Balanced", "b Fast"];
+    assert_eq!(
+        (names(&report.looks), names(&report.large)),
+        (all.map(str::to_owned).to_vec(), all.map(str::to_owned).to_vec())
+    );
+    assert!(report.large.iter().all(|one| one.worst_words.is_empty() || one.worst_words.contains("48 px")));
+    assert_eq!(report.stability.iter().map(|one| one.look.as_str()).collect::<String>(), "aabb");
+    let mut renderer = renderer();
+    let mut lab = Lab::new(library, &mut renderer).unwrap_or_else(|problems| panic!("{}", self::told(&problems)));
+    let mut alone = Vec::new();
+    for kind in ["add", "facing", "profile"] {
+        for case in Case::of(&library.nodes[kind]) {
+            let measured = lab.measure(&case, &effort).unwrap_or_else(|_| panic!("{}", case.name()));
+            alone.push(serde_json::json!(measured));
+        }
+    }
+    assert_eq!(report.nodes.iter().map(|one| serde_json::json!(one)).collect::<Vec<_>>(), alone);
+    let total = alone.len() as u64 + 2 * (2 + 2 + 2 * 2);
+    assert_eq!(steps, (1..=total).map(|done| (done, total)).collect::<Vec<_>>(), "every step is told, once");
+
+    // Nobody goes on who was told to stop.
+    let mut most = 0;
+    let mut told = |done, _| {
+        most = done;
+        done < 3
+    };
+    assert!(matches!(survey(&wanted, library, &mut Progress::new(&mut told)), Err(Stopped::Asked)));
+    assert!(most < total, "{most} of {total}");
 }

@@ -13,7 +13,7 @@ use super::tier;
 use crate::clock::Clock;
 use crate::compile::Live;
 use crate::diag::Diagnostic;
-use crate::document::{Projection, Scene, Tier, parse_hex, write_atomic};
+use crate::document::{Camera, Projection, Scene, Tier, parse_hex, write_atomic};
 use crate::frame::{Assets, FramePlan, PassKind, Picture, PlanOptions, Planner, open};
 use crate::interp::Precision;
 use crate::milestones;
@@ -46,9 +46,9 @@ pub(super) struct Arguments {
     /// Stands up meshes whose z axis points up, as in many scans
     #[arg(long)]
     z_up: bool,
-    /// Width and height in pixels
-    #[arg(short, long, default_value = "800x800")]
-    size: Size,
+    /// Width and height in pixels [default: 800x800; 1200x800 of a scene that has a camera of its own]
+    #[arg(short, long)]
+    size: Option<Size>,
     /// Samples a pixel: 1, or 4 for smooth edges
     #[arg(long, default_value_t = 4, value_parser = parse_samples)]
     samples: u32,
@@ -128,10 +128,11 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     if let Some(tier) = arguments.tier {
         setup.looks.iter_mut().for_each(|worn| tier::run_everywhere(&mut worn.look, &mut library, tier));
     }
+    let size = arguments.size.as_ref().map_or_else(|| usual_size(&setup.scene.camera), |size| size.0);
     adjust(&mut setup.scene, arguments).map_err(one)?;
     let is_truth = arguments.on == Some(On::Reference);
     let mut planner = if is_truth { Planner::for_truth(assets) } else { Planner::new(assets) };
-    let options = PlanOptions { size: arguments.size.0, samples: arguments.samples, time: arguments.time };
+    let options = PlanOptions { size, samples: arguments.samples, time: arguments.time };
     let live = if arguments.live || is_truth { Live::All } else { Live::Keyed };
     let plan = planner.plan(&setup, &library, &live, &options)?;
     milestones::reached("first shaders");
@@ -153,6 +154,12 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         output.message(&format!("{file}: {width}x{height}, on {adapter}"));
     }
     Ok(())
+}
+
+/// What nobody asked otherwise for: whoever places a camera places it for a picture that is wider than high, which a square
+/// would cut.
+fn usual_size(camera: &Camera) -> [u32; 2] {
+    if *camera == Camera::default() { [800, 800] } else { [1200, 800] }
 }
 
 /// A picture, and who drew it.

@@ -49,8 +49,10 @@ pub(crate) enum Command {
     SaveAs,
     /// Saves to this file.
     SaveTo(PathBuf),
-    /// Shows the look on the mesh of this file; asks for one where there is none.
+    /// Shows the look on the mesh of this file, or on the own shape that `shape:` names; asks for a file where there is none.
     ShowOn(Option<PathBuf>),
+    /// Whether the mesh's z axis points up, and not y.
+    StandUp(bool),
     /// Turns the probe on or off.
     Probe(bool),
     /// Lets go of the probed pixel, or else leaves the probe.

@@ -42,6 +42,7 @@ mod wire;
 mod worker;
 
 use eframe::egui;
+use std::io::Write as _;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -119,7 +120,11 @@ pub fn run(files: &[PathBuf], mesh: Option<&str>) -> Result<(), Box<Diagnostic>>
             app.keep_in(places, &context.egui_ctx);
         }
         match file {
-            Some(file) => app.begin_with(&file),
+            Some(file) => {
+                if let Some(wrong) = app.begin_with(&file) {
+                    let _ = writeln!(std::io::stderr(), "{wrong}");
+                }
+            }
             None => app.begin(),
         }
         if let Some(mesh) = mesh {

@@ -262,6 +262,13 @@ impl Orbit {
 }
 
 impl Orbit {
+    /// Shows another mesh: one may lie on its back while another does not.
+    pub(crate) fn show_on(&mut self, mesh: &str) {
+        let place = |mesh: &str| std::path::absolute(mesh).ok();
+        self.z_is_up &= place(&self.mesh) == place(mesh);
+        mesh.clone_into(&mut self.mesh);
+    }
+
     /// Looks down at a flat square that lies in the middle: the way in which a painted surface is judged.
     pub(crate) fn look_at_a_sheet(&mut self) {
         PLANE.clone_into(&mut self.mesh);

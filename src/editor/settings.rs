@@ -41,13 +41,23 @@ pub struct Settings {
     pub layout: Option<Value>,
     /// What looks were seen on last: a path, or `shape:` and a name.
     pub mesh: Option<String>,
+    /// Whether that lies on its back and was stood up: its z axis points up.
+    pub z_is_up: bool,
     /// What other versions remember.
     unknown: Map<String, Value>,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { recent: Vec::new(), theme: Theme::default(), scale: 1.0, layout: None, mesh: None, unknown: Map::new() }
+        Self {
+            recent: Vec::new(),
+            theme: Theme::default(),
+            scale: 1.0,
+            layout: None,
+            mesh: None,
+            z_is_up: false,
+            unknown: Map::new(),
+        }
     }
 }
 
@@ -69,7 +79,8 @@ impl Settings {
         let scale = if SCALE.contains(&scale) { scale } else { 1.0 };
         let layout = Some(take("layout")).filter(|layout| !layout.is_null());
         let mesh = take("mesh").as_str().map(str::to_owned);
-        Self { recent, theme, scale, layout, mesh, unknown: members }
+        let z_is_up = take("z_is_up").as_bool().unwrap_or_default();
+        Self { recent, theme, scale, layout, mesh, z_is_up, unknown: members }
     }
 
     fn to_text(&self) -> String {
@@ -80,6 +91,9 @@ impl Settings {
         members.insert("scale".into(), self.scale.into());
         members.extend(self.layout.clone().map(|layout| ("layout".into(), layout)));
         members.extend(self.mesh.clone().map(|mesh| ("mesh".into(), mesh.into())));
+        if self.z_is_up {
+            members.insert("z_is_up".into(), true.into());
+        }
         members.extend(self.unknown.clone());
         let mut text = serde_json::to_string_pretty(&Value::Object(members)).unwrap_or_default();
         text.push('\n');

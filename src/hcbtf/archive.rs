@@ -36,7 +36,13 @@ impl<'a> Archive<'a> {
         }
         if !bytes.starts_with(b"PK") {
             let message = "this is no HCBTF: it does not begin as a zip file does";
-            return Err(Diagnostic::error("hcbtf-archive", message).hint("is this another kind of file?"));
+            let is_json = bytes.trim_ascii_start().starts_with(b"{");
+            let hint = if is_json {
+                "it is JSON, as looks and scenes are: `chiaro explain` tells of those"
+            } else {
+                "is this another kind of file?"
+            };
+            return Err(Diagnostic::error("hcbtf-archive", message).hint(hint));
         }
         check_claims(bytes)?;
         let zip = ZipArchive::new(Cursor::new(bytes)).map_err(|error| broken(&error))?;

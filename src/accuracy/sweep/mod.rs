@@ -17,11 +17,13 @@ pub mod report;
 pub mod search;
 pub mod slot;
 pub mod stability;
+pub mod survey;
 
 pub use bounds::{Judging, bound, judging};
 pub use case::{Bench, Case};
 pub use looks::{LookBound, LookEffort, LookMeasured, looks_in, measure_look};
 pub use measure::{Effort, Finding, Lab, Measured};
-pub use report::{AccuracyReport, survey};
+pub use report::AccuracyReport;
 pub use search::{Worst, climb};
 pub use stability::{StabilityEffort, StabilityMeasured, measure_stability};
+pub use survey::{Survey, survey};

@@ -6,37 +6,16 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::bounds::{EXCEPTIONS, Judging, STEEP_FOOT};
-use super::case::Case;
-use super::looks::{LookEffort, LookMeasured, looks_in, measure_look};
-use super::measure::{Effort, Lab, Measured};
+use super::looks::LookMeasured;
+use super::measure::Measured;
 use super::search::Worst;
-use super::stability::{MESHES, StabilityEffort, StabilityMeasured, measure_stability};
+use super::stability::StabilityMeasured;
 use super::{pictures, plot, stability};
-use crate::accuracy::{Progress, Stopped};
 use crate::diag::Diagnostic;
 use crate::document::{Tier, write_atomic};
-use crate::library::Library;
-use crate::render::Renderer;
-
-/// What is surveyed.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Survey {
-    /// The kinds of nodes; all where it is empty.
-    pub nodes: Vec<String>,
-    /// How much of each node.
-    pub effort: Effort,
-    /// The folder of looks; none are drawn without it.
-    pub looks: Option<std::path::PathBuf>,
-    /// How much of each look.
-    pub look_effort: LookEffort,
-    /// The largest pictures of each look.
-    pub large: Option<LookEffort>,
-    /// How long looks are turned.
-    pub stability: StabilityEffort,
-}
 
 /// What a survey came to.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct AccuracyReport {
     /// The GPU.
     pub adapter: String,
@@ -53,55 +32,6 @@ pub struct AccuracyReport {
     /// The worst inputs, to be kept.
     #[serde(skip)]
     pub worst: Vec<Worst>,
-}
-
-/// Measures everything.
-///
-/// # Errors
-/// What is wrong with a look or a node, what the GPU refuses, or that `progress` stopped it.
-pub fn survey(
-    survey: &Survey,
-    library: &Library,
-    renderer: &mut Renderer,
-    progress: &mut Progress<'_>,
-) -> Result<AccuracyReport, Stopped> {
-    let mut report = AccuracyReport {
-        adapter: renderer.gpu().name(),
-        is_software: renderer.gpu().is_software(),
-        nodes: Vec::new(),
-        looks: Vec::new(),
-        large: Vec::new(),
-        stability: Vec::new(),
-        worst: Vec::new(),
-    };
-    let mut precise = Renderer::new(renderer.gpu().precise());
-    let looks = survey.looks.as_deref().map_or_else(|| Ok(Vec::new()), looks_in)?;
-    let mut kinds: Vec<&String> = library.nodes.keys().collect();
-    kinds.retain(|kind| survey.nodes.is_empty() || survey.nodes.contains(kind));
-    kinds.sort_unstable();
-    let cases: Vec<Case> = kinds.into_iter().flat_map(|kind| Case::of(&library.nodes[kind])).collect();
-    let large = survey.large.as_ref().map_or(0, LookEffort::truths);
-    let truths = survey.look_effort.truths() + large + MESHES.len() * survey.stability.frames;
-    progress.expect((cases.len() + looks.len() * truths) as u64);
-    let mut lab = Lab::new(library, renderer)?;
-    for case in cases {
-        let measured = lab.measure(&case, &survey.effort)?;
-        let bench = lab.bench(&case)?;
-        report.worst.extend(measured.worst.iter().take(2).filter(|f| f.error > 0.0).map(|f| Worst::new(&bench, f)));
-        report.nodes.push(measured);
-        progress.step()?;
-    }
-    for path in &looks {
-        report.looks.extend(measure_look(path, library, &mut precise, &survey.look_effort, progress)?);
-        if let Some(effort) = &survey.large {
-            report.large.extend(measure_look(path, library, &mut precise, effort, progress)?);
-        }
-        for mesh in MESHES {
-            let effort = &survey.stability;
-            report.stability.push(measure_stability(path, mesh, library, &mut precise, effort, progress)?);
-        }
-    }
-    Ok(report)
 }
 
 impl AccuracyReport {
@@ -128,6 +58,7 @@ impl AccuracyReport {
     pub fn markdown(&self, command: &str, plots: &str) -> String {
         let mut text = String::new();
         self.head(&mut text, command);
+        self.broken_part(&mut text);
         self.nodes_part(&mut text, plots);
         exceptions_part(&mut text);
         if !self.looks.is_empty() {
@@ -153,6 +84,18 @@ impl AccuracyReport {
              Made by `{command}` on {}.{software} The same adapter gives the same file.\n",
             self.adapter
         );
+    }
+
+    fn broken_part(&self, text: &mut String) {
+        let broken = self.broken();
+        if broken.is_empty() {
+            return;
+        }
+        let _ = writeln!(text, "## Beyond their bounds\n\nThese {} do not keep what they are held to:\n", broken.len());
+        for words in broken {
+            let _ = writeln!(text, "- {words}");
+        }
+        text.push('\n');
     }
 
     fn nodes_part(&self, text: &mut String, plots: &str) {

@@ -22,6 +22,7 @@ const EXAMPLES: &str = "\
 Examples:
   chiaro nodes                      every node, with its inputs and outputs
   chiaro nodes profile              everything about one
+  chiaro nodes 'light layer'        the same by what the window calls it
   chiaro nodes light_layer --json   the same for a script
   chiaro nodes --nodes my/nodes     with a project's own nodes
   chiaro nodes --markdown           docs/nodes.md
@@ -31,7 +32,7 @@ Examples:
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
-    /// The node to tell all about
+    /// The node to tell all about: its kind, with a choice after a dot or without, or its name in the window
     kind: Option<String>,
     /// A folder of a project's own nodes
     #[arg(long)]
@@ -61,7 +62,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     if arguments.markdown {
         output.result(markdown::document(&entries).trim_end());
     } else if let Some(kind) = &arguments.kind {
-        let entry = entries.iter().find(|entry| entry.kind == *kind).ok_or_else(|| vec![unknown(kind, &entries)])?;
+        let entry = find(kind, &entries).ok_or_else(|| vec![unknown(kind, &entries)])?;
         let whole = if arguments.json { json::pretty(&json::entry(entry)) } else { text::whole(entry) };
         output.result(&whole);
     } else if arguments.json {
@@ -86,6 +87,13 @@ fn draw(library: &Library, folder: &std::path::Path, output: &Output) -> Result<
     output.message(&format!("{}: pictures of every node", folder.display()));
     output.diagnostics(&library.problems);
     Ok(())
+}
+
+/// The node of a kind, of a kind with a choice (`blend.multiply`), or of a name that people read.
+fn find<'e>(name: &str, entries: &'e [Entry]) -> Option<&'e Entry> {
+    let kind = name.split_once('.').map_or(name, |(kind, _)| kind);
+    let by_label = || entries.iter().find(|entry| entry.label.to_lowercase() == name.to_lowercase());
+    entries.iter().find(|entry| entry.kind == kind).or_else(by_label)
 }
 
 /// Near names, of kinds and of what people read for them.

@@ -72,6 +72,7 @@ impl App {
                 }
             }
             Command::ShowOn(Some(path)) => self.show_on(&path.to_string_lossy()),
+            Command::StandUp(z_is_up) => self.stand_up(z_is_up),
             Command::ShowOn(None) => self.dialogs.ask(Purpose::Mesh, Some(Path::new(&self.session.view.mesh))),
             Command::Probe(on) => {
                 self.probe.turn(on);

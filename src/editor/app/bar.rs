@@ -9,6 +9,7 @@ use crate::editor::panels::problems;
 use crate::editor::session::Session;
 use crate::editor::shortcuts::{self, Action};
 use crate::editor::spots::{self, Spot};
+use crate::editor::stage::Stage;
 use crate::editor::{dock, theme};
 
 /// Below this width, in points, the name of what is open is not told in the bar: the window's title has it too.
@@ -152,7 +153,9 @@ impl App {
         if is_look_dirty || stage.is_some() || !(work.is_some_and(is_bare) && self.keeps_look()) {
             all.push(("", session.name(), is_look_dirty));
         }
-        all.extend(stage.map(|stage| (" in ", stage.name(), stage.is_dirty())));
+        // A look and its scene may have files of the same name.
+        let within = |stage: &Stage| if stage.name() == session.name() { " in the scene " } else { " in " };
+        all.extend(stage.map(|stage| (within(stage), stage.name(), stage.is_dirty())));
         let between = if all.is_empty() { "" } else { ", " };
         all.extend(work.map(|work| (between, work.name(), work.is_dirty())));
         all

@@ -152,8 +152,14 @@ impl App {
         if self.session.stage().is_some() {
             return self.mesh_of_object(mesh);
         }
-        mesh.clone_into(&mut self.session.view.mesh);
-        self.safety.shown_on(mesh);
+        self.session.view.show_on(mesh);
+        self.safety.shown_on(mesh, self.session.view.z_is_up);
+    }
+
+    /// Stands the mesh up whose z axis points up, or lays it back.
+    pub(super) fn stand_up(&mut self, z_is_up: bool) {
+        self.session.view.z_is_up = z_is_up;
+        self.safety.shown_on(&self.session.view.mesh, z_is_up);
     }
 
     /// Keeps unsaved work and settings in these folders, and offers what was left behind there.
@@ -446,8 +452,9 @@ impl App {
     /// Gives the view back that a painting's flat square took the place of, once another look is open.
     fn leave_sheet(&mut self, is_painted: bool) {
         let is_over = !is_painted && self.session.stage().is_none();
-        if let Some(view) = self.view_before_painting.take_if(|_| is_over)
+        if is_over
             && super::painting::look::lies_flat(&self.session.view)
+            && let Some(view) = self.view_before_painting.take()
         {
             self.session.view = view;
         }

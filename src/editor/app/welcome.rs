@@ -38,12 +38,15 @@ impl App {
         }
     }
 
-    /// What a window that is opened with a file begins with: the file, or else the start page, where what is wrong is told.
-    pub fn begin_with(&mut self, file: &Path) {
+    /// What a window that is opened with a file begins with: the file, or else the start page, where what is wrong is told. Returns
+    /// that, too, for who asked at a terminal.
+    pub fn begin_with(&mut self, file: &Path) -> Option<String> {
         self.open(file);
-        if self.safety.tells_unopened() {
+        let wrong = self.safety.unopened();
+        if wrong.is_some() {
             self.show_start_page();
         }
+        wrong
     }
 
     /// Shows the start page in place of the panels, until anything is opened or made.

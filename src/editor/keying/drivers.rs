@@ -1,7 +1,8 @@
 //! What drives keys: numbers of the scene and wires of the look, what each is now, and what it is called.
 
 use super::super::session::Session;
-use crate::compile::{Options, compile};
+use super::super::values::number_text;
+use crate::compile::{Live, Options, compile};
 use crate::document::{DirectionKeys, Driver, KeyDirection, OutputPort, Target};
 use crate::frame::{Rig, Wires, driver_value};
 use crate::ids::{NodePath, PortName};
@@ -33,7 +34,8 @@ impl Session {
         let (name, scheme, unknown) = (String::new(), Default::default(), Default::default());
         let mut trial = self.look().clone();
         trial.direction_keys.push(DirectionKeys { name, by, scheme, keys: Vec::new(), unknown });
-        let shader = compile(&trial, &self.library, &Options::default()).ok()?;
+        let options = Options { live: Live::Exposed, ..Options::default() };
+        let shader = compile(&trial, &self.library, &options).ok()?;
         let base = |node: &NodePath, port: &PortName| {
             self.own_value(&Target::Input { node: node.clone(), port: port.clone() })
         };
@@ -53,20 +55,15 @@ impl Session {
         }
     }
 
-    /// What an output is called: its node's name, and its own where the node has several.
+    /// What an output is called: by its own name, and its node's.
     fn wire_name(&self, wire: &OutputPort) -> String {
         let path = wire.node.to_string();
         let Some(node) = self.node_at(&wire.node) else { return wire.to_string() };
         let kind = self.catalog.of(node);
         let label = kind.map_or(path.as_str(), |kind| &*kind.label);
         let called = if node.name.is_empty() { label } else { &node.name };
-        let port = kind
-            .filter(|kind| kind.outputs.len() > 1)
-            .and_then(|kind| kind.outputs.iter().find(|port| port.name == wire.port).map(|port| &*port.label));
-        match port {
-            Some(port) => format!("Wire {called}: {port}"),
-            None => format!("Wire {called}"),
-        }
+        let port = kind.and_then(|kind| kind.outputs.iter().find(|port| port.name == wire.port));
+        format!("{} of \"{called}\"", port.map_or(wire.port.as_str(), |port| &*port.label))
     }
 
     /// Everything that can drive keys.
@@ -94,5 +91,5 @@ impl Session {
 
 /// What a driver is, as people read it.
 pub(crate) fn said(driver: &Driver, value: f64) -> String {
-    if driver.is_angle() { format!("{:.1}°", value.to_degrees()) } else { format!("{value:.3}") }
+    if driver.is_angle() { format!("{:.1}°", value.to_degrees()) } else { number_text(value, 3) }
 }

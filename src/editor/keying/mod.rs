@@ -50,7 +50,9 @@ impl Session {
     /// Computes what keys come to, where anything changed since.
     pub(crate) fn refresh_keys(&mut self) {
         let stamp = self.stamp();
-        let own = self.own_object().map(|(own, _)| own.clone());
+        let own = self.own_object();
+        let sets_values = own.is_some_and(|(_, object)| !object.values.is_empty());
+        let own = own.map(|(own, _)| own.clone());
         if self.keyed.stamp.as_ref() == Some(&stamp) && self.keyed.own == own {
             return;
         }
@@ -62,7 +64,7 @@ impl Session {
         let base = |node: &NodePath, port: &PortName| {
             self.own_value(&Target::Input { node: node.clone(), port: port.clone() })
         };
-        let wires = self.current_shader().map(Wires::of);
+        let wires = self.shader_of_wires(sets_values).map(Wires::of);
         // What runs without end is told by the compiler and the picture.
         let now = self.at_this_moment(|moment| rig.keyed_values(&base, wires, moment)).unwrap_or_default();
         let followed = std::mem::take(&mut self.keyed.followed);

@@ -103,6 +103,7 @@ impl Safety {
             && (mesh.starts_with(SHAPE_PREFIX) || Path::new(mesh).exists())
         {
             mesh.clone_into(&mut session.view.mesh);
+            session.view.z_is_up = self.settings.z_is_up;
         }
         self.places = Some(places);
         self.look();
@@ -113,9 +114,9 @@ impl Safety {
         self.unopened = Some(Unopened::new(path, problems, session));
     }
 
-    /// Whether that is told.
-    pub(crate) fn tells_unopened(&self) -> bool {
-        self.unopened.is_some()
+    /// Which file could not be opened, why, and where it was looked for.
+    pub(crate) fn unopened(&self) -> Option<String> {
+        self.unopened.as_ref().map(|unopened| format!("{}\n  {}", unopened.text, unopened.help))
     }
 
     /// Looks for work that nobody holds.
@@ -242,11 +243,14 @@ impl Safety {
         self.change_settings(|settings| settings.opened(path));
     }
 
-    /// Remembers a mesh.
-    pub(crate) fn shown_on(&mut self, mesh: &str) {
+    /// Remembers a mesh, and whether it was stood up.
+    pub(crate) fn shown_on(&mut self, mesh: &str, z_is_up: bool) {
         let path = std::path::absolute(mesh).ok().filter(|_| !mesh.starts_with(SHAPE_PREFIX));
         let mesh = path.and_then(|path| path.to_str().map(str::to_owned)).unwrap_or_else(|| mesh.to_owned());
-        self.change_settings(|settings| settings.mesh = Some(mesh));
+        self.change_settings(|settings| {
+            settings.mesh = Some(mesh);
+            settings.z_is_up = z_is_up;
+        });
     }
 
     /// Whether anything is remembered from one time to the next.

@@ -282,7 +282,7 @@ impl Session {
         }
         self.kept_view = found.about.window.get(VIEW).cloned();
         if let Some(mesh) = found.about.window.get("mesh").and_then(serde_json::Value::as_str) {
-            mesh.clone_into(&mut self.view.mesh);
+            self.view.show_on(mesh);
         }
         self.replace(found.history.document().clone(), source, path);
         self.kept.history = found.history;

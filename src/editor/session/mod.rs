@@ -257,7 +257,7 @@ impl Session {
         self.selection.clear();
         // A scene has the camera, and goes on.
         if self.stage.is_none() {
-            self.view = Orbit { mesh: self.view.mesh.clone(), ..Orbit::default() };
+            self.view = Orbit { mesh: self.view.mesh.clone(), z_is_up: self.view.z_is_up, ..Orbit::default() };
             self.time = 0.0;
         }
         self.key = None;

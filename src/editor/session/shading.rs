@@ -225,6 +225,13 @@ impl Session {
         shader.as_deref()
     }
 
+    /// What computes wires for an object, which may set exposed values: a baked shader has those of the look in it.
+    pub(crate) fn shader_of_wires(&self, sets_values: bool) -> Option<&CompiledShader> {
+        let is_there = sets_values && self.shaders.live_structure == Some(self.shaders.structure);
+        let live = self.shaders.live.as_deref().filter(|_| is_there);
+        live.or_else(|| self.current_shader())
+    }
+
     /// The shader whose values are uniforms.
     pub fn live(&self) -> Option<&Arc<CompiledShader>> {
         self.shaders.live.as_ref()

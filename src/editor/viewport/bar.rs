@@ -76,12 +76,12 @@ impl Viewport {
         ui.checkbox(&mut self.has_arrows, "Arrows toward eye and lights").on_hover_text(help);
         let help = "Turns the object before the camera, until it is switched off again (T)";
         ui.checkbox(&mut self.turns, "Turntable").on_hover_text(help);
-        if session.view.mesh.starts_with(SHAPE_PREFIX) {
-            // A painted tile lies flat on the plane, which is how it begins.
-            session.view.z_is_up &= session.view.mesh == crate::editor::orbit::PLANE;
-        } else if session.stage().is_none() {
-            ui.checkbox(&mut session.view.z_is_up, "Z is up")
-                .on_hover_text("Stands up a mesh that lies on its back: one whose z axis points up, as in many scans");
+        if session.stage().is_none() && !session.view.mesh.starts_with(SHAPE_PREFIX) {
+            let help = "Stands up a mesh that lies on its back: one whose z axis points up, as in many scans";
+            let mut z_is_up = session.view.z_is_up;
+            if ui.checkbox(&mut z_is_up, "Z is up").on_hover_text(help).changed() {
+                out.push(Command::StandUp(z_is_up));
+            }
         }
         ui.separator();
         for (projection, label, help) in [
@@ -217,8 +217,7 @@ fn mesh_choice(ui: &mut Ui, session: &mut Session, out: &mut Vec<Command>) {
         for shape in SHAPES {
             let is_it = mesh.strip_prefix("shape:") == Some(shape.name);
             if ui.selectable_label(is_it, shape.label).on_hover_text(shape.help).clicked() {
-                session.view.mesh = format!("shape:{}", shape.name);
-                session.view.z_is_up = false;
+                out.push(Command::ShowOn(Some(format!("{SHAPE_PREFIX}{}", shape.name).into())));
             }
         }
         ui.separator();

@@ -548,7 +548,7 @@ fn show_picture(ui: &Ui, rect: Rect, session: &mut Session, picture: &mut Pictur
             let font = egui::FontId::proportional(theme::TEXT_SIZE);
             let is_broken = !picture.problems.is_empty() || crate::diag::has_errors(session.problems());
             let text =
-                if is_broken { "No picture until what is listed below is mended" } else { "Making the first picture" };
+                if is_broken { "No picture: Problems says what is to be mended" } else { "Making the first picture" };
             ui.painter().text(rect.center(), egui::Align2::CENTER_CENTER, text, font, theme::of(ui).dim);
         }
     }

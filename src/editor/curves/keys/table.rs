@@ -72,7 +72,7 @@ fn row(ui: &mut Ui, shown: &Shown<'_>, target: &Target, out: &mut Vec<Command>) 
                 let Some(now) = own.cloned().or_else(|| session.own_value(target)) else { return };
                 if own.is_none() {
                     let help = "This key leaves the look's own value; press to give it one of its own";
-                    let text = RichText::new("own").color(theme::of(ui).dim);
+                    let text = RichText::new("the look's").color(theme::of(ui).dim);
                     let response = ui.add(Button::new(text).small()).on_hover_text(help);
                     response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, format!("Set {name}")));
                     if response.clicked() {

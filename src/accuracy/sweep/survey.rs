@@ -1,0 +1,250 @@
+//! Measures everything that the report tells, on all cores.
+//!
+//! Cases and looks know nothing of each other, so each is a job; workers take the next one, and what
+//! they find stands in the report in the order of the jobs, whoever was first.
+
+use std::num::NonZero;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, MutexGuard, mpsc};
+use std::thread;
+
+use super::case::Case;
+use super::looks::{LookEffort, LookMeasured, looks_in, measure_look};
+use super::measure::{Effort, Lab, Measured};
+use super::report::AccuracyReport;
+use super::search::Worst;
+use super::stability::{MESHES, StabilityEffort, StabilityMeasured, measure_stability};
+use crate::accuracy::{Progress, Stopped};
+use crate::library::Library;
+use crate::render::{Gpu, Renderer, block_on};
+
+/// What is surveyed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Survey {
+    /// The kinds of nodes; all where it is empty.
+    pub nodes: Vec<String>,
+    /// How much of each node.
+    pub effort: Effort,
+    /// The folder of looks; none are drawn without it.
+    pub looks: Option<std::path::PathBuf>,
+    /// How much of each look.
+    pub look_effort: LookEffort,
+    /// The largest pictures of each look.
+    pub large: Option<LookEffort>,
+    /// How long looks are turned.
+    pub stability: StabilityEffort,
+}
+
+/// So many workers at most: each holds pictures and shaders of its own, and a picture in f64 is made on all cores anyway.
+const MOST_WORKERS: usize = 4;
+/// Of the worst samples of a case, so many are kept for a test to hold.
+const KEPT_OF_A_CASE: usize = 2;
+
+/// What is measured in one go.
+enum Job {
+    Case(Case),
+    Look(PathBuf),
+    /// A look's largest pictures: only one worker makes such at a time, as two would take all memory.
+    Large(PathBuf, LookEffort),
+}
+
+/// What a job came to.
+enum Found {
+    Case(Measured, Vec<Worst>),
+    Look(Vec<LookMeasured>, Vec<StabilityMeasured>),
+    Large(Vec<LookMeasured>),
+}
+
+/// What a worker tells.
+enum Told {
+    /// A step is done.
+    Step,
+    /// A job is, the one of this number.
+    Found(usize, Found),
+    /// The worker has stopped.
+    Stopped(Stopped),
+}
+
+/// Measures everything.
+///
+/// # Errors
+/// What is wrong with a look or a node, no GPU or what it refuses, or that `progress` stopped it.
+#[expect(
+    clippy::disallowed_methods,
+    reason = "the one place of the survey that starts threads: each waits for a device of its own"
+)]
+pub fn survey(survey: &Survey, library: &Library, progress: &mut Progress<'_>) -> Result<AccuracyReport, Stopped> {
+    let looks = survey.looks.as_deref().map_or_else(|| Ok(Vec::new()), looks_in)?;
+    let mut kinds: Vec<&String> = library.nodes.keys().collect();
+    kinds.retain(|kind| survey.nodes.is_empty() || survey.nodes.contains(kind));
+    kinds.sort_unstable();
+    let cases: Vec<Case> = kinds.into_iter().flat_map(|kind| Case::of(&library.nodes[kind])).collect();
+    let large = survey.large.as_ref().map_or(0, LookEffort::truths);
+    let truths = survey.look_effort.truths() + large + MESHES.len() * survey.stability.frames;
+    progress.expect((cases.len() + looks.len() * truths) as u64);
+    let large = |effort: &LookEffort| looks.iter().map(|path| Job::Large(path.clone(), effort.clone())).collect();
+    let large: Vec<Job> = survey.large.as_ref().map_or_else(Vec::new, large);
+    // What takes longest comes first.
+    let small = looks.into_iter().map(Job::Look).chain(cases.into_iter().map(Job::Case));
+    let first_small = large.len();
+    let jobs: Vec<Job> = large.into_iter().chain(small).collect();
+
+    let gpu = block_on(Gpu::headless())?;
+    let report = AccuracyReport { adapter: gpu.name(), is_software: gpu.is_software(), ..AccuracyReport::default() };
+    let team = Team {
+        survey,
+        library,
+        jobs: &jobs,
+        first_small,
+        next_large: Mutex::new(0),
+        next_small: AtomicUsize::new(first_small),
+        stops: AtomicBool::new(false),
+    };
+    let workers = thread::available_parallelism().map_or(1, NonZero::get).min(MOST_WORKERS);
+    let (tell, told) = mpsc::channel();
+    let found = thread::scope(|scope| {
+        for _ in 0..workers {
+            let tell = tell.clone();
+            let team = &team;
+            scope.spawn(move || team.work(&tell));
+        }
+        drop(tell);
+        team.gather(&told, progress)
+    })?;
+    Ok(report.with(found))
+}
+
+/// What workers share.
+struct Team<'a> {
+    survey: &'a Survey,
+    library: &'a Library,
+    /// The large ones first.
+    jobs: &'a [Job],
+    /// How many are large.
+    first_small: usize,
+    /// The number of the next large one; who makes one holds it.
+    next_large: Mutex<usize>,
+    /// The number of the next other one.
+    next_small: AtomicUsize,
+    /// Whether nobody wants the rest.
+    stops: AtomicBool,
+}
+
+impl Team<'_> {
+    /// Does one job after the other, and tells what keeps it from going on.
+    fn work(&self, tell: &mpsc::Sender<Told>) {
+        if let Err(why) = self.work_on(tell) {
+            // First what is wrong: whoever stops because of it tells only that.
+            drop(tell.send(Told::Stopped(why)));
+            self.stops.store(true, Ordering::Relaxed);
+        }
+    }
+
+    /// The same, until there are no more jobs.
+    fn work_on(&self, tell: &mpsc::Sender<Told>) -> Result<(), Stopped> {
+        while let Some((number, _alone)) = self.next_job() {
+            let mut step = |_, _| tell.send(Told::Step).is_ok() && !self.stops.load(Ordering::Relaxed);
+            let found = self.measure(&self.jobs[number], &mut Progress::new(&mut step))?;
+            if tell.send(Told::Found(number, found)).is_err() {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// Does a job on a device of its own. Software Vulkan keeps some of what shaders took all the same, so that a survey of
+    /// all looks holds many gigabytes in the end.
+    fn measure(&self, job: &Job, progress: &mut Progress<'_>) -> Result<Found, Stopped> {
+        let gpu = block_on(Gpu::headless())?;
+        match job {
+            Job::Case(case) => self.measure_case(case, &mut Renderer::new(gpu), progress),
+            Job::Look(path) => self.measure_look(path, &mut Renderer::new(gpu.precise()), progress),
+            Job::Large(path, effort) => {
+                let mut precise = Renderer::new(gpu.precise());
+                measure_look(path, self.library, &mut precise, effort, progress).map(Found::Large)
+            }
+        }
+    }
+
+    /// A large job where nobody else has one, or else another; what is held is held until it is done.
+    fn next_job(&self) -> Option<(usize, Option<MutexGuard<'_, usize>>)> {
+        if self.stops.load(Ordering::Relaxed) {
+            return None;
+        }
+        if let Ok(mut next) = self.next_large.try_lock()
+            && *next < self.first_small
+        {
+            *next += 1;
+            return Some((*next - 1, Some(next)));
+        }
+        let number = self.next_small.fetch_add(1, Ordering::Relaxed);
+        (number < self.jobs.len()).then_some((number, None))
+    }
+
+    fn measure_case(
+        &self,
+        case: &Case,
+        renderer: &mut Renderer,
+        progress: &mut Progress<'_>,
+    ) -> Result<Found, Stopped> {
+        let mut lab = Lab::new(self.library, renderer)?;
+        let measured = lab.measure(case, &self.survey.effort)?;
+        let bench = lab.bench(case)?;
+        let worst = measured.worst.iter().take(KEPT_OF_A_CASE).filter(|finding| finding.error > 0.0);
+        let worst = worst.map(|finding| Worst::new(&bench, finding)).collect();
+        progress.step()?;
+        Ok(Found::Case(measured, worst))
+    }
+
+    fn measure_look(&self, path: &Path, precise: &mut Renderer, progress: &mut Progress<'_>) -> Result<Found, Stopped> {
+        let drawn = measure_look(path, self.library, precise, &self.survey.look_effort, progress)?;
+        let turning = |mesh| measure_stability(path, mesh, self.library, precise, &self.survey.stability, progress);
+        let stability = MESHES.into_iter().map(turning).collect::<Result<_, _>>()?;
+        Ok(Found::Look(drawn, stability))
+    }
+
+    /// What all jobs came to, in their order. The first that fails, or `progress`, stops them all.
+    fn gather(&self, told: &mpsc::Receiver<Told>, progress: &mut Progress<'_>) -> Result<Vec<Found>, Stopped> {
+        let mut found: Vec<Option<Found>> = self.jobs.iter().map(|_| None).collect();
+        let mut stopped = None;
+        // Until the last worker has left.
+        for told in told {
+            if stopped.is_some() {
+                continue;
+            }
+            let came = match told {
+                Told::Step => progress.step(),
+                Told::Found(number, of) => {
+                    found[number] = Some(of);
+                    Ok(())
+                }
+                Told::Stopped(why) => Err(why),
+            };
+            if let Err(why) = came {
+                self.stops.store(true, Ordering::Relaxed);
+                stopped = Some(why);
+            }
+        }
+        stopped.map_or_else(|| Ok(found.into_iter().flatten().collect()), Err)
+    }
+}
+
+impl AccuracyReport {
+    fn with(mut self, found: Vec<Found>) -> Self {
+        for found in found {
+            match found {
+                Found::Case(measured, worst) => {
+                    self.nodes.push(measured);
+                    self.worst.extend(worst);
+                }
+                Found::Look(drawn, stability) => {
+                    self.looks.extend(drawn);
+                    self.stability.extend(stability);
+                }
+                Found::Large(drawn) => self.large.extend(drawn),
+            }
+        }
+        self
+    }
+}
