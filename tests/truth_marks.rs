@@ -149,6 +149,8 @@ fn hatching(i: In<'_>) -> Vec<f64> {
         let square = across.x * across.x * stretch[0]
             + 2.0 * across.x * across.y * stretch[1]
             + across.y * across.y * stretch[2];
+        // Nor are strokes finer than where the place is drawn out eight times.
+        let square = square.max((stretch[0] + stretch[2]) / 65.0);
         let level = (-0.5 * square.max(1e-30).log2()).clamp(-16.0, 16.0);
         let (x, mut y) = (along.dot(p), across.dot(p));
         let stray = |zoom: i32| {
@@ -187,12 +189,20 @@ fn seed_of(x: f64) -> u32 {
 /// A stretch's matrix: offsets of a place are where its inverse puts them in the picture.
 fn picture_length(offset: DVec2, s: [f64; 3]) -> f64 {
     let m = DMat2::from_cols(DVec2::new(s[0], s[1]), DVec2::new(s[1], s[2]));
-    offset.dot(m.inverse() * offset).max(0.0).sqrt()
+    (offset.dot(m.inverse() * offset).max(0.0) * m.determinant() / area_square(s)).sqrt()
+}
+
+/// The square of the area that a stretch makes of a unit's, by its two principal stretches; drawn out more than eight times
+/// counts as eight.
+fn area_square(s: [f64; 3]) -> f64 {
+    let spread = (0.5 * (s[0] - s[2])).hypot(s[1]);
+    let [most, least] = [1.0, -1.0].map(|sign| 0.5 * (s[0] + s[2]) + sign * spread);
+    (most * least).max((most + least).powi(2) / 66.0)
 }
 
 /// Of two octaves: how many of the dots of each are drawn.
 fn octaves(stretch: [f64; 3]) -> (f64, [f64; 2]) {
-    let area = (stretch[0] * stretch[2] - stretch[1] * stretch[1]).max(0.0);
+    let area = area_square(stretch);
     let level = (-0.25 * area.max(1e-60).log2()).clamp(-16.0, 16.0);
     let f = level - level.floor();
     // As many cells of the coarser one are in the picture as there would be of its own size.
@@ -226,7 +236,7 @@ fn stippling(i: In<'_>, tile: &[f64]) -> Vec<f64> {
 
 fn paper_grain(i: In<'_>) -> Vec<f64> {
     let (p, stretch) = spaced(&i[1], &i[2], i[3][0]);
-    let area = (stretch[0] * stretch[2] - stretch[1] * stretch[1]).max(0.0);
+    let area = area_square(stretch);
     let level = (-0.25 * area.max(1e-60).log2()).clamp(-16.0, 16.0);
     let sheet = |zoom: i32| {
         let q = p * 2_f64.powi(zoom);

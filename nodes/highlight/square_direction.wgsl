@@ -1,4 +1,5 @@
 import chiaro::direction;
+import chiaro::numeric;
 import chiaro::total;
 
 /// Square direction
@@ -17,7 +18,10 @@ fn square_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, amount: f32,
     let bent = direction_within(direction, x_axis, y_axis);
     // Around the two axes: 0 along either, 1 midway between them.
     let square = dot(bent.place, bent.place);
-    let midway = select(0.0, 2.0 * abs(bent.place.x * bent.place.y) / max(square, 1e-20), square > 1e-20);
-    let corner = powered(midway, clamp(sharpness, 1.0, 1024.0));
+    // Told by how far it is from midway, which a high sharpness multiplies.
+    let apart = abs(bent.place.x) - abs(bent.place.y);
+    let aside = clamp(apart * apart / max(square, 1e-20), 0.0, 1.0);
+    let sharp = clamp(bounded(sharpness), 1.0, 1024.0);
+    let corner = select(0.0, exp2_stable(sharp * LOG2_E * log1p_negative(aside)), square > 1e-20 && aside < 1.0);
     return direction_moved(bent, -clamp(amount, 0.0, 1.0) * corner * bent.place);
 }

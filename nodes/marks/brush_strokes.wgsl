@@ -46,7 +46,7 @@ fn brush_strokes_alpha(
     let at = spaced(place, stretch, viewport, count);
     let style = brush_of(aspect, size, scatter, turn, seed, false);
     let paint = brushed(image, image_sampler, at, 1.0 - factor_of(value, true), style);
-    return BrushStrokes(vec4f(paint.xyz / max(paint.w, 1e-6), 1.0), paint.w);
+    return BrushStrokes(vec4f(paint.xyz / max(paint.w, 1e-3), 1.0), paint.w);
 }
 
 fn brush_strokes_dark(
@@ -66,7 +66,7 @@ fn brush_strokes_dark(
     let at = spaced(place, stretch, viewport, count);
     let style = brush_of(aspect, size, scatter, turn, seed, true);
     let paint = brushed(image, image_sampler, at, 1.0 - factor_of(value, true), style);
-    return BrushStrokes(vec4f(paint.xyz / max(paint.w, 1e-6), 1.0), paint.w);
+    return BrushStrokes(vec4f(paint.xyz / max(paint.w, 1e-3), 1.0), paint.w);
 }
 
 fn brush_strokes_bristles(
@@ -84,7 +84,7 @@ fn brush_strokes_bristles(
     let at = spaced(place, stretch, viewport, count);
     let style = brush_of(aspect, size, scatter, turn, seed, false);
     let paint = bristles_laid(at, 1.0 - factor_of(value, true), style);
-    let shade = paint.x / max(paint.y, 1e-6);
+    let shade = paint.x / max(paint.y, 1e-3);
     return BrushStrokes(vec4f(shade, shade, shade, 1.0), paint.y);
 }
 

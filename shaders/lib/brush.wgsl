@@ -36,8 +36,7 @@ fn brush_of(aspect: f32, size: f32, scatter: f32, turn: f32, seed: i32, is_dark:
 fn brushed(image: texture_2d<f32>, image_sampler: sampler, at: Spaced, ink: f32, style: Brush) -> vec4f {
     let dx = dpdx(at.place);
     let dy = dpdy(at.place);
-    let s = at.stretch;
-    let level = octave_of(sqrt(max(s.x * s.z - s.y * s.y, 0.0)));
+    let level = octave_of(sqrt(area_square(at.stretch)));
     let zoom = floor(level);
     let f = level - zoom;
     // As with dots, the coarser octave goes as the finer one comes.
@@ -78,8 +77,7 @@ fn brushed(image: texture_2d<f32>, image_sampler: sampler, at: Spaced, ink: f32,
 fn bristles_laid(at: Spaced, ink: f32, style: Brush) -> vec2f {
     let dx = dpdx(at.place);
     let dy = dpdy(at.place);
-    let s = at.stretch;
-    let level = octave_of(sqrt(max(s.x * s.z - s.y * s.y, 0.0)));
+    let level = octave_of(sqrt(area_square(at.stretch)));
     let zoom = floor(level);
     let f = level - zoom;
     let coarse_cells = exp2_stable(-2.0 * f);

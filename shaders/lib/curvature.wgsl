@@ -1,6 +1,7 @@
 // Concave to convex (BADF eq. 7, 8) as a logistic, because (e^2x - 1) / (e^2x + 1) is inf / inf from x = 45 on (D6).
 import chiaro::types;
 import chiaro::numeric;
+import chiaro::total;
 
 /// kappa fit for use: 0 where it is NaN, within +-1e4.
 fn kappa_safe(kappa: f32) -> f32 {
@@ -77,5 +78,8 @@ fn tensor_safe(tensor: vec3f) -> vec3f {
 fn principal_curvatures(tensor: vec3f) -> vec2f {
     let mean = 0.5 * (tensor.x + tensor.z);
     let spread = length(vec2f(0.5 * (tensor.x - tensor.z), tensor.y));
-    return vec2f(mean + spread, mean - spread);
+    // Of the one nearer 0 the difference of both would leave no digits; their product is known.
+    let far = mean + select(-spread, spread, mean >= 0.0);
+    let near = divided(tensor.x * tensor.z - tensor.y * tensor.y, far);
+    return select(vec2f(near, far), vec2f(far, near), mean >= 0.0);
 }

@@ -67,11 +67,11 @@ fn hcbtf_local(direction: vec3f, frame: mat3x3f) -> vec3f {
 }
 
 /// Rings and steps as numbers between them: theta in [0, rings - 1], phi in [0, steps). Below the horizon counts as on
-/// it. Straight up there is no phi, and 0 is taken; all samples of the first ring are the same.
+/// it, straight down too. Straight up and down there is no phi, and 0 is taken; all samples of the first ring are the same.
 fn hcbtf_place(local: vec3f, directions: vec2i) -> vec2f {
     let across = length_of(vec3f(local.xy, 0.0));
     // The GPU's own atan2 may be off by a thousandth.
-    let theta = angle_of_point(across, max(local.z, 0.0));
+    let theta = select(angle_of_point(across, max(local.z, 0.0)), HALF_PI, local.z < 0.0);
     let around = select(0.0, angle_of_point(local.x, local.y), across > 1e-12);
     let steps = f32(directions.y);
     let phi = around * (0.159154943091895336 * steps);

@@ -17,7 +17,7 @@ fn paper_height(at: Spaced, fiber: f32, seed: u32) -> f32 {
     let x = dpdx(at.place);
     let y = dpdy(at.place);
     let w = bounded(sqrt(max(dot(x, x), dot(y, y))));
-    let level = octave_of(sqrt(max(at.stretch.x * at.stretch.z - at.stretch.y * at.stretch.y, 0.0)));
+    let level = octave_of(sqrt(area_square(at.stretch)));
     let zoom = floor(level);
     let f = level - zoom;
     let fine = clamp(bounded(fiber), 0.0, 1.0);

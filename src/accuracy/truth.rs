@@ -1,7 +1,12 @@
 //! The reference's picture of a setup, to hold others against.
 
+use std::ops::Range;
+
+use glam::DVec3;
+
 use super::{Colors, ErrorFigures, Progress, Stopped, compare};
 use crate::compile::Live;
+use crate::document::Projection;
 use crate::frame::{FramePlan, PlanOptions, Planner, Setup, View};
 use crate::interp::Precision;
 use crate::library::Library;
@@ -18,6 +23,8 @@ pub struct Truth {
     picture: ReferencePicture,
     /// Pixels on edges: next to one where something else is on top.
     edges: Vec<bool>,
+    /// The rows that others are held against, from the top.
+    rows: Range<usize>,
 }
 
 impl Truth {
@@ -47,15 +54,36 @@ impl Truth {
         progress: &mut Progress<'_>,
         control: &Control<'_>,
     ) -> Result<Self, Stopped> {
+        progress.step()?;
+        Self::in_rows(setup, library, planner, options, 0..options.size[1], control)
+    }
+
+    /// The same of some rows alone, from the top; others are held against these.
+    ///
+    /// # Errors
+    /// As [`of`](Self::of).
+    pub fn in_rows(
+        setup: &Setup,
+        library: &Library,
+        planner: &mut Planner,
+        options: &PlanOptions,
+        rows: Range<u32>,
+        control: &Control<'_>,
+    ) -> Result<Self, Stopped> {
         let options = PlanOptions { samples: 1, ..options.clone() };
         let plan = planner.plan(setup, library, &Live::All, &options)?;
-        progress.step()?;
         let one = |problem| vec![problem];
         let modules = Modules::new(&plan, Precision::F64).map_err(one)?;
-        let options = reference::Options { snap: GRID, ..reference::Options::default() };
+        let [width, height] = options.size;
+        let reach = reach(&plan);
+        // What is around the rows says where their edges are.
+        let around = 1 + reach as u32;
+        let region = [0, rows.start.saturating_sub(around), width, (rows.end + around).min(height)];
+        let region = (rows != (0..height)).then_some(region);
+        let options = reference::Options { snap: GRID, region, ..reference::Options::default() };
         let picture = reference::execute(&plan, &modules, &options, control).map_err(one)?;
-        let edges = edges(&picture, &plan.view, reach(&plan));
-        Ok(Self { picture, edges })
+        let edges = edges(&picture, &plan.view, reach);
+        Ok(Self { picture, edges, rows: rows.start as usize..rows.end as usize })
     }
 
     /// The picture.
@@ -68,14 +96,84 @@ impl Truth {
         self.edges.get(index).copied().unwrap_or(true)
     }
 
+    /// Counts pixels as on edges where rounding decides which of two triangles they show, and so what is drawn leaps: those
+    /// that differ from `got` by more than `above` says, and that a camera which stands one step of the grid aside sees as
+    /// they were drawn. `setup`, `planner` and `options` are those that this was rendered with. Returns how many they are.
+    ///
+    /// # Errors
+    /// As [`of`](Self::of).
+    pub fn settle(
+        &mut self,
+        got: &Colors<'_>,
+        above: impl Fn(usize) -> f64,
+        setup: &Setup,
+        library: &Library,
+        planner: &mut Planner,
+        options: &PlanOptions,
+    ) -> Result<usize, Stopped> {
+        let colors = self.colors();
+        let is_off =
+            |&index: &usize| !self.is_edge(index) && difference(&got.rgba[index], &colors.rgba[index]) > above(index);
+        let mut open: Vec<usize> = self.indices().filter(|&index| index < got.rgba.len()).filter(is_off).collect();
+        drop(colors);
+        let all = open.len();
+        // So many are no chance.
+        if all > MOST_BESIDE {
+            return Ok(0);
+        }
+        for step in BESIDE {
+            if open.is_empty() {
+                break;
+            }
+            let options = PlanOptions { samples: 1, ..options.clone() };
+            let plan = planner.plan(&aside(setup, &options, step), library, &Live::All, &options)?;
+            let one = |problem| vec![problem];
+            let modules = Modules::new(&plan, Precision::F64).map_err(one)?;
+            let mut left = Vec::new();
+            for index in open {
+                let [x, y] = [index as u32 % self.picture.size[0], index as u32 / self.picture.size[0]];
+                let region = Some([x, y, x + 1, y + 1]);
+                let options = reference::Options { snap: GRID, region, ..reference::Options::default() };
+                let picture = reference::execute(&plan, &modules, &options, &Control::none()).map_err(one)?;
+                let seen = std::array::from_fn(|channel| picture.color.values[4 * index + channel]);
+                if difference(&got.rgba[index], &seen) > above(index) {
+                    left.push(index);
+                } else {
+                    self.edges[index] = true;
+                }
+            }
+            open = left;
+        }
+        Ok(all - open.len())
+    }
+
     /// How far the GPU's picture of `plan` is from this one. `renderer` should be [precise](crate::render::Gpu::precise),
     /// and the plan have one sample a pixel.
     ///
     /// # Errors
     /// What the GPU refuses.
     pub fn compare(&self, renderer: &mut Renderer, plan: &FramePlan) -> Result<ErrorFigures, Stopped> {
-        let got = Colors::from(&block_on(renderer.picture(plan))?);
-        Ok(compare(&got, &self.colors(), |index| self.is_edge(index)))
+        Ok(self.figures(&Colors::from(&block_on(renderer.picture(plan))?)))
+    }
+
+    /// How far a picture that was drawn is from this one.
+    pub fn figures(&self, got: &Colors<'_>) -> ErrorFigures {
+        let indices = self.indices();
+        let Some(got_here) = got.rgba.get(indices.clone()) else { return ErrorFigures::default() };
+        let colors = self.colors();
+        let size = [got.size[0], self.rows.len() as u32];
+        let first = indices.start;
+        let got = Colors { size, rgba: got_here.into() };
+        let colors = Colors { size, rgba: colors.rgba[indices].into() };
+        let mut figures = compare(&got, &colors, |index| self.is_edge(first + index));
+        figures.worst[1] += self.rows.start as u32;
+        figures
+    }
+
+    /// The pixels of the rows that others are held against.
+    fn indices(&self) -> Range<usize> {
+        let width = self.picture.size[0] as usize;
+        self.rows.start * width..self.rows.end * width
     }
 
     /// Its colours, premultiplied.
@@ -83,6 +181,36 @@ impl Truth {
         let pixels = self.picture.color.values.chunks_exact(4);
         Colors { size: self.picture.size, rgba: pixels.map(|p| [p[0], p[1], p[2], p[3]]).collect() }
     }
+}
+
+/// Steps of the grid to all sides, in pixels.
+const BESIDE: [[f64; 2]; 8] = {
+    const STEP: f64 = 1.0 / 256.0;
+    [[STEP, 0.0], [-STEP, 0.0], [0.0, STEP], [0.0, -STEP], [STEP, STEP], [-STEP, -STEP], [STEP, -STEP], [-STEP, STEP]]
+};
+/// Of a picture in which more pixels differ none is looked at again.
+const MOST_BESIDE: usize = 200;
+
+/// The same from a camera that stands so many pixels aside, as pixels are where it looks at.
+fn aside(setup: &Setup, options: &PlanOptions, [x, y]: [f64; 2]) -> Setup {
+    let mut setup = setup.clone();
+    let camera = &mut setup.scene.camera;
+    let (eye, target) = (DVec3::from(camera.eye), DVec3::from(camera.target));
+    let height = match camera.projection {
+        Projection::Perspective => 2.0 * (0.5 * camera.fov).tan() * (eye - target).length(),
+        Projection::Orthographic => camera.height,
+    };
+    let pixel = height / f64::from(options.size[1].max(1));
+    let backward = (eye - target).try_normalize().unwrap_or(DVec3::Z);
+    let right = DVec3::from(camera.up).cross(backward).try_normalize().unwrap_or(DVec3::X);
+    let by = pixel * (x * right + y * backward.cross(right));
+    (camera.eye, camera.target) = ((eye + by).to_array(), (target + by).to_array());
+    setup
+}
+
+/// The largest difference of a channel.
+fn difference(a: &[f64; 4], b: &[f64; 4]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
 /// A depth bends more than this from pixel to pixel where one part of a surface hides another: in pixels.

@@ -23,6 +23,7 @@ mod orbit;
 pub mod painting;
 mod panels;
 mod path_field;
+mod paths;
 mod picture;
 mod probe;
 mod reading;

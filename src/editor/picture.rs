@@ -310,7 +310,8 @@ impl Picture {
         if session.is_compiling() {
             return Some(Awaited::Shader);
         }
-        if self.is_busy() {
+        // One that is drawn and not taken yet is awaited, too: a sign that goes and comes again would flicker.
+        if self.worker.owes() {
             return Some(Awaited::Picture);
         }
         // On a mesh that cannot be read the last good picture stays.

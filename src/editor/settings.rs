@@ -7,6 +7,7 @@ use eframe::egui;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
+use super::paths::absolute;
 use crate::diag::Diagnostic;
 use crate::document::{read_text, write_atomic};
 
@@ -150,7 +151,7 @@ impl Settings {
         if crate::examples::file(path).is_some() {
             return;
         }
-        let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+        let path = absolute(path);
         self.recent.retain(|other| *other != path);
         self.recent.insert(0, path);
         self.recent.truncate(MAX_RECENT);

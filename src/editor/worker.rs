@@ -79,6 +79,12 @@ impl<Q: Send + 'static, A: Send + 'static> Worker<Q, A> {
         state.is_busy || state.waiting.is_some()
     }
 
+    /// Whether an answer is on its way: worked at, or made and not taken yet.
+    pub(crate) fn owes(&self) -> bool {
+        let state = self.shared.lock();
+        state.is_busy || state.waiting.is_some() || !state.answers.is_empty()
+    }
+
     /// Waits until there is nothing to be done, and nobody will be woken any more.
     pub(crate) fn wait(&self) {
         if self.thread.is_some() {
@@ -137,7 +143,8 @@ mod tests {
             worker.request(|_| n);
         }
         worker.wait();
+        assert!(!worker.is_busy() && worker.owes(), "done, and not taken yet");
         assert_eq!(worker.answers().last(), Some(&198));
-        assert!(!worker.is_busy());
+        assert!(!worker.is_busy() && !worker.owes());
     }
 }

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use glam::{DQuat, DVec3};
 
 use super::case::Case;
-use super::slot::{Kind, Numbers, Slot};
+use super::slot::{Kind, Numbers, Slot, is_stretch};
 use crate::document::Tier;
 use crate::library::Library;
 
@@ -100,6 +100,17 @@ impl Exception {
     }
 }
 
+/// Of colours that come back from Oklab. Near black a code is 13 times as steep as light, and light up to 20 (a code of 2
+/// times the matrix' 4) cancels there, rounded by 3e-7.
+const FROM_OKLAB: f64 = 8e-5;
+
+/// Of a direction of which a thousandth is left, which is the least that is one: rounding of the three terms that it is the
+/// rest of, times a thousand.
+const REST: f64 = 3e-4;
+
+/// What two distances in Oklab are rounded by, one less the other.
+const OF_DISTANCES: f64 = 1e-6;
+
 /// Every exception, with its reason; the first that fits counts.
 pub const EXCEPTIONS: &[Exception] = &[
     on("sine", "").within(1e5).because(PHASE),
@@ -110,6 +121,7 @@ pub const EXCEPTIONS: &[Exception] = &[
     on("power", "").within(1e15).steep(POWER),
     on("gamma", "").within(1e15).steep(POWER),
     on("color_space", "oklab_to_srgb").within(2.0).of_inputs().bound(2e-5).steep(COLOR),
+    on("color_space", "srgb_to_oklab").within(1e3).of_inputs().steep(COLOR),
     on("color_space", "").within(1e3).because(COLOR),
     on("map_range", "").within(1e15).of_inputs().steep(NARROW),
     on("smooth_step_value", "").within(1e15).steep(NARROW),
@@ -148,31 +160,35 @@ pub const EXCEPTIONS: &[Exception] = &[
     on("litsphere", "linear").together().bound(1e-2).steep(FILTER),
     on("litsphere", "nearest").together().steep("between texels rounding decides"),
     on("constant_size", "").from(1e-3).within(1e3).together().steep("at powers of two Even and Odd change places"),
-    on("scatter_uv", "").from(1e-15).within(30.0).together().bound(1e-4).steep(CELLS),
+    on("scatter_uv", "").from(1e-4).within(30.0).together().bound(1e-4).steep(CELLS),
     on("hcbtf_lookup", "smooth").within(30.0).together().bound(1e-4).steep(PLACES),
     on("hcbtf_nearest", "").within(30.0).together().bound(1e-4).steep("between texels and paintings rounding decides"),
     on("hcbtf_lookup", "").within(30.0).together().bound(1e-4).steep("between texels and paintings rounding decides"),
     on("hcbtf_directions", "").together().bound(1e-4).steep(PLACES),
-    on("dominant_light", "").steep(STEPS),
+    on("dominant_light", "").from(1e-15).steep(STEPS),
     on("light_by_tone", "").steep("where the light stands on the normal, rounding decides to which side it tilts"),
     on("tangent_frame", "").steep(FRAME),
     on("normal_map", "").within(1e15).steep(FRAME),
     on("bump_map", "").within(1e15).because("beyond, the height leaves f32"),
-    on("mix_evenly", "").within(2.0).bound(2e-5).steep(COLOR),
+    on("mix_evenly", "").within(2.0).together().bound(FROM_OKLAB).steep(COLOR),
+    on("posterize", "lightness").bound(FROM_OKLAB).steep(NARROW),
     on("posterize", "").bound(2e-5).steep(NARROW),
     on("gooch", "").within(1e3).of_inputs().because(COLOR),
     on("detail", "orientation").steep(POWER),
     on("detail", "highlight").bound(2e-5).steep(POWER),
     on("exaggerated", "").bound(3e-4).steep("contrast multiplies what directions were rounded by"),
     on("relief", "").from(1e-15).bound(2e-5).steep(CANCELS),
-    on("light_warp", "").bound(3e-4).steep("a light opposite the normal has no place; powers of two multiply others'"),
+    on("light_warp", "")
+        .from(1e-15)
+        .bound(3e-4)
+        .steep("a light opposite the normal has no place; powers of two multiply others'"),
     on("radiance_scaling", "").bound(2e-5).steep(POWER),
     on("inner_contour", "").from(1e-15).within(1e3).together().bound(2e-5).steep(NARROW),
     on("outer_contour", "").bound(2e-5).steep(NARROW),
     on("nearby", "").within(1e15).steep(NARROW),
     on("local_tone", "").within(1e15).steep(NARROW),
     on("local_light", "").within(1e3).bound(1e-4).steep(NARROW),
-    on("palette", "blended").within(2.0).bound(1e-4).steep(COLOR),
+    on("palette", "blended").within(2.0).together().bound(1e-4).steep(COLOR),
     on("palette", "").within(2.0).steps("between two colours that are as near rounding decides"),
     on("color_curves", "").within(1e3).steps(STEPS),
     on("detail", "").steep(NARROW),
@@ -185,9 +201,9 @@ pub const EXCEPTIONS: &[Exception] = &[
     on("half_vector", "").steep("where light and eye are opposite, rounding says which side is between them"),
     on("axes", "").steep(FRAME),
     on("angle_between_directions", "").steps("a vector that is too short to have a direction counts as +z"),
-    on("shift_direction", "").within(1e3).bound(1e-4).steep(CANCELS),
-    on("stretch_direction", "").within(1e3).bound(1e-4).steep(CANCELS),
-    on("split_direction", "").within(1e3).bound(1e-4).steep(STEPS),
+    on("shift_direction", "").within(1e3).bound(REST).steep(CANCELS),
+    on("stretch_direction", "").within(1e3).bound(REST).steep(CANCELS),
+    on("split_direction", "").within(1e3).bound(REST).steep(STEPS),
     on("square_direction", "").within(1e3).bound(2e-5).steep(POWER),
     on("star_angle", "").within(1e3).bound(5e-4).steep("64 rays turn 64 times as fast, and notches multiply by 100"),
     on("polar_place", "").steep(POLAR),
@@ -253,9 +269,14 @@ pub fn judging(case: &Case) -> Judging {
     exception_of(case).map_or(Judging::Plain, |exception| exception.judging)
 }
 
+/// What the exact tier of a case is held to.
+fn bound_of_exact(case: &Case) -> f64 {
+    exception_of(case).map_or(DEFAULT, |exception| exception.bound)
+}
+
 /// What a case is held to, relative to the output's range.
 pub fn bound(case: &Case, library: &Library) -> f64 {
-    let exact = exception_of(case).map_or(DEFAULT, |exception| exception.bound);
+    let exact = bound_of_exact(case);
     if case.tier == Tier::Exact {
         return exact;
     }
@@ -271,6 +292,9 @@ pub fn is_stated(case: &Case, slots: &[Slot], numbers: &Numbers) -> bool {
             // Which vectors are too short to have a direction is a matter of the last digit there.
             let largest = numbers.iter().map(|x| x.abs()).fold(0.0, f64::max);
             return !(0.999e-30..1.001e-30).contains(&largest);
+        }
+        if slot.kind == Kind::Stretch && !is_stretch(numbers) {
+            return false;
         }
         matches!(slot.kind, Kind::Kappa | Kind::Whole { .. })
             || numbers.iter().all(|x| *x == 0.0 || (finest..=reach).contains(&x.abs()))
@@ -296,8 +320,13 @@ fn is_of_tier(case: &Case, slots: &[Slot], numbers: &Numbers) -> bool {
 
 /// How much more than its bound a sample is granted. A profile that falls off a quarter turn or more from its offset
 /// ends infinitely steep, as the square root does at 0; and near an offset of pi the cosine of half of it is as small as
-/// its error is large beside it.
+/// its error is large beside it. A palette's softness divides distances in Oklab, and what they are rounded by.
 pub fn slack(case: &Case, slots: &[Slot], numbers: &Numbers) -> f64 {
+    if case.choice("by") == "blended" {
+        let softness = slots.iter().position(|slot| slot.name == "softness").map_or(0.0, |index| numbers[index][0]);
+        let share = OF_DISTANCES / bound_of_exact(case);
+        return if softness > 0.0 { (share / softness).max(1.0) } else { 1.0 };
+    }
     let Some([tau, f, _]) = profile_of(case, slots, numbers) else { return 1.0 };
     let near_pi = (0.5 / (PI - tau).max(1e-2)).max(1.0);
     let steep = match case.tier {

@@ -213,7 +213,8 @@ fn feeder_of(ty: &Type) -> Option<&'static str> {
 
 /// Whether only the direction of an input of this name counts, not its length.
 fn is_direction(name: &str) -> bool {
-    matches!(name, "normal" | "axis" | "onto" | "direction" | "middle" | "up" | "x_axis" | "y_axis" | "tangent")
+    let words = ["normal", "axis", "onto", "direction", "middle", "up", "x_axis", "y_axis", "tangent"];
+    words.contains(&name) || name.starts_with("smooth_")
 }
 
 /// Builds a bench's look from its parts.
@@ -472,6 +473,7 @@ fn value_slot(input: &Input, ty: &Type, name: &str, most: f64) -> Slot {
         Type::Composite => (Kind::Composite, 4),
         Type::Angle => (Kind::HalfAngle, 2),
         Type::Vec3 if is_direction(name) => (Kind::Direction, 3),
+        Type::Vec3 if name == "stretch" => (Kind::Stretch, 3),
         _ => (Kind::Number { min: input.min, max: input.max, is_angle }, ty.width().unwrap_or(1)),
     };
     Slot { name: name.to_owned(), place: Place::Value, kind, width, most }

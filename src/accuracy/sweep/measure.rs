@@ -93,6 +93,10 @@ impl Measured {
     }
 }
 
+/// How many places around a sample are looked at beside those in line with it, for samples above which share of their
+/// bound. Several inputs together decide on most steps, and few places show few of their combinations.
+const AROUND: [(usize, f64); 3] = [(0, 0.25), (120, 1.0), (1500, 1.0)];
+
 /// How many of the worst samples are kept.
 const KEPT: usize = 6;
 
@@ -186,7 +190,8 @@ impl<'a> Lab<'a> {
         Ok(worst)
     }
 
-    /// The results of samples, in their order, judged as the case is.
+    /// The results of samples, in their order, judged as the case is; where no bound is stated and they are finite, their
+    /// error is 0.
     ///
     /// # Errors
     /// What the compiler, the GPU or the interpreter refuses.
@@ -200,17 +205,30 @@ impl<'a> Lab<'a> {
         };
         let mut findings: Vec<Finding> = samples.iter().zip(got).zip(truth).map(finding).collect();
         let judging = judging(&bench.case);
-        let enough = 0.25 * bound(&bench.case, &self.library);
-        let doubtful = |finding: &Finding| finding.error > enough && finding.got.iter().all(|x| x.is_finite());
-        self.flush(bench, &doubtful, &mut findings)?;
+        let most = bound(&bench.case, &self.library);
+        // Where no bound is stated, a finite result is all that is asked for.
+        let is_above = |finding: &Finding, enough: f64| {
+            finding.error > enough
+                && finding.got.iter().all(|x| x.is_finite())
+                && is_stated(&bench.case, &bench.slots, &finding.numbers)
+        };
+        self.flush(bench, &|finding| is_above(finding, 0.25 * most), &mut findings)?;
         if judging != Judging::Plain {
-            let open: Vec<usize> = (0..findings.len()).filter(|&index| doubtful(&findings[index])).collect();
-            for indices in open.chunks(400) {
-                self.judge(bench, judging, indices, &mut findings)?;
+            for (more, share) in AROUND {
+                let slack = |finding: &Finding| slack(&bench.case, &bench.slots, &finding.numbers);
+                let is_open = |&index: &usize| is_above(&findings[index], share * most * slack(&findings[index]));
+                let open: Vec<usize> = (0..findings.len()).filter(is_open).collect();
+                for indices in open.chunks(400) {
+                    self.judge(bench, judging, indices, more, &mut findings)?;
+                }
             }
         }
         for finding in &mut findings {
+            let is_stated = is_stated(&bench.case, &bench.slots, &finding.numbers);
             finding.error /= slack(&bench.case, &bench.slots, &finding.numbers);
+            if !is_stated && finding.error.is_finite() {
+                finding.error = 0.0;
+            }
         }
         Ok(findings)
     }
@@ -244,12 +262,13 @@ impl<'a> Lab<'a> {
         Ok(())
     }
 
-    /// Judges samples by what is true around them.
+    /// Judges samples by what is true around them, at `more` places beside the few that come first.
     fn judge(
         &mut self,
         bench: &Bench,
         judging: Judging,
         indices: &[usize],
+        more: usize,
         findings: &mut [Finding],
     ) -> Result<(), Stopped> {
         let together = moves_together(&bench.case);
@@ -257,7 +276,7 @@ impl<'a> Lab<'a> {
         let mut counts = Vec::new();
         for &index in indices {
             let before = around.len();
-            neighbours(&bench.slots, &findings[index].numbers, together, &mut around);
+            neighbours(&bench.slots, &findings[index].numbers, together, more, &mut around);
             counts.push(around.len() - before);
         }
         let truths = self.truth(bench, &around)?;
@@ -371,10 +390,10 @@ fn samples(bench: &Bench, effort: &Effort) -> Vec<Numbers> {
     all
 }
 
-/// Inputs that f32 can hardly tell from these: each number moved by one and by four units in the last place, and all of
-/// them at once. Numbers of a direction move by units of its largest one; `together`, all move by units of the largest
-/// number of all, which is at least 1.
-fn neighbours(slots: &[Slot], numbers: &Numbers, together: bool, to: &mut Vec<Numbers>) {
+/// Inputs that f32 can hardly tell from these: each number moved by one and by four units in the last place, all of them
+/// at once, and `more` where each is moved by chance by up to four. Numbers of a direction move by units of its largest
+/// one; `together`, all move by units of the largest number of all, which is at least 1.
+fn neighbours(slots: &[Slot], numbers: &Numbers, together: bool, more: usize, to: &mut Vec<Numbers>) {
     let largest = |numbers: &[f64]| numbers.iter().map(|x| x.abs()).fold(0.0, f64::max);
     let all = numbers.iter().map(|numbers| largest(numbers)).fold(1.0, f64::max);
     // A turned angle is known to so many digits of pi, and not of itself.
@@ -418,6 +437,19 @@ fn neighbours(slots: &[Slot], numbers: &Numbers, together: bool, to: &mut Vec<Nu
         }
         to.push(other);
     }
+    let mut random = Random::new(more as u64);
+    for _ in 0..more {
+        let mut other = numbers.clone();
+        for (index, slot) in slots.iter().enumerate().filter(|(_, slot)| slot.is_continuous()) {
+            for (place, x) in other[index].iter_mut().enumerate() {
+                let steps = random.index(9) as i32 - 4;
+                if steps != 0 {
+                    *x = moved(slot, &numbers[index], place, steps);
+                }
+            }
+        }
+        to.push(other);
+    }
 }
 
 fn difference(got: &[f64], truth: &[f64]) -> f64 {
@@ -439,13 +471,14 @@ fn least_range(case: &Case, numbers: &Numbers) -> f64 {
     if counts_inputs(case) { numbers.iter().flatten().map(|x| x.abs()).fold(1.0, f64::max) } else { 1.0 }
 }
 
-/// How far a result lies outside of what spans a set of true ones, over their range.
+/// How far a result lies outside of what spans a set of true ones, over their range. What is true half a unit in the last
+/// place beyond the set's inputs, which are whole ones and up to four, counts as spanned.
 fn beyond(got: &[f64], set: &[&[f64]], least: f64) -> f64 {
     let range = set.iter().map(|truth| range(truth, least)).fold(1.0, f64::max);
     let outside = |(index, x): (usize, &f64)| {
         let of = set.iter().filter_map(|truth| truth.get(index));
         let (low, high) = of.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(*y), high.max(*y)));
-        (low - x).max(x - high).max(0.0)
+        ((low - x).max(x - high) - (high - low) / 16.0).max(0.0)
     };
     got.iter().enumerate().map(outside).fold(0.0, f64::max) / range
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::looks::{EDGE_SHARE, LookBound, LookMeasured};
+use super::looks::{EDGE_SHARE, LARGE_ROWS, LookBound, LookMeasured, RARELY};
 use super::report::{AccuracyReport, small, word_of};
 use super::stability::{Flicker, ON_SMOOTH, STEP};
 use crate::accuracy::error::ErrorFigures;
@@ -15,14 +15,20 @@ pub(super) fn looks_part(report: &AccuracyReport, text: &mut String, plots: &str
         "## Example looks\n\n\
          Each look in its exact tier on a sphere, the creature and a plane, over the sphere of lights and views, near (0.45\n\
          times the distance) and far (20 times), from one pixel to the full picture, the picture's border included. Inside of\n\
-         what is drawn no pixel is off by what eight bits can show, 1/255, and the RMS is at most {}.\n\n\
+         what is drawn no pixel is off by what eight bits can show, 1/255, and the RMS is at most {}; but for one in {:.0},\n\
+         which may be off by four times as much: the lines of cartoon edges are a few pixels wide, and in large pictures f32\n\
+         has three digits of that.\n\n\
          *Edges* are the pixels beside outlines and folds, and as far from there as the curvature pass looks. Coverage is\n\
          decided on a grid of 1/256 of a pixel, and a vertex that f32 leaves beside the middle between two steps is rounded to\n\
          another one than in f64: then a pixel shows what is behind, and is off by as much as that differs. At most\n\
-         {} % of the pixels at edges may be, at any size.\n\n\
+         {} % of the pixels at edges may be, at any size. A pixel whose middle lies on the border of two\n\
+         triangles is like them, as their derivatives differ and patterns may leap there. Where one is off, the truth is made\n\
+         again for cameras that stand a step of that grid to each side, and where one of these has what was drawn, the pixel\n\
+         counts as on an edge.\n\n\
          ![The largest error of each look]({plots}/looks.svg)\n\n\
          {EXACT_HEAD}",
         small(bound.rms),
+        1.0 / RARELY,
         100.0 * EDGE_SHARE
     );
     exact_rows(&report.looks, text);
@@ -31,7 +37,8 @@ pub(super) fn looks_part(report: &AccuracyReport, text: &mut String, plots: &str
         let _ = writeln!(
             text,
             "### At 4096 pixels\n\n\
-             The same on the creature, 4096 by 4096 pixels, near and far.\n\n{EXACT_HEAD}"
+             The same on the creature, 4096 by 4096 pixels, near and far; compared are the {LARGE_ROWS} rows in the middle.\n\n\
+             {EXACT_HEAD}"
         );
         exact_rows(&report.large, text);
         text.push('\n');

@@ -226,12 +226,14 @@ fn exceptions_part(text: &mut String) {
          and to what its file states, where the file states it. A denormal may count as 0, as WGSL allows.\n\n\
          - *plain*: by the distance from the truth.\n\
          - *steep*: where that is too far, by the distance from what the truth spans while each input moves by up to four units in\n  \
-           its last place: a result that is right for inputs which no f32 can tell from the given ones is no error.\n\
+           its last place, one at a time and many together: a result that is right for inputs which no f32 can tell from the given\n  \
+           ones is no error.\n\
          - *steps*: the same, but by the distance from the nearest of those results, so that nothing between two steps passes.\n\n\
          *From* and *to* limit the inputs' size; beyond, results are finite, and no more is said. A profile that falls off a quarter\n\
          turn or more from its offset ends infinitely steep, and is held to {STEEP_FOOT:e} (cheaper tiers to ten times that); an\n\
-         offset near pi to 1e-6 over its distance from pi, and within 0.01 of pi to be finite;\n\
-         the table has errors there divided by what is granted more.\n\n\
+         offset near pi to 1e-6 over its distance from pi, and within 0.01 of pi to be finite. A palette's softness divides\n\
+         distances in Oklab, and it is held to 1e-6 over that; the table has errors there divided by what is granted more. Marks\n\
+         are held where their place is drawn out at most thirty times.\n\n\
          | node | choice | bound | judged | from | to | why |\n\
          | --- | --- | ---: | --- | ---: | ---: | --- |"
     );

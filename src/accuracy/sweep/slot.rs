@@ -83,6 +83,8 @@ pub enum Kind {
     HalfAngle,
     /// Curvature, NaN and infinite too.
     Kappa,
+    /// Products xx, xy and yy of how fast two coordinates change along the picture; 0 where they are pixels.
+    Stretch,
 }
 
 /// One input of a node.
@@ -201,6 +203,8 @@ impl Slot {
             Kind::Rotation => rotation([shares[0], shares[1], shares[2]]),
             Kind::HalfAngle => half_angle(PI * shares[0]),
             Kind::Kappa => vec![120.0 * shares[0] - 60.0],
+            // Rims draw places out up to eight times.
+            Kind::Stretch => stretch((4.0 * shares[0] - 2.0).exp2(), (3.0 * shares[1]).exp2(), PI * shares[2]),
         };
         numbers.into_iter().map(held).collect()
     }
@@ -259,6 +263,11 @@ impl Slot {
                 -f64::INFINITY,
                 f64::NAN,
             ])],
+            Kind::Stretch if random.chance(0.5) => {
+                let size = random.pick(&[1e-10, 1e-3, 0.5, 1.0, 2.0, 1e3, 1e10]);
+                stretch(size, random.pick(&[1.0, 1.0 + 1e-6, 8.0, 30.0, 1e4]), random.pick(&ANGLES))
+            }
+            Kind::Stretch => (0..3).map(|_| edge(random)).collect(),
         };
         numbers.into_iter().map(held).collect()
     }
@@ -313,6 +322,7 @@ impl Slot {
             Kind::Color | Kind::Composite => numbers.iter().all(|x| (0.0..=1.0).contains(x)),
             Kind::Direction => (1e-3..=1e3).contains(&DVec3::from_slice(numbers).length()),
             Kind::Kappa => numbers[0].abs() <= 1e4,
+            Kind::Stretch => numbers.iter().all(|x| x.abs() <= 2e3) && is_stretch(numbers),
             Kind::Switch | Kind::Unit | Kind::Rotation | Kind::HalfAngle => true,
         }
     }
@@ -331,6 +341,22 @@ fn extreme_number(
         return random.pick(&[end, next(end, 1), next(end, -1), end + 1.0, end - 1.0]);
     }
     if is_angle && random.chance(0.7) { random.pick(&ANGLES) } else { edge(random) }
+}
+
+/// The products of a place that changes by `size` along the picture, and so many times as much in one direction.
+fn stretch(size: f64, ratio: f64, angle: f64) -> Vec<f64> {
+    let (sin, cos) = angle.sin_cos();
+    let [most, least] = [(size * ratio).powi(2), size * size];
+    vec![most * cos * cos + least * sin * sin, (most - least) * sin * cos, most * sin * sin + least * cos * cos]
+}
+
+/// Whether these products are those of a place that marks can lie on: drawn out at most thirty times, as more leaves nothing
+/// of an area's digits; and not seen so large that marks are as fine as the place's last digits. Where their sum is 0 or
+/// less they count as none.
+pub fn is_stretch(numbers: &[f64]) -> bool {
+    let [xx, xy, yy] = [numbers[0], numbers[1], numbers[2]];
+    let sum = xx + yy;
+    sum <= 0.0 || (sum >= 1e-3 && xx > 0.0 && yy > 0.0 && xx * yy - xy * xy >= 1e-3 * sum * sum)
 }
 
 /// Axes, diagonals, and what is just beside them.
@@ -431,6 +457,7 @@ mod tests {
             Kind::HalfAngle,
             Kind::Rotation,
             Kind::Color,
+            Kind::Stretch,
         ];
         for kind in kinds {
             let width = match kind {

@@ -145,11 +145,15 @@ fn frame(
     progress: &mut Progress<'_>,
 ) -> Result<Frame, Stopped> {
     let options = PlanOptions { size: [side; 2], samples: 1, time: 0.0 };
-    let truth = Truth::of(setup, library, truths, &options, progress)?;
+    let mut truth = Truth::of(setup, library, truths, &options, progress)?;
     let plan = planner.plan(setup, library, &Live::Keyed, &options)?;
-    let got = Colors::from(&block_on(precise.picture(&plan))?).rgba.into_owned();
-    let outlines = (0..got.len()).map(|index| truth.is_edge(index)).collect();
-    Ok(Frame { got, truth: truth.colors().rgba.into_owned(), outlines })
+    let got = Colors::from(&block_on(precise.picture(&plan))?);
+    let colors = truth.colors().rgba.into_owned();
+    // Either of two frames makes half of a change.
+    let above = |index| 0.5 * if is_steep(&colors, index, side as usize) { ON_EDGES } else { ON_SMOOTH };
+    truth.settle(&got, above, setup, library, truths, &options)?;
+    let outlines = (0..colors.len()).map(|index| truth.is_edge(index)).collect();
+    Ok(Frame { got: got.rgba.into_owned(), truth: colors, outlines })
 }
 
 fn compare(before: &Frame, after: &Frame, width: usize, measured: &mut StabilityMeasured) {

@@ -27,7 +27,7 @@ pub struct Survey {
     /// How much of each node.
     pub effort: Effort,
     /// The folder of looks; none are drawn without it.
-    pub looks: Option<std::path::PathBuf>,
+    pub looks: Option<PathBuf>,
     /// How much of each look.
     pub look_effort: LookEffort,
     /// The largest pictures of each look.
@@ -46,7 +46,7 @@ enum Job {
     Case(Case),
     Look(PathBuf),
     /// A look's largest pictures: only one worker makes such at a time, as two would take all memory.
-    Large(PathBuf, LookEffort),
+    Large(PathBuf),
 }
 
 /// What a job came to.
@@ -83,8 +83,8 @@ pub fn survey(survey: &Survey, library: &Library, progress: &mut Progress<'_>) -
     let large = survey.large.as_ref().map_or(0, LookEffort::truths);
     let truths = survey.look_effort.truths() + large + MESHES.len() * survey.stability.frames;
     progress.expect((cases.len() + looks.len() * truths) as u64);
-    let large = |effort: &LookEffort| looks.iter().map(|path| Job::Large(path.clone(), effort.clone())).collect();
-    let large: Vec<Job> = survey.large.as_ref().map_or_else(Vec::new, large);
+    let large = looks.iter().filter(|_| survey.large.is_some());
+    let large: Vec<Job> = large.map(|path| Job::Large(path.clone())).collect();
     // What takes longest comes first.
     let small = looks.into_iter().map(Job::Look).chain(cases.into_iter().map(Job::Case));
     let first_small = large.len();
@@ -141,30 +141,26 @@ impl Team<'_> {
         }
     }
 
-    /// The same, until there are no more jobs.
+    /// The same, until there are no more jobs; on a device of its own.
     fn work_on(&self, tell: &mpsc::Sender<Told>) -> Result<(), Stopped> {
+        let gpu = block_on(Gpu::headless())?;
+        let precise = gpu.precise();
+        let mut renderer = Renderer::new(gpu);
+        let mut lab = Lab::new(self.library, &mut renderer)?;
         while let Some((number, _alone)) = self.next_job() {
             let mut step = |_, _| tell.send(Told::Step).is_ok() && !self.stops.load(Ordering::Relaxed);
-            let found = self.measure(&self.jobs[number], &mut Progress::new(&mut step))?;
+            let mut progress = Progress::new(&mut step);
+            let found = match &self.jobs[number] {
+                Job::Case(case) => self.measure_case(case, &mut lab, &mut progress),
+                // What a look's shaders and textures take is given back after it.
+                Job::Look(path) => self.measure_look(path, &mut Renderer::new(precise.clone()), &mut progress),
+                Job::Large(path) => self.measure_large(path, &mut Renderer::new(precise.clone()), &mut progress),
+            }?;
             if tell.send(Told::Found(number, found)).is_err() {
                 break;
             }
         }
         Ok(())
-    }
-
-    /// Does a job on a device of its own. Software Vulkan keeps some of what shaders took all the same, so that a survey of
-    /// all looks holds many gigabytes in the end.
-    fn measure(&self, job: &Job, progress: &mut Progress<'_>) -> Result<Found, Stopped> {
-        let gpu = block_on(Gpu::headless())?;
-        match job {
-            Job::Case(case) => self.measure_case(case, &mut Renderer::new(gpu), progress),
-            Job::Look(path) => self.measure_look(path, &mut Renderer::new(gpu.precise()), progress),
-            Job::Large(path, effort) => {
-                let mut precise = Renderer::new(gpu.precise());
-                measure_look(path, self.library, &mut precise, effort, progress).map(Found::Large)
-            }
-        }
     }
 
     /// A large job where nobody else has one, or else another; what is held is held until it is done.
@@ -182,13 +178,7 @@ impl Team<'_> {
         (number < self.jobs.len()).then_some((number, None))
     }
 
-    fn measure_case(
-        &self,
-        case: &Case,
-        renderer: &mut Renderer,
-        progress: &mut Progress<'_>,
-    ) -> Result<Found, Stopped> {
-        let mut lab = Lab::new(self.library, renderer)?;
+    fn measure_case(&self, case: &Case, lab: &mut Lab<'_>, progress: &mut Progress<'_>) -> Result<Found, Stopped> {
         let measured = lab.measure(case, &self.survey.effort)?;
         let bench = lab.bench(case)?;
         let worst = measured.worst.iter().take(KEPT_OF_A_CASE).filter(|finding| finding.error > 0.0);
@@ -202,6 +192,16 @@ impl Team<'_> {
         let turning = |mesh| measure_stability(path, mesh, self.library, precise, &self.survey.stability, progress);
         let stability = MESHES.into_iter().map(turning).collect::<Result<_, _>>()?;
         Ok(Found::Look(drawn, stability))
+    }
+
+    fn measure_large(
+        &self,
+        path: &Path,
+        precise: &mut Renderer,
+        progress: &mut Progress<'_>,
+    ) -> Result<Found, Stopped> {
+        let effort = self.survey.large.clone().unwrap_or_else(LookEffort::large);
+        measure_look(path, self.library, precise, &effort, progress).map(Found::Large)
     }
 
     /// What all jobs came to, in their order. The first that fails, or `progress`, stops them all.

@@ -26,8 +26,8 @@ use super::dock::effects::Effects;
 use super::dock::{Dock, Workspace};
 use super::fitting::{Fitting, Wish as FitWish};
 use super::look_export::{self, LookExports};
-use super::orbit::Orbit;
 use super::painting::Painting;
+use super::painting::before::ViewBefore;
 use super::panels::{Panels, library, solo};
 use super::path_field::PathField;
 use super::picture::{Awaited, Picture};
@@ -92,7 +92,7 @@ pub struct App {
     /// The look and the painting that the panels were laid out for last.
     laid_out_for: Option<(u64, Option<u64>)>,
     /// What was looked at before a painting's flat square.
-    view_before_painting: Option<Orbit>,
+    view_before_painting: ViewBefore,
 }
 
 impl App {
@@ -142,7 +142,7 @@ impl App {
             shows_first_picture: false,
             objects: None,
             laid_out_for: None,
-            view_before_painting: None,
+            view_before_painting: ViewBefore::default(),
         }
     }
 
@@ -445,18 +445,9 @@ impl App {
             self.laid_out_for = Some(open);
             let is_painted = super::painting::look::shows(&self.session);
             self.dock.enter(if is_painted { Workspace::Painting } else { Workspace::Look });
-            self.leave_sheet(is_painted);
-        }
-    }
-
-    /// Gives the view back that a painting's flat square took the place of, once another look is open.
-    fn leave_sheet(&mut self, is_painted: bool) {
-        let is_over = !is_painted && self.session.stage().is_none();
-        if is_over
-            && super::painting::look::lies_flat(&self.session.view)
-            && let Some(view) = self.view_before_painting.take()
-        {
-            self.session.view = view;
+            if !is_painted {
+                self.view_before_painting.give_back(&mut self.session);
+            }
         }
     }
 

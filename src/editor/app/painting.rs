@@ -145,7 +145,7 @@ impl App {
 
     /// Shows what is painted in the look that it was painted in; where that is not to be had, in a look of its own.
     pub(super) fn go_back_to_painting(&mut self) {
-        self.remember_view();
+        self.view_before_painting.keep(&self.session);
         let home = self.session.painting().and_then(Work::home).cloned();
         if !home.is_some_and(|home| self.open_home(&home)) {
             self.begin_bare_look();
@@ -260,23 +260,13 @@ impl App {
         let Some(work) = self.session.painting() else { return };
         let sheet = work.path().map_or_else(|| UNSAVED_HCBTF.to_owned(), |path| path.display().to_string());
         let look = look::default_look(&sheet, &work.name(), work.grid().size);
-        self.remember_view();
+        self.view_before_painting.keep(&self.session);
         self.session.start_from(&look, "painting");
         self.session.view.look_at_a_sheet();
     }
 
-    /// Remembers the view that a painting's flat square is about to take the place of.
-    fn remember_view(&mut self) {
-        if self.session.stage().is_none() && !look::lies_flat(&self.session.view) {
-            self.view_before_painting = Some(self.session.view.clone());
-        }
-    }
-
     pub(super) fn show_painting_panels(&mut self) {
-        // After a restart the square was there first.
-        if look::lies_flat(&self.session.view) {
-            self.view_before_painting.get_or_insert_default();
-        }
+        self.view_before_painting.is_painted(&self.session);
         self.start = None;
         self.dock.enter(Workspace::Painting);
         self.laid_out_for = Some((self.session.document_number(), self.painting_number()));

@@ -10,6 +10,7 @@
 mod arrows;
 mod atlas;
 mod baking;
+pub(crate) mod before;
 mod dome;
 mod easel;
 mod export;

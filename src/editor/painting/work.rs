@@ -11,6 +11,7 @@ use serde_json::{Value as Json, json};
 use super::home::Home;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf, HcbtfEdit, History, Rule, Tile, write_atomic};
+use crate::editor::paths::absolute;
 use crate::editor::session::kept::Kept;
 use crate::frame::Overlay;
 use crate::hcbtf::{self, Filled, Provenance};
@@ -170,7 +171,7 @@ impl Work {
             let (title, example) = (format!("{name}{COPY}"), Some(path.to_owned()));
             return Ok(Self { title, example, load_problems: notes, ..Self::with(hcbtf, None) });
         }
-        let mut work = Self::with(hcbtf, Some(std::path::absolute(path).unwrap_or_else(|_| path.to_owned())));
+        let mut work = Self::with(hcbtf, Some(absolute(path)));
         work.load_problems = notes;
         Ok(work)
     }
@@ -180,7 +181,7 @@ impl Work {
     /// # Errors
     /// A diagnostic that says why not; the old file is then as it was.
     pub(crate) fn save_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
-        let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+        let path = absolute(path);
         let is_own = self.path.as_ref() == Some(&path);
         if is_own && self.stamp.is_some() && Stamp::of(&path).is_some_and(|now| Some(now) != self.stamp) {
             let message = "another program has changed this file since it was opened, and nothing was written over it";

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use crate::diag::{Diagnostic, LineColumn};
+use crate::editor::paths::absolute;
 use crate::editor::session::Session;
 
 /// A file that could not be opened.
@@ -23,7 +24,7 @@ impl Unopened {
         let why = why.strip_prefix("cannot read the file: ").unwrap_or(why);
         let at = problem.and_then(|problem| problem.place.at);
         let at = at.map(|LineColumn { line, column }| format!(" (line {line}, column {column})")).unwrap_or_default();
-        let whole = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+        let whole = absolute(path);
         let hints = problem.map(|problem| problem.hints.join("; ")).unwrap_or_default();
         let help = if hints.is_empty() { String::new() } else { format!(": {hints}") };
         Self {

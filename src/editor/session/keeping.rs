@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::super::orbit::Orbit;
 use super::super::painting::Work;
+use super::super::paths::absolute;
 use super::super::safety::keeper::{Keeper, Standing};
 use super::Session;
 use crate::diag::Diagnostic;
@@ -225,7 +226,7 @@ impl Session {
         if !self.kept.keeping.is_on() {
             return self.kept.keeping.clear();
         }
-        let path = self.path().map(|path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned()));
+        let path = self.path().map(absolute);
         let scene = self.stage.as_ref().and_then(|stage| std::path::absolute(stage.path()?).ok());
         let about = About {
             name: self.name(),

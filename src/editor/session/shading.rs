@@ -178,7 +178,7 @@ impl Session {
 
     /// Whether something is being compiled.
     pub fn is_compiling(&self) -> bool {
-        self.compiler.is_busy()
+        self.compiler.owes()
     }
 
     /// Waits for the compiler; for tests.

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::super::painting::Work;
+use super::super::paths::absolute;
 use super::super::stage::{OPEN_LOOK, Stage, Wanted, real, scene_of};
 use super::Session;
 use super::keeping::VIEW;
@@ -107,7 +108,7 @@ impl Session {
             return;
         }
         let look = match self.path() {
-            Some(path) => std::path::absolute(path).unwrap_or_else(|_| path.to_owned()).to_string_lossy().into_owned(),
+            Some(path) => absolute(path).to_string_lossy().into_owned(),
             None => OPEN_LOOK.to_owned(),
         };
         let mut orbit = self.view.clone();

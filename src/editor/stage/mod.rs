@@ -15,6 +15,7 @@ use std::sync::Arc;
 use serde_json::json;
 
 use super::orbit::Orbit;
+use super::paths::absolute;
 use super::reading::Parameter;
 use super::session::keeping::Keeping;
 use super::session::kept::Kept;
@@ -289,7 +290,6 @@ impl Stage {
 
     /// Begins the journal with the scene as it stands.
     pub(crate) fn begin_journal(&mut self, slot: Option<Slot>) {
-        let absolute = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
         let text = |path: PathBuf| path.to_str().map(str::to_owned);
         let base = text(self.base.clone());
         let about = About {

@@ -431,8 +431,9 @@ metal::float3x3 axes_around(
     metal::float3 leaning = metal::cross(_e11, _e6);
     float square_1 = metal::dot(leaning, leaning);
     metal::float3 aside = (metal::abs(_e6.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 _e35 = normalize_or((square_1 > 0.00000001) ? leaning : metal::cross(aside, _e6), metal::float3(1.0, 0.0, 0.0));
-    return metal::float3x3(_e35, metal::cross(_e6, _e35), _e6);
+    metal::float3 across = (square_1 > 0.00000001) ? leaning : metal::cross(aside, _e6);
+    metal::float3 _e38 = normalize_or(across - (metal::dot(across, _e6) * _e6), metal::float3(1.0, 0.0, 0.0));
+    return metal::float3x3(_e38, metal::cross(_e6, _e38), _e6);
 }
 
 AxesAround axes(

@@ -890,18 +890,24 @@ Spaced spaced(vec2 place_1, vec3 stretch, vec2 viewport_1, float count) {
     return Spaced(p_7, (is_pixel ? vec3(1.0, 0.0, 1.0) : s_1));
 }
 
+float area_square(vec3 stretch_1) {
+    float sum_5 = (stretch_1.x + stretch_1.z);
+    return max(((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y)), ((sum_5 * sum_5) / 66.0));
+}
+
 float octave_of(float square) {
     float _e5 = log_stable(clamp(square, 1e-30, 1e30));
     return clamp((-0.7213475 * _e5), -16.0, 16.0);
 }
 
-float picture_square(vec2 offset, vec3 stretch_1) {
-    float area = max(((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y)), 1e-30);
-    float square_3 = ((((stretch_1.z * offset.x) * offset.x) - (((2.0 * stretch_1.y) * offset.x) * offset.y)) + ((stretch_1.x * offset.y) * offset.y));
+float picture_square(vec2 offset, vec3 stretch_2) {
+    float _e2 = area_square(stretch_2);
+    float area = max(_e2, 1e-30);
+    float square_3 = ((((stretch_2.z * offset.x) * offset.x) - (((2.0 * stretch_2.y) * offset.x) * offset.y)) + ((stretch_2.x * offset.y) * offset.y));
     return (max(square_3, 0.0) / area);
 }
 
-float dots_of_octave(vec2 place_2, int zoom, float ink, vec3 stretch_2, float w_4, Dots style) {
+float dots_of_octave(vec2 place_2, int zoom, float ink, vec3 stretch_3, float w_4, Dots style) {
     uint tile[256] = BLUE_TILE;
     float sum_4 = 0.0;
     int i_6 = 0;
@@ -937,7 +943,7 @@ float dots_of_octave(vec2 place_2, int zoom, float ink, vec3 stretch_2, float w_
             float grown = clamp(((ink - turn) * 32.0), 0.0, 1.0);
             float radius = ((0.5 * style.size) * sqrt(grown));
             float far = (length(offset_2) / reach);
-            float _e84 = picture_square(offset_2, stretch_2);
+            float _e84 = picture_square(offset_2, stretch_3);
             float d_8 = max(sqrt(_e84), ((far * far) * radius));
             float _e89 = sum_4;
             float _e90 = disk_filtered(d_8, radius, w_4);
@@ -958,25 +964,26 @@ float stippled(Spaced at_1, float ink_1, Dots style_1) {
     float _e14 = bounded(ink_1);
     float amount = clamp(_e14, 0.0, 1.0);
     vec3 s_2 = at_1.stretch;
-    float _e29 = octave_of(sqrt(max(((s_2.x * s_2.z) - (s_2.y * s_2.y)), 0.0)));
-    float zoom_1 = floor(_e29);
-    float f_1 = (_e29 - zoom_1);
-    float _e34 = exp2_stable((-2.0 * f_1));
+    float _e19 = area_square(s_2);
+    float _e21 = octave_of(sqrt(_e19));
+    float zoom_1 = floor(_e21);
+    float f_1 = (_e21 - zoom_1);
+    float _e26 = exp2_stable((-2.0 * f_1));
     float coarse = (1.0 - f_1);
-    float fine = ((1.0 - (coarse * _e34)) / (4.0 * _e34));
-    float _e48 = exp2_stable((2.0 * zoom_1));
-    float _e50 = dots_of_octave(at_1.place, int(zoom_1), (amount * coarse), (s_2 * _e48), _e13, style_1);
-    dots = _e50;
+    float fine = ((1.0 - (coarse * _e26)) / (4.0 * _e26));
+    float _e40 = exp2_stable((2.0 * zoom_1));
+    float _e42 = dots_of_octave(at_1.place, int(zoom_1), (amount * coarse), (s_2 * _e40), _e13, style_1);
+    dots = _e42;
     if ((fine > 0.0)) {
-        float _e63 = exp2_stable(((2.0 * zoom_1) + 2.0));
-        float _e65 = dots_of_octave(at_1.place, (int(zoom_1) + 1), (amount * fine), (s_2 * _e63), _e13, style_1);
-        float _e66 = dots;
-        dots = max(_e66, _e65);
+        float _e55 = exp2_stable(((2.0 * zoom_1) + 2.0));
+        float _e57 = dots_of_octave(at_1.place, (int(zoom_1) + 1), (amount * fine), (s_2 * _e55), _e13, style_1);
+        float _e58 = dots;
+        dots = max(_e58, _e57);
     }
     float mean_1 = (amount * min(((0.7853982 * style_1.size) * style_1.size), 1.0));
-    float _e76 = dots;
-    float _e79 = eased(_e13, 0.75, 1.5);
-    return mix(_e76, mean_1, _e79);
+    float _e68 = dots;
+    float _e71 = eased(_e13, 0.75, 1.5);
+    return mix(_e68, mean_1, _e71);
 }
 
 MarkPlace mark_place_object(float angle_1, vec3 anchor, vec2 pixel_1, vec2 viewport_2) {
@@ -989,11 +996,11 @@ MarkPlace mark_place_object(float angle_1, vec3 anchor, vec2 pixel_1, vec2 viewp
     return MarkPlace(_e28.place, _e28.stretch);
 }
 
-float stippling(float value_1, vec2 place_3, vec3 stretch_3, float count_1, float size, float scatter, int seed_8, vec2 viewport_3) {
+float stippling(float value_1, vec2 place_3, vec3 stretch_4, float count_1, float size, float scatter, int seed_8, vec2 viewport_3) {
     float _e8 = bounded(size);
     float _e12 = bounded(scatter);
     Dots style_2 = Dots(clamp(_e8, 0.0, 1.4), clamp(_e12, 0.0, 1.0), uint(seed_8));
-    Spaced _e18 = spaced(place_3, stretch_3, viewport_3, count_1);
+    Spaced _e18 = spaced(place_3, stretch_4, viewport_3, count_1);
     float _e20 = factor_of(value_1, true);
     float _e23 = stippled(_e18, (1.0 - _e20), style_2);
     return _e23;

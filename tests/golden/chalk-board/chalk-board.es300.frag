@@ -594,6 +594,11 @@ Spaced spaced(vec2 place_1, vec3 stretch, vec2 viewport_1, float count) {
     return Spaced(p_3, (is_pixel ? vec3(1.0, 0.0, 1.0) : s_4));
 }
 
+float area_square(vec3 stretch_1) {
+    float sum_1 = (stretch_1.x + stretch_1.z);
+    return max(((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y)), ((sum_1 * sum_1) / 66.0));
+}
+
 float octave_of(float square) {
     float _e5 = log_stable(clamp(square, 1e-30, 1e30));
     return clamp((-0.7213475 * _e5), -16.0, 16.0);
@@ -638,25 +643,26 @@ float paper_height(Spaced at, float fiber_1, uint seed_4) {
     vec2 x_13 = dFdx(at.place);
     vec2 y_2 = dFdy(at.place);
     float _e11 = bounded(sqrt(max(dot(x_13, x_13), dot(y_2, y_2))));
-    float _e26 = octave_of(sqrt(max(((at.stretch.x * at.stretch.z) - (at.stretch.y * at.stretch.y)), 0.0)));
-    float zoom_1 = floor(_e26);
-    float f_1 = (_e26 - zoom_1);
-    float _e29 = bounded(fiber_1);
-    float fine = clamp(_e29, 0.0, 1.0);
-    float _e35 = paper_octave(at.place, int(zoom_1), _e11, fine, seed_4);
-    height_1 = _e35;
+    float _e13 = area_square(at.stretch);
+    float _e15 = octave_of(sqrt(_e13));
+    float zoom_1 = floor(_e15);
+    float f_1 = (_e15 - zoom_1);
+    float _e18 = bounded(fiber_1);
+    float fine = clamp(_e18, 0.0, 1.0);
+    float _e24 = paper_octave(at.place, int(zoom_1), _e11, fine, seed_4);
+    height_1 = _e24;
     if ((f_1 > 0.0)) {
-        float _e39 = height_1;
-        float _e44 = paper_octave(at.place, (int(zoom_1) + 1), _e11, fine, seed_4);
-        float both = mix(_e39, _e44, f_1);
+        float _e28 = height_1;
+        float _e33 = paper_octave(at.place, (int(zoom_1) + 1), _e11, fine, seed_4);
+        float both = mix(_e28, _e33, f_1);
         height_1 = clamp((0.5 + ((both - 0.5) / sqrt(((f_1 * f_1) + ((1.0 - f_1) * (1.0 - f_1)))))), 0.0, 1.0);
     }
-    float _e62 = height_1;
-    return _e62;
+    float _e51 = height_1;
+    return _e51;
 }
 
-PaperGrain paper_grain(float value, vec2 place_3, vec3 stretch_1, float count_1, float tooth_1, float fiber_2, int seed_5, vec2 viewport_3) {
-    Spaced _e8 = spaced(place_3, stretch_1, viewport_3, count_1);
+PaperGrain paper_grain(float value, vec2 place_3, vec3 stretch_2, float count_1, float tooth_1, float fiber_2, int seed_5, vec2 viewport_3) {
+    Spaced _e8 = spaced(place_3, stretch_2, viewport_3, count_1);
     float _e10 = paper_height(_e8, fiber_2, uint(seed_5));
     float _e12 = factor_of(value, true);
     float _e15 = caught_ink((1.0 - _e12), _e10, tooth_1);

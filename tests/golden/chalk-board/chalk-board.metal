@@ -767,6 +767,13 @@ Spaced spaced(
     return Spaced {p_3, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s_4};
 }
 
+float area_square(
+    metal::float3 stretch_1
+) {
+    float sum_1 = stretch_1.x + stretch_1.z;
+    return metal::max((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y), (sum_1 * sum_1) / 66.0);
+}
+
 float octave_of(
     float square
 ) {
@@ -832,34 +839,35 @@ float paper_height(
     metal::float2 x_13 = metal::dfdx(at.place);
     metal::float2 y_2 = metal::dfdy(at.place);
     float _e11 = bounded(metal::sqrt(metal::max(metal::dot(x_13, x_13), metal::dot(y_2, y_2))));
-    float _e26 = octave_of(metal::sqrt(metal::max((at.stretch.x * at.stretch.z) - (at.stretch.y * at.stretch.y), 0.0)));
-    float zoom_1 = metal::floor(_e26);
-    float f_1 = _e26 - zoom_1;
-    float _e29 = bounded(fiber_1);
-    float fine = metal::clamp(_e29, 0.0, 1.0);
-    float _e35 = paper_octave(at.place, naga_f2i32(zoom_1), _e11, fine, seed_4);
-    height_1 = _e35;
+    float _e13 = area_square(at.stretch);
+    float _e15 = octave_of(metal::sqrt(_e13));
+    float zoom_1 = metal::floor(_e15);
+    float f_1 = _e15 - zoom_1;
+    float _e18 = bounded(fiber_1);
+    float fine = metal::clamp(_e18, 0.0, 1.0);
+    float _e24 = paper_octave(at.place, naga_f2i32(zoom_1), _e11, fine, seed_4);
+    height_1 = _e24;
     if (f_1 > 0.0) {
-        float _e39 = height_1;
-        float _e44 = paper_octave(at.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(1)), _e11, fine, seed_4);
-        float both = metal::mix(_e39, _e44, f_1);
+        float _e28 = height_1;
+        float _e33 = paper_octave(at.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(1)), _e11, fine, seed_4);
+        float both = metal::mix(_e28, _e33, f_1);
         height_1 = metal::clamp(0.5 + ((both - 0.5) / metal::sqrt((f_1 * f_1) + ((1.0 - f_1) * (1.0 - f_1)))), 0.0, 1.0);
     }
-    float _e62 = height_1;
-    return _e62;
+    float _e51 = height_1;
+    return _e51;
 }
 
 PaperGrain paper_grain(
     float value,
     metal::float2 place_3,
-    metal::float3 stretch_1,
+    metal::float3 stretch_2,
     float count_1,
     float tooth_1,
     float fiber_2,
     int seed_5,
     metal::float2 viewport_3
 ) {
-    Spaced _e8 = spaced(place_3, stretch_1, viewport_3, count_1);
+    Spaced _e8 = spaced(place_3, stretch_2, viewport_3, count_1);
     float _e10 = paper_height(_e8, fiber_2, as_type<uint>(seed_5));
     float _e12 = factor_of(value, true);
     float _e15 = caught_ink(1.0 - _e12, _e10, tooth_1);

@@ -554,6 +554,14 @@ fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> Spaced {
     return Spaced(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
 }
 
+/// How much faster than the picture a place's area grows, squared. A place that is drawn out more than eight times counts as
+/// drawn out by eight: it grows not at all where a surface turns edge-on to it, and marks along that line would be
+/// infinitely fine.
+fn area_square(stretch: vec3f) -> f32 {
+    let sum = stretch.x + stretch.z;
+    return max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
+}
+
 /// log2 of how many times finer than a place's own units marks must lie, for a squared stretch; within +-16.
 fn octave_of(square: f32) -> f32 {
     return clamp(-0.5 * LOG2_E * log_stable(clamp(square, 1e-30, 1e30)), -16.0, 16.0);
@@ -586,7 +594,7 @@ fn paper_height(at: Spaced, fiber: f32, seed: u32) -> f32 {
     let x = dpdx(at.place);
     let y = dpdy(at.place);
     let w = bounded(sqrt(max(dot(x, x), dot(y, y))));
-    let level = octave_of(sqrt(max(at.stretch.x * at.stretch.z - at.stretch.y * at.stretch.y, 0.0)));
+    let level = octave_of(sqrt(area_square(at.stretch)));
     let zoom = floor(level);
     let f = level - zoom;
     let fine = clamp(bounded(fiber), 0.0, 1.0);

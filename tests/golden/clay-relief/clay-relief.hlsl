@@ -801,7 +801,9 @@ float2 principal_curvatures(float3 tensor_1)
 {
     float mean = (0.5 * (tensor_1.x + tensor_1.z));
     float spread = length(float2((0.5 * (tensor_1.x - tensor_1.z)), tensor_1.y));
-    return float2((mean + spread), (mean - spread));
+    float far = (mean + ((mean >= 0.0) ? spread : -(spread)));
+    const float _e26 = divided(((tensor_1.x * tensor_1.z) - (tensor_1.y * tensor_1.y)), far);
+    return ((mean >= 0.0) ? float2(far, _e26) : float2(_e26, far));
 }
 
 float4 output(float4 color_2)
@@ -840,14 +842,17 @@ float rim(Light light_2, float3 normal_1, float3 view, float width, float softne
     const float _e18 = factor_of(softness, true);
     const float _e20 = footprint_of(facing);
     float edge_1 = max((_e16 * _e18), min(_e20, 1.0));
-    float inside = ((_e16 <= 0.0) ? 0.0 : clamp((((_e16 - facing) / max(edge_1, 1e-6)) + ((softness > 0.0) ? 0.0 : 0.5)), 0.0, 1.0));
+    float3 aside = (_e10 - view);
+    float further = ((facing > 0.5) ? ((0.5 * dot(aside, aside)) - (1.0 - _e16)) : (_e16 - facing));
+    float within = ((further / max(edge_1, 1e-6)) + ((softness > 0.0) ? 0.0 : 0.5));
+    float inside = ((_e16 <= 0.0) ? 0.0 : clamp(within, 0.0, 1.0));
     float3 across = (light_2.direction - (dot(light_2.direction, view) * view));
-    const float3 _e48 = normalize_or(across, (0.0).xxx);
-    float side = dot(_e10, _e48);
-    const float _e53 = eased(side, 0.0, 0.5);
-    const float _e55 = factor_of(follow, true);
-    const float _e56 = mixed(1.0, _e53, _e55);
-    return (inside * _e56);
+    const float3 _e61 = normalize_or(across, (0.0).xxx);
+    float side = dot((_e10 - (dot(_e10, view) * view)), _e61);
+    const float _e66 = eased(side, 0.0, 0.5);
+    const float _e68 = factor_of(follow, true);
+    const float _e69 = mixed(1.0, _e66, _e68);
+    return (inside * _e69);
 }
 
 float radiance_scaled(float tone, float curved, float turning)

@@ -836,7 +836,9 @@ metal::float2 principal_curvatures(
 ) {
     float mean = 0.5 * (tensor_1.x + tensor_1.z);
     float spread = metal::length(metal::float2(0.5 * (tensor_1.x - tensor_1.z), tensor_1.y));
-    return metal::float2(mean + spread, mean - spread);
+    float far = mean + ((mean >= 0.0) ? spread : -(spread));
+    float _e26 = divided((tensor_1.x * tensor_1.z) - (tensor_1.y * tensor_1.y), far);
+    return (mean >= 0.0) ? metal::float2(far, _e26) : metal::float2(_e26, far);
 }
 
 Color output(
@@ -886,14 +888,17 @@ float rim(
     float _e18 = factor_of(softness, true);
     float _e20 = footprint_of(facing);
     float edge_1 = metal::max(_e16 * _e18, metal::min(_e20, 1.0));
-    float inside = (_e16 <= 0.0) ? 0.0 : metal::clamp(((_e16 - facing) / metal::max(edge_1, 0.000001)) + ((softness > 0.0) ? 0.0 : 0.5), 0.0, 1.0);
+    metal::float3 aside = _e10 - view;
+    float further = (facing > 0.5) ? ((0.5 * metal::dot(aside, aside)) - (1.0 - _e16)) : (_e16 - facing);
+    float within = (further / metal::max(edge_1, 0.000001)) + ((softness > 0.0) ? 0.0 : 0.5);
+    float inside = (_e16 <= 0.0) ? 0.0 : metal::clamp(within, 0.0, 1.0);
     metal::float3 across = light_2.direction - (metal::dot(light_2.direction, view) * view);
-    metal::float3 _e48 = normalize_or(across, metal::float3(0.0));
-    float side = metal::dot(_e10, _e48);
-    float _e53 = eased(side, 0.0, 0.5);
-    float _e55 = factor_of(follow, true);
-    float _e56 = mixed(1.0, _e53, _e55);
-    return inside * _e56;
+    metal::float3 _e61 = normalize_or(across, metal::float3(0.0));
+    float side = metal::dot(_e10 - (metal::dot(_e10, view) * view), _e61);
+    float _e66 = eased(side, 0.0, 0.5);
+    float _e68 = factor_of(follow, true);
+    float _e69 = mixed(1.0, _e66, _e68);
+    return inside * _e69;
 }
 
 float radiance_scaled(

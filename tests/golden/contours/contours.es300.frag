@@ -390,7 +390,9 @@ vec3 tensor_safe(vec3 tensor) {
 vec2 principal_curvatures(vec3 tensor_1) {
     float mean = (0.5 * (tensor_1.x + tensor_1.z));
     float spread = length(vec2((0.5 * (tensor_1.x - tensor_1.z)), tensor_1.y));
-    return vec2((mean + spread), (mean - spread));
+    float far = (mean + ((mean >= 0.0) ? spread : -(spread)));
+    float _e26 = divided(((tensor_1.x * tensor_1.z) - (tensor_1.y * tensor_1.y)), far);
+    return ((mean >= 0.0) ? vec2(far, _e26) : vec2(_e26, far));
 }
 
 vec4 output_(vec4 color_2) {

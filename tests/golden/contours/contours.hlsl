@@ -490,7 +490,9 @@ float2 principal_curvatures(float3 tensor_1)
 {
     float mean = (0.5 * (tensor_1.x + tensor_1.z));
     float spread = length(float2((0.5 * (tensor_1.x - tensor_1.z)), tensor_1.y));
-    return float2((mean + spread), (mean - spread));
+    float far = (mean + ((mean >= 0.0) ? spread : -(spread)));
+    const float _e26 = divided(((tensor_1.x * tensor_1.z) - (tensor_1.y * tensor_1.y)), far);
+    return ((mean >= 0.0) ? float2(far, _e26) : float2(_e26, far));
 }
 
 float4 output(float4 color_2)

@@ -500,7 +500,9 @@ metal::float2 principal_curvatures(
 ) {
     float mean = 0.5 * (tensor_1.x + tensor_1.z);
     float spread = metal::length(metal::float2(0.5 * (tensor_1.x - tensor_1.z), tensor_1.y));
-    return metal::float2(mean + spread, mean - spread);
+    float far = mean + ((mean >= 0.0) ? spread : -(spread));
+    float _e26 = divided((tensor_1.x * tensor_1.z) - (tensor_1.y * tensor_1.y), far);
+    return (mean >= 0.0) ? metal::float2(far, _e26) : metal::float2(_e26, far);
 }
 
 Color output(

@@ -296,7 +296,10 @@ fn tensor_safe(tensor: vec3f) -> vec3f {
 fn principal_curvatures(tensor: vec3f) -> vec2f {
     let mean = 0.5 * (tensor.x + tensor.z);
     let spread = length(vec2f(0.5 * (tensor.x - tensor.z), tensor.y));
-    return vec2f(mean + spread, mean - spread);
+    // Of the one nearer 0 the difference of both would leave no digits; their product is known.
+    let far = mean + select(-spread, spread, mean >= 0.0);
+    let near = divided(tensor.x * tensor.z - tensor.y * tensor.y, far);
+    return select(vec2f(near, far), vec2f(far, near), mean >= 0.0);
 }
 
 /// Output

@@ -713,14 +713,17 @@ float rim(Light light_3, float3 normal_2, float3 view_1, float width, float soft
     const float _e18 = factor_of(softness, true);
     const float _e20 = footprint_of(facing);
     float edge = max((_e16 * _e18), min(_e20, 1.0));
-    float inside = ((_e16 <= 0.0) ? 0.0 : clamp((((_e16 - facing) / max(edge, 1e-6)) + ((softness > 0.0) ? 0.0 : 0.5)), 0.0, 1.0));
+    float3 aside = (_e10 - view_1);
+    float further = ((facing > 0.5) ? ((0.5 * dot(aside, aside)) - (1.0 - _e16)) : (_e16 - facing));
+    float within = ((further / max(edge, 1e-6)) + ((softness > 0.0) ? 0.0 : 0.5));
+    float inside = ((_e16 <= 0.0) ? 0.0 : clamp(within, 0.0, 1.0));
     float3 across = (light_3.direction - (dot(light_3.direction, view_1) * view_1));
-    const float3 _e48 = normalize_or(across, (0.0).xxx);
-    float side = dot(_e10, _e48);
-    const float _e53 = eased(side, 0.0, 0.5);
-    const float _e55 = factor_of(follow, true);
-    const float _e56 = mixed(1.0, _e53, _e55);
-    return (inside * _e56);
+    const float3 _e61 = normalize_or(across, (0.0).xxx);
+    float side = dot((_e10 - (dot(_e10, view_1) * view_1)), _e61);
+    const float _e66 = eased(side, 0.0, 0.5);
+    const float _e68 = factor_of(follow, true);
+    const float _e69 = mixed(1.0, _e66, _e68);
+    return (inside * _e69);
 }
 
 float map_range(float value, float from_low_1, float from_high_1, float to_low_1, float to_high_1, bool clamped_5)

@@ -408,8 +408,9 @@ metal::float3x3 axes_around(
     metal::float3 leaning = metal::cross(_e11, _e6);
     float square_2 = metal::dot(leaning, leaning);
     metal::float3 aside = (metal::abs(_e6.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 _e35 = normalize_or((square_2 > 0.00000001) ? leaning : metal::cross(aside, _e6), metal::float3(1.0, 0.0, 0.0));
-    return metal::float3x3(_e35, metal::cross(_e6, _e35), _e6);
+    metal::float3 across_2 = (square_2 > 0.00000001) ? leaning : metal::cross(aside, _e6);
+    metal::float3 _e38 = normalize_or(across_2 - (metal::dot(across_2, _e6) * _e6), metal::float3(1.0, 0.0, 0.0));
+    return metal::float3x3(_e38, metal::cross(_e6, _e38), _e6);
 }
 
 float combine_tones_union(
@@ -722,14 +723,14 @@ float hatched(
     float _e20 = stray_at(place_4, naga_f2i32(zoom_3), style_2.seed);
     float _e25 = stray_at(place_4, as_type<int>(as_type<uint>(naga_f2i32(zoom_3)) + as_type<uint>(1)), style_2.seed);
     float stray = metal::mix(_e20, _e25, level_1 - zoom_3);
-    float across_2 = place_4.y + (style_2.wobble * stray);
+    float across_3 = place_4.y + (style_2.wobble * stray);
     float _e35 = log_stable(metal::max(_e12, 0.000000001));
     float density = metal::clamp(level_1 + (LOG2_E * _e35), -40.0, 17.0);
     float octave_1 = metal::floor(density);
     float _e43 = exp2_stable(density - octave_1);
     float growth = _e43 - 1.0;
     float _e47 = power_of_two(naga_f2i32(octave_1));
-    float q = metal::clamp(across_2 * _e47, -4194304.0, 4194304.0);
+    float q = metal::clamp(across_3 * _e47, -4194304.0, 4194304.0);
     float _e55 = exp2_stable(octave_1 - level_1);
     float half_1 = (0.5 * width_1) * _e55;
     float footprint = w_1 * _e47;
@@ -768,8 +769,8 @@ float cross_hatched(
         if (metal::all(loop_bound_1 == uint2(0u))) { break; }
         loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
         if (!loop_init_1) {
-            int _e84 = i_1;
-            i_1 = as_type<int>(as_type<uint>(_e84) + as_type<uint>(1));
+            int _e90 = i_1;
+            i_1 = as_type<int>(as_type<uint>(_e90) + as_type<uint>(1));
         }
         loop_init_1 = false;
         int _e22 = i_1;
@@ -783,24 +784,25 @@ float cross_hatched(
                 int _e27 = i_1;
                 metal::float2 _e30 = sin_cos_of(static_cast<float>(_e27) * cross);
                 metal::float2 along_3 = metal::float2(_e30.y, _e30.x);
-                metal::float2 across_3 = metal::float2(-(_e30.x), _e30.y);
-                float _e42 = bounded(metal::length(metal::float2(metal::dot(across_3, x_14), metal::dot(across_3, y))));
+                metal::float2 across_4 = metal::float2(-(_e30.x), _e30.y);
+                float _e42 = bounded(metal::length(metal::float2(metal::dot(across_4, x_14), metal::dot(across_4, y))));
                 metal::float3 s_2 = at.stretch;
-                float _e57 = octave_of(metal::dot(metal::float3(across_3.x * across_3.x, (2.0 * across_3.x) * across_3.y, across_3.y * across_3.y), s_2));
-                metal::float2 place_7 = metal::float2(metal::dot(along_3, at.place), metal::dot(across_3, at.place));
+                float square_3 = metal::dot(metal::float3(across_4.x * across_4.x, (2.0 * across_4.x) * across_4.y, across_4.y * across_4.y), s_2);
+                float _e63 = octave_of(metal::max(square_3, (at.stretch.x + at.stretch.z) / 65.0));
+                metal::float2 place_7 = metal::float2(metal::dot(along_3, at.place), metal::dot(across_4, at.place));
                 own = style_3;
-                int _e67 = i_1;
-                own.seed = style_3.seed + (101u * static_cast<uint>(_e67));
-                float _e71 = free;
-                int _e72 = i_1;
-                Strokes _e78 = own;
-                float _e79 = hatched(place_7, _e42, _e57, metal::clamp(amount - static_cast<float>(_e72), 0.0, 1.0), _e78);
-                free = _e71 * (1.0 - _e79);
+                int _e73 = i_1;
+                own.seed = style_3.seed + (101u * static_cast<uint>(_e73));
+                float _e77 = free;
+                int _e78 = i_1;
+                Strokes _e84 = own;
+                float _e85 = hatched(place_7, _e42, _e63, metal::clamp(amount - static_cast<float>(_e78), 0.0, 1.0), _e84);
+                free = _e77 * (1.0 - _e85);
             }
         }
     }
-    float _e86 = free;
-    return 1.0 - _e86;
+    float _e92 = free;
+    return 1.0 - _e92;
 }
 
 float hatching(

@@ -278,7 +278,9 @@ fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
     let square = dot(leaning, leaning);
     // Nearly along `up` there is no upright; a fixed direction is better than rounding's.
     let aside = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 0.0, 1.0), abs(z.x) > 0.7);
-    let x = normalize_or(select(cross(aside, z), leaning, square > 1e-8), vec3f(1.0, 0.0, 0.0));
+    let across = select(cross(aside, z), leaning, square > 1e-8);
+    // Short as it may be, what rounding left of z in it would tilt it.
+    let x = normalize_or(across - dot(across, z) * z, vec3f(1.0, 0.0, 0.0));
     return mat3x3f(x, cross(z, x), z);
 }
 
@@ -547,7 +549,9 @@ fn cross_hatched(at: Spaced, ink: f32, layers: i32, cross: f32, style: Strokes) 
             let across = vec2f(-turn.x, turn.y);
             let w = bounded(length(vec2f(dot(across, x), dot(across, y))));
             let s = at.stretch;
-            let level = octave_of(dot(vec3f(across.x * across.x, 2.0 * across.x * across.y, across.y * across.y), s));
+            // As with areas, a place that hardly changes across the strokes counts as one that is drawn out eight times.
+            let square = dot(vec3f(across.x * across.x, 2.0 * across.x * across.y, across.y * across.y), s);
+            let level = octave_of(max(square, (s.x + s.z) / 65.0));
             let place = vec2f(dot(along, at.place), dot(across, at.place));
             var own = style;
             own.seed = style.seed + 101u * u32(i);

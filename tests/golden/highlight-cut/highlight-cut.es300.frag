@@ -307,8 +307,9 @@ mat3x3 axes_around(vec3 toward, vec3 up) {
     vec3 leaning = cross(_e11, _e6);
     float square_1 = dot(leaning, leaning);
     vec3 aside = ((abs(_e6.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 _e35 = normalize_or(((square_1 > 1e-8) ? leaning : cross(aside, _e6)), vec3(1.0, 0.0, 0.0));
-    return mat3x3(_e35, cross(_e6, _e35), _e6);
+    vec3 across = ((square_1 > 1e-8) ? leaning : cross(aside, _e6));
+    vec3 _e38 = normalize_or((across - (dot(across, _e6) * _e6)), vec3(1.0, 0.0, 0.0));
+    return mat3x3(_e38, cross(_e6, _e38), _e6);
 }
 
 AxesAround axes(vec3 direction_1, vec3 up_1) {
@@ -470,14 +471,17 @@ float rim(Light light_2, vec3 normal_3, vec3 view_1, float width, float softness
     float _e18 = factor_of(softness, true);
     float _e20 = footprint_of(facing);
     float edge = max((_e16 * _e18), min(_e20, 1.0));
-    float inside = ((_e16 <= 0.0) ? 0.0 : clamp((((_e16 - facing) / max(edge, 1e-6)) + ((softness > 0.0) ? 0.0 : 0.5)), 0.0, 1.0));
-    vec3 across = (light_2.direction - (dot(light_2.direction, view_1) * view_1));
-    vec3 _e48 = normalize_or(across, vec3(0.0));
-    float side = dot(_e10, _e48);
-    float _e53 = eased(side, 0.0, 0.5);
-    float _e55 = factor_of(follow, true);
-    float _e56 = mixed(1.0, _e53, _e55);
-    return (inside * _e56);
+    vec3 aside_1 = (_e10 - view_1);
+    float further = ((facing > 0.5) ? ((0.5 * dot(aside_1, aside_1)) - (1.0 - _e16)) : (_e16 - facing));
+    float within = ((further / max(edge, 1e-6)) + ((softness > 0.0) ? 0.0 : 0.5));
+    float inside = ((_e16 <= 0.0) ? 0.0 : clamp(within, 0.0, 1.0));
+    vec3 across_1 = (light_2.direction - (dot(light_2.direction, view_1) * view_1));
+    vec3 _e61 = normalize_or(across_1, vec3(0.0));
+    float side = dot((_e10 - (dot(_e10, view_1) * view_1)), _e61);
+    float _e66 = eased(side, 0.0, 0.5);
+    float _e68 = factor_of(follow, true);
+    float _e69 = mixed(1.0, _e66, _e68);
+    return (inside * _e69);
 }
 
 float invert(float value) {

@@ -421,8 +421,9 @@ float3x3 axes_around(float3 toward, float3 up)
     float3 leaning = cross(_e11, _e6);
     float square_1 = dot(leaning, leaning);
     float3 aside = ((abs(_e6.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    const float3 _e35 = normalize_or(((square_1 > 1e-8) ? leaning : cross(aside, _e6)), float3(1.0, 0.0, 0.0));
-    return float3x3(_e35, cross(_e6, _e35), _e6);
+    float3 across = ((square_1 > 1e-8) ? leaning : cross(aside, _e6));
+    const float3 _e38 = normalize_or((across - (dot(across, _e6) * _e6)), float3(1.0, 0.0, 0.0));
+    return float3x3(_e38, cross(_e6, _e38), _e6);
 }
 
 AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
@@ -613,14 +614,17 @@ float rim(Light light_2, float3 normal_3, float3 view_1, float width, float soft
     const float _e18 = factor_of(softness, true);
     const float _e20 = footprint_of(facing);
     float edge = max((_e16 * _e18), min(_e20, 1.0));
-    float inside = ((_e16 <= 0.0) ? 0.0 : clamp((((_e16 - facing) / max(edge, 1e-6)) + ((softness > 0.0) ? 0.0 : 0.5)), 0.0, 1.0));
-    float3 across = (light_2.direction - (dot(light_2.direction, view_1) * view_1));
-    const float3 _e48 = normalize_or(across, (0.0).xxx);
-    float side = dot(_e10, _e48);
-    const float _e53 = eased(side, 0.0, 0.5);
-    const float _e55 = factor_of(follow, true);
-    const float _e56 = mixed(1.0, _e53, _e55);
-    return (inside * _e56);
+    float3 aside_1 = (_e10 - view_1);
+    float further = ((facing > 0.5) ? ((0.5 * dot(aside_1, aside_1)) - (1.0 - _e16)) : (_e16 - facing));
+    float within = ((further / max(edge, 1e-6)) + ((softness > 0.0) ? 0.0 : 0.5));
+    float inside = ((_e16 <= 0.0) ? 0.0 : clamp(within, 0.0, 1.0));
+    float3 across_1 = (light_2.direction - (dot(light_2.direction, view_1) * view_1));
+    const float3 _e61 = normalize_or(across_1, (0.0).xxx);
+    float side = dot((_e10 - (dot(_e10, view_1) * view_1)), _e61);
+    const float _e66 = eased(side, 0.0, 0.5);
+    const float _e68 = factor_of(follow, true);
+    const float _e69 = mixed(1.0, _e66, _e68);
+    return (inside * _e69);
 }
 
 float invert(float value)

@@ -400,8 +400,9 @@ metal::float3x3 axes_around(
     metal::float3 leaning = metal::cross(_e11, _e6);
     float square_1 = metal::dot(leaning, leaning);
     metal::float3 aside = (metal::abs(_e6.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 _e35 = normalize_or((square_1 > 0.00000001) ? leaning : metal::cross(aside, _e6), metal::float3(1.0, 0.0, 0.0));
-    return metal::float3x3(_e35, metal::cross(_e6, _e35), _e6);
+    metal::float3 across = (square_1 > 0.00000001) ? leaning : metal::cross(aside, _e6);
+    metal::float3 _e38 = normalize_or(across - (metal::dot(across, _e6) * _e6), metal::float3(1.0, 0.0, 0.0));
+    return metal::float3x3(_e38, metal::cross(_e6, _e38), _e6);
 }
 
 AxesAround axes(
@@ -634,14 +635,17 @@ float rim(
     float _e18 = factor_of(softness, true);
     float _e20 = footprint_of(facing);
     float edge = metal::max(_e16 * _e18, metal::min(_e20, 1.0));
-    float inside = (_e16 <= 0.0) ? 0.0 : metal::clamp(((_e16 - facing) / metal::max(edge, 0.000001)) + ((softness > 0.0) ? 0.0 : 0.5), 0.0, 1.0);
-    metal::float3 across = light_2.direction - (metal::dot(light_2.direction, view_1) * view_1);
-    metal::float3 _e48 = normalize_or(across, metal::float3(0.0));
-    float side = metal::dot(_e10, _e48);
-    float _e53 = eased(side, 0.0, 0.5);
-    float _e55 = factor_of(follow, true);
-    float _e56 = mixed(1.0, _e53, _e55);
-    return inside * _e56;
+    metal::float3 aside_1 = _e10 - view_1;
+    float further = (facing > 0.5) ? ((0.5 * metal::dot(aside_1, aside_1)) - (1.0 - _e16)) : (_e16 - facing);
+    float within = (further / metal::max(edge, 0.000001)) + ((softness > 0.0) ? 0.0 : 0.5);
+    float inside = (_e16 <= 0.0) ? 0.0 : metal::clamp(within, 0.0, 1.0);
+    metal::float3 across_1 = light_2.direction - (metal::dot(light_2.direction, view_1) * view_1);
+    metal::float3 _e61 = normalize_or(across_1, metal::float3(0.0));
+    float side = metal::dot(_e10 - (metal::dot(_e10, view_1) * view_1), _e61);
+    float _e66 = eased(side, 0.0, 0.5);
+    float _e68 = factor_of(follow, true);
+    float _e69 = mixed(1.0, _e66, _e68);
+    return inside * _e69;
 }
 
 float invert(

@@ -315,7 +315,9 @@ fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
     let square = dot(leaning, leaning);
     // Nearly along `up` there is no upright; a fixed direction is better than rounding's.
     let aside = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 0.0, 1.0), abs(z.x) > 0.7);
-    let x = normalize_or(select(cross(aside, z), leaning, square > 1e-8), vec3f(1.0, 0.0, 0.0));
+    let across = select(cross(aside, z), leaning, square > 1e-8);
+    // Short as it may be, what rounding left of z in it would tilt it.
+    let x = normalize_or(across - dot(across, z) * z, vec3f(1.0, 0.0, 0.0));
     return mat3x3f(x, cross(z, x), z);
 }
 
@@ -502,10 +504,16 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let reach = factor_of(width, true);
     // As wide as softness wants, and never narrower than a pixel.
     let edge = max(reach * factor_of(softness, true), min(footprint_of(facing), 1.0));
-    let inside = select(clamp((reach - facing) / max(edge, 1e-6) + select(0.5, 0.0, softness > 0.0), 0.0, 1.0), 0.0, reach <= 0.0);
+    // Nearly straight at the eye a cosine has no digits left, and the vectors' difference has them.
+    let aside = n - view;
+    let further = select(reach - facing, 0.5 * dot(aside, aside) - (1.0 - reach), facing > 0.5);
+    let within = further / max(edge, 1e-6) + select(0.5, 0.0, softness > 0.0);
+    let inside = select(clamp(within, 0.0, 1.0), 0.0, reach <= 0.0);
     // The light's direction across the eye's: from the far side of the object (-1) to the near one (1).
     let across = light.direction - dot(light.direction, view) * view;
-    let side = dot(n, normalize_or(across, vec3f(0.0)));
+    // Only what of the normal is across the eye's direction, too: where the light is nearly behind, rounding leaves a little
+    // of that direction in `across`.
+    let side = dot(n - dot(n, view) * view, normalize_or(across, vec3f(0.0)));
     return inside * mixed(1.0, eased(side, 0.0, 0.5), factor_of(follow, true));
 }
 

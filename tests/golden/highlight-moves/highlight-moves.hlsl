@@ -214,12 +214,12 @@ float log_stable(float x_3)
 {
     uint bits = asuint(x_3);
     int shift_2 = int(((bits - 1060439283u) >> 23u));
-    int exponent_2 = ((shift_2 >= int(256)) ? asint(asuint(shift_2) - asuint(int(512))) : shift_2);
-    float mantissa = asfloat((bits - (uint(exponent_2) << 23u)));
+    int exponent_1 = ((shift_2 >= int(256)) ? asint(asuint(shift_2) - asuint(int(512))) : shift_2);
+    float mantissa = asfloat((bits - (uint(exponent_1) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
     float series = ((2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111)))))))));
-    return ((float(exponent_2) * LN_2_) + series);
+    return ((float(exponent_1) * LN_2_) + series);
 }
 
 float log1p_negative_small(float y)
@@ -227,6 +227,16 @@ float log1p_negative_small(float y)
     float z_1 = (y / (2.0 - y));
     float z2_1 = (z_1 * z_1);
     return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
+}
+
+float log1p_negative(float y_1)
+{
+    if ((y_1 < 0.25)) {
+        const float _e3 = log1p_negative_small(y_1);
+        return _e3;
+    }
+    const float _e8 = log_stable(max((1.0 - y_1), 1.1754944e-38));
+    return _e8;
 }
 
 float2 sin_cos_quarter(float x_4)
@@ -264,10 +274,10 @@ Angle angle_between(float3 d, float3 l)
     return angle_2;
 }
 
-float atan2_positive(float y_1, float x_6)
+float atan2_positive(float y_2, float x_6)
 {
-    float small = min(y_1, x_6);
-    float large = max(y_1, x_6);
+    float small = min(y_2, x_6);
+    float large = max(y_2, x_6);
     if ((large <= 0.0)) {
         return 0.0;
     }
@@ -277,7 +287,7 @@ float atan2_positive(float y_1, float x_6)
     float r2_ = (r_1 * r_1);
     float series_1 = (r_1 * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
     float a_2 = (is_wide ? (series_1 + 0.7853982) : series_1);
-    return ((y_1 > x_6) ? (HALF_PI - a_2) : a_2);
+    return ((y_2 > x_6) ? (HALF_PI - a_2) : a_2);
 }
 
 float angle_radians(Angle u)
@@ -336,39 +346,6 @@ float3 bounded_vec3_(float3 v_3)
     const float _e4 = bounded(v_3.y);
     const float _e6 = bounded(v_3.z);
     return float3(_e2, _e4, _e6);
-}
-
-float powered(float base, float exponent)
-{
-    bool local_2 = (bool)0;
-
-    const float _e2 = bounded(base);
-    const float _e3 = bounded(exponent);
-    if ((_e3 == 1.0)) {
-        return _e2;
-    }
-    if ((_e3 == 0.0)) {
-        return 1.0;
-    }
-    if ((_e3 == 2.0)) {
-        const float _e12 = bounded((_e2 * _e2));
-        return _e12;
-    }
-    float magnitude_1 = abs(_e2);
-    if ((magnitude_1 < SMALLEST_NORMAL)) {
-        return 0.0;
-    }
-    const float _e18 = log_stable(magnitude_1);
-    const float _e21 = bounded((_e3 * (LOG2_E * _e18)));
-    const float _e22 = exp2_stable(_e21);
-    bool is_even = (floor((_e3 * 0.5)) == (_e3 * 0.5));
-    if ((_e2 < 0.0)) {
-        local_2 = !(is_even);
-    } else {
-        local_2 = false;
-    }
-    bool _e36 = local_2;
-    return (_e36 ? -(_e22) : _e22);
 }
 
 float mixed(float a, float b, float t_1)
@@ -485,8 +462,9 @@ float3x3 axes_around(float3 toward, float3 up)
     float3 leaning = cross(_e11, _e6);
     float square_1 = dot(leaning, leaning);
     float3 aside = ((abs(_e6.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    const float3 _e35 = normalize_or(((square_1 > 1e-8) ? leaning : cross(aside, _e6)), float3(1.0, 0.0, 0.0));
-    return float3x3(_e35, cross(_e6, _e35), _e6);
+    float3 across = ((square_1 > 1e-8) ? leaning : cross(aside, _e6));
+    const float3 _e38 = normalize_or((across - (dot(across, _e6) * _e6)), float3(1.0, 0.0, 0.0));
+    return float3x3(_e38, cross(_e6, _e38), _e6);
 }
 
 AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
@@ -511,35 +489,48 @@ float3 half_vector(Light light, float3 view)
     return _e9;
 }
 
-float3 shift_direction(float3 direction_2, float3 x_axis_1, float3 y_axis_1, float x_13, float y_2)
+float3 shift_direction(float3 direction_2, float3 x_axis_1, float3 y_axis_1, float x_13, float y_3)
 {
     const Bent _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
-    const float3 _e7 = direction_moved(_e5, float2(x_13, y_2));
+    const float3 _e7 = direction_moved(_e5, float2(x_13, y_3));
     return _e7;
 }
 
-float3 split_direction(float3 direction_3, float3 x_axis_2, float3 y_axis_2, float x_14, float y_3)
+float3 split_direction(float3 direction_3, float3 x_axis_2, float3 y_axis_2, float x_14, float y_4)
 {
     const Bent _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
     float2 side = ((_e5.place >= (0.0).xx) ? (1.0).xx : (-1.0).xx);
-    const float3 _e21 = direction_moved(_e5, (-(max(float2(x_14, y_3), (0.0).xx)) * side));
+    const float3 _e21 = direction_moved(_e5, (-(max(float2(x_14, y_4), (0.0).xx)) * side));
     return _e21;
 }
 
 float3 square_direction(float3 direction_4, float3 x_axis_3, float3 y_axis_3, float amount, float sharpness)
 {
+    bool local_2 = (bool)0;
+
     const Bent _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
     float square_2 = dot(_e5.place, _e5.place);
-    float midway = ((square_2 > 1e-20) ? ((2.0 * abs((_e5.place.x * _e5.place.y))) / max(square_2, 1e-20)) : 0.0);
-    const float _e27 = powered(midway, clamp(sharpness, 1.0, 1024.0));
-    const float3 _e35 = direction_moved(_e5, ((-(clamp(amount, 0.0, 1.0)) * _e27) * _e5.place));
-    return _e35;
+    float apart = (abs(_e5.place.x) - abs(_e5.place.y));
+    float aside_1 = clamp(((apart * apart) / max(square_2, 1e-20)), 0.0, 1.0);
+    const float _e23 = bounded(sharpness);
+    float sharp = clamp(_e23, 1.0, 1024.0);
+    const float _e29 = log1p_negative(aside_1);
+    const float _e31 = exp2_stable(((sharp * LOG2_E) * _e29));
+    if ((square_2 > 1e-20)) {
+        local_2 = (aside_1 < 1.0);
+    } else {
+        local_2 = false;
+    }
+    bool _e39 = local_2;
+    float corner = (_e39 ? _e31 : 0.0);
+    const float3 _e49 = direction_moved(_e5, ((-(clamp(amount, 0.0, 1.0)) * corner) * _e5.place));
+    return _e49;
 }
 
-float3 stretch_direction(float3 direction_5, float3 x_axis_4, float3 y_axis_4, float x_15, float y_4)
+float3 stretch_direction(float3 direction_5, float3 x_axis_4, float3 y_axis_4, float x_15, float y_5)
 {
     const Bent _e5 = direction_within(direction_5, x_axis_4, y_axis_4);
-    const float3 _e13 = direction_moved(_e5, (-(min(float2(x_15, y_4), (1.0).xx)) * _e5.place));
+    const float3 _e13 = direction_moved(_e5, (-(min(float2(x_15, y_5), (1.0).xx)) * _e5.place));
     return _e13;
 }
 
@@ -587,7 +578,7 @@ Angle parametrization_diffuse(Light light_1, float3 normal_2)
     return angle_6;
 }
 
-float profile_power(float q, float exponent_1)
+float profile_power(float q, float exponent)
 {
     float log_base = 0.0;
 
@@ -602,7 +593,7 @@ float profile_power(float q, float exponent_1)
         log_base = _e16;
     }
     float _e19 = log_base;
-    const float _e21 = exp2_stable(((exponent_1 * LOG2_E) * _e19));
+    const float _e21 = exp2_stable(((exponent * LOG2_E) * _e19));
     return clamp(_e21, 0.0, 1.0);
 }
 
@@ -681,14 +672,17 @@ float rim(Light light_2, float3 normal_3, float3 view_1, float width, float soft
     const float _e18 = factor_of(softness, true);
     const float _e20 = footprint_of(facing);
     float edge = max((_e16 * _e18), min(_e20, 1.0));
-    float inside = ((_e16 <= 0.0) ? 0.0 : clamp((((_e16 - facing) / max(edge, 1e-6)) + ((softness > 0.0) ? 0.0 : 0.5)), 0.0, 1.0));
-    float3 across = (light_2.direction - (dot(light_2.direction, view_1) * view_1));
-    const float3 _e48 = normalize_or(across, (0.0).xxx);
-    float side_1 = dot(_e10, _e48);
-    const float _e53 = eased(side_1, 0.0, 0.5);
-    const float _e55 = factor_of(follow, true);
-    const float _e56 = mixed(1.0, _e53, _e55);
-    return (inside * _e56);
+    float3 aside_2 = (_e10 - view_1);
+    float further = ((facing > 0.5) ? ((0.5 * dot(aside_2, aside_2)) - (1.0 - _e16)) : (_e16 - facing));
+    float within = ((further / max(edge, 1e-6)) + ((softness > 0.0) ? 0.0 : 0.5));
+    float inside = ((_e16 <= 0.0) ? 0.0 : clamp(within, 0.0, 1.0));
+    float3 across_1 = (light_2.direction - (dot(light_2.direction, view_1) * view_1));
+    const float3 _e61 = normalize_or(across_1, (0.0).xxx);
+    float side_1 = dot((_e10 - (dot(_e10, view_1) * view_1)), _e61);
+    const float _e66 = eased(side_1, 0.0, 0.5);
+    const float _e68 = factor_of(follow, true);
+    const float _e69 = mixed(1.0, _e66, _e68);
+    return (inside * _e69);
 }
 
 float invert(float value)
@@ -703,8 +697,8 @@ float3 rotate_vector(float3 vector_, float3 axis, float angle_1)
     const float3 _e6 = normalize_or(axis, (0.0).xxx);
     const float _e7 = bounded(angle_1);
     const float2 _e10 = sin_cos_of((0.5 * _e7));
-    float3 aside_1 = cross(_e6, _e3);
-    const float3 _e23 = bounded_vec3_((_e3 + ((2.0 * _e10.x) * ((_e10.y * aside_1) + (_e10.x * cross(_e6, aside_1))))));
+    float3 aside_3 = cross(_e6, _e3);
+    const float3 _e23 = bounded_vec3_((_e3 + ((2.0 * _e10.x) * ((_e10.y * aside_3) + (_e10.x * cross(_e6, aside_3))))));
     return _e23;
 }
 

@@ -171,12 +171,12 @@ float log_stable(
 ) {
     uint bits = as_type<uint>(x_3);
     int shift_2 = static_cast<int>((bits - 1060439283u) >> 23u);
-    int exponent_2 = (shift_2 >= 256) ? as_type<int>(as_type<uint>(shift_2) - as_type<uint>(512)) : shift_2;
-    float mantissa = as_type<float>(bits - (static_cast<uint>(exponent_2) << 23u));
+    int exponent_1 = (shift_2 >= 256) ? as_type<int>(as_type<uint>(shift_2) - as_type<uint>(512)) : shift_2;
+    float mantissa = as_type<float>(bits - (static_cast<uint>(exponent_1) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2_ = z * z;
     float series = (2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111))))))));
-    return (static_cast<float>(exponent_2) * LN_2_) + series;
+    return (static_cast<float>(exponent_1) * LN_2_) + series;
 }
 
 float log1p_negative_small(
@@ -185,6 +185,17 @@ float log1p_negative_small(
     float z_1 = y / (2.0 - y);
     float z2_1 = z_1 * z_1;
     return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
+}
+
+float log1p_negative(
+    float y_1
+) {
+    if (y_1 < 0.25) {
+        float _e3 = log1p_negative_small(y_1);
+        return _e3;
+    }
+    float _e8 = log_stable(metal::max(1.0 - y_1, 0.000000000000000000000000000000000000011754944));
+    return _e8;
 }
 
 metal::float2 sin_cos_quarter(
@@ -209,11 +220,11 @@ Angle angle_between(
 }
 
 float atan2_positive(
-    float y_1,
+    float y_2,
     float x_5
 ) {
-    float small = metal::min(y_1, x_5);
-    float large = metal::max(y_1, x_5);
+    float small = metal::min(y_2, x_5);
+    float large = metal::max(y_2, x_5);
     if (large <= 0.0) {
         return 0.0;
     }
@@ -223,7 +234,7 @@ float atan2_positive(
     float r2_ = r * r;
     float series_1 = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
     float a_2 = is_wide ? (series_1 + 0.7853982) : series_1;
-    return (y_1 > x_5) ? (HALF_PI - a_2) : a_2;
+    return (y_2 > x_5) ? (HALF_PI - a_2) : a_2;
 }
 
 float angle_radians(
@@ -297,40 +308,6 @@ metal::float2 bounded_vec2_(
     return metal::float2(_e2, _e4);
 }
 
-float powered(
-    float base,
-    float exponent
-) {
-    bool local_2 = {};
-    float _e2 = bounded(base);
-    float _e3 = bounded(exponent);
-    if (_e3 == 1.0) {
-        return _e2;
-    }
-    if (_e3 == 0.0) {
-        return 1.0;
-    }
-    if (_e3 == 2.0) {
-        float _e12 = bounded(_e2 * _e2);
-        return _e12;
-    }
-    float magnitude_1 = metal::abs(_e2);
-    if (magnitude_1 < SMALLEST_NORMAL) {
-        return 0.0;
-    }
-    float _e18 = log_stable(magnitude_1);
-    float _e21 = bounded(_e3 * (LOG2_E * _e18));
-    float _e22 = exp2_stable(_e21);
-    bool is_even = metal::floor(_e3 * 0.5) == (_e3 * 0.5);
-    if (_e2 < 0.0) {
-        local_2 = !(is_even);
-    } else {
-        local_2 = false;
-    }
-    bool _e36 = local_2;
-    return _e36 ? -(_e22) : _e22;
-}
-
 float mixed(
     float a,
     float b,
@@ -378,15 +355,15 @@ float factor_of(
 }
 
 float angle_of_point(
-    float y_2,
+    float y_3,
     float x_10
 ) {
-    metal::float2 _e3 = bounded_vec2_(metal::float2(x_10, y_2));
+    metal::float2 _e3 = bounded_vec2_(metal::float2(x_10, y_3));
     metal::float2 p_2 = metal::abs(_e3);
     metal::float2 scaled_1 = (metal::max(p_2.x, p_2.y) > 1.0) ? (0.5 * p_2) : p_2;
     float _e15 = atan2_positive(scaled_1.y, scaled_1.x);
     float turned_1 = (x_10 < 0.0) ? (PI - _e15) : _e15;
-    return (y_2 < 0.0) ? -(turned_1) : turned_1;
+    return (y_3 < 0.0) ? -(turned_1) : turned_1;
 }
 
 float footprint_of(
@@ -463,8 +440,9 @@ metal::float3x3 axes_around(
     metal::float3 leaning = metal::cross(_e11, _e6);
     float square_1 = metal::dot(leaning, leaning);
     metal::float3 aside = (metal::abs(_e6.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 _e35 = normalize_or((square_1 > 0.00000001) ? leaning : metal::cross(aside, _e6), metal::float3(1.0, 0.0, 0.0));
-    return metal::float3x3(_e35, metal::cross(_e6, _e35), _e6);
+    metal::float3 across = (square_1 > 0.00000001) ? leaning : metal::cross(aside, _e6);
+    metal::float3 _e38 = normalize_or(across - (metal::dot(across, _e6) * _e6), metal::float3(1.0, 0.0, 0.0));
+    return metal::float3x3(_e38, metal::cross(_e6, _e38), _e6);
 }
 
 float star_reach(
@@ -506,11 +484,11 @@ metal::float3 split_direction(
     metal::float3 x_axis_1,
     metal::float3 y_axis_1,
     float x_12,
-    float y_3
+    float y_4
 ) {
     Bent _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
     metal::float2 side = metal::select(metal::float2(-1.0), metal::float2(1.0), _e5.place >= metal::float2(0.0));
-    metal::float3 _e21 = direction_moved(_e5, -(metal::max(metal::float2(x_12, y_3), metal::float2(0.0))) * side);
+    metal::float3 _e21 = direction_moved(_e5, -(metal::max(metal::float2(x_12, y_4), metal::float2(0.0))) * side);
     return _e21;
 }
 
@@ -521,12 +499,24 @@ metal::float3 square_direction(
     float amount,
     float sharpness
 ) {
+    bool local_2 = {};
     Bent _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
     float square_2 = metal::dot(_e5.place, _e5.place);
-    float midway = (square_2 > 0.00000000000000000001) ? ((2.0 * metal::abs(_e5.place.x * _e5.place.y)) / metal::max(square_2, 0.00000000000000000001)) : 0.0;
-    float _e27 = powered(midway, metal::clamp(sharpness, 1.0, 1024.0));
-    metal::float3 _e35 = direction_moved(_e5, (-(metal::clamp(amount, 0.0, 1.0)) * _e27) * _e5.place);
-    return _e35;
+    float apart = metal::abs(_e5.place.x) - metal::abs(_e5.place.y);
+    float aside_1 = metal::clamp((apart * apart) / metal::max(square_2, 0.00000000000000000001), 0.0, 1.0);
+    float _e23 = bounded(sharpness);
+    float sharp = metal::clamp(_e23, 1.0, 1024.0);
+    float _e29 = log1p_negative(aside_1);
+    float _e31 = exp2_stable((sharp * LOG2_E) * _e29);
+    if (square_2 > 0.00000000000000000001) {
+        local_2 = aside_1 < 1.0;
+    } else {
+        local_2 = false;
+    }
+    bool _e39 = local_2;
+    float corner_1 = _e39 ? _e31 : 0.0;
+    metal::float3 _e49 = direction_moved(_e5, (-(metal::clamp(amount, 0.0, 1.0)) * corner_1) * _e5.place);
+    return _e49;
 }
 
 Angle star_angle(
@@ -620,7 +610,7 @@ Angle parametrization_diffuse(
 
 float profile_power(
     float q,
-    float exponent_1
+    float exponent
 ) {
     float log_base = 0.0;
     if (q >= 1.0) {
@@ -634,7 +624,7 @@ float profile_power(
         log_base = _e16;
     }
     float _e19 = log_base;
-    float _e21 = exp2_stable((exponent_1 * LOG2_E) * _e19);
+    float _e21 = exp2_stable((exponent * LOG2_E) * _e19);
     return metal::clamp(_e21, 0.0, 1.0);
 }
 
@@ -725,14 +715,17 @@ float rim(
     float _e18 = factor_of(softness, true);
     float _e20 = footprint_of(facing);
     float edge = metal::max(_e16 * _e18, metal::min(_e20, 1.0));
-    float inside = (_e16 <= 0.0) ? 0.0 : metal::clamp(((_e16 - facing) / metal::max(edge, 0.000001)) + ((softness > 0.0) ? 0.0 : 0.5), 0.0, 1.0);
-    metal::float3 across = light_2.direction - (metal::dot(light_2.direction, view_1) * view_1);
-    metal::float3 _e48 = normalize_or(across, metal::float3(0.0));
-    float side_1 = metal::dot(_e10, _e48);
-    float _e53 = eased(side_1, 0.0, 0.5);
-    float _e55 = factor_of(follow, true);
-    float _e56 = mixed(1.0, _e53, _e55);
-    return inside * _e56;
+    metal::float3 aside_2 = _e10 - view_1;
+    float further = (facing > 0.5) ? ((0.5 * metal::dot(aside_2, aside_2)) - (1.0 - _e16)) : (_e16 - facing);
+    float within = (further / metal::max(edge, 0.000001)) + ((softness > 0.0) ? 0.0 : 0.5);
+    float inside = (_e16 <= 0.0) ? 0.0 : metal::clamp(within, 0.0, 1.0);
+    metal::float3 across_1 = light_2.direction - (metal::dot(light_2.direction, view_1) * view_1);
+    metal::float3 _e61 = normalize_or(across_1, metal::float3(0.0));
+    float side_1 = metal::dot(_e10 - (metal::dot(_e10, view_1) * view_1), _e61);
+    float _e66 = eased(side_1, 0.0, 0.5);
+    float _e68 = factor_of(follow, true);
+    float _e69 = mixed(1.0, _e66, _e68);
+    return inside * _e69;
 }
 
 float invert(

@@ -132,6 +132,14 @@ fn log_stable(x: f32) -> f32 {
     return f32(exponent) * LN_2 + series;
 }
 
+/// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
+fn log1p_negative(y: f32) -> f32 {
+    if y < 0.25 {
+        return log1p_negative_small(y);
+    }
+    return log_stable(max(1.0 - y, 1.17549435e-38));
+}
+
 /// ln(1 - y) for y in [0, 1/4], by the series of atanh.
 fn log1p_negative_small(y: f32) -> f32 {
     let z = y / (2.0 - y);
@@ -227,30 +235,6 @@ fn bounded(x: f32) -> f32 {
 /// [`bounded`], component by component.
 fn bounded_vec2(v: vec2f) -> vec2f {
     return vec2f(bounded(v.x), bounded(v.y));
-}
-
-/// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and keeps its sign with
-/// any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division by 0 is; 0^0 is 1.
-fn powered(base: f32, exponent: f32) -> f32 {
-    let b = bounded(base);
-    let e = bounded(exponent);
-    // Exact, because an exponent of 1 lets the compiler leave the node out.
-    if e == 1.0 {
-        return b;
-    }
-    if e == 0.0 {
-        return 1.0;
-    }
-    if e == 2.0 {
-        return bounded(b * b);
-    }
-    let magnitude = abs(b);
-    if magnitude < SMALLEST_NORMAL {
-        return 0.0;
-    }
-    let raised = exp2_stable(bounded(e * (LOG2_E * log_stable(magnitude))));
-    let is_even = floor(e * 0.5) == e * 0.5;
-    return select(raised, -raised, b < 0.0 && !is_even);
 }
 
 /// From a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
@@ -362,7 +346,9 @@ fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
     let square = dot(leaning, leaning);
     // Nearly along `up` there is no upright; a fixed direction is better than rounding's.
     let aside = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 0.0, 1.0), abs(z.x) > 0.7);
-    let x = normalize_or(select(cross(aside, z), leaning, square > 1e-8), vec3f(1.0, 0.0, 0.0));
+    let across = select(cross(aside, z), leaning, square > 1e-8);
+    // Short as it may be, what rounding left of z in it would tilt it.
+    let x = normalize_or(across - dot(across, z) * z, vec3f(1.0, 0.0, 0.0));
     return mat3x3f(x, cross(z, x), z);
 }
 
@@ -419,8 +405,11 @@ fn square_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, amount: f32,
     let bent = direction_within(direction, x_axis, y_axis);
     // Around the two axes: 0 along either, 1 midway between them.
     let square = dot(bent.place, bent.place);
-    let midway = select(0.0, 2.0 * abs(bent.place.x * bent.place.y) / max(square, 1e-20), square > 1e-20);
-    let corner = powered(midway, clamp(sharpness, 1.0, 1024.0));
+    // Told by how far it is from midway, which a high sharpness multiplies.
+    let apart = abs(bent.place.x) - abs(bent.place.y);
+    let aside = clamp(apart * apart / max(square, 1e-20), 0.0, 1.0);
+    let sharp = clamp(bounded(sharpness), 1.0, 1024.0);
+    let corner = select(0.0, exp2_stable(sharp * LOG2_E * log1p_negative(aside)), square > 1e-20 && aside < 1.0);
     return direction_moved(bent, -clamp(amount, 0.0, 1.0) * corner * bent.place);
 }
 
@@ -581,10 +570,16 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let reach = factor_of(width, true);
     // As wide as softness wants, and never narrower than a pixel.
     let edge = max(reach * factor_of(softness, true), min(footprint_of(facing), 1.0));
-    let inside = select(clamp((reach - facing) / max(edge, 1e-6) + select(0.5, 0.0, softness > 0.0), 0.0, 1.0), 0.0, reach <= 0.0);
+    // Nearly straight at the eye a cosine has no digits left, and the vectors' difference has them.
+    let aside = n - view;
+    let further = select(reach - facing, 0.5 * dot(aside, aside) - (1.0 - reach), facing > 0.5);
+    let within = further / max(edge, 1e-6) + select(0.5, 0.0, softness > 0.0);
+    let inside = select(clamp(within, 0.0, 1.0), 0.0, reach <= 0.0);
     // The light's direction across the eye's: from the far side of the object (-1) to the near one (1).
     let across = light.direction - dot(light.direction, view) * view;
-    let side = dot(n, normalize_or(across, vec3f(0.0)));
+    // Only what of the normal is across the eye's direction, too: where the light is nearly behind, rounding leaves a little
+    // of that direction in `across`.
+    let side = dot(n - dot(n, view) * view, normalize_or(across, vec3f(0.0)));
     return inside * mixed(1.0, eased(side, 0.0, 0.5), factor_of(follow, true));
 }
 

@@ -626,14 +626,17 @@ float rim(
     float _e18 = factor_of(softness_2, true);
     float _e20 = footprint_of(facing_1);
     float edge_2 = metal::max(_e16 * _e18, metal::min(_e20, 1.0));
-    float inside = (_e16 <= 0.0) ? 0.0 : metal::clamp(((_e16 - facing_1) / metal::max(edge_2, 0.000001)) + ((softness_2 > 0.0) ? 0.0 : 0.5), 0.0, 1.0);
+    metal::float3 aside = _e10 - view;
+    float further = (facing_1 > 0.5) ? ((0.5 * metal::dot(aside, aside)) - (1.0 - _e16)) : (_e16 - facing_1);
+    float within = (further / metal::max(edge_2, 0.000001)) + ((softness_2 > 0.0) ? 0.0 : 0.5);
+    float inside = (_e16 <= 0.0) ? 0.0 : metal::clamp(within, 0.0, 1.0);
     metal::float3 across = light_2.direction - (metal::dot(light_2.direction, view) * view);
-    metal::float3 _e48 = normalize_or(across, metal::float3(0.0));
-    float side = metal::dot(_e10, _e48);
-    float _e53 = eased(side, 0.0, 0.5);
-    float _e55 = factor_of(follow, true);
-    float _e56 = mixed(1.0, _e53, _e55);
-    return inside * _e56;
+    metal::float3 _e61 = normalize_or(across, metal::float3(0.0));
+    float side = metal::dot(_e10 - (metal::dot(_e10, view) * view), _e61);
+    float _e66 = eased(side, 0.0, 0.5);
+    float _e68 = factor_of(follow, true);
+    float _e69 = mixed(1.0, _e66, _e68);
+    return inside * _e69;
 }
 
 float line_covers(

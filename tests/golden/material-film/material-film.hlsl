@@ -763,13 +763,13 @@ float4 thin_film(float thickness, float index, float3 normal_4, float3 view_4)
     float cosine_3 = clamp(dot(_e8, view_4), 0.0, 1.0);
     const float _e13 = bounded(index);
     float n_1 = clamp(_e13, 1.0, 3.0);
-    float inside = sqrt(max((1.0 - ((1.0 - (cosine_3 * cosine_3)) / (n_1 * n_1))), 0.0));
-    const float _e29 = bounded(thickness);
-    float path_1 = (((2.0 * n_1) * clamp(_e29, 0.0, 2000.0)) * inside);
-    const float _e36 = interference(path_1, 650.0);
-    const float _e38 = interference(path_1, 532.0);
-    const float _e40 = interference(path_1, 450.0);
-    return float4(_e36, _e38, _e40, 1.0);
+    float inside = sqrt((((n_1 - 1.0) * (n_1 + 1.0)) + (cosine_3 * cosine_3)));
+    const float _e25 = bounded(thickness);
+    float path_1 = ((2.0 * clamp(_e25, 0.0, 2000.0)) * inside);
+    const float _e33 = interference(path_1, 650.0);
+    const float _e35 = interference(path_1, 532.0);
+    const float _e37 = interference(path_1, 450.0);
+    return float4(_e33, _e35, _e37, 1.0);
 }
 
 float map_range(float value, float from_low_1, float from_high_1, float to_low_1, float to_high_1, bool clamped_4)

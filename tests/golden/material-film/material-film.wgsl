@@ -521,9 +521,9 @@ fn reflectance_blinn_phong(light: Light, normal: vec3f, view: vec3f, roughness: 
 fn thin_film(thickness: f32, index: f32, normal: vec3f, view: vec3f) -> Color {
     let cosine = clamp(dot(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), view), 0.0, 1.0);
     let n = clamp(bounded(index), 1.0, 3.0);
-    // Snell's law: the cosine within the film.
-    let inside = sqrt(max(1.0 - (1.0 - cosine * cosine) / (n * n), 0.0));
-    let path = 2.0 * n * clamp(bounded(thickness), 0.0, 2000.0) * inside;
+    // Snell's law: the cosine within the film, times the index; a film of index 1 does not bend light at all.
+    let inside = sqrt((n - 1.0) * (n + 1.0) + cosine * cosine);
+    let path = 2.0 * clamp(bounded(thickness), 0.0, 2000.0) * inside;
     return vec4f(interference(path, 650.0), interference(path, 532.0), interference(path, 450.0), 1.0);
 }
 

@@ -329,8 +329,9 @@ mat3x3 axes_around(vec3 toward, vec3 up) {
     vec3 leaning = cross(_e11, _e6);
     float square_2 = dot(leaning, leaning);
     vec3 aside = ((abs(_e6.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 _e35 = normalize_or(((square_2 > 1e-8) ? leaning : cross(aside, _e6)), vec3(1.0, 0.0, 0.0));
-    return mat3x3(_e35, cross(_e6, _e35), _e6);
+    vec3 across_2 = ((square_2 > 1e-8) ? leaning : cross(aside, _e6));
+    vec3 _e38 = normalize_or((across_2 - (dot(across_2, _e6) * _e6)), vec3(1.0, 0.0, 0.0));
+    return mat3x3(_e38, cross(_e6, _e38), _e6);
 }
 
 vec4 output_(vec4 color_1) {
@@ -461,6 +462,11 @@ Spaced spaced(vec2 place_2, vec3 stretch, vec2 viewport_1, float count) {
     return Spaced(p_2, (is_pixel ? vec3(1.0, 0.0, 1.0) : s_1));
 }
 
+float area_square(vec3 stretch_1) {
+    float sum = (stretch_1.x + stretch_1.z);
+    return max(((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y)), ((sum * sum) / 66.0));
+}
+
 float octave_of(float square) {
     float _e5 = log_stable(clamp(square, 1e-30, 1e30));
     return clamp((-0.7213475 * _e5), -16.0, 16.0);
@@ -509,18 +515,18 @@ vec3 bristle(float row, uint seed_3) {
 }
 
 vec2 bristles(vec2 uv, float width, uint seed_4) {
-    float across_2 = ((2.0 * uv.y) - 1.0);
+    float across_3 = ((2.0 * uv.y) - 1.0);
     uvec3 _e12 = lattice_hash(ivec3(0, 1, 0), seed_4);
     vec3 _e13 = unit_of_hash(_e12);
     float seen = clamp((1.75 - (11.0 * width)), 0.0, 1.0);
     vec3 _e26 = bristle((11.0 * uv.y), seed_4);
     vec3 chance = mix(vec3(0.5), _e26, seen);
-    float start = ((0.03 + (0.12 * chance.x)) + ((0.09 * across_2) * across_2));
-    float end = ((0.97 - ((0.1 + (0.25 * _e13.y)) * chance.y)) - ((0.12 * across_2) * across_2));
+    float start = ((0.03 + (0.12 * chance.x)) + ((0.09 * across_3) * across_3));
+    float end = ((0.97 - ((0.1 + (0.25 * _e13.y)) * chance.y)) - ((0.12 * across_3) * across_3));
     float _e53 = eased(uv.x, start, (start + 0.05));
     float _e57 = eased(uv.x, (end - 0.1), end);
     float along_2 = (_e53 * (1.0 - _e57));
-    float _e64 = eased(abs(across_2), 0.78, 0.95);
+    float _e64 = eased(abs(across_3), 0.78, 0.95);
     float side = (1.0 - _e64);
     float _e74 = eased((uv.x + (0.55 * chance.z)), 0.85, 1.25);
     float shade_1 = (((0.8 + (0.16 * _e13.z)) + (0.208 * (chance.z - 0.5))) - (0.05 * uv.x));
@@ -534,86 +540,86 @@ vec2 bristles_laid(Spaced at, float ink, Brush style_2) {
     int i = 0;
     vec2 dx = dFdx(at.place);
     vec2 dy = dFdy(at.place);
-    vec3 s_2 = at.stretch;
-    float _e18 = octave_of(sqrt(max(((s_2.x * s_2.z) - (s_2.y * s_2.y)), 0.0)));
-    float zoom_1 = floor(_e18);
-    float f_1 = (_e18 - zoom_1);
-    float _e23 = exp2_stable((-2.0 * f_1));
-    float fine = ((1.0 - ((1.0 - f_1) * _e23)) / (4.0 * _e23));
+    float _e8 = area_square(at.stretch);
+    float _e10 = octave_of(sqrt(_e8));
+    float zoom_1 = floor(_e10);
+    float f_1 = (_e10 - zoom_1);
+    float _e15 = exp2_stable((-2.0 * f_1));
+    float fine = ((1.0 - ((1.0 - f_1) * _e15)) / (4.0 * _e15));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            int _e164 = octave;
-            octave = (_e164 + 1);
+            int _e156 = octave;
+            octave = (_e156 + 1);
         }
         loop_init = false;
-        int _e39 = octave;
-        if ((_e39 < 2)) {
+        int _e31 = octave;
+        if ((_e31 < 2)) {
         } else {
             break;
         }
         {
-            int _e44 = octave;
-            float amount = (ink * ((_e44 == 1) ? fine : (1.0 - f_1)));
-            int _e50 = octave;
-            float _e52 = power_of_two((int(zoom_1) + _e50));
-            vec2 p_3 = (clamp((at.place * _e52), vec2(-4194304.0), vec2(4194304.0)) / vec2(style_2.aspect, 1.0));
+            int _e36 = octave;
+            float amount = (ink * ((_e36 == 1) ? fine : (1.0 - f_1)));
+            int _e42 = octave;
+            float _e44 = power_of_two((int(zoom_1) + _e42));
+            vec2 p_3 = (clamp((at.place * _e44), vec2(-4194304.0), vec2(4194304.0)) / vec2(style_2.aspect, 1.0));
             ivec2 corner = ivec2(floor(p_3));
             ivec2 phase = (((corner % ivec2(3)) + ivec2(3)) % ivec2(3));
             i = 0;
             bool loop_init_1 = true;
             while(true) {
                 if (!loop_init_1) {
-                    int _e161 = i;
-                    i = (_e161 + 1);
+                    int _e153 = i;
+                    i = (_e153 + 1);
                 }
                 loop_init_1 = false;
-                int _e77 = i;
-                if ((_e77 < 9)) {
+                int _e69 = i;
+                if ((_e69 < 9)) {
                 } else {
                     break;
                 }
                 {
-                    int _e80 = i;
-                    int _e83 = i;
-                    ivec2 cell_4 = ((corner + (((ivec2((_e80 % 3), (_e83 / 3)) - phase) + ivec2(4)) % ivec2(3))) - ivec2(1));
-                    int _e103 = octave;
-                    ivec2 turning = (cell_4 + ivec2(int((style_2.seed & 31u)), (7 * (int(zoom_1) + _e103))));
-                    uint _e109 = blue_index(turning);
-                    uint _e111 = tile[_e109];
-                    float _e112 = blue_part(_e111, turning);
-                    float late = (0.96875 * _e112);
+                    int _e72 = i;
+                    int _e75 = i;
+                    ivec2 cell_4 = ((corner + (((ivec2((_e72 % 3), (_e75 / 3)) - phase) + ivec2(4)) % ivec2(3))) - ivec2(1));
+                    int _e95 = octave;
+                    ivec2 turning = (cell_4 + ivec2(int((style_2.seed & 31u)), (7 * (int(zoom_1) + _e95))));
+                    uint _e101 = blue_index(turning);
+                    uint _e103 = tile[_e101];
+                    float _e104 = blue_part(_e103, turning);
+                    float late = (0.96875 * _e104);
                     float share_1 = clamp(((amount - late) * 32.0), 0.0, 1.0);
                     if ((share_1 <= 0.0)) {
                         continue;
                     }
-                    int _e124 = octave;
-                    Brushstroke _e126 = brush_stroke(p_3, cell_4, (int(zoom_1) + _e124), share_1, style_2);
-                    if ((_e126.share > 0.0)) {
-                        vec2 _e131 = brush_turned((dx * _e52), _e126, style_2);
-                        vec2 _e133 = brush_turned((dy * _e52), _e126, style_2);
-                        int _e135 = octave;
-                        uvec3 _e141 = lattice_hash(ivec3(cell_4, (int(zoom_1) + _e135)), (style_2.seed + 2u));
-                        uint own = _e141.x;
-                        vec2 _e148 = bristles(_e126.uv, length(vec2(_e131.y, _e133.y)), own);
-                        float cover = (_e126.share * _e148.y);
-                        vec2 _e155 = paint;
-                        paint = (vec2((_e148.x * cover), cover) + (_e155 * (1.0 - cover)));
+                    int _e116 = octave;
+                    Brushstroke _e118 = brush_stroke(p_3, cell_4, (int(zoom_1) + _e116), share_1, style_2);
+                    if ((_e118.share > 0.0)) {
+                        vec2 _e123 = brush_turned((dx * _e44), _e118, style_2);
+                        vec2 _e125 = brush_turned((dy * _e44), _e118, style_2);
+                        int _e127 = octave;
+                        uvec3 _e133 = lattice_hash(ivec3(cell_4, (int(zoom_1) + _e127)), (style_2.seed + 2u));
+                        uint own = _e133.x;
+                        vec2 _e140 = bristles(_e118.uv, length(vec2(_e123.y, _e125.y)), own);
+                        float cover = (_e118.share * _e140.y);
+                        vec2 _e147 = paint;
+                        paint = (vec2((_e140.x * cover), cover) + (_e147 * (1.0 - cover)));
                     }
                 }
             }
         }
     }
-    vec2 _e166 = paint;
-    return _e166;
+    vec2 _e158 = paint;
+    return _e158;
 }
 
-BrushStrokes brush_strokes_bristles(float value, vec2 place_3, vec3 stretch_1, float count_1, float aspect_1, float size_1, float scatter_1, float turn_1, int seed_5, vec2 viewport_2) {
-    Spaced _e10 = spaced(place_3, stretch_1, viewport_2, count_1);
+BrushStrokes brush_strokes_bristles(float value, vec2 place_3, vec3 stretch_2, float count_1, float aspect_1, float size_1, float scatter_1, float turn_1, int seed_5, vec2 viewport_2) {
+    Spaced _e10 = spaced(place_3, stretch_2, viewport_2, count_1);
     Brush _e12 = brush_of(aspect_1, size_1, scatter_1, turn_1, seed_5, false);
     float _e14 = factor_of(value, true);
     vec2 _e17 = bristles_laid(_e10, (1.0 - _e14), _e12);
-    float shade_2 = (_e17.x / max(_e17.y, 1e-6));
+    float shade_2 = (_e17.x / max(_e17.y, 0.001));
     return BrushStrokes(vec4(shade_2, shade_2, shade_2, 1.0), _e17.y);
 }
 

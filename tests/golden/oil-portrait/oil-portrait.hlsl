@@ -422,8 +422,9 @@ float3x3 axes_around(float3 toward, float3 up)
     float3 leaning = cross(_e11, _e6);
     float square_2 = dot(leaning, leaning);
     float3 aside = ((abs(_e6.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    const float3 _e35 = normalize_or(((square_2 > 1e-8) ? leaning : cross(aside, _e6)), float3(1.0, 0.0, 0.0));
-    return float3x3(_e35, cross(_e6, _e35), _e6);
+    float3 across_2 = ((square_2 > 1e-8) ? leaning : cross(aside, _e6));
+    const float3 _e38 = normalize_or((across_2 - (dot(across_2, _e6) * _e6)), float3(1.0, 0.0, 0.0));
+    return float3x3(_e38, cross(_e6, _e38), _e6);
 }
 
 float4 output(float4 color_1)
@@ -587,6 +588,12 @@ Spaced spaced(float2 place_2, float3 stretch, float2 viewport_1, float count)
     return spaced_1;
 }
 
+float area_square(float3 stretch_1)
+{
+    float sum = (stretch_1.x + stretch_1.z);
+    return max(((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y)), ((sum * sum) / 66.0));
+}
+
 float octave_of(float square)
 {
     const float _e5 = log_stable(clamp(square, 1e-30, 1e30));
@@ -663,18 +670,18 @@ float3 bristle(float row, uint seed_3)
 
 float2 bristles(float2 uv, float width, uint seed_4)
 {
-    float across_2 = ((2.0 * uv.y) - 1.0);
+    float across_3 = ((2.0 * uv.y) - 1.0);
     const uint3 _e12 = lattice_hash(int3(int(0), int(1), int(0)), seed_4);
     const float3 _e13 = unit_of_hash(_e12);
     float seen = clamp((1.75 - (11.0 * width)), 0.0, 1.0);
     const float3 _e26 = bristle((11.0 * uv.y), seed_4);
     float3 chance = lerp((0.5).xxx, _e26, seen);
-    float start = ((0.03 + (0.12 * chance.x)) + ((0.09 * across_2) * across_2));
-    float end = ((0.97 - ((0.1 + (0.25 * _e13.y)) * chance.y)) - ((0.12 * across_2) * across_2));
+    float start = ((0.03 + (0.12 * chance.x)) + ((0.09 * across_3) * across_3));
+    float end = ((0.97 - ((0.1 + (0.25 * _e13.y)) * chance.y)) - ((0.12 * across_3) * across_3));
     const float _e53 = eased(uv.x, start, (start + 0.05));
     const float _e57 = eased(uv.x, (end - 0.1), end);
     float along_2 = (_e53 * (1.0 - _e57));
-    const float _e64 = eased(abs(across_2), 0.78, 0.95);
+    const float _e64 = eased(abs(across_3), 0.78, 0.95);
     float side = (1.0 - _e64);
     const float _e74 = eased((uv.x + (0.55 * chance.z)), 0.85, 1.25);
     float shade_1 = (((0.8 + (0.16 * _e13.z)) + (0.208 * (chance.z - 0.5))) - (0.05 * uv.x));
@@ -704,33 +711,33 @@ float2 bristles_laid(Spaced at, float ink, Brush style_2)
 
     float2 dx = ddx(at.place);
     float2 dy = ddy(at.place);
-    float3 s_2 = at.stretch;
-    const float _e18 = octave_of(sqrt(max(((s_2.x * s_2.z) - (s_2.y * s_2.y)), 0.0)));
-    float zoom_1 = floor(_e18);
-    float f_1 = (_e18 - zoom_1);
-    const float _e23 = exp2_stable((-2.0 * f_1));
-    float fine = ((1.0 - ((1.0 - f_1) * _e23)) / (4.0 * _e23));
+    const float _e8 = area_square(at.stretch);
+    const float _e10 = octave_of(sqrt(_e8));
+    float zoom_1 = floor(_e10);
+    float f_1 = (_e10 - zoom_1);
+    const float _e15 = exp2_stable((-2.0 * f_1));
+    float fine = ((1.0 - ((1.0 - f_1) * _e15)) / (4.0 * _e15));
     uint2 loop_bound = uint2(4294967295u, 4294967295u);
     bool loop_init = true;
     while(true) {
         if (all(loop_bound == uint2(0u, 0u))) { break; }
         loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            int _e164 = octave;
-            octave = asint(asuint(_e164) + asuint(int(1)));
+            int _e156 = octave;
+            octave = asint(asuint(_e156) + asuint(int(1)));
         }
         loop_init = false;
-        int _e39 = octave;
-        if ((_e39 < int(2))) {
+        int _e31 = octave;
+        if ((_e31 < int(2))) {
         } else {
             break;
         }
         {
-            int _e44 = octave;
-            float amount = (ink * ((_e44 == int(1)) ? fine : (1.0 - f_1)));
-            int _e50 = octave;
-            const float _e52 = power_of_two(asint(asuint(naga_f2i32(zoom_1)) + asuint(_e50)));
-            float2 p_3 = (clamp((at.place * _e52), (-4194304.0).xx, (4194304.0).xx) / float2(style_2.aspect, 1.0));
+            int _e36 = octave;
+            float amount = (ink * ((_e36 == int(1)) ? fine : (1.0 - f_1)));
+            int _e42 = octave;
+            const float _e44 = power_of_two(asint(asuint(naga_f2i32(zoom_1)) + asuint(_e42)));
+            float2 p_3 = (clamp((at.place * _e44), (-4194304.0).xx, (4194304.0).xx) / float2(style_2.aspect, 1.0));
             int2 corner = naga_f2i32(floor(p_3));
             int2 phase = naga_mod(asint(asuint(naga_mod(corner, (int(3)).xx)) + asuint((int(3)).xx)), (int(3)).xx);
             i = int(0);
@@ -740,48 +747,48 @@ float2 bristles_laid(Spaced at, float ink, Brush style_2)
                 if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
                 loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
                 if (!loop_init_1) {
-                    int _e161 = i;
-                    i = asint(asuint(_e161) + asuint(int(1)));
+                    int _e153 = i;
+                    i = asint(asuint(_e153) + asuint(int(1)));
                 }
                 loop_init_1 = false;
-                int _e77 = i;
-                if ((_e77 < int(9))) {
+                int _e69 = i;
+                if ((_e69 < int(9))) {
                 } else {
                     break;
                 }
                 {
-                    int _e80 = i;
-                    int _e83 = i;
-                    int2 cell_4 = asint(asuint(asint(asuint(corner) + asuint(naga_mod(asint(asuint(asint(asuint(int2(naga_mod(_e80, int(3)), naga_div(_e83, int(3)))) - asuint(phase))) + asuint((int(4)).xx)), (int(3)).xx)))) - asuint((int(1)).xx));
-                    int _e103 = octave;
-                    int2 turning = asint(asuint(cell_4) + asuint(int2(int((style_2.seed & 31u)), asint(asuint(int(7)) * asuint(asint(asuint(naga_f2i32(zoom_1)) + asuint(_e103)))))));
-                    const uint _e109 = blue_index(turning);
-                    uint _e111 = tile[min(uint(_e109), 255u)];
-                    const float _e112 = blue_part(_e111, turning);
-                    float late = (0.96875 * _e112);
+                    int _e72 = i;
+                    int _e75 = i;
+                    int2 cell_4 = asint(asuint(asint(asuint(corner) + asuint(naga_mod(asint(asuint(asint(asuint(int2(naga_mod(_e72, int(3)), naga_div(_e75, int(3)))) - asuint(phase))) + asuint((int(4)).xx)), (int(3)).xx)))) - asuint((int(1)).xx));
+                    int _e95 = octave;
+                    int2 turning = asint(asuint(cell_4) + asuint(int2(int((style_2.seed & 31u)), asint(asuint(int(7)) * asuint(asint(asuint(naga_f2i32(zoom_1)) + asuint(_e95)))))));
+                    const uint _e101 = blue_index(turning);
+                    uint _e103 = tile[min(uint(_e101), 255u)];
+                    const float _e104 = blue_part(_e103, turning);
+                    float late = (0.96875 * _e104);
                     float share_1 = clamp(((amount - late) * 32.0), 0.0, 1.0);
                     if ((share_1 <= 0.0)) {
                         continue;
                     }
-                    int _e124 = octave;
-                    const Brushstroke _e126 = brush_stroke(p_3, cell_4, asint(asuint(naga_f2i32(zoom_1)) + asuint(_e124)), share_1, style_2);
-                    if ((_e126.share > 0.0)) {
-                        const float2 _e131 = brush_turned((dx * _e52), _e126, style_2);
-                        const float2 _e133 = brush_turned((dy * _e52), _e126, style_2);
-                        int _e135 = octave;
-                        const uint3 _e141 = lattice_hash(int3(cell_4, asint(asuint(naga_f2i32(zoom_1)) + asuint(_e135))), (style_2.seed + 2u));
-                        uint own = _e141.x;
-                        const float2 _e148 = bristles(_e126.uv, length(float2(_e131.y, _e133.y)), own);
-                        float cover = (_e126.share * _e148.y);
-                        float2 _e155 = paint;
-                        paint = (float2((_e148.x * cover), cover) + (_e155 * (1.0 - cover)));
+                    int _e116 = octave;
+                    const Brushstroke _e118 = brush_stroke(p_3, cell_4, asint(asuint(naga_f2i32(zoom_1)) + asuint(_e116)), share_1, style_2);
+                    if ((_e118.share > 0.0)) {
+                        const float2 _e123 = brush_turned((dx * _e44), _e118, style_2);
+                        const float2 _e125 = brush_turned((dy * _e44), _e118, style_2);
+                        int _e127 = octave;
+                        const uint3 _e133 = lattice_hash(int3(cell_4, asint(asuint(naga_f2i32(zoom_1)) + asuint(_e127))), (style_2.seed + 2u));
+                        uint own = _e133.x;
+                        const float2 _e140 = bristles(_e118.uv, length(float2(_e123.y, _e125.y)), own);
+                        float cover = (_e118.share * _e140.y);
+                        float2 _e147 = paint;
+                        paint = (float2((_e140.x * cover), cover) + (_e147 * (1.0 - cover)));
                     }
                 }
             }
         }
     }
-    float2 _e166 = paint;
-    return _e166;
+    float2 _e158 = paint;
+    return _e158;
 }
 
 BrushStrokes ConstructBrushStrokes(float4 arg0, float arg1) {
@@ -791,13 +798,13 @@ BrushStrokes ConstructBrushStrokes(float4 arg0, float arg1) {
     return ret;
 }
 
-BrushStrokes brush_strokes_bristles(float value, float2 place_3, float3 stretch_1, float count_1, float aspect_1, float size_1, float scatter_1, float turn_1, int seed_5, float2 viewport_2)
+BrushStrokes brush_strokes_bristles(float value, float2 place_3, float3 stretch_2, float count_1, float aspect_1, float size_1, float scatter_1, float turn_1, int seed_5, float2 viewport_2)
 {
-    const Spaced _e10 = spaced(place_3, stretch_1, viewport_2, count_1);
+    const Spaced _e10 = spaced(place_3, stretch_2, viewport_2, count_1);
     const Brush _e12 = brush_of(aspect_1, size_1, scatter_1, turn_1, seed_5, false);
     const float _e14 = factor_of(value, true);
     const float2 _e17 = bristles_laid(_e10, (1.0 - _e14), _e12);
-    float shade_2 = (_e17.x / max(_e17.y, 1e-6));
+    float shade_2 = (_e17.x / max(_e17.y, 0.001));
     const BrushStrokes brushstrokes = ConstructBrushStrokes(float4(shade_2, shade_2, shade_2, 1.0), _e17.y);
     return brushstrokes;
 }

@@ -428,8 +428,9 @@ metal::float3x3 axes_around(
     metal::float3 leaning = metal::cross(_e11, _e6);
     float square_2 = metal::dot(leaning, leaning);
     metal::float3 aside = (metal::abs(_e6.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 _e35 = normalize_or((square_2 > 0.00000001) ? leaning : metal::cross(aside, _e6), metal::float3(1.0, 0.0, 0.0));
-    return metal::float3x3(_e35, metal::cross(_e6, _e35), _e6);
+    metal::float3 across_2 = (square_2 > 0.00000001) ? leaning : metal::cross(aside, _e6);
+    metal::float3 _e38 = normalize_or(across_2 - (metal::dot(across_2, _e6) * _e6), metal::float3(1.0, 0.0, 0.0));
+    return metal::float3x3(_e38, metal::cross(_e6, _e38), _e6);
 }
 
 Color output(
@@ -615,6 +616,13 @@ Spaced spaced(
     return Spaced {p_2, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s_1};
 }
 
+float area_square(
+    metal::float3 stretch_1
+) {
+    float sum = stretch_1.x + stretch_1.z;
+    return metal::max((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y), (sum * sum) / 66.0);
+}
+
 float octave_of(
     float square
 ) {
@@ -689,18 +697,18 @@ metal::float2 bristles(
     float width,
     uint seed_4
 ) {
-    float across_2 = (2.0 * uv.y) - 1.0;
+    float across_3 = (2.0 * uv.y) - 1.0;
     metal::uint3 _e12 = lattice_hash(metal::int3(0, 1, 0), seed_4);
     metal::float3 _e13 = unit_of_hash(_e12);
     float seen = metal::clamp(1.75 - (11.0 * width), 0.0, 1.0);
     metal::float3 _e26 = bristle(11.0 * uv.y, seed_4);
     metal::float3 chance = metal::mix(metal::float3(0.5), _e26, seen);
-    float start = (0.03 + (0.12 * chance.x)) + ((0.09 * across_2) * across_2);
-    float end = (0.97 - ((0.1 + (0.25 * _e13.y)) * chance.y)) - ((0.12 * across_2) * across_2);
+    float start = (0.03 + (0.12 * chance.x)) + ((0.09 * across_3) * across_3);
+    float end = (0.97 - ((0.1 + (0.25 * _e13.y)) * chance.y)) - ((0.12 * across_3) * across_3);
     float _e53 = eased(uv.x, start, start + 0.05);
     float _e57 = eased(uv.x, end - 0.1, end);
     float along_2 = _e53 * (1.0 - _e57);
-    float _e64 = eased(metal::abs(across_2), 0.78, 0.95);
+    float _e64 = eased(metal::abs(across_3), 0.78, 0.95);
     float side = 1.0 - _e64;
     float _e74 = eased(uv.x + (0.55 * chance.z), 0.85, 1.25);
     float shade_1 = ((0.8 + (0.16 * _e13.z)) + (0.208 * (chance.z - 0.5))) - (0.05 * uv.x);
@@ -732,33 +740,33 @@ metal::float2 bristles_laid(
     int i = {};
     metal::float2 dx = metal::dfdx(at.place);
     metal::float2 dy = metal::dfdy(at.place);
-    metal::float3 s_2 = at.stretch;
-    float _e18 = octave_of(metal::sqrt(metal::max((at.stretch.x * at.stretch.z) - (at.stretch.y * at.stretch.y), 0.0)));
-    float zoom_1 = metal::floor(_e18);
-    float f_1 = _e18 - zoom_1;
-    float _e23 = exp2_stable(-2.0 * f_1);
-    float fine = (1.0 - ((1.0 - f_1) * _e23)) / (4.0 * _e23);
+    float _e8 = area_square(at.stretch);
+    float _e10 = octave_of(metal::sqrt(_e8));
+    float zoom_1 = metal::floor(_e10);
+    float f_1 = _e10 - zoom_1;
+    float _e15 = exp2_stable(-2.0 * f_1);
+    float fine = (1.0 - ((1.0 - f_1) * _e15)) / (4.0 * _e15);
     uint2 loop_bound = uint2(4294967295u);
     bool loop_init = true;
     while(true) {
         if (metal::all(loop_bound == uint2(0u))) { break; }
         loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            int _e164 = octave;
-            octave = as_type<int>(as_type<uint>(_e164) + as_type<uint>(1));
+            int _e156 = octave;
+            octave = as_type<int>(as_type<uint>(_e156) + as_type<uint>(1));
         }
         loop_init = false;
-        int _e39 = octave;
-        if (_e39 < 2) {
+        int _e31 = octave;
+        if (_e31 < 2) {
         } else {
             break;
         }
         {
-            int _e44 = octave;
-            float amount = ink * ((_e44 == 1) ? fine : (1.0 - f_1));
-            int _e50 = octave;
-            float _e52 = power_of_two(as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(_e50)));
-            metal::float2 p_3 = metal::clamp(at.place * _e52, metal::float2(-4194304.0), metal::float2(4194304.0)) / metal::float2(style_2.aspect, 1.0);
+            int _e36 = octave;
+            float amount = ink * ((_e36 == 1) ? fine : (1.0 - f_1));
+            int _e42 = octave;
+            float _e44 = power_of_two(as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(_e42)));
+            metal::float2 p_3 = metal::clamp(at.place * _e44, metal::float2(-4194304.0), metal::float2(4194304.0)) / metal::float2(style_2.aspect, 1.0);
             metal::int2 corner = naga_f2i32(metal::floor(p_3));
             metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner, metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
             i = 0;
@@ -768,54 +776,54 @@ metal::float2 bristles_laid(
                 if (metal::all(loop_bound_1 == uint2(0u))) { break; }
                 loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
                 if (!loop_init_1) {
-                    int _e161 = i;
-                    i = as_type<int>(as_type<uint>(_e161) + as_type<uint>(1));
+                    int _e153 = i;
+                    i = as_type<int>(as_type<uint>(_e153) + as_type<uint>(1));
                 }
                 loop_init_1 = false;
-                int _e77 = i;
-                if (_e77 < 9) {
+                int _e69 = i;
+                if (_e69 < 9) {
                 } else {
                     break;
                 }
                 {
-                    int _e80 = i;
-                    int _e83 = i;
-                    metal::int2 cell_4 = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(_e80, 3), naga_div(_e83, 3))) - as_type<metal::uint2>(phase))) + as_type<metal::uint2>(metal::int2(4))), metal::int2(3))))) - as_type<metal::uint2>(metal::int2(1)));
-                    int _e103 = octave;
-                    metal::int2 turning = as_type<metal::int2>(as_type<metal::uint2>(cell_4) + as_type<metal::uint2>(metal::int2(static_cast<int>(style_2.seed & 31u), as_type<int>(as_type<uint>(7) * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(_e103)))))));
-                    uint _e109 = blue_index(turning);
-                    uint _e111 = tile.inner[_e109];
-                    float _e112 = blue_part(_e111, turning);
-                    float late = 0.96875 * _e112;
+                    int _e72 = i;
+                    int _e75 = i;
+                    metal::int2 cell_4 = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(_e72, 3), naga_div(_e75, 3))) - as_type<metal::uint2>(phase))) + as_type<metal::uint2>(metal::int2(4))), metal::int2(3))))) - as_type<metal::uint2>(metal::int2(1)));
+                    int _e95 = octave;
+                    metal::int2 turning = as_type<metal::int2>(as_type<metal::uint2>(cell_4) + as_type<metal::uint2>(metal::int2(static_cast<int>(style_2.seed & 31u), as_type<int>(as_type<uint>(7) * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(_e95)))))));
+                    uint _e101 = blue_index(turning);
+                    uint _e103 = tile.inner[_e101];
+                    float _e104 = blue_part(_e103, turning);
+                    float late = 0.96875 * _e104;
                     float share_1 = metal::clamp((amount - late) * 32.0, 0.0, 1.0);
                     if (share_1 <= 0.0) {
                         continue;
                     }
-                    int _e124 = octave;
-                    Brushstroke _e126 = brush_stroke(p_3, cell_4, as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(_e124)), share_1, style_2);
-                    if (_e126.share > 0.0) {
-                        metal::float2 _e131 = brush_turned(dx * _e52, _e126, style_2);
-                        metal::float2 _e133 = brush_turned(dy * _e52, _e126, style_2);
-                        int _e135 = octave;
-                        metal::uint3 _e141 = lattice_hash(metal::int3(cell_4, as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(_e135))), style_2.seed + 2u);
-                        uint own = _e141.x;
-                        metal::float2 _e148 = bristles(_e126.uv, metal::length(metal::float2(_e131.y, _e133.y)), own);
-                        float cover = _e126.share * _e148.y;
-                        metal::float2 _e155 = paint;
-                        paint = metal::float2(_e148.x * cover, cover) + (_e155 * (1.0 - cover));
+                    int _e116 = octave;
+                    Brushstroke _e118 = brush_stroke(p_3, cell_4, as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(_e116)), share_1, style_2);
+                    if (_e118.share > 0.0) {
+                        metal::float2 _e123 = brush_turned(dx * _e44, _e118, style_2);
+                        metal::float2 _e125 = brush_turned(dy * _e44, _e118, style_2);
+                        int _e127 = octave;
+                        metal::uint3 _e133 = lattice_hash(metal::int3(cell_4, as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(_e127))), style_2.seed + 2u);
+                        uint own = _e133.x;
+                        metal::float2 _e140 = bristles(_e118.uv, metal::length(metal::float2(_e123.y, _e125.y)), own);
+                        float cover = _e118.share * _e140.y;
+                        metal::float2 _e147 = paint;
+                        paint = metal::float2(_e140.x * cover, cover) + (_e147 * (1.0 - cover));
                     }
                 }
             }
         }
     }
-    metal::float2 _e166 = paint;
-    return _e166;
+    metal::float2 _e158 = paint;
+    return _e158;
 }
 
 BrushStrokes brush_strokes_bristles(
     float value,
     metal::float2 place_3,
-    metal::float3 stretch_1,
+    metal::float3 stretch_2,
     float count_1,
     float aspect_1,
     float size_1,
@@ -824,11 +832,11 @@ BrushStrokes brush_strokes_bristles(
     int seed_5,
     metal::float2 viewport_2
 ) {
-    Spaced _e10 = spaced(place_3, stretch_1, viewport_2, count_1);
+    Spaced _e10 = spaced(place_3, stretch_2, viewport_2, count_1);
     Brush _e12 = brush_of(aspect_1, size_1, scatter_1, turn_1, seed_5, false);
     float _e14 = factor_of(value, true);
     metal::float2 _e17 = bristles_laid(_e10, 1.0 - _e14, _e12);
-    float shade_2 = _e17.x / metal::max(_e17.y, 0.000001);
+    float shade_2 = _e17.x / metal::max(_e17.y, 0.001);
     return BrushStrokes {metal::float4(shade_2, shade_2, shade_2, 1.0), _e17.y};
 }
 

@@ -289,7 +289,9 @@ fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
     let square = dot(leaning, leaning);
     // Nearly along `up` there is no upright; a fixed direction is better than rounding's.
     let aside = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 0.0, 1.0), abs(z.x) > 0.7);
-    let x = normalize_or(select(cross(aside, z), leaning, square > 1e-8), vec3f(1.0, 0.0, 0.0));
+    let across = select(cross(aside, z), leaning, square > 1e-8);
+    // Short as it may be, what rounding left of z in it would tilt it.
+    let x = normalize_or(across - dot(across, z) * z, vec3f(1.0, 0.0, 0.0));
     return mat3x3f(x, cross(z, x), z);
 }
 
@@ -467,6 +469,14 @@ fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> Spaced {
     return Spaced(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
 }
 
+/// How much faster than the picture a place's area grows, squared. A place that is drawn out more than eight times counts as
+/// drawn out by eight: it grows not at all where a surface turns edge-on to it, and marks along that line would be
+/// infinitely fine.
+fn area_square(stretch: vec3f) -> f32 {
+    let sum = stretch.x + stretch.z;
+    return max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
+}
+
 /// log2 of how many times finer than a place's own units marks must lie, for a squared stretch; within +-16.
 fn octave_of(square: f32) -> f32 {
     return clamp(-0.5 * LOG2_E * log_stable(clamp(square, 1e-30, 1e30)), -16.0, 16.0);
@@ -502,8 +512,7 @@ fn brush_of(aspect: f32, size: f32, scatter: f32, turn: f32, seed: i32, is_dark:
 fn bristles_laid(at: Spaced, ink: f32, style: Brush) -> vec2f {
     let dx = dpdx(at.place);
     let dy = dpdy(at.place);
-    let s = at.stretch;
-    let level = octave_of(sqrt(max(s.x * s.z - s.y * s.y, 0.0)));
+    let level = octave_of(sqrt(area_square(at.stretch)));
     let zoom = floor(level);
     let f = level - zoom;
     let coarse_cells = exp2_stable(-2.0 * f);
@@ -618,7 +627,7 @@ fn brush_strokes_bristles(
     let at = spaced(place, stretch, viewport, count);
     let style = brush_of(aspect, size, scatter, turn, seed, false);
     let paint = bristles_laid(at, 1.0 - factor_of(value, true), style);
-    let shade = paint.x / max(paint.y, 1e-6);
+    let shade = paint.x / max(paint.y, 1e-3);
     return BrushStrokes(vec4f(shade, shade, shade, 1.0), paint.y);
 }
 

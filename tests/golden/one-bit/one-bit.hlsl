@@ -584,14 +584,17 @@ float rim(Light light_1, float3 normal_1, float3 view, float width, float softne
     const float _e18 = factor_of(softness_1, true);
     const float _e20 = footprint_of(facing_1);
     float edge_1 = max((_e16 * _e18), min(_e20, 1.0));
-    float inside = ((_e16 <= 0.0) ? 0.0 : clamp((((_e16 - facing_1) / max(edge_1, 1e-6)) + ((softness_1 > 0.0) ? 0.0 : 0.5)), 0.0, 1.0));
+    float3 aside = (_e10 - view);
+    float further = ((facing_1 > 0.5) ? ((0.5 * dot(aside, aside)) - (1.0 - _e16)) : (_e16 - facing_1));
+    float within = ((further / max(edge_1, 1e-6)) + ((softness_1 > 0.0) ? 0.0 : 0.5));
+    float inside = ((_e16 <= 0.0) ? 0.0 : clamp(within, 0.0, 1.0));
     float3 across = (light_1.direction - (dot(light_1.direction, view) * view));
-    const float3 _e48 = normalize_or(across, (0.0).xxx);
-    float side = dot(_e10, _e48);
-    const float _e53 = eased(side, 0.0, 0.5);
-    const float _e55 = factor_of(follow, true);
-    const float _e56 = mixed(1.0, _e53, _e55);
-    return (inside * _e56);
+    const float3 _e61 = normalize_or(across, (0.0).xxx);
+    float side = dot((_e10 - (dot(_e10, view) * view)), _e61);
+    const float _e66 = eased(side, 0.0, 0.5);
+    const float _e68 = factor_of(follow, true);
+    const float _e69 = mixed(1.0, _e66, _e68);
+    return (inside * _e69);
 }
 
 float dither_blue(float value, float2 place_1, int levels_1, float spread_1, float size_1)

@@ -769,6 +769,12 @@ Spaced spaced(float2 place_1, float3 stretch, float2 viewport_1, float count_4)
     return spaced_1;
 }
 
+float area_square(float3 stretch_1)
+{
+    float sum_1 = (stretch_1.x + stretch_1.z);
+    return max(((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y)), ((sum_1 * sum_1) / 66.0));
+}
+
 float octave_of(float square)
 {
     const float _e5 = log_stable(clamp(square, 1e-30, 1e30));
@@ -831,21 +837,22 @@ float paper_height(Spaced at_1, float fiber_1, uint seed_4)
     float2 x_16 = ddx(at_1.place);
     float2 y = ddy(at_1.place);
     const float _e11 = bounded(sqrt(max(dot(x_16, x_16), dot(y, y))));
-    const float _e26 = octave_of(sqrt(max(((at_1.stretch.x * at_1.stretch.z) - (at_1.stretch.y * at_1.stretch.y)), 0.0)));
-    float zoom_1 = floor(_e26);
-    float f = (_e26 - zoom_1);
-    const float _e29 = bounded(fiber_1);
-    float fine = clamp(_e29, 0.0, 1.0);
-    const float _e35 = paper_octave(at_1.place, naga_f2i32(zoom_1), _e11, fine, seed_4);
-    height_1 = _e35;
+    const float _e13 = area_square(at_1.stretch);
+    const float _e15 = octave_of(sqrt(_e13));
+    float zoom_1 = floor(_e15);
+    float f = (_e15 - zoom_1);
+    const float _e18 = bounded(fiber_1);
+    float fine = clamp(_e18, 0.0, 1.0);
+    const float _e24 = paper_octave(at_1.place, naga_f2i32(zoom_1), _e11, fine, seed_4);
+    height_1 = _e24;
     if ((f > 0.0)) {
-        float _e39 = height_1;
-        const float _e44 = paper_octave(at_1.place, asint(asuint(naga_f2i32(zoom_1)) + asuint(int(1))), _e11, fine, seed_4);
-        float both = lerp(_e39, _e44, f);
+        float _e28 = height_1;
+        const float _e33 = paper_octave(at_1.place, asint(asuint(naga_f2i32(zoom_1)) + asuint(int(1))), _e11, fine, seed_4);
+        float both = lerp(_e28, _e33, f);
         height_1 = clamp((0.5 + ((both - 0.5) / sqrt(((f * f) + ((1.0 - f) * (1.0 - f)))))), 0.0, 1.0);
     }
-    float _e62 = height_1;
-    return _e62;
+    float _e51 = height_1;
+    return _e51;
 }
 
 PaperGrain ConstructPaperGrain(float arg0, float arg1) {
@@ -855,9 +862,9 @@ PaperGrain ConstructPaperGrain(float arg0, float arg1) {
     return ret;
 }
 
-PaperGrain paper_grain(float value_3, float2 place_3, float3 stretch_1, float count_5, float tooth_1, float fiber_2, int seed_5, float2 viewport_3)
+PaperGrain paper_grain(float value_3, float2 place_3, float3 stretch_2, float count_5, float tooth_1, float fiber_2, int seed_5, float2 viewport_3)
 {
-    const Spaced _e8 = spaced(place_3, stretch_1, viewport_3, count_5);
+    const Spaced _e8 = spaced(place_3, stretch_2, viewport_3, count_5);
     const float _e10 = paper_height(_e8, fiber_2, asuint(seed_5));
     const float _e12 = factor_of(value_3, true);
     const float _e15 = caught_ink((1.0 - _e12), _e10, tooth_1);

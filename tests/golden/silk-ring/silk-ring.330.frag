@@ -325,8 +325,9 @@ mat3x3 axes_around(vec3 toward, vec3 up) {
     vec3 leaning = cross(_e11, _e6);
     float square_1 = dot(leaning, leaning);
     vec3 aside = ((abs(_e6.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 _e35 = normalize_or(((square_1 > 1e-8) ? leaning : cross(aside, _e6)), vec3(1.0, 0.0, 0.0));
-    return mat3x3(_e35, cross(_e6, _e35), _e6);
+    vec3 across = ((square_1 > 1e-8) ? leaning : cross(aside, _e6));
+    vec3 _e38 = normalize_or((across - (dot(across, _e6) * _e6)), vec3(1.0, 0.0, 0.0));
+    return mat3x3(_e38, cross(_e6, _e38), _e6);
 }
 
 AxesAround axes(vec3 direction_1, vec3 up_1) {

@@ -447,8 +447,9 @@ float3x3 axes_around(float3 toward, float3 up)
     float3 leaning = cross(_e11, _e6);
     float square_1 = dot(leaning, leaning);
     float3 aside = ((abs(_e6.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    const float3 _e35 = normalize_or(((square_1 > 1e-8) ? leaning : cross(aside, _e6)), float3(1.0, 0.0, 0.0));
-    return float3x3(_e35, cross(_e6, _e35), _e6);
+    float3 across = ((square_1 > 1e-8) ? leaning : cross(aside, _e6));
+    const float3 _e38 = normalize_or((across - (dot(across, _e6) * _e6)), float3(1.0, 0.0, 0.0));
+    return float3x3(_e38, cross(_e6, _e38), _e6);
 }
 
 AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {

@@ -328,7 +328,9 @@ fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
     let square = dot(leaning, leaning);
     // Nearly along `up` there is no upright; a fixed direction is better than rounding's.
     let aside = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 0.0, 1.0), abs(z.x) > 0.7);
-    let x = normalize_or(select(cross(aside, z), leaning, square > 1e-8), vec3f(1.0, 0.0, 0.0));
+    let across = select(cross(aside, z), leaning, square > 1e-8);
+    // Short as it may be, what rounding left of z in it would tilt it.
+    let x = normalize_or(across - dot(across, z) * z, vec3f(1.0, 0.0, 0.0));
     return mat3x3f(x, cross(z, x), z);
 }
 

@@ -516,6 +516,13 @@ Spaced spaced(
     return Spaced {p_1, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s_1};
 }
 
+float area_square(
+    metal::float3 stretch_1
+) {
+    float sum_1 = stretch_1.x + stretch_1.z;
+    return metal::max((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y), (sum_1 * sum_1) / 66.0);
+}
+
 float octave_of(
     float square
 ) {
@@ -525,10 +532,11 @@ float octave_of(
 
 float picture_square(
     metal::float2 offset,
-    metal::float3 stretch_1
+    metal::float3 stretch_2
 ) {
-    float area = metal::max((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y), 0.000000000000000000000000000001);
-    float square_3 = (((stretch_1.z * offset.x) * offset.x) - (((2.0 * stretch_1.y) * offset.x) * offset.y)) + ((stretch_1.x * offset.y) * offset.y);
+    float _e2 = area_square(stretch_2);
+    float area = metal::max(_e2, 0.000000000000000000000000000001);
+    float square_3 = (((stretch_2.z * offset.x) * offset.x) - (((2.0 * stretch_2.y) * offset.x) * offset.y)) + ((stretch_2.x * offset.y) * offset.y);
     return metal::max(square_3, 0.0) / area;
 }
 
@@ -545,7 +553,7 @@ float dots_of_octave(
     metal::float2 place_2,
     int zoom,
     float ink,
-    metal::float3 stretch_2,
+    metal::float3 stretch_3,
     float w_1,
     Dots style
 ) {
@@ -587,7 +595,7 @@ float dots_of_octave(
             float grown = metal::clamp((ink - turn) * 32.0, 0.0, 1.0);
             float radius = (0.5 * style.size) * metal::sqrt(grown);
             float far = metal::length(offset_1) / reach;
-            float _e84 = picture_square(offset_1, stretch_2);
+            float _e84 = picture_square(offset_1, stretch_3);
             float d_1 = metal::max(metal::sqrt(_e84), (far * far) * radius);
             float _e89 = sum;
             float _e90 = disk_filtered(d_1, radius, w_1);
@@ -612,25 +620,26 @@ float stippled(
     float _e14 = bounded(ink_1);
     float amount = metal::clamp(_e14, 0.0, 1.0);
     metal::float3 s_2 = at.stretch;
-    float _e29 = octave_of(metal::sqrt(metal::max((at.stretch.x * at.stretch.z) - (at.stretch.y * at.stretch.y), 0.0)));
-    float zoom_1 = metal::floor(_e29);
-    float f_1 = _e29 - zoom_1;
-    float _e34 = exp2_stable(-2.0 * f_1);
+    float _e19 = area_square(s_2);
+    float _e21 = octave_of(metal::sqrt(_e19));
+    float zoom_1 = metal::floor(_e21);
+    float f_1 = _e21 - zoom_1;
+    float _e26 = exp2_stable(-2.0 * f_1);
     float coarse = 1.0 - f_1;
-    float fine = (1.0 - (coarse * _e34)) / (4.0 * _e34);
-    float _e48 = exp2_stable(2.0 * zoom_1);
-    float _e50 = dots_of_octave(at.place, naga_f2i32(zoom_1), amount * coarse, s_2 * _e48, _e13, style_1);
-    dots = _e50;
+    float fine = (1.0 - (coarse * _e26)) / (4.0 * _e26);
+    float _e40 = exp2_stable(2.0 * zoom_1);
+    float _e42 = dots_of_octave(at.place, naga_f2i32(zoom_1), amount * coarse, s_2 * _e40, _e13, style_1);
+    dots = _e42;
     if (fine > 0.0) {
-        float _e63 = exp2_stable((2.0 * zoom_1) + 2.0);
-        float _e65 = dots_of_octave(at.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(1)), amount * fine, s_2 * _e63, _e13, style_1);
-        float _e66 = dots;
-        dots = metal::max(_e66, _e65);
+        float _e55 = exp2_stable((2.0 * zoom_1) + 2.0);
+        float _e57 = dots_of_octave(at.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(1)), amount * fine, s_2 * _e55, _e13, style_1);
+        float _e58 = dots;
+        dots = metal::max(_e58, _e57);
     }
     float mean = amount * metal::min((0.7853982 * style_1.size) * style_1.size, 1.0);
-    float _e76 = dots;
-    float _e79 = eased(_e13, 0.75, 1.5);
-    return metal::mix(_e76, mean, _e79);
+    float _e68 = dots;
+    float _e71 = eased(_e13, 0.75, 1.5);
+    return metal::mix(_e68, mean, _e71);
 }
 
 MarkPlace mark_place_object(
@@ -651,7 +660,7 @@ MarkPlace mark_place_object(
 float stippling(
     float value,
     metal::float2 place_3,
-    metal::float3 stretch_3,
+    metal::float3 stretch_4,
     float count_1,
     float size,
     float scatter,
@@ -661,7 +670,7 @@ float stippling(
     float _e8 = bounded(size);
     float _e12 = bounded(scatter);
     Dots style_2 = Dots {metal::clamp(_e8, 0.0, 1.4), metal::clamp(_e12, 0.0, 1.0), as_type<uint>(seed_2)};
-    Spaced _e18 = spaced(place_3, stretch_3, viewport_3, count_1);
+    Spaced _e18 = spaced(place_3, stretch_4, viewport_3, count_1);
     float _e20 = factor_of(value, true);
     float _e23 = stippled(_e18, 1.0 - _e20, style_2);
     return _e23;

@@ -391,6 +391,14 @@ fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> Spaced {
     return Spaced(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
 }
 
+/// How much faster than the picture a place's area grows, squared. A place that is drawn out more than eight times counts as
+/// drawn out by eight: it grows not at all where a surface turns edge-on to it, and marks along that line would be
+/// infinitely fine.
+fn area_square(stretch: vec3f) -> f32 {
+    let sum = stretch.x + stretch.z;
+    return max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
+}
+
 /// log2 of how many times finer than a place's own units marks must lie, for a squared stretch; within +-16.
 fn octave_of(square: f32) -> f32 {
     return clamp(-0.5 * LOG2_E * log_stable(clamp(square, 1e-30, 1e30)), -16.0, 16.0);
@@ -407,7 +415,7 @@ struct Dots {
 
 /// The square of an offset's length along the picture, for one in the units of a stretched place.
 fn picture_square(offset: vec2f, stretch: vec3f) -> f32 {
-    let area = max(stretch.x * stretch.z - stretch.y * stretch.y, 1e-30);
+    let area = max(area_square(stretch), 1e-30);
     let square = stretch.z * offset.x * offset.x - 2.0 * stretch.y * offset.x * offset.y
         + stretch.x * offset.y * offset.y;
     return max(square, 0.0) / area;
@@ -446,7 +454,7 @@ fn stippled(at: Spaced, ink: f32, style: Dots) -> f32 {
     let w = bounded(sqrt(max(picture_square(dx, at.stretch), picture_square(dy, at.stretch))));
     let amount = clamp(bounded(ink), 0.0, 1.0);
     let s = at.stretch;
-    let level = octave_of(sqrt(max(s.x * s.z - s.y * s.y, 0.0)));
+    let level = octave_of(sqrt(area_square(s)));
     let zoom = floor(level);
     let f = level - zoom;
     // The coarser octave goes as the finer one comes, so that together they are as many as before.

@@ -597,7 +597,9 @@ vec3 tensor_safe(vec3 tensor) {
 vec2 principal_curvatures(vec3 tensor_1) {
     float mean = (0.5 * (tensor_1.x + tensor_1.z));
     float spread = length(vec2((0.5 * (tensor_1.x - tensor_1.z)), tensor_1.y));
-    return vec2((mean + spread), (mean - spread));
+    float far = (mean + ((mean >= 0.0) ? spread : -(spread)));
+    float _e26 = divided(((tensor_1.x * tensor_1.z) - (tensor_1.y * tensor_1.y)), far);
+    return ((mean >= 0.0) ? vec2(far, _e26) : vec2(_e26, far));
 }
 
 vec4 output_(vec4 color_2) {
@@ -695,14 +697,17 @@ float rim(Light light_5, vec3 normal_4, vec3 view_3, float width_1, float softne
     float _e18 = factor_of(softness, true);
     float _e20 = footprint_of(facing_1);
     float edge_1 = max((_e16 * _e18), min(_e20, 1.0));
-    float inside = ((_e16 <= 0.0) ? 0.0 : clamp((((_e16 - facing_1) / max(edge_1, 1e-6)) + ((softness > 0.0) ? 0.0 : 0.5)), 0.0, 1.0));
+    vec3 aside = (_e10 - view_3);
+    float further = ((facing_1 > 0.5) ? ((0.5 * dot(aside, aside)) - (1.0 - _e16)) : (_e16 - facing_1));
+    float within = ((further / max(edge_1, 1e-6)) + ((softness > 0.0) ? 0.0 : 0.5));
+    float inside = ((_e16 <= 0.0) ? 0.0 : clamp(within, 0.0, 1.0));
     vec3 across_1 = (light_5.direction - (dot(light_5.direction, view_3) * view_3));
-    vec3 _e48 = normalize_or(across_1, vec3(0.0));
-    float side = dot(_e10, _e48);
-    float _e53 = eased(side, 0.0, 0.5);
-    float _e55 = factor_of(follow, true);
-    float _e56 = mixed(1.0, _e53, _e55);
-    return (inside * _e56);
+    vec3 _e61 = normalize_or(across_1, vec3(0.0));
+    float side = dot((_e10 - (dot(_e10, view_3) * view_3)), _e61);
+    float _e66 = eased(side, 0.0, 0.5);
+    float _e68 = factor_of(follow, true);
+    float _e69 = mixed(1.0, _e66, _e68);
+    return (inside * _e69);
 }
 
 vec2 warped_place(vec3 tensor_2, vec2 place, float amount, float slope_1) {

@@ -804,6 +804,11 @@ Spaced spaced(vec2 place_1, vec3 stretch, vec2 viewport_1, float count) {
     return Spaced(p_6, (is_pixel ? vec3(1.0, 0.0, 1.0) : s_1));
 }
 
+float area_square(vec3 stretch_1) {
+    float sum_4 = (stretch_1.x + stretch_1.z);
+    return max(((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y)), ((sum_4 * sum_4) / 66.0));
+}
+
 float octave_of(float square) {
     float _e5 = log_stable(clamp(square, 1e-30, 1e30));
     return clamp((-0.7213475 * _e5), -16.0, 16.0);
@@ -848,25 +853,26 @@ float paper_height(Spaced at_1, float fiber_1, uint seed_9) {
     vec2 x_14 = dFdx(at_1.place);
     vec2 y = dFdy(at_1.place);
     float _e11 = bounded(sqrt(max(dot(x_14, x_14), dot(y, y))));
-    float _e26 = octave_of(sqrt(max(((at_1.stretch.x * at_1.stretch.z) - (at_1.stretch.y * at_1.stretch.y)), 0.0)));
-    float zoom_1 = floor(_e26);
-    float f = (_e26 - zoom_1);
-    float _e29 = bounded(fiber_1);
-    float fine = clamp(_e29, 0.0, 1.0);
-    float _e35 = paper_octave(at_1.place, int(zoom_1), _e11, fine, seed_9);
-    height_1 = _e35;
+    float _e13 = area_square(at_1.stretch);
+    float _e15 = octave_of(sqrt(_e13));
+    float zoom_1 = floor(_e15);
+    float f = (_e15 - zoom_1);
+    float _e18 = bounded(fiber_1);
+    float fine = clamp(_e18, 0.0, 1.0);
+    float _e24 = paper_octave(at_1.place, int(zoom_1), _e11, fine, seed_9);
+    height_1 = _e24;
     if ((f > 0.0)) {
-        float _e39 = height_1;
-        float _e44 = paper_octave(at_1.place, (int(zoom_1) + 1), _e11, fine, seed_9);
-        float both = mix(_e39, _e44, f);
+        float _e28 = height_1;
+        float _e33 = paper_octave(at_1.place, (int(zoom_1) + 1), _e11, fine, seed_9);
+        float both = mix(_e28, _e33, f);
         height_1 = clamp((0.5 + ((both - 0.5) / sqrt(((f * f) + ((1.0 - f) * (1.0 - f)))))), 0.0, 1.0);
     }
-    float _e62 = height_1;
-    return _e62;
+    float _e51 = height_1;
+    return _e51;
 }
 
-PaperGrain paper_grain(float value_1, vec2 place_3, vec3 stretch_1, float count_1, float tooth_1, float fiber_2, int seed_10, vec2 viewport_3) {
-    Spaced _e8 = spaced(place_3, stretch_1, viewport_3, count_1);
+PaperGrain paper_grain(float value_1, vec2 place_3, vec3 stretch_2, float count_1, float tooth_1, float fiber_2, int seed_10, vec2 viewport_3) {
+    Spaced _e8 = spaced(place_3, stretch_2, viewport_3, count_1);
     float _e10 = paper_height(_e8, fiber_2, uint(seed_10));
     float _e12 = factor_of(value_1, true);
     float _e15 = caught_ink((1.0 - _e12), _e10, tooth_1);

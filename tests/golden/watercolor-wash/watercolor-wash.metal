@@ -1032,6 +1032,13 @@ Spaced spaced(
     return Spaced {p_6, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s_1};
 }
 
+float area_square(
+    metal::float3 stretch_1
+) {
+    float sum_4 = stretch_1.x + stretch_1.z;
+    return metal::max((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y), (sum_4 * sum_4) / 66.0);
+}
+
 float octave_of(
     float square
 ) {
@@ -1101,34 +1108,35 @@ float paper_height(
     metal::float2 x_14 = metal::dfdx(at_1.place);
     metal::float2 y = metal::dfdy(at_1.place);
     float _e11 = bounded(metal::sqrt(metal::max(metal::dot(x_14, x_14), metal::dot(y, y))));
-    float _e26 = octave_of(metal::sqrt(metal::max((at_1.stretch.x * at_1.stretch.z) - (at_1.stretch.y * at_1.stretch.y), 0.0)));
-    float zoom_1 = metal::floor(_e26);
-    float f = _e26 - zoom_1;
-    float _e29 = bounded(fiber_1);
-    float fine = metal::clamp(_e29, 0.0, 1.0);
-    float _e35 = paper_octave(at_1.place, naga_f2i32(zoom_1), _e11, fine, seed_9);
-    height_1 = _e35;
+    float _e13 = area_square(at_1.stretch);
+    float _e15 = octave_of(metal::sqrt(_e13));
+    float zoom_1 = metal::floor(_e15);
+    float f = _e15 - zoom_1;
+    float _e18 = bounded(fiber_1);
+    float fine = metal::clamp(_e18, 0.0, 1.0);
+    float _e24 = paper_octave(at_1.place, naga_f2i32(zoom_1), _e11, fine, seed_9);
+    height_1 = _e24;
     if (f > 0.0) {
-        float _e39 = height_1;
-        float _e44 = paper_octave(at_1.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(1)), _e11, fine, seed_9);
-        float both = metal::mix(_e39, _e44, f);
+        float _e28 = height_1;
+        float _e33 = paper_octave(at_1.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(1)), _e11, fine, seed_9);
+        float both = metal::mix(_e28, _e33, f);
         height_1 = metal::clamp(0.5 + ((both - 0.5) / metal::sqrt((f * f) + ((1.0 - f) * (1.0 - f)))), 0.0, 1.0);
     }
-    float _e62 = height_1;
-    return _e62;
+    float _e51 = height_1;
+    return _e51;
 }
 
 PaperGrain paper_grain(
     float value_1,
     metal::float2 place_3,
-    metal::float3 stretch_1,
+    metal::float3 stretch_2,
     float count_1,
     float tooth_1,
     float fiber_2,
     int seed_10,
     metal::float2 viewport_3
 ) {
-    Spaced _e8 = spaced(place_3, stretch_1, viewport_3, count_1);
+    Spaced _e8 = spaced(place_3, stretch_2, viewport_3, count_1);
     float _e10 = paper_height(_e8, fiber_2, as_type<uint>(seed_10));
     float _e12 = factor_of(value_1, true);
     float _e15 = caught_ink(1.0 - _e12, _e10, tooth_1);

@@ -369,8 +369,9 @@ mat3x3 axes_around(vec3 toward, vec3 up) {
     vec3 leaning = cross(_e11, _e6);
     float square_2 = dot(leaning, leaning);
     vec3 aside = ((abs(_e6.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 _e35 = normalize_or(((square_2 > 1e-8) ? leaning : cross(aside, _e6)), vec3(1.0, 0.0, 0.0));
-    return mat3x3(_e35, cross(_e6, _e35), _e6);
+    vec3 across_2 = ((square_2 > 1e-8) ? leaning : cross(aside, _e6));
+    vec3 _e38 = normalize_or((across_2 - (dot(across_2, _e6) * _e6)), vec3(1.0, 0.0, 0.0));
+    return mat3x3(_e38, cross(_e6, _e38), _e6);
 }
 
 float combine_tones_union(float a_4, float b_4) {
@@ -601,14 +602,14 @@ float hatched(vec2 place_4, float w_3, float level_1, float ink, Strokes style_2
     float _e20 = stray_at(place_4, int(zoom_3), style_2.seed);
     float _e25 = stray_at(place_4, (int(zoom_3) + 1), style_2.seed);
     float stray = mix(_e20, _e25, (level_1 - zoom_3));
-    float across_2 = (place_4.y + (style_2.wobble * stray));
+    float across_3 = (place_4.y + (style_2.wobble * stray));
     float _e35 = log_stable(max(_e12, 1e-9));
     float density = clamp((level_1 + (LOG2_E * _e35)), -40.0, 17.0);
     float octave_1 = floor(density);
     float _e43 = exp2_stable((density - octave_1));
     float growth = (_e43 - 1.0);
     float _e47 = power_of_two(int(octave_1));
-    float q = clamp((across_2 * _e47), -4194304.0, 4194304.0);
+    float q = clamp((across_3 * _e47), -4194304.0, 4194304.0);
     float _e55 = exp2_stable((octave_1 - level_1));
     float half_1 = ((0.5 * width_1) * _e55);
     float footprint = (w_3 * _e47);
@@ -638,8 +639,8 @@ float cross_hatched(Spaced at, float ink_1, int layers, float cross_, Strokes st
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            int _e84 = i_1;
-            i_1 = (_e84 + 1);
+            int _e90 = i_1;
+            i_1 = (_e90 + 1);
         }
         loop_init_1 = false;
         int _e22 = i_1;
@@ -653,24 +654,25 @@ float cross_hatched(Spaced at, float ink_1, int layers, float cross_, Strokes st
                 int _e27 = i_1;
                 vec2 _e30 = sin_cos_of((float(_e27) * cross_));
                 vec2 along_3 = vec2(_e30.y, _e30.x);
-                vec2 across_3 = vec2(-(_e30.x), _e30.y);
-                float _e42 = bounded(length(vec2(dot(across_3, x_16), dot(across_3, y))));
+                vec2 across_4 = vec2(-(_e30.x), _e30.y);
+                float _e42 = bounded(length(vec2(dot(across_4, x_16), dot(across_4, y))));
                 vec3 s_2 = at.stretch;
-                float _e57 = octave_of(dot(vec3((across_3.x * across_3.x), ((2.0 * across_3.x) * across_3.y), (across_3.y * across_3.y)), s_2));
-                vec2 place_7 = vec2(dot(along_3, at.place), dot(across_3, at.place));
+                float square_3 = dot(vec3((across_4.x * across_4.x), ((2.0 * across_4.x) * across_4.y), (across_4.y * across_4.y)), s_2);
+                float _e63 = octave_of(max(square_3, ((s_2.x + s_2.z) / 65.0)));
+                vec2 place_7 = vec2(dot(along_3, at.place), dot(across_4, at.place));
                 own = style_3;
-                int _e67 = i_1;
-                own.seed = (style_3.seed + (101u * uint(_e67)));
-                float _e71 = free;
-                int _e72 = i_1;
-                Strokes _e78 = own;
-                float _e79 = hatched(place_7, _e42, _e57, clamp((amount - float(_e72)), 0.0, 1.0), _e78);
-                free = (_e71 * (1.0 - _e79));
+                int _e73 = i_1;
+                own.seed = (style_3.seed + (101u * uint(_e73)));
+                float _e77 = free;
+                int _e78 = i_1;
+                Strokes _e84 = own;
+                float _e85 = hatched(place_7, _e42, _e63, clamp((amount - float(_e78)), 0.0, 1.0), _e84);
+                free = (_e77 * (1.0 - _e85));
             }
         }
     }
-    float _e86 = free;
-    return (1.0 - _e86);
+    float _e92 = free;
+    return (1.0 - _e92);
 }
 
 float hatching(float value_1, vec2 place_5, vec3 stretch_1, float count_1, float width, int layers_1, float cross_1, float length_, float taper, float wobble, float pressure, float variation, int seed_4, vec2 viewport_1) {
