@@ -32,8 +32,8 @@ pub(super) struct Arguments {
     /// Fewer samples, views and frames, and no search for worse inputs
     #[arg(short, long)]
     quick: bool,
-    /// Each look at 4096 pixels too: two minutes a look on two cores, and with software Vulkan more than 20 GB of memory for
-    /// sixty looks
+    /// Each look at 4096 pixels too, where the rows in the middle are compared: twenty seconds a look; with software Vulkan,
+    /// which keeps memory of each shader, sixty looks take many gigabytes
     #[arg(long)]
     large: bool,
     /// A folder to write the worst inputs into, which a test then holds

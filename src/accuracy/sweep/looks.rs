@@ -70,8 +70,8 @@ impl LookBound {
 /// mirrored, vertices lie just on such a middle, and fewer pixels count.
 pub const EDGE_SHARE: f64 = 2e-3;
 
-/// Of the largest pictures so many rows are compared: a truth of all of them takes a minute.
-pub const LARGE_ROWS: u32 = 768;
+/// Of the largest pictures so many rows are compared, a million pixels: a truth of all of them takes a minute.
+pub const LARGE_ROWS: u32 = 256;
 
 /// This share of the pixels inside may be off by up to four times as much.
 pub const RARELY: f64 = 1e-5;
@@ -109,11 +109,12 @@ impl LookEffort {
         Self::of(64, &[1, 2, 3, 5, 16, 61, 128, 333, 1024])
     }
 
-    /// The largest pictures, near and far, and of those some rows in the middle; half a minute a look.
+    /// The largest pictures, near and far, in the exact tier, and of those some rows in the middle; half a minute a look.
     pub fn large() -> Self {
         let [near, _, far] = DISTANCES;
         let meshes = vec!["shape:creature"];
-        Self { meshes, distances: vec![near, far], rows: Some(LARGE_ROWS), ..Self::of(2, &[4096]) }
+        let (tiers, distances) = (vec![Tier::Exact], vec![near, far]);
+        Self { meshes, tiers, distances, rows: Some(LARGE_ROWS), ..Self::of(2, &[4096]) }
     }
 
     fn of(stations: usize, sides: &[u32]) -> Self {
