@@ -176,7 +176,7 @@ impl Session {
         }
     }
 
-    /// Whether something is being compiled.
+    /// Whether something is being compiled, or is and was not taken yet.
     pub fn is_compiling(&self) -> bool {
         self.compiler.owes()
     }
