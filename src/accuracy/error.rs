@@ -94,7 +94,7 @@ pub fn compare(picture: &Colors<'_>, truth: &Colors<'_>, is_edge: impl Fn(usize)
             figures.broken += 1;
             continue;
         }
-        let difference = got.iter().zip(wanted).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        let difference = difference(got, wanted);
         if is_edge(index) {
             figures.edges += 1;
             figures.edge_max = figures.edge_max.max(difference);
@@ -117,6 +117,11 @@ pub fn compare(picture: &Colors<'_>, truth: &Colors<'_>, is_edge: impl Fn(usize)
         figures.p999 = *largest.select_nth_unstable_by(rank, f64::total_cmp).1;
     }
     figures
+}
+
+/// The largest difference of a channel.
+pub(super) fn difference(a: &[f64; 4], b: &[f64; 4]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
 /// The distance of two premultiplied display-referred colours in Oklab (Ottosson 2020), over black.

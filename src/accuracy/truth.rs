@@ -4,9 +4,9 @@ use std::ops::Range;
 
 use glam::DVec3;
 
+use super::error::difference;
 use super::{Colors, ErrorFigures, Progress, Stopped, compare};
 use crate::compile::Live;
-use crate::document::Projection;
 use crate::frame::{FramePlan, PlanOptions, Planner, Setup, View};
 use crate::interp::Precision;
 use crate::library::Library;
@@ -21,6 +21,8 @@ const GRID: Snap = Snap::Subpixel(8);
 #[derive(Debug)]
 pub struct Truth {
     picture: ReferencePicture,
+    /// From where it is seen.
+    view: View,
     /// Pixels on edges: next to one where something else is on top.
     edges: Vec<bool>,
     /// The rows that others are held against, from the top.
@@ -83,7 +85,7 @@ impl Truth {
         let options = reference::Options { snap: GRID, region, ..reference::Options::default() };
         let picture = reference::execute(&plan, &modules, &options, control).map_err(one)?;
         let edges = edges(&picture, &plan.view, reach);
-        Ok(Self { picture, edges, rows: rows.start as usize..rows.end as usize })
+        Ok(Self { picture, edges, view: plan.view, rows: rows.start as usize..rows.end as usize })
     }
 
     /// The picture.
@@ -121,12 +123,12 @@ impl Truth {
         if all > MOST_BESIDE {
             return Ok(0);
         }
+        let options = PlanOptions { samples: 1, ..options.clone() };
         for step in BESIDE {
             if open.is_empty() {
                 break;
             }
-            let options = PlanOptions { samples: 1, ..options.clone() };
-            let plan = planner.plan(&aside(setup, &options, step), library, &Live::All, &options)?;
+            let plan = planner.plan(&aside(setup, &self.view, step), library, &Live::All, &options)?;
             let one = |problem| vec![problem];
             let modules = Modules::new(&plan, Precision::F64).map_err(one)?;
             let mut left = Vec::new();
@@ -191,26 +193,15 @@ const BESIDE: [[f64; 2]; 8] = {
 /// Of a picture in which more pixels differ none is looked at again.
 const MOST_BESIDE: usize = 200;
 
-/// The same from a camera that stands so many pixels aside, as pixels are where it looks at.
-fn aside(setup: &Setup, options: &PlanOptions, [x, y]: [f64; 2]) -> Setup {
+/// The same seen by a camera that stands so many pixels to the right and up, as pixels are where it looks at.
+fn aside(setup: &Setup, view: &View, [x, y]: [f64; 2]) -> Setup {
     let mut setup = setup.clone();
     let camera = &mut setup.scene.camera;
     let (eye, target) = (DVec3::from(camera.eye), DVec3::from(camera.target));
-    let height = match camera.projection {
-        Projection::Perspective => 2.0 * (0.5 * camera.fov).tan() * (eye - target).length(),
-        Projection::Orthographic => camera.height,
-    };
-    let pixel = height / f64::from(options.size[1].max(1));
-    let backward = (eye - target).try_normalize().unwrap_or(DVec3::Z);
-    let right = DVec3::from(camera.up).cross(backward).try_normalize().unwrap_or(DVec3::X);
-    let by = pixel * (x * right + y * backward.cross(right));
+    let (right, up) = (view.rotation().row(0), view.rotation().row(1));
+    let by = view.pixel_size_at(eye.distance(target)) * (x * right + y * up);
     (camera.eye, camera.target) = ((eye + by).to_array(), (target + by).to_array());
     setup
-}
-
-/// The largest difference of a channel.
-fn difference(a: &[f64; 4], b: &[f64; 4]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
 /// A depth bends more than this from pixel to pixel where one part of a surface hides another: in pixels.
@@ -228,8 +219,8 @@ fn edges(picture: &ReferencePicture, view: &View, reach: usize) -> Vec<bool> {
     let distances: Vec<f64> = picture.depths.iter().map(|&depth| view.distance(depth)).collect();
     let draw = |x: usize, y: usize| picture.coverage[y * width + x].draw;
     let bends = |center: usize, before: usize, after: usize| {
-        let pixel = view.pixel_size() * if view.is_perspective { distances[center].abs() } else { 1.0 };
-        (distances[before] - 2.0 * distances[center] + distances[after]).abs() > BEND * pixel
+        let bend = distances[before] - 2.0 * distances[center] + distances[after];
+        bend.abs() > BEND * view.pixel_size_at(distances[center])
     };
     let parts: Vec<bool> = (0..width * height)
         .map(|index| {

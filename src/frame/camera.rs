@@ -62,6 +62,11 @@ impl View {
         self.view_height / f64::from(self.viewport[1].max(1))
     }
 
+    /// The size of a pixel, in scene units, so far in front of the eye.
+    pub fn pixel_size_at(&self, distance: f64) -> f64 {
+        self.pixel_size() * if self.is_perspective { distance.abs() } else { 1.0 }
+    }
+
     /// The distance in front of the eye, in scene units along the line of sight, that clip space has as `depth`.
     pub fn distance(&self, depth: f64) -> f64 {
         // Along the line of sight both z and w of clip space are linear in the distance.

@@ -74,7 +74,7 @@ pub const EDGE_SHARE: f64 = 2e-3;
 pub const LARGE_ROWS: u32 = 256;
 
 /// This share of the pixels inside may be off by up to four times as much.
-pub const RARELY: f64 = 1e-5;
+pub const RARE_INSIDE: f64 = 1e-5;
 
 /// Which pictures of a look are compared.
 #[derive(Clone, Debug, PartialEq)]
@@ -138,6 +138,8 @@ pub struct LookMeasured {
     pub tier: Tier,
     /// How many pictures were compared.
     pub pictures: usize,
+    /// How many pixels count as on edges only because a camera a step aside sees what was drawn.
+    pub settled: usize,
     /// All pictures together.
     pub error: ErrorFigures,
     /// The worst picture in words.
@@ -162,7 +164,7 @@ impl LookMeasured {
 /// which are a few pixels wide can be: their width is a difference of normals over a pixel, and of that f32 leaves three
 /// digits at 4096 pixels.
 fn is_rare(error: &ErrorFigures, max: f64) -> bool {
-    error.max <= 4.0 * max && error.visible as f64 <= RARELY * error.pixels as f64
+    error.max <= 4.0 * max && error.visible as f64 <= RARE_INSIDE * error.pixels as f64
 }
 
 /// The looks of a folder, sorted.
@@ -192,6 +194,7 @@ pub fn measure_look(
     let look = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let mut assets = Assets::default();
     let mut figures = vec![Vec::new(); effort.tiers.len()];
+    let mut settled = vec![0; effort.tiers.len()];
     let mut worst = vec![(0.0, String::new()); effort.tiers.len()];
     let mut bounds: Vec<LookBound> = effort.tiers.iter().map(|tier| LookBound::of(*tier)).collect();
     for mesh in &effort.meshes {
@@ -217,7 +220,7 @@ pub fn measure_look(
                     let plan = planners[number].plan(&drawn, library, &Live::Keyed, &options)?;
                     let got = Colors::from(&block_on(precise.picture(&plan))?);
                     if bounds[number].max.is_some() {
-                        truth.settle(&got, |_| VISIBLE, &exact, library, &mut truths, &options)?;
+                        settled[number] += truth.settle(&got, |_| VISIBLE, &exact, library, &mut truths, &options)?;
                     }
                     let error = truth.figures(&got);
                     if error.max > worst[number].0 {
@@ -231,10 +234,10 @@ pub fn measure_look(
             }
         }
     }
-    let measured = effort.tiers.iter().zip(bounds).zip(figures).zip(worst);
-    let measured = measured.map(|(((&tier, bound), figures), (_, worst_words))| {
+    let measured = effort.tiers.iter().zip(bounds).zip(figures).zip(settled).zip(worst);
+    let measured = measured.map(|((((&tier, bound), figures), settled), (_, worst_words))| {
         let error = ErrorFigures::join(&figures);
-        LookMeasured { look: look.clone(), tier, pictures: figures.len(), error, worst_words, bound }
+        LookMeasured { look: look.clone(), tier, pictures: figures.len(), settled, error, worst_words, bound }
     });
     Ok(measured.collect())
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::looks::{EDGE_SHARE, LARGE_ROWS, LookBound, LookMeasured, RARELY};
+use super::looks::{EDGE_SHARE, LARGE_ROWS, LookBound, LookMeasured, RARE_INSIDE};
 use super::report::{AccuracyReport, small, word_of};
 use super::stability::{Flicker, ON_SMOOTH, STEP};
 use crate::accuracy::error::ErrorFigures;
@@ -24,11 +24,11 @@ pub(super) fn looks_part(report: &AccuracyReport, text: &mut String, plots: &str
          {} % of the pixels at edges may be, at any size. A pixel whose middle lies on the border of two\n\
          triangles is like them, as their derivatives differ and patterns may leap there. Where one is off, the truth is made\n\
          again for cameras that stand a step of that grid to each side, and where one of these has what was drawn, the pixel\n\
-         counts as on an edge.\n\n\
+         counts as on an edge; *settled* says how many did.\n\n\
          ![The largest error of each look]({plots}/looks.svg)\n\n\
          {EXACT_HEAD}",
         small(bound.rms),
-        1.0 / RARELY,
+        1.0 / RARE_INSIDE,
         100.0 * EDGE_SHARE
     );
     exact_rows(&report.looks, text);
@@ -46,15 +46,16 @@ pub(super) fn looks_part(report: &AccuracyReport, text: &mut String, plots: &str
     tiers_part(report, text);
 }
 
-const EXACT_HEAD: &str = "| look | pictures | pixels | NaN or inf | largest | RMS | edges | largest there | over 1/255 | \
-                          worst pixel inside |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | --- |";
+const EXACT_HEAD: &str = "| look | pictures | pixels | NaN or inf | largest | RMS | edges | settled | largest there \
+                          | over 1/255 | worst pixel inside |\n\
+                          | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | --- |";
 
 fn exact_rows(looks: &[LookMeasured], text: &mut String) {
     for one in looks.iter().filter(|one| one.tier == Tier::Exact) {
         let e = &one.error;
         let _ = writeln!(
             text,
-            "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
+            "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
             one.look,
             one.pictures,
             e.pixels,
@@ -62,6 +63,7 @@ fn exact_rows(looks: &[LookMeasured], text: &mut String) {
             small(e.max),
             small(e.rms),
             e.edges,
+            one.settled,
             small(e.edge_max),
             e.edge_visible,
             one.worst_words

@@ -23,7 +23,7 @@ pub const ON_SMOOTH: f64 = 0.1 * VISIBLE;
 /// bits can show. On silhouettes a share of the changes may be more.
 pub const ON_EDGES: f64 = VISIBLE;
 /// This share of the changes on edges may be up to four times as much.
-pub const RARELY: f64 = 1e-4;
+pub const RARE_ON_EDGES: f64 = 1e-4;
 
 /// A pixel whose truth changes by more than this across it lies on a terminator or on a cartoon edge.
 const STEEP: f64 = 0.04;
@@ -86,7 +86,8 @@ impl StabilityMeasured {
         // Either of two frames may have the pixel.
         let is_seldom = self.silhouettes.visible as f64 <= 2.0 * EDGE_SHARE * self.silhouettes.count as f64;
         // A stroke or a dot is narrower than the change of a frame: now and then its edge lies where rounding decides.
-        let is_rare = self.edges.max <= 4.0 * ON_EDGES && self.edges.visible as f64 <= RARELY * self.edges.count as f64;
+        let is_rare =
+            self.edges.max <= 4.0 * ON_EDGES && self.edges.visible as f64 <= RARE_ON_EDGES * self.edges.count as f64;
         self.smooth.max <= ON_SMOOTH && (self.edges.max <= ON_EDGES || is_rare) && is_seldom
     }
 }

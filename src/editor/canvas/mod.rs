@@ -148,14 +148,14 @@ impl Canvas {
             self.document = Some(session.document_number());
             self.views.clear();
             self.place = session.open_groups().to_vec();
-            self.view.fit(self.table.bounds());
+            self.begin();
             (self.palette, self.editing, self.item) = (None, None, None);
         } else if self.place != session.open_groups() {
             let left = std::mem::replace(&mut self.place, session.open_groups().to_vec());
             self.views.insert(left, (self.view.zoom, self.view.center));
             match self.views.get(&self.place) {
                 Some(&(zoom, center)) => self.set_zoom_and_center(zoom, center),
-                None => self.view.fit(self.table.bounds()),
+                None => self.begin(),
             }
             (self.palette, self.editing, self.item) = (None, None, None);
         }
@@ -402,6 +402,11 @@ impl Canvas {
             Some(at) => self.view.to_graph(at),
             None => self.view.center - egui::vec2(theme::NODE_WIDTH / 2.0, theme::TITLE_HEIGHT),
         }
+    }
+
+    /// Shows a graph that was just opened.
+    fn begin(&mut self) {
+        self.view.begin(self.table.bounds(), self.table.last());
     }
 
     /// Shows the whole graph.

@@ -392,6 +392,12 @@ impl Table {
         rects.chain(self.notes.iter().map(|row| row.rect)).fold(Rect::NOTHING, |bounds, rect| bounds.union(rect))
     }
 
+    /// The node that reaches farthest to the right, where a graph ends.
+    pub(crate) fn last(&self) -> Rect {
+        let ends = self.nodes.iter().map(|row| row.rect);
+        ends.max_by(|a, b| a.max.x.total_cmp(&b.max.x)).unwrap_or(Rect::ZERO)
+    }
+
     /// The sockets of a node that wires may be drawn to.
     pub(crate) fn sockets(&self, node: usize) -> impl Iterator<Item = Socket> + '_ {
         let kind = &self.nodes[node].kind;

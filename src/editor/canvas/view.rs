@@ -5,6 +5,11 @@ use eframe::egui::{Pos2, Rect, Vec2, vec2};
 /// How far out and in the canvas goes.
 const ZOOM: std::ops::RangeInclusive<f32> = 0.03..=3.0;
 
+/// From here on titles and labels can be read.
+const LEGIBLE: f32 = 0.5;
+/// Room around what is shown, in points of the screen.
+const MARGIN: f32 = 30.0;
+
 /// A zoom that the canvas goes to.
 pub(crate) fn bounded(zoom: f32) -> f32 {
     zoom.clamp(*ZOOM.start(), *ZOOM.end())
@@ -63,10 +68,27 @@ impl View {
             (self.center, self.zoom) = (Pos2::ZERO, 1.0);
             return;
         }
-        let room = (self.screen.size() - vec2(60.0, 60.0)).max(vec2(40.0, 40.0));
+        let room = (self.screen.size() - Vec2::splat(2.0 * MARGIN)).max(vec2(40.0, 40.0));
         let zoom = (room.x / bounds.width()).min(room.y / bounds.height());
         self.zoom = zoom.clamp(*ZOOM.start(), 1.0);
         self.center = bounds.center();
+    }
+
+    /// Shows a graph that was just opened: all of `bounds` where that can be read, or else the right end, where the picture
+    /// comes out at `last`, as large as can be read.
+    pub(crate) fn begin(&mut self, bounds: Rect, last: Rect) {
+        self.fit(bounds);
+        if self.zoom >= LEGIBLE {
+            return;
+        }
+        self.zoom = LEGIBLE;
+        let half = (0.5 * self.screen.size() - Vec2::splat(MARGIN)) / self.zoom;
+        if bounds.width() > 2.0 * half.x {
+            self.center.x = bounds.max.x - half.x;
+        }
+        if bounds.height() > 2.0 * half.y {
+            self.center.y = last.center().y.clamp(bounds.min.y + half.y, bounds.max.y - half.y);
+        }
     }
 
     /// Moves as little as brings `bounds` into view.
@@ -104,5 +126,19 @@ mod tests {
         let bounds = Rect::from_min_max(pos2(-500.0, 0.0), pos2(3000.0, 100.0));
         view.fit(bounds);
         assert!(view.visible().contains_rect(bounds));
+    }
+
+    #[test]
+    fn what_is_opened_can_be_read() {
+        let screen = Rect::from_min_size(pos2(0.0, 0.0), vec2(800.0, 600.0));
+        let mut view = View { screen, ..View::default() };
+        let small = Rect::from_min_max(pos2(0.0, 0.0), pos2(1200.0, 300.0));
+        view.begin(small, small);
+        assert!(view.visible().contains_rect(small), "a graph that can be read is shown whole");
+        let large = Rect::from_min_max(pos2(-500.0, -2000.0), pos2(3000.0, 100.0));
+        let last = Rect::from_min_max(pos2(2800.0, -100.0), pos2(3000.0, 100.0));
+        view.begin(large, last);
+        assert!(view.zoom >= LEGIBLE && view.visible().contains_rect(last));
+        assert!(view.visible().max.x < large.max.x + 2.0 * MARGIN / LEGIBLE, "no room is lost beyond the end");
     }
 }

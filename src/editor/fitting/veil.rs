@@ -66,26 +66,27 @@ impl Layer {
         self.rows.clone().flat_map(move |y| columns.clone().map(move |x| ([x, y], y * width + x)))
     }
 
-    fn lay_veils(&mut self, tile: &Tile, ground: &Ground) {
+    /// Every place where something is wished: what, and how much.
+    fn wishes<'a>(&self, tile: &'a Tile) -> impl Iterator<Item = ([usize; 2], usize, [f64; 3], f64)> + use<'a> {
         let (texels, _) = tile.bytes().as_chunks::<4>();
-        for (at, index) in self.places() {
-            let [r, g, b, alpha] = texels[index];
-            let wish = [r, g, b].map(|byte| f64::from(byte) / 255.0);
-            if alpha > 0 && !stays(wish, shown(ground, at)) {
-                self.colors[index] = veil(shown(ground, at), wish, f64::from(alpha) / 255.0);
+        let wished = self.places().map(|(at, index)| (at, index, texels[index].map(|byte| f64::from(byte) / 255.0)));
+        wished.filter(|(.., [_, _, _, alpha])| *alpha > 0.0).map(|(at, index, [r, g, b, a])| (at, index, [r, g, b], a))
+    }
+
+    fn lay_veils(&mut self, tile: &Tile, ground: &Ground) {
+        for (at, index, wish, alpha) in self.wishes(tile) {
+            if !stays(wish, shown(ground, at)) {
+                self.colors[index] = veil(shown(ground, at), wish, alpha);
             }
         }
     }
 
     fn lay_hatching(&mut self, tile: &Tile, ground: &Ground) {
-        let (texels, _) = tile.bytes().as_chunks::<4>();
-        for (at, index) in self.places() {
-            let [r, g, b, alpha] = texels[index];
-            let wish = [r, g, b].map(|byte| f64::from(byte) / 255.0);
-            if alpha > 0 && stays(wish, shown(ground, at)) {
+        for (at, index, wish, alpha) in self.wishes(tile) {
+            if stays(wish, shown(ground, at)) {
                 let along = ((at[0] + at[1]) as u32 % HATCH) as f32;
                 let line = (1.5 - (along - 2.0).abs()).clamp(0.0, 1.0);
-                self.over(index, 1.0, 0.45 * line * f32::from(alpha) / 255.0);
+                self.over(index, 1.0, 0.45 * line * alpha as f32);
             }
         }
     }

@@ -294,12 +294,11 @@ fn links(normals: &[Vec3], positions: &[Vec3], [width, height]: [usize; 2], view
     let rotation = view.rotation().as_mat3();
     let (eye, backward) = (view.eye.as_vec3(), view.backward.as_vec3());
     let depth = |pixel: usize| (eye - positions[pixel]).dot(backward);
-    let unit = view.pixel_size() as f32;
     let is_one = |a: usize, b: usize, axis: usize| {
         if normals[a] == Vec3::ZERO || normals[b] == Vec3::ZERO {
             return false;
         }
-        let pixel = if view.is_perspective { unit * depth(a) } else { unit };
+        let pixel = view.pixel_size_at(f64::from(depth(a))) as f32;
         let step = depth(b) - depth(a);
         [a, b].into_iter().any(|at| {
             let n = rotation * normals[at];
