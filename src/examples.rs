@@ -15,6 +15,7 @@ macro_rules! files {
 /// Their names and what is in them, in the order in which they are best looked at.
 static FILES: &[(&str, &[u8])] = &files![
     "looks/figure1-layers.json",
+    "looks/figure2-code.json",
     "looks/figure2-diffuse.json",
     "looks/figure2-specular.json",
     "looks/figure2-screen-aligned.json",
@@ -22,6 +23,7 @@ static FILES: &[(&str, &[u8])] = &files![
     "looks/figure4-color.json",
     "looks/figure4-extent.json",
     "looks/figure4-both.json",
+    "looks/figure5-unkeyed.json",
     "looks/figure5-directional.json",
     "looks/figure6-comics.json",
     "looks/figure6-minimal.json",
@@ -108,6 +110,7 @@ static FILES: &[(&str, &[u8])] = &files![
     "scenes/figure4-curvature.json",
     "scenes/figure5-from-behind.json",
     "scenes/figure6-illustrations.json",
+    "scenes/figure7-pastel-behind.json",
     "scenes/figure7-beetle-turned.json",
     "scenes/figure7-fruit.json",
     "scenes/figure7-symbolic.json",

@@ -2,6 +2,7 @@
 
 mod support;
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -706,6 +707,23 @@ fn docs_nodes_md_is_what_the_code_says() {
         kept == printed,
         "docs/nodes.md is not what the code says; CHIARO_BLESS=1 cargo test --test cli writes it anew"
     );
+}
+
+/// Every picture that docs/nodes.md shows is there, and has words for who cannot see it; and none is there for nothing.
+#[test]
+fn docs_nodes_md_shows_pictures_that_are_there() {
+    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
+    let text = fs::read_to_string(docs.join("nodes.md")).unwrap();
+    let mut shown = BTreeSet::new();
+    for picture in text.split("<img src=\"").skip(1) {
+        let (name, rest) = picture.split_once('"').unwrap();
+        assert!(docs.join(name).is_file(), "{name} is not there: chiaro nodes --pictures docs/nodes draws it");
+        assert!(rest.starts_with(" alt=\"") && !rest.starts_with(" alt=\"\""), "{name} has no words");
+        assert!(shown.insert(name.trim_start_matches("nodes/").to_owned()), "{name} is there twice");
+    }
+    let files = fs::read_dir(docs.join("nodes")).unwrap().flatten();
+    let kept: BTreeSet<String> = files.map(|file| file.file_name().to_string_lossy().into_owned()).collect();
+    assert_eq!(kept, shown);
 }
 
 #[test]

@@ -17,7 +17,7 @@ use chiaro::wgsl;
 use glam::{DMat3, DQuat};
 use serde_json::{Value as Json, json};
 use support::files;
-use support::validators::{Stage, glslang, glslang_reflection, spirv_val, tint};
+use support::validators::{Stage, glslang, glslang_hlsl, glslang_reflection, spirv_val, tint};
 
 /// Where the golden outputs lie.
 fn golden_folder() -> PathBuf {
@@ -165,6 +165,7 @@ fn judged(files: &[File]) -> (Vec<String>, usize) {
             "vert" => glslang(&text(file), Stage::Vertex, &[]),
             "frag" => glslang(&text(file), Stage::Fragment, &[]),
             "spv" => spirv_val(&file.bytes, "vulkan1.1"),
+            "hlsl" => glslang_hlsl(&text(file)),
             "wgsl" => {
                 wgsl.push(folder.path().join(&file.name));
                 fs::write(folder.path().join(&file.name), &file.bytes).map_err(|error| error.to_string())

@@ -256,6 +256,93 @@ fn suggestive_contours_lie_on_inflections_that_turn_to_the_eye() {
     assert!(near + far < 1.0, "no line: {near} and {far}");
 }
 
+/// A suggestive contour is as wide as asked, and fades where what it is about to become is no stronger than the limit.
+#[test]
+fn suggestive_contours_are_as_wide_and_as_strong_as_asked() {
+    // The slope is 1 where x is 0, and changes by -6 x: the radial curvature goes evenly through 0 there.
+    let height = |x: f64, _: f64| x - x * x * x;
+    let mesh = raised([-0.5, 0.5], [-1.0, 1.0], [200, 4], height, |x, _| [-(1.0 - 3.0 * x * x), 0.0, 1.0]);
+    let ink = |width: f64, limit: f64| -> f64 {
+        let values = json!({"width": width, "limit": limit, "softness": 0.5});
+        let line = showing(
+            &json!([{"id": "line", "kind": "inner_contour", "values": values}]),
+            &json!([{"from": "line", "to": "output.color"}]),
+        );
+        drawn(vec![(line, mesh.clone())]).iter().flatten().sum()
+    };
+    let rows = f64::from(SIZE[1]);
+    for width in [20.0, 40.0] {
+        let (got, wanted) = (ink(width, 0.2), width / 1000.0 * rows * rows);
+        assert!((got / wanted - 1.0).abs() < 0.25, "{width}: {got} pixels in place of {wanted}");
+    }
+    // Over a twentieth of the height it becomes curved by 6 x there, per scene unit, times the picture's height.
+    let strength = 6.0 * 0.05 * HEIGHT * HEIGHT;
+    let whole = ink(40.0, 0.2);
+    for (limit, wanted) in
+        [(0.75, 1.0), (1.0, 0.5), (1.125, 0.25), (1.3, 0.0)].map(|(of, share)| (of * strength, share))
+    {
+        let part = ink(40.0, limit) / whole;
+        assert!((part - wanted).abs() < 0.06, "{limit}: {part} in place of {wanted}");
+    }
+}
+
+/// A bump leans the normal away from where the height goes up, in scene units, on any surface, up to 84 degrees.
+#[test]
+fn bumps_lean_the_normal_by_their_slope() {
+    // Lies level, and leans by one in two.
+    for lean in [0.0, 0.5] {
+        let mesh = raised([-1.5, 1.5], [-1.0, 1.0], [10, 10], |x, _| lean * x, |_, _| [-lean, 0.0, 1.0]);
+        let normal = DVec3::new(-lean, 0.0, 1.0).normalize();
+        for (slope, scale) in [([0.3, 0.2, 0.0], 0.5), ([-1.5, 0.8, 0.0], 1.0), ([40.0, 0.0, 0.0], 2.0)] {
+            // The height's gradient along the surface.
+            let gradient = DVec3::from(slope) * scale;
+            let along = gradient - gradient.dot(normal) * normal;
+            let limited = along * (along.length().min(10.0) / along.length());
+            let wanted = (normal - limited).normalize();
+            for axis in [DVec3::X, DVec3::Y, DVec3::Z] {
+                let bumped = showing(
+                    &json!([
+                        {"id": "place", "kind": "position"},
+                        {"id": "height", "kind": "dot_product", "values": {"b": slope}},
+                        {"id": "bump", "kind": "bump_map", "values": {"scale": scale}},
+                        {"id": "part", "kind": "dot_product", "values": {"b": axis.to_array()}}
+                    ]),
+                    &json!([
+                        {"from": "place", "to": "height.a"}, {"from": "height", "to": "bump.height"},
+                        {"from": "bump", "to": "part.a"}, {"from": "part", "to": "output.color"}
+                    ]),
+                );
+                let got = drawn(vec![(bumped, mesh.clone())]);
+                let seen: Vec<f64> = got.into_iter().flatten().collect();
+                let worst = seen.iter().map(|x| (x - wanted.dot(axis)).abs()).fold(0.0, f64::max);
+                assert!(seen.len() > 10_000 && worst < 2e-3, "{lean} {slope:?} {axis}: off by {worst}");
+            }
+        }
+    }
+}
+
+/// Objects are numbered as they stand in the scene, and the picture's size is the picture's.
+#[test]
+fn objects_have_numbers_and_pictures_a_size() {
+    let half = |x: [f64; 2]| raised(x, [-1.0, 1.0], [2, 2], |_, _| 0.0, |_, _| [0.0, 0.0, 1.0]);
+    let numbered =
+        || showing(&json!([{"id": "number", "kind": "object_id"}]), &json!([{"from": "number", "to": "output.color"}]));
+    let bounds = [[-1.5, -0.5], [-0.5, 0.5], [0.5, 1.5]];
+    let got = drawn(bounds.into_iter().map(|x| (numbered(), half(x))).collect());
+    for (index, got) in got.iter().enumerate() {
+        let wanted = bounds.iter().position(|[low, high]| (*low..*high).contains(&place(index).0));
+        assert_eq!(*got, wanted.map(|number| number as f64), "{:?}", place(index));
+    }
+    for (port, wanted) in [("width", 150.0), ("height", 100.0), ("aspect", 1.5)] {
+        let size = showing(
+            &json!([{"id": "size", "kind": "viewport"}]),
+            &json!([{"from": format!("size.{port}"), "to": "output.color"}]),
+        );
+        let got = drawn(vec![(size, plane(|_, _| [0.0, 0.0, 1.0]))]);
+        assert!(got.iter().all(|x| *x == Some(wanted)), "{port}: {:?} in place of {wanted}", got[0]);
+    }
+}
+
 /// Passes run where a live node reads what they make, the reference runs the same ones, and both see the same.
 #[test]
 fn passes_are_there_for_who_reads_them() {

@@ -122,6 +122,13 @@ fn steps(x: f64, count: f64) -> f64 {
     (x * n).floor().min(n - 1.0) / (n - 1.0)
 }
 
+/// [`steps`] with a ramp around each edge, which takes so much of a step.
+fn soft_steps(x: f64, count: f64, softness: f64) -> f64 {
+    let n = count.max(2.0);
+    let risen = (1..n as i32).map(|edge| (0.5 + (x * n - f64::from(edge)) / softness).clamp(0.0, 1.0));
+    risen.sum::<f64>() / (n - 1.0)
+}
+
 fn unit(x: f64) -> f64 {
     x.clamp(0.0, 1.0)
 }
@@ -298,7 +305,7 @@ fn truth(kind: &str, word: &str) -> Option<Truth> {
             |i, _| oklab(three(&i[0]).map(to_linear)).into_iter().chain([i[0][3]]).collect()
         }
         ("posterize", "channel") => {
-            |i, _| three(&i[0]).map(|c| steps(unit(c), i[1][0])).into_iter().chain([i[0][3]]).collect()
+            |i, _| three(&i[0]).map(|c| soft_steps(unit(c), i[1][0], i[2][0])).into_iter().chain([i[0][3]]).collect()
         }
         ("mix_evenly", "linear") => |i, _| {
             let t = unit(i[2][0]);
@@ -386,7 +393,7 @@ fn random_value(def: &NodeDef, name: &str, ty: &Type, random: &mut Random) -> Ve
     let number = |random: &mut Random| match (def.kind.as_str(), name) {
         (_, "rays") => 2.0 + random.index(9) as f64,
         (_, "steps") => 2.0 + random.index(6) as f64,
-        (_, "softness") if def.kind == "posterize" => 0.0,
+        (_, "softness") if def.kind == "posterize" => random.between(0.2, 1.0),
         (_, "roughness" | "across") => random.between(0.3, 1.1),
         (_, "thickness") => random.between(0.0, 1500.0),
         (_, "index") => random.between(1.0, 2.5),

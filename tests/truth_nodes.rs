@@ -7,6 +7,7 @@ mod support;
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
+use chiaro::document::Value;
 use chiaro::frame::{EvalSample, SetupLook};
 use chiaro::library::{Fallback, Input, Library, NodeDef, Type};
 use glam::{DMat3, DVec2, DVec3};
@@ -516,18 +517,24 @@ fn documented_results() {
     }
 }
 
-/// Bands: flat steps of equal width from 0 to 1.
+/// Bands: steps of equal width from 0 to 1, flat but for a ramp as wide as softness says around each edge.
 #[test]
 fn bands_are_flat() {
     let library = library();
     let def = &Library::built_in().nodes["bands"];
     let types: Vec<Type> = numeric(def).iter().map(|input| input.ty.clone()).collect();
-    for count in [2.0, 3.0, 5.0, 64.0] {
+    for (count, softness) in [(2, 0.0), (3, 0.0), (5, 0.0), (64, 0.0), (2, 0.5), (3, 1.0), (5, 0.3), (7, 0.85)] {
+        let n = f64::from(count);
         let rows: Vec<Vec<Vec<f64>>> =
-            (0..=1000).map(|i| vec![vec![f64::from(i) / 1000.0 + 1e-5], vec![count], vec![0.0]]).collect();
+            (0..=1000).map(|i| vec![vec![f64::from(i) / 1000.0 + 1e-5], vec![n], vec![softness]]).collect();
         for (got, row) in run(def, &[], &types, &rows, &library).iter().zip(&rows) {
-            let wanted = (row[0][0] * count).floor().min(count - 1.0) / (count - 1.0);
-            assert!((got[0] - wanted).abs() < 1e-6, "{got:?} for {wanted} of {row:?}");
+            let past = |edge: i32| {
+                let past = row[0][0] * n - f64::from(edge);
+                if softness == 0.0 { f64::from(u8::from(past >= 0.0)) } else { (0.5 + past / softness).clamp(0.0, 1.0) }
+            };
+            let wanted = (1..count).map(past).sum::<f64>() / (n - 1.0);
+            let bound = if softness == 0.0 { 1e-6 } else { 1e-6 / softness };
+            assert!((got[0] - wanted).abs() < bound, "{got:?} for {wanted} of {row:?}");
         }
     }
 }
@@ -611,7 +618,8 @@ fn the_surface_and_the_clock() {
     }
 }
 
-/// Normal maps lean the normal in its tangent frame; a bump without slope leaves it.
+/// Normal maps lean the normal in its tangent frame; a bump without slope leaves it, and one with slopes is in
+/// `shape_passes.rs`.
 #[test]
 fn normal_and_bump_maps() {
     let mut random = Random::new(83);
@@ -652,9 +660,33 @@ fn normal_and_bump_maps() {
 
 // Curves and ramps
 
+/// Hermite's cubic from `y[0]` to `y[1]` over a span, with the slopes there, `t` of the way.
+fn hermite(y: [f64; 2], slopes: [f64; 2], span: f64, t: f64) -> f64 {
+    let (t2, t3) = (t * t, t * t * t);
+    let bend = span * ((t3 - 2.0 * t2 + t) * slopes[0] + (t3 - t2) * slopes[1]);
+    (2.0 * t3 - 3.0 * t2 + 1.0) * y[0] + (3.0 * t2 - 2.0 * t3) * y[1] + bend
+}
+
+/// The slope at an inner stop of a smooth ramp: the harmonic mean of those on both sides, weighted by the spans (Fritsch and
+/// Butland 1984); 0 where they turn. At its ends a ramp is level.
+fn ramp_slope(xs: &[f64], ys: &[f64], at: usize) -> f64 {
+    if at == 0 || at + 1 == xs.len() {
+        return 0.0;
+    }
+    let spans = [xs[at] - xs[at - 1], xs[at + 1] - xs[at]];
+    let [before, after] = [(ys[at] - ys[at - 1]) / spans[0], (ys[at + 1] - ys[at]) / spans[1]];
+    // Each side counts as much as a third of its own span and two thirds of the other's.
+    let share = (spans[0] + 2.0 * spans[1]) / (3.0 * (spans[0] + spans[1]));
+    if before * after <= 0.0 { 0.0 } else { before * after / (share * after + (1.0 - share) * before) }
+}
+
 #[test]
 fn curves_and_ramps() {
-    let points = [[-1.0, 0.5], [0.0, 0.0], [0.5, 2.0], [2.0, 2.0], [3.0, -1.0]];
+    let points = [[-1.0, 0.5], [0.0, 0.0], [0.5, 2.0], [1.5, 2.5], [2.0, 2.5], [3.0, -1.0]];
+    // Fritsch and Butland 1984: the harmonic mean of the slopes on both sides, 0 where they turn, at an end its own. Between
+    // 0 and 1.5 they are 4 and 0.5: 8 / 9.
+    let slopes = [-0.5, 0.0, 8.0 / 9.0, 0.0, 0.0, -3.5];
+    let stops_at = points.map(|[x, _]| x);
     let colors: Vec<[f64; 4]> = points.iter().map(|[x, y]| [*y, 0.1 * x, 0.3, 0.2 * y]).collect();
     let stops: Vec<Json> = points.iter().zip(&colors).map(|([x, _], color)| json!({"at": x, "color": color})).collect();
     let xs: Vec<f64> = (0..600).map(|i| f32_of(-2.0 + 0.0101 * f64::from(i))).collect();
@@ -675,11 +707,11 @@ fn curves_and_ramps() {
             ]
         }));
         let (ys, paints) = (eval(&look, "curve.value", &samples), eval(&look, "ramp.color", &samples));
-        let mut errors = Errors::new(format!("curve and ramp, {word}"), 1e-6);
+        let mut errors = Errors::new(format!("curve and ramp, {word}"), if word == "smooth" { 3e-6 } else { 1e-6 });
         for ((x, y), paint) in xs.iter().zip(&ys).zip(&paints) {
             let next = points.iter().position(|p| p[0] > *x);
             let (a, b, t) = match next {
-                None => (4, 4, 0.0),
+                None => (5, 5, 0.0),
                 Some(0) => (0, 0, 0.0),
                 Some(next) => (next - 1, next, (x - points[next - 1][0]) / (points[next][0] - points[next - 1][0])),
             };
@@ -687,9 +719,13 @@ fn curves_and_ramps() {
                 // Monotone: between its neighbours, and through its points.
                 let (low, high) = (points[a][1].min(points[b][1]), points[a][1].max(points[b][1]));
                 assert!(y[0] >= low - 1e-6 && y[0] <= high + 1e-6, "{y:?} at {x} leaves {low} to {high}");
-                assert!(paint[0] >= low - 1e-6 && paint[0] <= high + 1e-6, "{paint:?} at {x}");
-                if !(1e-3..=1.0 - 1e-3).contains(&t) {
-                    errors.note((y[0] - points[if t < 0.5 { a } else { b }][1]) * 1e-4, 0.0, || format!("{x}"));
+                let span = points[b][0] - points[a][0];
+                let wanted = hermite([points[a][1], points[b][1]], [slopes[a], slopes[b]], span, t);
+                errors.note(y[0], wanted, || format!("curve at {x}"));
+                for (c, got) in paint.iter().enumerate() {
+                    let ys = colors.iter().map(|color| color[c]).collect::<Vec<_>>();
+                    let slopes = [a, b].map(|at| ramp_slope(&stops_at, &ys, at));
+                    errors.note(*got, hermite([ys[a], ys[b]], slopes, span, t), || format!("ramp at {x}"));
                 }
                 continue;
             }
@@ -904,6 +940,69 @@ fn a_tone_map_is_read_from_left_to_right_and_up() {
             );
         }
     }
+    // In between texels a linear one is in between their colours.
+    let mut linear = look;
+    let node = linear.look.graph.nodes.get_mut("node").expect("as above");
+    node.values.insert("filter".into(), Value::Text("linear".into()));
+    let mut random = Random::new(87);
+    let places: Vec<[f64; 2]> = (0..300).map(|_| [(); 2].map(|()| f32_of(random.between(-0.3, 1.3)))).collect();
+    let at =
+        |[tone, detail]: &[f64; 2]| EvalSample { position: DVec3::new(*tone, *detail, 0.0), ..EvalSample::default() };
+    let samples: Vec<EvalSample> = places.iter().map(at).collect();
+    // A sampler's filter has 8 bits.
+    let mut errors = Errors::new("tone map, linear", 4e-3);
+    for (got, [tone, detail]) in eval(&linear, "node.color", &samples).iter().zip(&places) {
+        let across = (4.0 * tone.clamp(0.0, 1.0) - 0.5).clamp(0.0, 3.0);
+        let down = (4.0 * (1.0 - detail.clamp(0.0, 1.0)) - 0.5).clamp(0.0, 3.0);
+        // The texels' colours go up evenly to the right, downwards, and in their alpha.
+        let wanted = [63.0 * across, 63.0 * down, 100.0, 255.0 - 3.0 * across].map(|c| c / 255.0);
+        for (got, wanted) in got.iter().zip(wanted) {
+            errors.note(*got, wanted, || format!("{tone} {detail}"));
+        }
+    }
+    errors.finish();
+}
+
+/// A pair of LitSpheres is one where it bulges and the other where it is hollow, each by the normal, mixed by eq. 7.
+#[test]
+fn a_pair_of_litspheres_is_mixed_by_curvature() {
+    let folder = pictures();
+    let turned = image::RgbaImage::from_fn(64, 64, |x, y| image::Rgba([250 - 3 * y as u8, 3 * x as u8, 20, 255]));
+    turned.save(folder.path().join("turned.png")).expect("written");
+    let mut random = Random::new(88);
+    let samples: Vec<EvalSample> = (0..400).map(|_| surface_sample(&mut random)).collect();
+    let look = look(&json!({
+        "nodes": [
+            {"id": "node", "kind": "litsphere_pair",
+                "values": {"convex": "ball.png", "concave": "turned.png", "slope": 0.03, "radius": 0.45}},
+            {"id": "output", "kind": "output"}
+        ],
+        "wires": [{"from": "node", "to": "output.color"}]
+    }));
+    let look = with_folder(look, &folder);
+    let mut errors = Errors::new("litsphere_pair", 4e-3);
+    for (got, s) in eval(&look, "node.color", &samples).iter().zip(&samples) {
+        let [x, y] = on_ball(s, "perspective");
+        let (convex, concave) = ([3.0 * x, 3.0 * y, 100.0], [250.0 - 3.0 * y, 3.0 * x, 20.0]);
+        let convexity = 0.5 + 0.5 * (0.03 * s.kappa).tanh();
+        for channel in 0..3 {
+            let wanted = convexity * convex[channel] + (1.0 - convexity) * concave[channel];
+            errors.note(got[channel], wanted / 255.0, || format!("{s:?}"));
+        }
+    }
+    errors.finish();
+}
+
+/// Which texel of a ball of 64 x 64 with the radius 0.45 is looked up, from the top left.
+fn on_ball(s: &EvalSample, lookup: &str) -> [f64; 2] {
+    let n = s.camera * s.normal.normalize();
+    let v = if lookup == "camera" { DVec3::Z } else { s.camera * s.view.normalize() };
+    // Right is level: at right angles to the line of sight and to the picture's up.
+    let right = DVec3::Y.cross(v).normalize();
+    let seen = DVec2::new(n.dot(right), n.dot(v.cross(right)));
+    let place = if n.dot(v) < 0.0 { seen.normalize() } else { seen } * 0.45;
+    let texels = DVec2::new(0.5 + place.x, 0.5 - place.y) * 64.0 - 0.5;
+    texels.to_array().map(|x| x.clamp(0.0, 63.0))
 }
 
 #[test]
@@ -922,15 +1021,8 @@ fn litspheres_by_normal() {
         let look = with_folder(look, &folder);
         let mut errors = Errors::new(format!("litsphere, {lookup}"), 2e-3);
         for (got, s) in eval(&look, "node.color", &samples).iter().zip(&samples) {
-            let n = s.camera * s.normal.normalize();
-            let v = if lookup == "camera" { DVec3::Z } else { s.camera * s.view.normalize() };
-            // Right is level: at right angles to the line of sight and to the picture's up.
-            let right = DVec3::Y.cross(v).normalize();
-            let seen = DVec2::new(n.dot(right), n.dot(v.cross(right)));
-            let place = if n.dot(v) < 0.0 { seen.normalize() } else { seen } * 0.45;
-            let texels = DVec2::new(0.5 + place.x, 0.5 - place.y) * 64.0 - 0.5;
-            for (got, texel) in got.iter().zip(texels.to_array()) {
-                errors.note(*got, texel.clamp(0.0, 63.0) * 3.0 / 255.0, || format!("{s:?}"));
+            for (got, texel) in got.iter().zip(on_ball(s, lookup)) {
+                errors.note(*got, texel * 3.0 / 255.0, || format!("{s:?}"));
             }
         }
         errors.finish();

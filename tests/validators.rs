@@ -10,7 +10,7 @@ use chiaro::document::Look;
 use chiaro::export::{LANGUAGES, export};
 use chiaro::library::Library;
 use support::files;
-use support::validators::{Stage, Tool, glslang, spirv_val, tint, tools_are_required};
+use support::validators::{Stage, Tool, for_glslang, glslang, glslang_hlsl, spirv_val, tint, tools_are_required};
 
 /// Whether a test that needs `tool` to refuse something can run; fails where the tools are required.
 fn can_refuse(tool: Tool) -> bool {
@@ -97,6 +97,30 @@ fn glslang_knows_every_version_that_we_write() {
 }
 
 #[test]
+fn glslang_reads_hlsl() {
+    let shader = |body: &str| {
+        format!(
+            "struct Pair {{ float a; float2 b; }};\n\
+             Pair ConstructPair(float a, float2 b) {{ Pair ret = (Pair)0; ret.a = a; ret.b = b; return ret; }}\n\
+             static const Pair PAIR = ConstructPair((1.0 + 0.5), float2(2.0, 3.0));\n\
+             float4 vs_main(float3 at : LOC0) : SV_Position {{ return float4(at, 1.0); }}\n\
+             float4 fs_main() : SV_Target0 {{\n    float2 sums[2] = (float2[2])0;\n    {body}\n}}\n"
+        )
+    };
+    glslang_hlsl(&shader("sums[1] += PAIR.b; return float4(PAIR.a, sums[1], 1.0);")).expect("a right shader");
+    let adapted = for_glslang(&shader(""));
+    assert!(adapted.contains("static const Pair PAIR = {(1.0 + 0.5), float2(2.0, 3.0)};"), "{adapted}");
+    assert!(adapted.contains("    float2 sums[2] = { (float2)0, (float2)0 };"), "{adapted}");
+    if can_refuse(Tool::Glslang) {
+        for wrong in
+            ["return PAIR;", "return float4(PAIR.c, 0.0, 0.0, 1.0);", "return missing(sums);", "return float4(1.0"]
+        {
+            glslang_hlsl(&shader(wrong)).expect_err(wrong);
+        }
+    }
+}
+
+#[test]
 fn glslang_knows_the_stages_and_its_flags() {
     let vertex = "#version 450\nlayout(location = 0) in vec4 at;\nvoid main() { gl_Position = at; }\n";
     glslang(vertex, Stage::Vertex, &["-V"]).expect("a vertex shader");
@@ -162,8 +186,9 @@ fn complaints(files: Vec<PathBuf>) -> Vec<String> {
             "frag" => text().and_then(|source| glslang(&source, Stage::Fragment, &[])),
             "comp" => text().and_then(|source| glslang(&source, Stage::Compute, &[])),
             "spv" => fs::read(&path).map_err(|error| error.to_string()).and_then(|m| spirv_val(&m, "vulkan1.1")),
-            // Nobody on Debian judges these two, and they say so; the rest is no shader.
-            "hlsl" | "metal" | "json" | "txt" | "md" | "png" => Ok(()),
+            "hlsl" => text().and_then(|source| glslang_hlsl(&source)),
+            // Nobody on Debian judges it, and it says so; the rest is no shader.
+            "metal" | "json" | "txt" | "md" | "png" => Ok(()),
             _ => Err(format!("nobody judges .{extension} files; see tests/validators.rs")),
         };
         complaints.extend(verdict.err().map(|error| format!("{}: {error}", path.display())));

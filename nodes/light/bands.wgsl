@@ -13,7 +13,7 @@ import chiaro::total;
 /// @unit
 /// @error balanced 0.15 : tone on the pixels of an edge, in steps between bands; 0 elsewhere
 /// @error fast 0.51 : tone on the pixels of an edge, in steps between bands, without antialiasing; 0 elsewhere
-/// @source math.md 2.4
+/// @source Lake et al. 2000, cel shading
 fn bands(value: f32, count: i32, softness: f32) -> f32 {
     return stepped_tone(value, footprint_of(value), count, softness);
 }

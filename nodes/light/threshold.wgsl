@@ -13,7 +13,7 @@ import chiaro::total;
 /// @unit
 /// @error balanced 0.15 : mask on the edge's pixels, where edges on diagonals are a little soft; 0 elsewhere
 /// @error fast 0.51 : mask on the edge's pixels, which are not antialiased; 0 elsewhere
-/// @source math.md 2.4
+/// @source Decaudin 1996, cartoon-looking rendering
 fn threshold(value: f32, edge: f32, softness: f32) -> f32 {
     let w = footprint_of(value);
     return step_filtered(bounded(value), bounded(edge), edge_width(w, softness));

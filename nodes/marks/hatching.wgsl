@@ -24,7 +24,7 @@ import chiaro::total;
 /// @param viewport from=viewport hidden
 /// @return ink "Ink" : 1 on a stroke, 0 beside it, antialiased.
 /// @unit
-/// @source Praun et al. 2001, tonal art maps; Klein et al. 2000, art maps
+/// @source Praun et al. 2001, tonal art maps; Klein et al. 2000, art maps; Kalnins et al. 2002, mobile strokes
 fn hatching(
     value: f32,
     place: vec2f,

@@ -15,6 +15,7 @@ import chiaro::antialias;
 /// @param follow "Follow the light" default=1 min=0 max=1 : 0 runs all around, 1 only on the light's side.
 /// @return tone "Tone" : From 0 to 1.
 /// @unit
+/// @source Mitchell et al. 2007, rim lights of illustrative rendering
 fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, follow: f32) -> f32 {
     let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
     let facing = clamp(dot(n, view), 0.0, 1.0);

@@ -15,7 +15,7 @@ import chiaro::shape;
 /// @return line "Line" : 1 on the line, 0 elsewhere.
 /// @unit
 /// @bypass 0 when width = 0 : its width is 0
-/// @source math.md 2.4
+/// @source DeCarlo et al. 2003, contours
 fn outer_contour(width: f32, normal: vec3f, view: vec3f, viewport: vec2f) -> f32 {
     let facing = clamp(dot(normalize_or(normal, vec3f(0.0)), view), 0.0, 1.0);
     let pixels = clamp(bounded(width), 0.0, 1e4) * clamp(viewport.y, 1.0, 1e5) / 1000.0;

@@ -1,17 +1,18 @@
 //! Takes a look apart: what the whole of it, each node and each pass cost, and how far each is from the truth.
 
 use super::cost::{Series, alternate};
+use super::error::VISIBLE;
 use super::report::{Report, Row, Subject};
 use super::size::Sizes;
 use super::truth::Truth;
 use super::variant::{Variant, can_be_left_out, tiers_of};
-use super::{ErrorFigures, Estimate, Progress, Stopped};
+use super::{Colors, ErrorFigures, Estimate, Progress, Stopped};
 use crate::compile::Live;
 use crate::document::Tier;
 use crate::frame::{Assets, FramePlan, PlanOptions, Planner, Setup};
 use crate::ids::NodeId;
 use crate::library::Library;
-use crate::render::Renderer;
+use crate::render::{Renderer, block_on};
 
 /// What is measured.
 #[derive(Clone, Debug, PartialEq)]
@@ -124,10 +125,17 @@ impl Bench<'_> {
         Ok(self.planner.plan(&setup, self.library, &Live::Keyed, &self.options.plan)?)
     }
 
+    /// The truth, [settled](Truth::settle) with the exact tier's picture.
     fn truth(&mut self, progress: &mut Progress<'_>) -> Result<Truth, Stopped> {
-        let exact = Variant::Looks(Tier::Exact).of(self.setup);
+        let exact = Variant::Looks(Tier::Exact);
+        let setup = exact.of(self.setup);
+        let options = &self.options.plan;
         let mut planner = Planner::for_truth(Assets::default());
-        Truth::of(&exact, self.library, &mut planner, &self.options.plan, progress)
+        let mut truth = Truth::of(&setup, self.library, &mut planner, options, progress)?;
+        let plan = FramePlan { samples: 1, ..self.plan(&exact)? };
+        let got = block_on(self.precise.picture(&plan))?;
+        truth.settle(&Colors::from(&got), |_| VISIBLE, &setup, self.library, &mut planner, options)?;
+        Ok(truth)
     }
 
     fn error(&mut self, plan: &FramePlan, truth: Option<&Truth>) -> Result<Option<ErrorFigures>, Stopped> {

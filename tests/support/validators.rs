@@ -92,6 +92,70 @@ pub(crate) fn glslang(source: &str, stage: Stage, flags: &[&str]) -> Result<(), 
     if output.status.success() { Ok(()) } else { Err(format!("{}\n{}", said(&output), numbered(source))) }
 }
 
+/// Has glslang's front end for HLSL read the two entry points of `source`, with what it does not know said otherwise
+/// ([`for_glslang`]): a second opinion on every expression, type and declaration, but not that of a Direct3D compiler.
+pub(crate) fn glslang_hlsl(source: &str) -> Result<(), String> {
+    let source = for_glslang(source);
+    let vulkan = ["--target-env", "vulkan1.1", "--auto-map-bindings", "--auto-map-locations", "-o", "out.spv"];
+    for (stage, entry) in [(Stage::Vertex, "vs_main"), (Stage::Fragment, "fs_main")] {
+        glslang(&source, stage, &[&["-D", "-e", entry], &vulkan[..]].concat())?;
+    }
+    Ok(())
+}
+
+/// HLSL as glslang reads it: it takes a constant of the module that is made by a function for a recursion, and knows no zero
+/// that is cast to an array. Both become lists in braces, of the same values.
+pub(crate) fn for_glslang(source: &str) -> String {
+    let line = |line: &str| -> String {
+        if line.starts_with("static const ") && line.contains(" = Construct") {
+            return constructed_in_braces(line);
+        }
+        // `float4 colors[16] = (float4[16])0;`
+        let zero = line.split_once(" = (").filter(|(_, value)| value.ends_with("])0;"));
+        let parts = zero.and_then(|(variable, _)| {
+            let (ty, name) = variable.trim_start().split_once(' ')?;
+            let count: usize = name.split_once('[')?.1.strip_suffix(']')?.parse().ok()?;
+            Some((variable, ty, count))
+        });
+        match parts {
+            Some((variable, ty, count)) => {
+                format!("{variable} = {{ {} }};", vec![format!("({ty})0"); count].join(", "))
+            }
+            None => line.to_owned(),
+        }
+    };
+    source.lines().map(|one| line(one) + "\n").collect()
+}
+
+/// A line with `ConstructX(a, b)` as `{a, b}`, however deep.
+fn constructed_in_braces(line: &str) -> String {
+    let mut text = String::new();
+    let mut closing = Vec::new();
+    let mut rest = line;
+    while let Some(next) = rest.chars().next() {
+        let name = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
+        if rest.starts_with("Construct") && rest[name..].starts_with('(') {
+            text.push('{');
+            closing.push('}');
+            rest = &rest[name + 1..];
+            continue;
+        }
+        match next {
+            '(' => closing.push(')'),
+            ')' => {
+                text.extend(closing.pop());
+                rest = &rest[1..];
+                continue;
+            }
+            _ => {}
+        }
+        let word = if name == 0 { next.len_utf8() } else { name };
+        text.push_str(&rest[..word]);
+        rest = &rest[word..];
+    }
+    text
+}
+
 /// What glslang finds in the program that `files` of `folder` make together: names, offsets and types of its uniforms,
 /// a line each. `None` without glslang; panics where it cannot link them.
 pub(crate) fn glslang_reflection(folder: &Path, files: &[String]) -> Option<String> {

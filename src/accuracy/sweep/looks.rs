@@ -49,6 +49,12 @@ impl LookBound {
         }
     }
 
+    /// The same in pictures of so many pixels a side: the cover of a pattern's edge is off by as much as its
+    /// [place](place_rounding), and one pixel in a hundred lies on such an edge.
+    pub fn at(self, side: u32) -> Self {
+        Self { rms: self.rms.max(0.1 * place_rounding(side)), ..self }
+    }
+
     /// That of a look in a tier. Where one of its nodes states that more than eight bits show is off (a threshold's edges, a
     /// curvature that is wired on), what comes after may turn all of a pixel by that, and the look is held by its mean.
     pub fn of_look(look: &Look, library: &Library, tier: Tier) -> Self {
@@ -61,6 +67,11 @@ impl LookBound {
             _ => Self::of(tier),
         }
     }
+}
+
+/// By how much f32 rounds a place in a picture of so many pixels a side, in pixels: 2^-24 of the picture.
+pub fn place_rounding(side: u32) -> f64 {
+    f64::from(side) * 2f64.powi(-24)
 }
 
 /// Of the pixels at edges, this share of a look may be off by more than 1/255. f32 leaves a vertex about 1e-7 of the
@@ -121,6 +132,11 @@ impl LookEffort {
         let tiers = vec![Tier::Exact, Tier::Balanced, Tier::Fast];
         let distances = DISTANCES.to_vec();
         Self { meshes: MESHES.to_vec(), tiers, stations, distances, sides: sides.to_vec(), rows: None }
+    }
+
+    /// The largest side, in pixels.
+    pub fn side(&self) -> u32 {
+        self.sides.iter().copied().max().unwrap_or(1)
     }
 
     /// How many truths a look takes.
@@ -196,11 +212,13 @@ pub fn measure_look(
     let mut figures = vec![Vec::new(); effort.tiers.len()];
     let mut settled = vec![0; effort.tiers.len()];
     let mut worst = vec![(0.0, String::new()); effort.tiers.len()];
-    let mut bounds: Vec<LookBound> = effort.tiers.iter().map(|tier| LookBound::of(*tier)).collect();
+    let side = effort.side();
+    let mut bounds: Vec<LookBound> = effort.tiers.iter().map(|tier| LookBound::of(*tier).at(side)).collect();
     for mesh in &effort.meshes {
         let (setup, _) = open(path, Some(mesh), &mut assets)?;
         if let [worn, ..] = setup.looks.as_slice() {
-            bounds = effort.tiers.iter().map(|tier| LookBound::of_look(&worn.look, library, *tier)).collect();
+            let of = |tier: &Tier| LookBound::of_look(&worn.look, library, *tier).at(side);
+            bounds = effort.tiers.iter().map(of).collect();
         }
         let mut truths = Planner::for_truth(Assets::default());
         let mut planners: Vec<Planner> = effort.tiers.iter().map(|_| Planner::default()).collect();

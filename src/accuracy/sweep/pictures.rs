@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::looks::{EDGE_SHARE, LARGE_ROWS, LookBound, LookMeasured, RARE_INSIDE};
+use super::looks::{EDGE_SHARE, LARGE_ROWS, LookBound, LookEffort, LookMeasured, RARE_INSIDE, place_rounding};
 use super::report::{AccuracyReport, small, word_of};
 use super::stability::{Flicker, ON_SMOOTH, STEP};
 use crate::accuracy::error::ErrorFigures;
@@ -25,6 +25,8 @@ pub(super) fn looks_part(report: &AccuracyReport, text: &mut String, plots: &str
          triangles is like them, as their derivatives differ and patterns may leap there. Where one is off, the truth is made\n\
          again for cameras that stand a step of that grid to each side, and where one of these has what was drawn, the pixel\n\
          counts as on an edge; *settled* says how many did.\n\n\
+         Looks that read pictures or painted textures (`examples/images`, `examples/hcbtf`) are not among these, as a sampler's\n\
+         filter of eight bits is no formula: how far each is from the truth is on its page of the [gallery](gallery/index.html).\n\n\
          ![The largest error of each look]({plots}/looks.svg)\n\n\
          {EXACT_HEAD}",
         small(bound.rms),
@@ -34,11 +36,16 @@ pub(super) fn looks_part(report: &AccuracyReport, text: &mut String, plots: &str
     exact_rows(&report.looks, text);
     text.push('\n');
     if !report.large.is_empty() {
+        let side = LookEffort::large().side();
         let _ = writeln!(
             text,
             "### At 4096 pixels\n\n\
-             The same on the creature, 4096 by 4096 pixels, near and far; compared are the {LARGE_ROWS} rows in the middle.\n\n\
-             {EXACT_HEAD}"
+             The same on the creature, 4096 by 4096 pixels, near and far; compared are the {LARGE_ROWS} rows in the middle.\n\
+             f32 rounds a place in the picture to {:.1e} of a pixel here, and the cover of a pattern's edge by as much; with one\n\
+             pixel in a hundred on such an edge the RMS may be {}.\n\n\
+             {EXACT_HEAD}",
+            place_rounding(side),
+            small(bound.at(side).rms)
         );
         exact_rows(&report.large, text);
         text.push('\n');

@@ -8,6 +8,8 @@ use crate::library::{Context, Conversion, Input, Rate, Type};
 
 const HEAD: &str = include_str!("head.md");
 const CUSTOM: &str = include_str!("custom.md");
+/// How the gallery shows kinds; `null` where there is nothing to see.
+const SAMPLES: &str = include_str!("../../gallery/samples.json");
 
 /// The whole document.
 pub(super) fn document(entries: &[Entry]) -> String {
@@ -44,11 +46,7 @@ fn section(entry: &Entry) -> String {
     if !entry.help.is_empty() {
         text += &format!("\n{}\n", entry.help);
     }
-    let picture = |ending: &str| format!("<img src=\"nodes/{}.{ending}\" alt=\"\">", entry.kind);
-    text += &match entry.kind.as_str() {
-        crate::catalog::CUSTOM_KIND => String::new(),
-        _ => format!("\n{} {}\n", picture("svg"), picture("png")),
-    };
+    text += &pictures(entry);
     if !entry.inputs.is_empty() {
         text += "\n| input | type | default | range | what it is |\n| --- | --- | --- | --- | --- |\n";
         entry.inputs.iter().for_each(|input| text += &input_row(input));
@@ -91,6 +89,22 @@ fn section(entry: &Entry) -> String {
         let _ = writeln!(text, "\nSource: {}.", entry.sources.join("; "));
     }
     text
+}
+
+/// The node as the canvas draws it, and what it gives, where there is something to see of it.
+fn pictures(entry: &Entry) -> String {
+    if entry.kind == crate::catalog::CUSTOM_KIND {
+        return String::new();
+    }
+    let samples: serde_json::Map<String, serde_json::Value> = serde_json::from_str(SAMPLES).unwrap_or_default();
+    let picture = |ending: &str, told: &str| {
+        format!("<img src=\"nodes/{}.{ending}\" alt=\"{told} {}\">", entry.kind, entry.label.replace('"', "&quot;"))
+    };
+    let node = picture("svg", "The node");
+    match samples.get(&entry.kind) {
+        Some(serde_json::Value::Null) => format!("\n{node}\n"),
+        _ => format!("\n{node} {}\n", picture("png", "A picture by")),
+    }
 }
 
 pub(super) fn tier_word(tier: Tier) -> &'static str {

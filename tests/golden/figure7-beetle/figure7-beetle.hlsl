@@ -29,6 +29,17 @@ struct Light {
     float intensity;
 };
 
+struct ProfileShape {
+    float half_cos_offset;
+    float half_sin_offset;
+    float scale;
+    float exponent;
+    float offset;
+    float edge_mean;
+    float edge_deviation;
+    uint kind;
+};
+
 struct Look {
     float4 hollows_color_concave;
     Light key;
@@ -37,6 +48,7 @@ struct Look {
     Light side;
     float4 wing_case_color_convex;
     float4 wing_case_color_concave;
+    ProfileShape wing_case_tone_shape;
 };
 
 struct Surface {
@@ -57,17 +69,6 @@ struct LitLayer {
     int _end_pad_0;
     int _end_pad_1;
     int _end_pad_2;
-};
-
-struct ProfileShape {
-    float half_cos_offset;
-    float half_sin_offset;
-    float scale;
-    float exponent;
-    float offset;
-    float edge_mean;
-    float edge_deviation;
-    uint kind;
 };
 
 struct Vertex {
@@ -100,7 +101,6 @@ static const float LN_2_ = 0.6931472;
 static const float LOG2_E = 1.442695;
 static const uint PROFILE_STEP = 1u;
 static const uint PROFILE_AMBIENT = 2u;
-static const ProfileShape wing_case_tone_shape = ConstructProfileShape(0.9950042, 0.099833414, 1.3940078, 1.4345639, 0.2, 0.90231395, 0.36981526, 0u);
 static const ProfileShape violet_tone_shape = ConstructProfileShape(0.98472655, 0.17410813, 2.425296, 2.1444545, 0.35, 0.43399706, 0.1847509, 0u);
 static const ProfileShape gold_tone_shape = ConstructProfileShape(0.9887711, 0.14943813, 3.6826046, 2.8423793, 0.3, 0.2547288, 0.11251208, 0u);
 static const ProfileShape green_sheen_tone_shape = ConstructProfileShape(0.99820054, 0.059964005, 5.2949586, 2.6937559, 0.12, 0.1805348, 0.07889118, 0u);
@@ -514,47 +514,48 @@ float4 shade(Surface surface_1)
     Light _e13 = look.key;
     const Angle _e15 = parametrization_diffuse(_e13, surface_1.normal);
     const float _e17 = warp(_e3, 0.2);
-    const float _e19 = profile(_e15, _e17, wing_case_tone_shape);
-    Light _e22 = look.key;
-    const LitLayer _e23 = light_apply(_e22, _e10, _e19);
-    const float4 _e33 = blend_add(float4(0.0157, 0.0627, 0.0392, 1.0), _e23.color, _e23.tone, 1.0, true);
-    const float4 _e44 = curvature_color(_e3, float4(0.3529, 0.1647, 0.4314, 1.0), float4(0.1098, 0.0627, 0.251, 1.0));
-    Light _e47 = look.side;
-    const Angle _e50 = parametrization_specular(_e47, surface_1.normal, surface_1.view);
-    const float _e52 = warp(_e3, 0.15);
-    const float _e54 = profile(_e50, _e52, violet_tone_shape);
-    Light _e57 = look.side;
-    const LitLayer _e58 = light_apply(_e57, _e44, _e54);
-    const float4 _e63 = blend_add(_e33, _e58.color, _e58.tone, 1.0, true);
-    float4 _e66 = look.gold_color_convex;
-    const float4 _e72 = curvature_color(_e3, _e66, float4(0.2902, 0.3529, 0.0627, 1.0));
-    Light _e75 = look.key;
-    const Angle _e78 = parametrization_specular(_e75, surface_1.normal, surface_1.view);
-    const float _e80 = profile(_e78, _e52, gold_tone_shape);
-    Light _e83 = look.key;
-    const LitLayer _e84 = light_apply(_e83, _e72, _e80);
-    const float4 _e89 = blend_add(_e63, _e84.color, _e84.tone, 1.0, true);
-    float4 _e92 = look.green_sheen_color_convex;
-    const float4 _e98 = curvature_color(_e3, _e92, float4(0.1647, 0.5412, 0.3529, 1.0));
-    const float _e100 = warp(_e3, 0.1);
-    const float _e102 = profile(_e78, _e100, green_sheen_tone_shape);
-    Light _e105 = look.key;
-    const LitLayer _e106 = light_apply(_e105, _e98, _e102);
-    const float4 _e111 = blend_add(_e89, _e106.color, _e106.tone, 1.0, true);
-    const float4 _e119 = curvature_color(_e3, (1.0).xxxx, float4(0.8471, 1.0, 0.8784, 1.0));
-    const float _e121 = warp(_e3, 0.05);
-    const float _e123 = profile(_e78, _e121, glint_tone_shape);
-    Light _e126 = look.key;
-    const LitLayer _e127 = light_apply(_e126, _e119, _e123);
-    const float4 _e132 = blend_alpha(_e111, _e127.color, _e127.tone, 1.0, true);
-    const float _e135 = transition(surface_1.kappa, 0.3);
-    float4 _e140 = look.hollows_color_concave;
-    const float4 _e141 = curvature_color(_e135, (1.0).xxxx, _e140);
-    Light _e144 = look.key;
-    const LitLayer _e146 = light_apply(_e144, _e141, 1.0);
-    const float4 _e151 = blend_multiply(_e132, _e146.color, _e146.tone, 1.0, true);
-    const float4 _e152 = output(_e151);
-    return _e152;
+    ProfileShape _e20 = look.wing_case_tone_shape;
+    const float _e21 = profile(_e15, _e17, _e20);
+    Light _e24 = look.key;
+    const LitLayer _e25 = light_apply(_e24, _e10, _e21);
+    const float4 _e35 = blend_add(float4(0.0157, 0.0627, 0.0392, 1.0), _e25.color, _e25.tone, 1.0, true);
+    const float4 _e46 = curvature_color(_e3, float4(0.3529, 0.1647, 0.4314, 1.0), float4(0.1098, 0.0627, 0.251, 1.0));
+    Light _e49 = look.side;
+    const Angle _e52 = parametrization_specular(_e49, surface_1.normal, surface_1.view);
+    const float _e54 = warp(_e3, 0.15);
+    const float _e56 = profile(_e52, _e54, violet_tone_shape);
+    Light _e59 = look.side;
+    const LitLayer _e60 = light_apply(_e59, _e46, _e56);
+    const float4 _e65 = blend_add(_e35, _e60.color, _e60.tone, 1.0, true);
+    float4 _e68 = look.gold_color_convex;
+    const float4 _e74 = curvature_color(_e3, _e68, float4(0.2902, 0.3529, 0.0627, 1.0));
+    Light _e77 = look.key;
+    const Angle _e80 = parametrization_specular(_e77, surface_1.normal, surface_1.view);
+    const float _e82 = profile(_e80, _e54, gold_tone_shape);
+    Light _e85 = look.key;
+    const LitLayer _e86 = light_apply(_e85, _e74, _e82);
+    const float4 _e91 = blend_add(_e65, _e86.color, _e86.tone, 1.0, true);
+    float4 _e94 = look.green_sheen_color_convex;
+    const float4 _e100 = curvature_color(_e3, _e94, float4(0.1647, 0.5412, 0.3529, 1.0));
+    const float _e102 = warp(_e3, 0.1);
+    const float _e104 = profile(_e80, _e102, green_sheen_tone_shape);
+    Light _e107 = look.key;
+    const LitLayer _e108 = light_apply(_e107, _e100, _e104);
+    const float4 _e113 = blend_add(_e91, _e108.color, _e108.tone, 1.0, true);
+    const float4 _e121 = curvature_color(_e3, (1.0).xxxx, float4(0.8471, 1.0, 0.8784, 1.0));
+    const float _e123 = warp(_e3, 0.05);
+    const float _e125 = profile(_e80, _e123, glint_tone_shape);
+    Light _e128 = look.key;
+    const LitLayer _e129 = light_apply(_e128, _e121, _e125);
+    const float4 _e134 = blend_alpha(_e113, _e129.color, _e129.tone, 1.0, true);
+    const float _e137 = transition(surface_1.kappa, 0.3);
+    float4 _e142 = look.hollows_color_concave;
+    const float4 _e143 = curvature_color(_e137, (1.0).xxxx, _e142);
+    Light _e146 = look.key;
+    const LitLayer _e148 = light_apply(_e146, _e143, 1.0);
+    const float4 _e153 = blend_multiply(_e134, _e148.color, _e148.tone, 1.0, true);
+    const float4 _e154 = output(_e153);
+    return _e154;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)

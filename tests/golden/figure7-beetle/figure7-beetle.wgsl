@@ -28,6 +28,7 @@ struct Look {
     @align(16) side: Light,
     @align(16) wing_case_color_convex: vec4f,
     wing_case_color_concave: vec4f,
+    @align(16) wing_case_tone_shape: ProfileShape,
 }
 
 /// The surface under the fragment, in world space.
@@ -419,7 +420,6 @@ fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered(warped, angle_footprint(warped), shape);
 }
 
-const wing_case_tone_shape = ProfileShape(0.9950042, 0.099833414, 1.3940078, 1.4345639, 0.2, 0.90231395, 0.36981526, 0u);
 const violet_tone_shape = ProfileShape(0.98472655, 0.17410813, 2.425296, 2.1444545, 0.35, 0.43399706, 0.1847509, 0u);
 const gold_tone_shape = ProfileShape(0.9887711, 0.14943813, 3.6826046, 2.8423793, 0.3, 0.2547288, 0.11251208, 0u);
 const green_sheen_tone_shape = ProfileShape(0.99820054, 0.059964005, 5.2949586, 2.6937559, 0.12, 0.1805348, 0.07889118, 0u);
@@ -431,7 +431,7 @@ fn shade(surface: Surface) -> vec4f {
     let wing_case_color = curvature_color(glint_convexity, look.wing_case_color_convex, look.wing_case_color_concave);
     let hollows_angle = parametrization_diffuse(look.key, surface.normal);
     let wing_case_warp = warp(glint_convexity, 0.2);
-    let wing_case_tone = profile(hollows_angle, wing_case_warp, wing_case_tone_shape);
+    let wing_case_tone = profile(hollows_angle, wing_case_warp, look.wing_case_tone_shape);
     let wing_case_lit = light_apply(look.key, wing_case_color, wing_case_tone);
     let wing_case_blend = blend_add(vec4f(0.0157, 0.0627, 0.0392, 1.0), wing_case_lit.color, wing_case_lit.tone, 1.0, true);
     let violet_color = curvature_color(glint_convexity, vec4f(0.3529, 0.1647, 0.4314, 1.0), vec4f(0.1098, 0.0627, 0.251, 1.0));

@@ -40,8 +40,6 @@ const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
 const uint PROFILE_STEP = 1u;
 const uint PROFILE_AMBIENT = 2u;
-const ProfileShape shade_tone_shape = ProfileShape(0.9950042, 0.099833414, 1.2766062, 1.859891, 0.2, 0.9049993, 0.3947585, 0u);
-const ProfileShape light_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.7710322, 1.5816126, 0.1, 0.6722112, 0.27426094, 0u);
 const ProfileShape white_chalk_tone_shape = ProfileShape(0.99875027, 0.04997917, 3.1317647, 2.7420828, 0.1, 0.3043368, 0.13399889, 0u);
 const ProfileShape reddish_rim_tone_shape = ProfileShape(0.9887711, 0.14943813, 2.5679324, 1.9696738, 0.3, 0.42241916, 0.17683415, 0u);
 

@@ -29,10 +29,35 @@ struct Light {
     float intensity;
 };
 
+struct ProfileShape {
+    float half_cos_offset;
+    float half_sin_offset;
+    float scale;
+    float exponent;
+    float offset;
+    float edge_mean;
+    float edge_deviation;
+    uint kind;
+};
+
 struct Look {
     Light back;
     Light key;
+    float light_warp_amount;
+    int _pad3_0;
+    int _pad3_1;
+    int _pad3_2;
+    ProfileShape light_tone_shape;
+    float shade_warp_amount;
+    int _pad5_0;
+    int _pad5_1;
+    int _pad5_2;
     Light cool;
+    ProfileShape shade_tone_shape;
+    float shade_blend_opacity;
+    float light_blend_opacity;
+    float reddish_rim_blend_opacity;
+    int _end_pad_0;
 };
 
 struct Surface {
@@ -53,17 +78,6 @@ struct LitLayer {
     int _end_pad_0;
     int _end_pad_1;
     int _end_pad_2;
-};
-
-struct ProfileShape {
-    float half_cos_offset;
-    float half_sin_offset;
-    float scale;
-    float exponent;
-    float offset;
-    float edge_mean;
-    float edge_deviation;
-    uint kind;
 };
 
 struct Vertex {
@@ -96,8 +110,6 @@ static const float LN_2_ = 0.6931472;
 static const float LOG2_E = 1.442695;
 static const uint PROFILE_STEP = 1u;
 static const uint PROFILE_AMBIENT = 2u;
-static const ProfileShape shade_tone_shape = ConstructProfileShape(0.9950042, 0.099833414, 1.2766062, 1.859891, 0.2, 0.9049993, 0.3947585, 0u);
-static const ProfileShape light_tone_shape = ConstructProfileShape(0.99875027, 0.04997917, 1.7710322, 1.5816126, 0.1, 0.6722112, 0.27426094, 0u);
 static const ProfileShape white_chalk_tone_shape = ConstructProfileShape(0.99875027, 0.04997917, 3.1317647, 2.7420828, 0.1, 0.3043368, 0.13399889, 0u);
 static const ProfileShape reddish_rim_tone_shape = ConstructProfileShape(0.9887711, 0.14943813, 2.5679324, 1.9696738, 0.3, 0.42241916, 0.17683415, 0u);
 
@@ -504,39 +516,46 @@ float4 shade(Surface surface_1)
     const float4 _e40 = curvature_color(_e3, float4(0.7686, 0.4157, 0.2824, 1.0), float4(0.4863, 0.1765, 0.1216, 1.0));
     Light _e43 = look.cool;
     const Angle _e45 = parametrization_diffuse(_e43, surface_1.normal);
-    const float _e47 = warp(_e3, -0.35);
-    const float _e49 = profile(_e45, _e47, shade_tone_shape);
-    Light _e52 = look.cool;
-    const LitLayer _e53 = light_apply(_e52, _e40, _e49);
-    const float4 _e58 = blend_shade(_e29, _e53.color, _e53.tone, 0.85, true);
-    const float4 _e69 = curvature_color(_e3, float4(1.0, 0.9725, 0.9176, 1.0), float4(0.9098, 0.7059, 0.5686, 1.0));
-    Light _e72 = look.key;
-    const Angle _e74 = parametrization_diffuse(_e72, surface_1.normal);
-    const float _e76 = warp(_e3, 0.45);
-    const float _e78 = profile(_e74, _e76, light_tone_shape);
-    Light _e81 = look.key;
-    const LitLayer _e82 = light_apply(_e81, _e69, _e78);
-    const float4 _e87 = blend_alpha(_e58, _e82.color, _e82.tone, 0.8, true);
-    const float _e90 = transition(surface_1.kappa, 0.3);
-    const float4 _e98 = curvature_color(_e90, (1.0).xxxx, float4(1.0, 0.9412, 0.8627, 1.0));
-    Light _e101 = look.key;
-    const Angle _e104 = parametrization_specular(_e101, surface_1.normal, surface_1.view);
-    const float _e106 = warp(_e90, 0.3);
-    const float _e108 = profile(_e104, _e106, white_chalk_tone_shape);
-    Light _e111 = look.key;
-    const LitLayer _e112 = light_apply(_e111, _e98, _e108);
-    const float4 _e117 = blend_alpha(_e87, _e112.color, _e112.tone, 0.85, true);
-    const float _e120 = transition(surface_1.kappa, 0.2);
-    const float4 _e131 = curvature_color(_e120, float4(0.7059, 0.3294, 0.2275, 1.0), float4(0.4784, 0.1647, 0.1098, 1.0));
-    Light _e134 = look.back;
-    const Angle _e136 = parametrization_diffuse(_e134, surface_1.normal);
-    const float _e138 = warp(_e120, 0.1);
-    const float _e140 = profile(_e136, _e138, reddish_rim_tone_shape);
-    Light _e143 = look.back;
-    const LitLayer _e144 = light_apply(_e143, _e131, _e140);
-    const float4 _e149 = blend_shade(_e117, _e144.color, _e144.tone, 0.7, true);
-    const float4 _e150 = output(_e149);
-    return _e150;
+    float _e48 = look.shade_warp_amount;
+    const float _e49 = warp(_e3, _e48);
+    ProfileShape _e52 = look.shade_tone_shape;
+    const float _e53 = profile(_e45, _e49, _e52);
+    Light _e56 = look.cool;
+    const LitLayer _e57 = light_apply(_e56, _e40, _e53);
+    float _e62 = look.shade_blend_opacity;
+    const float4 _e64 = blend_shade(_e29, _e57.color, _e57.tone, _e62, true);
+    const float4 _e75 = curvature_color(_e3, float4(1.0, 0.9725, 0.9176, 1.0), float4(0.9098, 0.7059, 0.5686, 1.0));
+    Light _e78 = look.key;
+    const Angle _e80 = parametrization_diffuse(_e78, surface_1.normal);
+    float _e83 = look.light_warp_amount;
+    const float _e84 = warp(_e3, _e83);
+    ProfileShape _e87 = look.light_tone_shape;
+    const float _e88 = profile(_e80, _e84, _e87);
+    Light _e91 = look.key;
+    const LitLayer _e92 = light_apply(_e91, _e75, _e88);
+    float _e97 = look.light_blend_opacity;
+    const float4 _e99 = blend_alpha(_e64, _e92.color, _e92.tone, _e97, true);
+    const float _e102 = transition(surface_1.kappa, 0.3);
+    const float4 _e110 = curvature_color(_e102, (1.0).xxxx, float4(1.0, 0.9412, 0.8627, 1.0));
+    Light _e113 = look.key;
+    const Angle _e116 = parametrization_specular(_e113, surface_1.normal, surface_1.view);
+    const float _e118 = warp(_e102, 0.3);
+    const float _e120 = profile(_e116, _e118, white_chalk_tone_shape);
+    Light _e123 = look.key;
+    const LitLayer _e124 = light_apply(_e123, _e110, _e120);
+    const float4 _e129 = blend_alpha(_e99, _e124.color, _e124.tone, 0.85, true);
+    const float _e132 = transition(surface_1.kappa, 0.2);
+    const float4 _e143 = curvature_color(_e132, float4(0.7059, 0.3294, 0.2275, 1.0), float4(0.4784, 0.1647, 0.1098, 1.0));
+    Light _e146 = look.back;
+    const Angle _e148 = parametrization_diffuse(_e146, surface_1.normal);
+    const float _e150 = warp(_e132, 0.1);
+    const float _e152 = profile(_e148, _e150, reddish_rim_tone_shape);
+    Light _e155 = look.back;
+    const LitLayer _e156 = light_apply(_e155, _e143, _e152);
+    float _e161 = look.reddish_rim_blend_opacity;
+    const float4 _e163 = blend_shade(_e129, _e156.color, _e156.tone, _e161, true);
+    const float4 _e164 = output(_e163);
+    return _e164;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)

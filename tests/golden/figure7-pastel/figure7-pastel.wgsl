@@ -23,7 +23,14 @@ struct Object {
 struct Look {
     @align(16) back: Light,
     @align(16) key: Light,
+    @align(16) light_warp_amount: f32,
+    @align(16) light_tone_shape: ProfileShape,
+    @align(16) shade_warp_amount: f32,
     @align(16) cool: Light,
+    @align(16) shade_tone_shape: ProfileShape,
+    @align(16) shade_blend_opacity: f32,
+    light_blend_opacity: f32,
+    reddish_rim_blend_opacity: f32,
 }
 
 /// The surface under the fragment, in world space.
@@ -408,8 +415,6 @@ fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered(warped, angle_footprint(warped), shape);
 }
 
-const shade_tone_shape = ProfileShape(0.9950042, 0.099833414, 1.2766062, 1.859891, 0.2, 0.9049993, 0.3947585, 0u);
-const light_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.7710322, 1.5816126, 0.1, 0.6722112, 0.27426094, 0u);
 const white_chalk_tone_shape = ProfileShape(0.99875027, 0.04997917, 3.1317647, 2.7420828, 0.1, 0.3043368, 0.13399889, 0u);
 const reddish_rim_tone_shape = ProfileShape(0.9887711, 0.14943813, 2.5679324, 1.9696738, 0.3, 0.42241916, 0.17683415, 0u);
 
@@ -421,16 +426,16 @@ fn shade(surface: Surface) -> vec4f {
     let hollows_blend = blend_shade(vec4f(0.9137, 0.8627, 0.7765, 1.0), hollows_lit.color, hollows_lit.tone, 0.9, true);
     let shade_color = curvature_color(light_convexity, vec4f(0.7686, 0.4157, 0.2824, 1.0), vec4f(0.4863, 0.1765, 0.1216, 1.0));
     let shade_angle = parametrization_diffuse(look.cool, surface.normal);
-    let shade_warp = warp(light_convexity, -0.35);
-    let shade_tone = profile(shade_angle, shade_warp, shade_tone_shape);
+    let shade_warp = warp(light_convexity, look.shade_warp_amount);
+    let shade_tone = profile(shade_angle, shade_warp, look.shade_tone_shape);
     let shade_lit = light_apply(look.cool, shade_color, shade_tone);
-    let shade_blend = blend_shade(hollows_blend, shade_lit.color, shade_lit.tone, 0.85, true);
+    let shade_blend = blend_shade(hollows_blend, shade_lit.color, shade_lit.tone, look.shade_blend_opacity, true);
     let light_color = curvature_color(light_convexity, vec4f(1.0, 0.9725, 0.9176, 1.0), vec4f(0.9098, 0.7059, 0.5686, 1.0));
     let light_angle = parametrization_diffuse(look.key, surface.normal);
-    let light_warp = warp(light_convexity, 0.45);
-    let light_tone = profile(light_angle, light_warp, light_tone_shape);
+    let light_warp = warp(light_convexity, look.light_warp_amount);
+    let light_tone = profile(light_angle, light_warp, look.light_tone_shape);
     let light_lit = light_apply(look.key, light_color, light_tone);
-    let light_blend = blend_alpha(shade_blend, light_lit.color, light_lit.tone, 0.8, true);
+    let light_blend = blend_alpha(shade_blend, light_lit.color, light_lit.tone, look.light_blend_opacity, true);
     let white_chalk_convexity = transition(surface.kappa, 0.3);
     let white_chalk_color = curvature_color(white_chalk_convexity, vec4f(1.0), vec4f(1.0, 0.9412, 0.8627, 1.0));
     let white_chalk_angle = parametrization_specular(look.key, surface.normal, surface.view);
@@ -444,7 +449,7 @@ fn shade(surface: Surface) -> vec4f {
     let reddish_rim_warp = warp(reddish_rim_convexity, 0.1);
     let reddish_rim_tone = profile(reddish_rim_angle, reddish_rim_warp, reddish_rim_tone_shape);
     let reddish_rim_lit = light_apply(look.back, reddish_rim_color, reddish_rim_tone);
-    let reddish_rim_blend = blend_shade(white_chalk_blend, reddish_rim_lit.color, reddish_rim_lit.tone, 0.7, true);
+    let reddish_rim_blend = blend_shade(white_chalk_blend, reddish_rim_lit.color, reddish_rim_lit.tone, look.reddish_rim_blend_opacity, true);
     let output_2 = output(reddish_rim_blend);
     return output_2;
 }

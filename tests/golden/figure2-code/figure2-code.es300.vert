@@ -1,0 +1,61 @@
+#version 300 es
+// Color code of angles: made by Chiaro 0.1.0, GLSL ES 3.00.
+// The vertex shader. Draws a mesh with the look; the result is straight RGBA.
+// Uniform blocks (std140): ViewBlock 0, ObjectBlock 1.
+// figure2-code.json says what to put there and how to draw.
+
+precision highp float;
+precision highp int;
+
+struct View {
+    mat4x4 clip_from_world;
+    mat4x4 camera_from_world;
+    vec4 eye;
+};
+struct Object {
+    mat4x4 world_from_object;
+    mat3x3 world_from_normal;
+    float id;
+    float cutoff;
+};
+struct Ramp {
+    vec4 colors[16];
+    vec4 places[4];
+    uint count;
+    uint interpolation;
+};
+struct Vertex {
+    vec3 position;
+    vec2 uv;
+};
+struct Varyings {
+    vec4 clip;
+    vec2 uv;
+};
+const float SMALLEST_NORMAL = 1.1754944e-38;
+const uint INTERPOLATION_SMOOTH = 1u;
+const uint INTERPOLATION_STEPPED = 2u;
+const Ramp color_code = Ramp(vec4[16](vec4(1.0, 0.9686, 0.8392, 1.0), vec4(1.0, 0.8196, 0.4, 1.0), vec4(0.9529, 0.4471, 0.1725, 1.0), vec4(0.7843, 0.1961, 0.3529, 1.0), vec4(0.4157, 0.1725, 0.549, 1.0), vec4(0.1529, 0.2039, 0.4353, 1.0), vec4(0.0431, 0.0627, 0.149, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.1, 0.22, 0.36), vec4(0.52, 0.72, 1.0, 0.0), vec4(0.0), vec4(0.0)), 7u, 1u);
+
+layout(std140) uniform ViewBlock { View u_view; };
+
+layout(std140) uniform ObjectBlock { Object u_object; };
+
+layout(location = 0) in vec3 a_position;
+layout(location = 3) in vec2 a_uv;
+smooth out vec2 v_uv;
+
+void main() {
+    Vertex vertex = Vertex(a_position, a_uv);
+    Varyings out_ = Varyings(vec4(0.0), vec2(0.0));
+    mat4x4 _e3 = u_object.world_from_object;
+    vec4 world = (_e3 * vec4(vertex.position, 1.0));
+    mat4x4 _e12 = u_view.clip_from_world;
+    out_.clip = (_e12 * world);
+    out_.uv = vertex.uv;
+    Varyings _e16 = out_;
+    gl_Position = _e16.clip;
+    v_uv = _e16.uv;
+    return;
+}
+
