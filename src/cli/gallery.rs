@@ -18,6 +18,7 @@ Examples:
 
 A folder's gallery.json says what is shown and in which order:
   {\"title\": \"...\", \"about\": \"...\", \"sections\": [{\"title\": \"...\", \"entries\": [\"look.json\"]}]}
+An entry may say more: {\"file\": \"look.json\", \"mesh\": \"shape:knot\", \"backdrop\": \"#f2ead8\"}.
 Without one everything in the folder is, with a section for each folder in it. A look's paragraph is its `about`.";
 
 /// What `chiaro gallery` is given.

@@ -46,7 +46,8 @@ impl Entry {
     ) -> Result<(Self, Vec<Diagnostic>), Vec<Diagnostic>> {
         let mut assets = Assets::default();
         let mesh = options.mesh.as_deref().or(shown.mesh.as_deref());
-        let (setup, mut warnings) = open(&shown.file, mesh, &mut assets)?;
+        let (mut setup, mut warnings) = open(&shown.file, mesh, &mut assets)?;
+        setup.scene.backdrop = shown.backdrop.or(setup.scene.backdrop);
         let plan_options = PlanOptions { size: options.size, samples: options.samples, time: setup.scene.time.start };
         let mut planner = Planner::new(assets);
         let plan = planner.plan(&setup, library, &Live::Keyed, &plan_options)?;

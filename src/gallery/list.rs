@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use serde::Deserialize;
 
 use crate::diag::Diagnostic;
-use crate::document::read_text;
+use crate::document::{parse_hex, read_text};
 use crate::examples;
 
 /// The file of a folder that says what its gallery shows.
@@ -42,6 +42,8 @@ pub struct Shown {
     pub file: PathBuf,
     /// A mesh or an own shape for a look; the default one without.
     pub mesh: Option<String>,
+    /// What is behind it, straight RGBA in display colors; the document's own without.
+    pub backdrop: Option<[f64; 4]>,
 }
 
 /// `gallery.json`.
@@ -77,6 +79,7 @@ enum EntryText {
 struct WithText {
     file: PathBuf,
     mesh: Option<String>,
+    backdrop: Option<String>,
 }
 
 /// What the program brings along, which needs no folder.
@@ -99,7 +102,7 @@ pub fn list(paths: &[PathBuf]) -> Result<List, Vec<Diagnostic>> {
     let mut problems = Vec::new();
     for path in paths {
         if !path.is_dir() {
-            own.shown.push(Shown { file: path.clone(), mesh: None });
+            own.shown.push(Shown { file: path.clone(), ..Shown::default() });
             continue;
         }
         match of_folder(path) {
@@ -168,21 +171,28 @@ fn read(file: &Path) -> Result<List, Diagnostic> {
 
 /// The list that the text of `file` says; `place` tells where a file lies that it names.
 fn parsed(text: &str, file: &Path, place: &dyn Fn(&Path) -> PathBuf) -> Result<List, Diagnostic> {
+    let bad = |message: String| Diagnostic::error("bad-gallery", message).in_file(file.display().to_string());
     let list: ListText = serde_json::from_str(text).map_err(|error| {
-        Diagnostic::error("bad-gallery", error.to_string())
-            .in_file(file.display().to_string())
+        bad(error.to_string())
             .hint("write {\"title\", \"about\", \"sections\": [{\"title\", \"about\", \"entries\": [\"look.json\"]}]}")
     })?;
+    let color = |file: &Path, text: String| {
+        let told = || bad(format!("the backdrop `{text}` of {} is no color", file.display()));
+        parse_hex(&text).ok_or_else(|| told().hint("write it as #f2ead8"))
+    };
     let shown = |entry| match entry {
-        EntryText::File(file) => Shown { file: place(&file), mesh: None },
-        EntryText::With(with) => Shown { file: place(&with.file), mesh: with.mesh },
+        EntryText::File(file) => Ok(Shown { file: place(&file), ..Shown::default() }),
+        EntryText::With(WithText { file, mesh, backdrop }) => {
+            let backdrop = backdrop.map(|text| color(&file, text)).transpose()?;
+            Ok(Shown { file: place(&file), mesh, backdrop })
+        }
     };
-    let section = |section: SectionText| Section {
-        title: section.title,
-        about: section.about,
-        shown: section.entries.into_iter().map(shown).collect(),
+    let section = |section: SectionText| {
+        let shown = section.entries.into_iter().map(shown).collect::<Result<_, Diagnostic>>()?;
+        Ok(Section { title: section.title, about: section.about, shown })
     };
-    Ok(List { title: list.title, about: list.about, sections: list.sections.into_iter().map(section).collect() })
+    let sections = list.sections.into_iter().map(section).collect::<Result<_, Diagnostic>>()?;
+    Ok(List { title: list.title, about: list.about, sections })
 }
 
 /// The documents right in a folder, by name.
@@ -192,7 +202,7 @@ fn documents(folder: &Path) -> Result<Vec<Shown>, Diagnostic> {
         is_json && path.file_name().is_some_and(|name| name != LIST_FILE)
     };
     let found = entries(folder)?.into_iter().filter(is_document);
-    Ok(found.map(|file| Shown { file, mesh: None }).collect())
+    Ok(found.map(|file| Shown { file, ..Shown::default() }).collect())
 }
 
 fn entries(folder: &Path) -> Result<Vec<PathBuf>, Diagnostic> {
@@ -241,14 +251,19 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("a.json"), "{}").unwrap();
         let path = folder.path().join(LIST_FILE);
-        let text = r#"{"title": "T", "sections": [{"title": "S", "entries": ["a.json", {"file": "a.json", "mesh": "shape:knot"}]}]}"#;
+        let text = r##"{"title": "T", "sections": [{"title": "S", "entries": ["a.json", {"file": "a.json", "mesh": "shape:knot", "backdrop": "#ffffff"}]}]}"##;
         std::fs::write(&path, text).unwrap();
         let found = list(&[folder.path().to_path_buf()]).unwrap();
-        assert_eq!((found.title.as_str(), found.sections[0].shown[1].mesh.as_deref()), ("T", Some("shape:knot")));
+        let [plain, with] = found.sections[0].shown.as_slice() else { panic!("{found:?}") };
+        assert_eq!((found.title.as_str(), plain.mesh.as_deref(), plain.backdrop), ("T", None, None));
+        assert_eq!((with.mesh.as_deref(), with.backdrop), (Some("shape:knot"), Some([1.0; 4])));
 
         std::fs::write(&path, text.replace("entries", "entrys")).unwrap();
         let problems = list(&[folder.path().to_path_buf()]).unwrap_err();
         assert!(problems[0].message.contains("entrys") && problems[0].to_string().contains(LIST_FILE), "{problems:?}");
+        std::fs::write(&path, text.replace("#ffffff", "white")).unwrap();
+        let problems = list(&[folder.path().to_path_buf()]).unwrap_err();
+        assert!(problems[0].code == "bad-gallery" && problems[0].message.contains("`white`"), "{problems:?}");
         std::fs::write(&path, text.replace("\"a.json\", ", "\"b.json\", ")).unwrap();
         assert_eq!(list(&[folder.path().to_path_buf()]).unwrap_err()[0].code, "missing-file");
         assert_eq!(list(&[]).unwrap_err()[0].code, "nothing-to-show");
