@@ -625,7 +625,7 @@ fn an_example_scene_opens_as_a_new_one_of_ones_own() {
     open_card(&mut hand, "Open the scene Painted surfaces");
     assert!(!hand.app().shows_start_page());
     let stage = hand.app().session().stage().expect("a scene");
-    assert_eq!((stage.scene().objects.len(), stage.path(), hand.app().session().path()), (6, None, None));
+    assert_eq!((stage.scene().objects.len(), stage.path(), hand.app().session().path()), (10, None, None));
     let wrong: Vec<String> = stage.problem_texts().map(str::to_owned).collect();
     assert!(wrong.is_empty() && compiles(&hand), "{wrong:?} {:?}", hand.app().session().problems());
     // It is saved with the examples that it wears, and found again.

@@ -19,7 +19,8 @@ Examples:
 A folder's gallery.json says what is shown and in which order:
   {\"title\": \"...\", \"about\": \"...\", \"sections\": [{\"title\": \"...\", \"entries\": [\"look.json\"]}]}
 An entry may say more: {\"file\": \"look.json\", \"mesh\": \"shape:knot\", \"backdrop\": \"#f2ead8\"}.
-Without one everything in the folder is, with a section for each folder in it. A look's paragraph is its `about`.";
+Its paths are from its folder. Without one everything in the folder is, with a section for each folder in it.
+A look's paragraph is its `about`. A document that cannot be shown is left out and told of.";
 
 /// What `chiaro gallery` is given.
 #[derive(Debug, clap::Args)]
@@ -77,7 +78,9 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let problems = once(made.problems);
     let page = arguments.output.join("index.html");
     let plural = if made.pages == 1 { "page" } else { "pages" };
-    output.message(&format!("{}: {} {plural}", page.display(), made.pages));
+    if made.pages > 0 {
+        output.message(&format!("{}: {} {plural}", page.display(), made.pages));
+    }
     if has_errors(&problems) {
         return Err(problems);
     }

@@ -2,11 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use serde::Deserialize;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
+use serde_json::Value as Json;
 
 use crate::diag::Diagnostic;
 use crate::document::{parse_hex, read_text};
 use crate::examples;
+use crate::frame::SHAPE_PREFIX;
 
 /// The file of a folder that says what its gallery shows.
 pub const LIST_FILE: &str = "gallery.json";
@@ -40,7 +43,7 @@ pub struct Section {
 pub struct Shown {
     /// A look or a scene.
     pub file: PathBuf,
-    /// A mesh or an own shape for a look; the default one without.
+    /// A mesh, named from the working folder, or an own shape for a look; the default one without.
     pub mesh: Option<String>,
     /// What is behind it, straight RGBA in display colors; the document's own without.
     pub backdrop: Option<[f64; 4]>,
@@ -64,22 +67,25 @@ struct SectionText {
     title: String,
     #[serde(default)]
     about: String,
+    #[serde(deserialize_with = "entries_text")]
     entries: Vec<EntryText>,
 }
 
 #[derive(Deserialize)]
-#[serde(untagged)]
-enum EntryText {
-    File(PathBuf),
-    With(WithText),
-}
-
-#[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct WithText {
+struct EntryText {
     file: PathBuf,
     mesh: Option<String>,
     backdrop: Option<String>,
+}
+
+/// Entries are paths or say more; told apart here, so that what is wrong with one is told of its field.
+fn entries_text<'de, D: Deserializer<'de>>(entries: D) -> Result<Vec<EntryText>, D::Error> {
+    let entry = |entry| match entry {
+        Json::String(file) => Ok(EntryText { file: file.into(), mesh: None, backdrop: None }),
+        more => serde_json::from_value(more).map_err(D::Error::custom),
+    };
+    Vec::<Json>::deserialize(entries)?.into_iter().map(entry).collect()
 }
 
 /// What the program brings along, which needs no folder.
@@ -175,17 +181,19 @@ fn parsed(text: &str, file: &Path, place: &dyn Fn(&Path) -> PathBuf) -> Result<L
     let list: ListText = serde_json::from_str(text).map_err(|error| {
         bad(error.to_string())
             .hint("write {\"title\", \"about\", \"sections\": [{\"title\", \"about\", \"entries\": [\"look.json\"]}]}")
+            .hint("an entry may say more: {\"file\", \"mesh\", \"backdrop\": \"#f2ead8\"}")
     })?;
     let color = |file: &Path, text: String| {
         let told = || bad(format!("the backdrop `{text}` of {} is no color", file.display()));
         parse_hex(&text).ok_or_else(|| told().hint("write it as #f2ead8"))
     };
-    let shown = |entry| match entry {
-        EntryText::File(file) => Ok(Shown { file: place(&file), ..Shown::default() }),
-        EntryText::With(WithText { file, mesh, backdrop }) => {
-            let backdrop = backdrop.map(|text| color(&file, text)).transpose()?;
-            Ok(Shown { file: place(&file), mesh, backdrop })
-        }
+    let mesh_of = |name: String| {
+        let is_own_shape = name.starts_with(SHAPE_PREFIX);
+        if is_own_shape { name } else { place(Path::new(&name)).display().to_string() }
+    };
+    let shown = |EntryText { file, mesh, backdrop }: EntryText| {
+        let backdrop = backdrop.map(|text| color(&file, text)).transpose()?;
+        Ok(Shown { file: place(&file), mesh: mesh.map(mesh_of), backdrop })
     };
     let section = |section: SectionText| {
         let shown = section.entries.into_iter().map(shown).collect::<Result<_, Diagnostic>>()?;
@@ -266,6 +274,15 @@ mod tests {
         assert!(problems[0].code == "bad-gallery" && problems[0].message.contains("`white`"), "{problems:?}");
         std::fs::write(&path, text.replace("\"a.json\", ", "\"b.json\", ")).unwrap();
         assert_eq!(list(&[folder.path().to_path_buf()]).unwrap_err()[0].code, "missing-file");
+        std::fs::write(&path, text.replace("backdrop", "backdrp")).unwrap();
+        let problems = list(&[folder.path().to_path_buf()]).unwrap_err();
+        assert!(problems[0].message.contains("`backdrp`"), "{problems:?}");
+
+        // A mesh of one's own lies beside the list.
+        std::fs::write(&path, text.replace("shape:knot", "own.obj")).unwrap();
+        let found = list(&[folder.path().to_path_buf()]).unwrap();
+        let own = folder.path().join("own.obj").display().to_string();
+        assert_eq!(found.sections[0].shown[1].mesh.as_ref(), Some(&own));
         assert_eq!(list(&[]).unwrap_err()[0].code, "nothing-to-show");
     }
 

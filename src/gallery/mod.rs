@@ -66,7 +66,6 @@ pub fn build(
 ) -> Result<Made, Vec<Diagnostic>> {
     check_folder(folder)?;
     let write = |name: &str, bytes: &[u8]| write_atomic(&folder.join(name), bytes).map_err(|problem| vec![*problem]);
-    write("style.css", page::STYLE.as_bytes())?;
     let mut made = Made::default();
     let mut index = page::Index::new(list);
     let slugs = slugs(list);
@@ -93,12 +92,22 @@ pub fn build(
                     index.entry(&entry, slug);
                     made.pages += 1;
                 }
-                Err(problems) => made.problems.extend(problems),
+                Err(problems) => {
+                    let file = shown.file.display().to_string();
+                    let place = |problem: Diagnostic| match problem.place.file {
+                        Some(_) => problem,
+                        None => problem.in_file(&file),
+                    };
+                    made.problems.extend(problems.into_iter().map(place));
+                }
             }
             progress.step()?;
         }
     }
-    write("index.html", index.finish().as_bytes())?;
+    if made.pages > 0 {
+        write("style.css", page::STYLE.as_bytes())?;
+        write("index.html", index.finish().as_bytes())?;
+    }
     Ok(made)
 }
 
