@@ -635,5 +635,5 @@ fn an_example_scene_opens_as_a_new_one_of_ones_own() {
     let text = fs::read_to_string(&scene).unwrap();
     assert!(text.contains("\"arch.json\"") && text.contains("\"example:hcbtf/grass.json\""), "{text}");
     let (setup, _) = chiaro::frame::open(&scene, None, &mut chiaro::frame::Assets::default()).unwrap();
-    assert_eq!((setup.objects.len(), setup.looks.len()), (6, 6));
+    assert_eq!((setup.objects.len(), setup.looks.len()), (10, 10));
 }
