@@ -409,6 +409,38 @@ fn a_mesh_without_uvs_is_told_of_where_a_look_reads_them() {
 }
 
 #[test]
+fn tangents_of_a_mesh_without_uvs_are_noted() {
+    let shop = Shop::new();
+    shop.write("bare.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let look = |model: &str| {
+        format!(
+            r#"{{"lights": {{"key": {{}}}}, "nodes": [{{"id": "key", "kind": "light", "values": {{"light": "key"}}}},
+            {{"id": "shine", "kind": "reflectance", "values": {{"model": "{model}"}}}}, {{"kind": "output"}}],
+            "wires": [{{"from": "key.light", "to": "shine.light"}}, {{"from": "shine.tone", "to": "output.color"}}]}}"#
+        )
+    };
+    shop.write("brushed.json", &look("ward"));
+    shop.write("plain.json", &look("phong"));
+    for (look, notes) in [("brushed.json", 1), ("plain.json", 0)] {
+        let drawn = ["render", look, "--mesh", "bare.obj", "-o", "a.png", "--size", "8x8", "--on", "reference"];
+        for command in [&drawn[..], &["explain", look, "--mesh", "bare.obj"]] {
+            let err = shop.run(command).ok().err;
+            assert_eq!(err.matches("note[level-tangents]").count(), notes, "{command:?}: {err}");
+            assert_eq!(err.contains("`shine`"), notes > 0, "{command:?}: {err}");
+        }
+    }
+}
+
+#[test]
+fn nodes_are_asked_for_with_their_choices() {
+    let shop = Shop::new();
+    assert!(shop.run(&["nodes", "blend.multiply"]).ok().out.contains("(blend)"));
+    shop.run(&["nodes", "blend.glow"]).fails(1, &["`blend` has no choice `glow`", "`multiply`"]);
+    shop.run(&["nodes", "add.glow"]).fails(1, &["`add` has no choice `glow`"]);
+    shop.run(&["nodes", "by.near"]).fails(1, &["keys", "docs/format.md"]);
+}
+
+#[test]
 fn check_tells_everything_with_its_place() {
     let shop = shop();
     shop.run_without_gpu(&["check", "flat.json"]).ok();

@@ -115,8 +115,9 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         turn_lights(&mut setup.scene, text).map_err(one)?;
     }
     let named = arguments.target.display().to_string();
-    let bytes = image_bytes(Path::new(""), &named)
-        .map_err(|problem| one(problem.hint("check the spelling, and the folder that the path starts from")))?;
+    let bytes = image_bytes(Path::new(""), &named).map_err(|problem| {
+        one(problem.hint("--target names the painted picture: check its spelling and its folder"))
+    })?;
     let target = Target::from_png(&bytes).map_err(|problem| one(problem.in_file(named)))?;
     let keeps = |kept| arguments.keep.contains(&kept);
     let keep = Keep {

@@ -32,7 +32,7 @@ pub(super) struct Arguments {
     #[arg(short, long)]
     output: PathBuf,
     /// Width and height of the pictures in pixels
-    #[arg(short, long, default_value = "512x512")]
+    #[arg(short, long, default_value = "720x480")]
     size: Size,
     /// Samples a pixel: 1, or 4 for smooth edges
     #[arg(long, default_value_t = 4, value_parser = parse_samples)]

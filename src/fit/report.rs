@@ -215,7 +215,7 @@ impl Report {
         let tried = self.tried.told().unwrap_or_else(|| "nothing".to_owned());
         let steps = |error: f64| format!("{:.0}/255", 255.0 * error);
         let message = format!(
-            "the look is off by {} of what was painted, and was by {}: {tried} of it cannot show more",
+            "the look is off by {} of what was painted, and was by {}: turning {tried} of it found nothing nearer",
             steps(self.after),
             steps(self.before)
         );

@@ -15,7 +15,7 @@ use super::cost::{self, EffectCost};
 use super::effects::EffectKind;
 use super::keys::{Moment, ParamTable, Rig, Wires, structural_look};
 use super::setup::{Setup, SetupLook, SetupObject};
-use super::uvs;
+use super::uvs::{self, Lack};
 use super::values::live_for_values;
 use super::visibility::{Cull, KnownBounds, Placed, dark_lights, fields, hidden};
 use crate::compile::{CompiledShader, HostInputs, ImageShape, Live, Options, Param, Proof, Stage, Uniform, compile};
@@ -397,7 +397,7 @@ impl Planner {
         seen
     }
 
-    /// Tells of objects whose looks read UVs that their meshes do not have.
+    /// Tells of objects whose looks read UVs, or the tangents along them, that their meshes do not have.
     fn warn_of_uvs(&mut self, setup: &Setup, seen: &[(usize, &SetupObject)], keys: &Keys, library: &Library) {
         self.uv_readers.retain(|key, _| self.used.contains(key));
         for &(number, object) in seen.iter().filter(|(_, object)| !object.mesh.has_uvs) {
@@ -405,11 +405,9 @@ impl Planner {
                 let look = &setup.looks[index];
                 let Some((key, _)) = keys.get(&(number, index)) else { continue };
                 let Some(LookShaders { draw, .. }) = self.shaders.get(key) else { continue };
-                if !draw.needs.context(Context::Uv) {
-                    continue;
-                }
-                let readers = self.uv_readers.entry(*key).or_insert_with(|| uvs::readers(look, draw, library));
-                let problem = uvs::without_uvs(object, look, readers);
+                let Some(lack) = Lack::of(draw) else { continue };
+                let readers = self.uv_readers.entry(*key).or_insert_with(|| uvs::readers(look, draw, lack, library));
+                let problem = uvs::without_uvs(object, look, lack, readers);
                 if !self.warnings.contains(&problem) {
                     self.warnings.push(problem);
                 }

@@ -1,4 +1,4 @@
-//! Looks that read texture coordinates, on meshes that have none.
+//! Looks that read texture coordinates, or the tangents that follow them, on meshes that have none.
 
 use std::collections::HashSet;
 
@@ -11,16 +11,40 @@ use crate::library::{Context, Library, Special};
 /// More nodes than this are counted and not named.
 const MOST_NAMED: usize = 3;
 
-/// A warning for each object whose look reads UVs that its mesh does not have, whether or not the object is in sight. Looks
-/// that cannot be compiled are passed over.
+/// What a look reads that a mesh without UVs cannot give.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Lack {
+    /// Texture coordinates: they are 0.
+    Uvs,
+    /// Tangents alone: they lie level, which may be what is wanted.
+    Tangents,
+}
+
+impl Lack {
+    /// What a shader lacks on such a mesh; of both the graver.
+    pub(super) fn of(shader: &CompiledShader) -> Option<Self> {
+        let reads = |lack: &Self| lack.contexts().iter().any(|context| shader.needs.context(*context));
+        [Self::Uvs, Self::Tangents].into_iter().find(reads)
+    }
+
+    fn contexts(self) -> &'static [Context] {
+        match self {
+            Self::Uvs => &[Context::Uv],
+            Self::Tangents => &[Context::Tangent, Context::Bitangent],
+        }
+    }
+}
+
+/// A warning for each object whose look reads UVs that its mesh does not have, and a note where it reads tangents alone,
+/// whether or not the object is in sight. Looks that cannot be compiled are passed over.
 pub fn missing_uvs(setup: &Setup, library: &Library) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for object in setup.objects.iter().filter(|object| !object.mesh.has_uvs) {
         for &index in &worn(object) {
             let look = &setup.looks[index];
-            let shader = compile(&look.look, library, &Options::default()).ok();
-            if let Some(shader) = shader.filter(|shader| shader.needs.context(Context::Uv)) {
-                found.push(without_uvs(object, look, &readers(look, &shader, library)));
+            let Ok(shader) = compile(&look.look, library, &Options::default()) else { continue };
+            if let Some(lack) = Lack::of(&shader) {
+                found.push(without_uvs(object, look, lack, &readers(look, &shader, lack, library)));
             }
         }
     }
@@ -35,17 +59,28 @@ fn worn(object: &SetupObject) -> Vec<usize> {
     worn
 }
 
-/// The warning of an object whose mesh has no UVs, which these nodes of its look read.
-pub(super) fn without_uvs(object: &SetupObject, look: &SetupLook, readers: &[NodePath]) -> Diagnostic {
+/// What is told of an object whose mesh has no UVs, where these nodes of its look read what it lacks.
+pub(super) fn without_uvs(object: &SetupObject, look: &SetupLook, lack: Lack, readers: &[NodePath]) -> Diagnostic {
     let named: Vec<String> = readers.iter().take(MOST_NAMED).map(|path| format!("`{path}`")).collect();
     let more = readers.len() - named.len();
     let named = if more > 0 { format!("{} and {more} more", named.join(", ")) } else { named.join(", ") };
     let by = if named.is_empty() { String::new() } else { format!(", by {named}") };
-    let message = format!("{} has no UVs, which its look reads{by}: they are 0 all over it", subject(object));
-    let problem = Diagnostic::warning("no-uvs", message).hint(
-        "unwrap the mesh in a modelling program, wire other coordinates into the node's UV, or show the look on a shape that \
-         has UVs (`shape:sphere`)",
-    );
+    let subject = subject(object);
+    let problem = match lack {
+        Lack::Uvs => {
+            let message = format!("{subject} has no UVs, which its look reads{by}: they are 0 all over it");
+            Diagnostic::warning("no-uvs", message).hint(
+                "unwrap the mesh in a modelling program, wire other coordinates into the node's UV, or show the look on a \
+                 shape that has UVs (`shape:sphere`)",
+            )
+        }
+        Lack::Tangents => {
+            let message =
+                format!("{subject} has no UVs, along which its look's tangents would run{by}: they lie level");
+            Diagnostic::note("level-tangents", message)
+                .hint("for strokes or highlights that follow the form, unwrap the mesh in a modelling program")
+        }
+    };
     let mut problem = match readers.first() {
         Some(path) => problem.node(path.clone()),
         None => problem,
@@ -59,15 +94,15 @@ fn subject(object: &SetupObject) -> String {
     format!("the mesh `{}` of object `{}`", object.mesh.name, object.id)
 }
 
-/// The nodes in a look's module that read UVs.
-pub(super) fn readers(look: &SetupLook, shader: &CompiledShader, library: &Library) -> Vec<NodePath> {
+/// The nodes in a look's module that read what a mesh lacks.
+pub(super) fn readers(look: &SetupLook, shader: &CompiledShader, lack: Lack, library: &Library) -> Vec<NodePath> {
     let Ok((typed, _)) = check(&look.look, library, None) else { return Vec::new() };
     let emitted: HashSet<&NodePath> = shader.spans.nodes().collect();
     let is_reader = |node: &&crate::compile::TypedNode| {
         let mut inputs = node.inputs.iter().flatten();
         node.def.special != Special::Output
             && emitted.contains(&node.path)
-            && inputs.any(|input| input.source == TypedSource::Context(Context::Uv))
+            && inputs.any(|input| matches!(input.source, TypedSource::Context(of) if lack.contexts().contains(&of)))
     };
     typed.nodes.iter().filter(is_reader).map(|node| node.path.clone()).collect()
 }

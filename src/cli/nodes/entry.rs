@@ -25,6 +25,18 @@ pub(super) struct Entry {
     pub(super) is_group: bool,
 }
 
+impl Entry {
+    /// The words that its inputs offer.
+    pub(super) fn choices(&self) -> impl Iterator<Item = &str> {
+        self.inputs.iter().flat_map(|input| input.options.iter().map(|(word, _)| word.as_str()))
+    }
+
+    /// Whether `choice` is a word that one of its inputs offers.
+    pub(super) fn offers(&self, choice: &str) -> bool {
+        self.choices().any(|word| word == choice)
+    }
+}
+
 /// The order of the categories in tables: as a look is built, then a project's own.
 const CATEGORIES: [&str; 10] =
     ["layer", "light", "curvature", "geometry", "input", "color", "texture", "vector", "math", "utility"];

@@ -11,6 +11,9 @@ const CUSTOM: &str = include_str!("custom.md");
 /// How the gallery shows kinds; `null` where there is nothing to see.
 const SAMPLES: &str = include_str!("../../gallery/samples.json");
 
+/// What the gallery says of kinds, by kind.
+type Samples = serde_json::Map<String, serde_json::Value>;
+
 /// The whole document.
 pub(super) fn document(entries: &[Entry]) -> String {
     let mut text = HEAD.replace("{{conversions}}", &conversions()).replace("{{surroundings}}", &surroundings());
@@ -20,9 +23,10 @@ pub(super) fn document(entries: &[Entry]) -> String {
         let links: Vec<String> = entries.iter().map(|entry| link(entry)).collect();
         let _ = writeln!(text, "- **{category}**: {}", links.join(", "));
     }
+    let samples: Samples = serde_json::from_str(SAMPLES).unwrap_or_default();
     for (category, entries) in by_category(entries) {
         let _ = writeln!(text, "\n## Category {category}");
-        entries.iter().for_each(|entry| text += &section(entry));
+        entries.iter().for_each(|entry| text += &section(entry, &samples));
     }
     text += "\n";
     text += CUSTOM;
@@ -40,13 +44,13 @@ fn by_category(entries: &[Entry]) -> Vec<(&str, Vec<&Entry>)> {
     categories
 }
 
-fn section(entry: &Entry) -> String {
+fn section(entry: &Entry, samples: &Samples) -> String {
     let group = if entry.is_group { " (a group)" } else { "" };
     let mut text = format!("\n<a id=\"{}\"></a>\n\n### `{}`: {}{group}\n", entry.kind, entry.kind, entry.label);
     if !entry.help.is_empty() {
         text += &format!("\n{}\n", entry.help);
     }
-    text += &pictures(entry);
+    text += &pictures(entry, samples);
     if !entry.inputs.is_empty() {
         text += "\n| input | type | default | range | what it is |\n| --- | --- | --- | --- | --- |\n";
         entry.inputs.iter().for_each(|input| text += &input_row(input));
@@ -92,11 +96,10 @@ fn section(entry: &Entry) -> String {
 }
 
 /// The node as the canvas draws it, and what it gives, where there is something to see of it.
-fn pictures(entry: &Entry) -> String {
+fn pictures(entry: &Entry, samples: &Samples) -> String {
     if entry.kind == crate::catalog::CUSTOM_KIND {
         return String::new();
     }
-    let samples: serde_json::Map<String, serde_json::Value> = serde_json::from_str(SAMPLES).unwrap_or_default();
     let picture = |ending: &str, told: &str| {
         format!("<img src=\"nodes/{}.{ending}\" alt=\"{told} {}\">", entry.kind, entry.label.replace('"', "&quot;"))
     };

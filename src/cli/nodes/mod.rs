@@ -62,7 +62,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     if arguments.markdown {
         output.result(markdown::document(&entries).trim_end());
     } else if let Some(kind) = &arguments.kind {
-        let entry = find(kind, &entries).ok_or_else(|| vec![unknown(kind, &entries)])?;
+        let entry = find(kind, &entries).map_err(|problem| vec![problem])?;
         let whole = if arguments.json { json::pretty(&json::entry(entry)) } else { text::whole(entry) };
         output.result(&whole);
     } else if arguments.json {
@@ -89,15 +89,38 @@ fn draw(library: &Library, folder: &std::path::Path, output: &Output) -> Result<
     Ok(())
 }
 
-/// The node of a kind, of a kind with a choice (`blend.multiply`), or of a name that people read.
-fn find<'e>(name: &str, entries: &'e [Entry]) -> Option<&'e Entry> {
-    let kind = name.split_once('.').map_or(name, |(kind, _)| kind);
+/// The node of a kind, of a kind with choices (`blend.multiply`), or of a name that people read.
+///
+/// # Errors
+/// With near names where there is none, and with the choices that there are where it has not this one.
+fn find<'e>(name: &str, entries: &'e [Entry]) -> Result<&'e Entry, Diagnostic> {
+    let mut words = name.split('.');
+    let kind = words.next().unwrap_or_default();
     let by_label = || entries.iter().find(|entry| entry.label.to_lowercase() == name.to_lowercase());
-    entries.iter().find(|entry| entry.kind == kind).or_else(by_label)
+    let entry = entries.iter().find(|entry| entry.kind == kind).or_else(by_label);
+    let entry = entry.ok_or_else(|| unknown(name, entries))?;
+    match words.find(|choice| entry.kind == kind && !entry.offers(choice)) {
+        Some(choice) => Err(no_choice(entry, choice)),
+        None => Ok(entry),
+    }
+}
+
+fn no_choice(entry: &Entry, choice: &str) -> Diagnostic {
+    let problem = Diagnostic::error("unknown-choice", format!("`{}` has no choice `{choice}`", entry.kind));
+    let words: Vec<String> = entry.choices().map(|word| format!("`{word}`")).collect();
+    if words.is_empty() {
+        return problem.hint(format!("it has none at all: `chiaro nodes {}`", entry.kind));
+    }
+    problem.hint(format!("there are {}", words.join(", ")))
 }
 
 /// Near names, of kinds and of what people read for them.
 fn unknown(kind: &str, entries: &[Entry]) -> Diagnostic {
+    if kind.starts_with("by.") {
+        let problem = Diagnostic::error("unknown-kind", format!("`{kind}` is no node but what keys follow"));
+        return problem
+            .hint("any value may have keys; docs/format.md tells how they are written, under \"Direction keys\"");
+    }
     let by_label = entries.iter().filter(|entry| entry.label.to_lowercase().contains(&kind.to_lowercase()));
     let problem = Diagnostic::error("unknown-kind", format!("there is no node of kind `{kind}`"));
     let mut near = crate::diag::nearest(kind, entries.iter().map(|entry| entry.kind.as_str()));

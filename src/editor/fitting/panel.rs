@@ -121,7 +121,7 @@ impl Fitting {
         if outcome.applied.is_none() && report.is_far_off() {
             let tried = report.tried.told().unwrap_or_else(|| "nothing".to_owned());
             let text = format!(
-                "{tried} were turned, and cannot show more of it: Misses shows where not. {}",
+                "Turning {tried} found nothing nearer: Misses shows where it is off. {}",
                 self.advice(outcome.what, report)
             );
             ui.label(RichText::new(text).color(theme::of(ui).accent));
