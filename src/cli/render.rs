@@ -46,7 +46,8 @@ pub(super) struct Arguments {
     /// Stands up meshes whose z axis points up, as in many scans
     #[arg(long)]
     z_up: bool,
-    /// Width and height in pixels [default: 800x800; 1200x800 of a scene that has a camera of its own]
+    /// Width and height in pixels [default: 800x800; 1200x800 of a scene that has a camera of its own,
+    /// or as wide for 800 as that says]
     #[arg(short, long)]
     size: Option<Size>,
     /// Samples a pixel: 1, or 4 for smooth edges
@@ -156,10 +157,13 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     Ok(())
 }
 
-/// What nobody asked otherwise for: whoever places a camera places it for a picture that is wider than high, which a square
-/// would cut.
+/// What nobody asked otherwise for: the shape that the camera was placed for. Where it does not say, whoever places a camera
+/// places it for a picture that is wider than high, which a square would cut.
 fn usual_size(camera: &Camera) -> [u32; 2] {
-    if *camera == Camera::default() { [800, 800] } else { [1200, 800] }
+    const SIDE: f64 = 800.0;
+    let unsaid = if *camera == Camera::default() { 1.0 } else { 1.5 };
+    let aspect = if camera.aspect > 0.0 { camera.aspect.clamp(0.25, 4.0) } else { unsaid };
+    [(SIDE * aspect).round() as u32, SIDE as u32]
 }
 
 /// A picture, and who drew it.
@@ -291,11 +295,12 @@ pub(super) fn adjust_camera(scene: &mut Scene, text: &str) -> Result<(), Diagnos
             }
             ("ortho", &[height]) if height > 0.0 => {
                 camera.projection = Projection::Orthographic;
-                camera.height = height;
+                // Who says how much is seen means it for the picture at hand.
+                (camera.height, camera.aspect) = (height, 0.0);
             }
             ("fov", &[degrees]) if degrees > 0.0 && degrees < 180.0 => {
                 camera.projection = Projection::Perspective;
-                camera.fov = degrees.to_radians();
+                (camera.fov, camera.aspect) = (degrees.to_radians(), 0.0);
             }
             _ => return Err(bad(part)),
         }

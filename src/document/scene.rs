@@ -115,6 +115,16 @@ pub struct Camera {
     pub fov: f64,
     /// Orthographic: the height of the picture, in scene units.
     pub height: f64,
+    /// The width over the height of the picture that it was placed for: a narrower one shows as much in width, and more
+    /// above and below. 0 for any.
+    pub aspect: f64,
+}
+
+impl Camera {
+    /// How many times as high the view is in a picture whose width is `aspect` times its height.
+    pub fn widening(&self, aspect: f64) -> f64 {
+        if self.aspect > 0.0 { (self.aspect / aspect.max(1e-6)).max(1.0) } else { 1.0 }
+    }
 }
 
 impl Default for Camera {
@@ -126,6 +136,7 @@ impl Default for Camera {
             projection: Projection::Perspective,
             fov: 0.5,
             height: 2.5,
+            aspect: 0.0,
         }
     }
 }

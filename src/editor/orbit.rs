@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::document::{Camera, Projection};
-use crate::frame::{DEFAULT_MESH, View};
+use crate::frame::{DEFAULT_MESH, View, widened};
 
 /// A flat square.
 pub(crate) const PLANE: &str = "shape:plane";
@@ -31,6 +31,9 @@ pub struct Orbit {
     pub target: DVec3,
     /// The vertical field of view, in radians.
     pub fov: f64,
+    /// The width over the height of the picture that a scene's camera was placed for, until it is shown in one
+    /// ([`fit_into`](Self::fit_into)); 0 for any.
+    pub placed_for: f64,
     /// Perspective, or parallel lines.
     pub projection: Projection,
     /// Straight RGBA behind the object; `None` for what a scene has.
@@ -104,6 +107,7 @@ impl Default for Orbit {
             distance: DVec3::from(camera.eye).distance(camera.target.into()),
             target: camera.target.into(),
             fov: camera.fov,
+            placed_for: 0.0,
             projection: Projection::Perspective,
             backdrop: None,
             illumination: DQuat::IDENTITY,
@@ -135,6 +139,7 @@ impl Orbit {
                 distance: kept.distance,
                 target: kept.target.into(),
                 fov: kept.fov,
+                placed_for: 0.0,
                 projection: kept.projection,
                 backdrop: kept.backdrop,
                 illumination: DQuat::from_array(kept.illumination).normalize(),
@@ -166,7 +171,21 @@ impl Orbit {
             projection: self.projection,
             fov: self.fov,
             height: self.height(),
+            aspect: self.placed_for,
         }
+    }
+
+    /// Widens a view that was placed for a wider picture than one of so many times its height in width, so that as much is
+    /// seen in width. A picture without room leaves it as it is.
+    pub(crate) fn fit_into(&mut self, aspect: f64) {
+        if !(aspect > 0.0 && aspect.is_finite()) {
+            return;
+        }
+        let widening = self.camera().widening(aspect);
+        if widening > 1.0 {
+            self.fov = widened(self.fov, widening);
+        }
+        self.placed_for = 0.0;
     }
 
     /// Looks from where a scene's camera does; mesh, backdrop and lights stay.
@@ -177,6 +196,7 @@ impl Orbit {
         self.target = camera.target.into();
         self.distance = DVec3::from(camera.eye).distance(self.target).max(1e-3);
         self.projection = camera.projection;
+        self.placed_for = camera.aspect;
         self.fov = match camera.projection {
             Projection::Perspective => camera.fov.clamp(0.01, 3.1),
             Projection::Orthographic => 2.0 * (0.5 * camera.height.max(1e-6) / self.distance).atan(),
@@ -339,12 +359,18 @@ mod tests {
             }
         }
         cameras.push(Camera { projection: Projection::Orthographic, height: 5.4, eye: [0.0, 0.0, 12.0], ..cameras[0] });
+        cameras.push(Camera { aspect: 2.0, ..cameras[1] });
+        cameras.push(Camera { aspect: 2.0, ..cameras[cameras.len() - 2] });
         for camera in cameras {
             let mut orbit = Orbit::default();
             orbit.look_from(&camera);
-            let [wanted, found] =
-                [camera, orbit.camera()].map(|camera| View::new(&camera, [300, 200], DVec3::ZERO, 2.0));
-            assert!(wanted.clip_from_world.abs_diff_eq(found.clip_from_world, 1e-9), "{camera:?}");
+            let mut fitted = orbit.clone();
+            fitted.fit_into(1.5);
+            for orbit in [&orbit, &fitted] {
+                let [wanted, found] =
+                    [camera, orbit.camera()].map(|camera| View::new(&camera, [300, 200], DVec3::ZERO, 2.0));
+                assert!(wanted.clip_from_world.abs_diff_eq(found.clip_from_world, 1e-9), "{camera:?}");
+            }
         }
     }
 

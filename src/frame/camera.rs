@@ -41,14 +41,15 @@ impl View {
         let distance = backward.dot(eye - center);
         let reach = radius.max(1e-6) * 1.01;
         let far = (distance + reach).max(1e-3);
+        let widening = camera.widening(aspect);
         let (projection, is_perspective, view_height) = match camera.projection {
             Projection::Perspective => {
                 let near = (distance - reach).max(far * 1e-3);
-                let fov = camera.fov.clamp(0.01, 3.1);
+                let fov = widened(camera.fov.clamp(0.01, 3.1), widening);
                 (perspective(fov, aspect, near, far.max(near * 1.001)), true, 2.0 * (0.5 * fov).tan())
             }
             Projection::Orthographic => {
-                let half = 0.5 * camera.height.max(1e-6);
+                let half = 0.5 * camera.height.max(1e-6) * widening;
                 let near = distance - reach;
                 (orthographic(half * aspect, half, near, far.max(near + 1e-3)), false, 2.0 * half)
             }
@@ -115,6 +116,11 @@ impl View {
     }
 }
 
+/// A vertical field of view in radians, so many times as high at every depth.
+pub(crate) fn widened(fov: f64, widening: f64) -> f64 {
+    (2.0 * ((0.5 * fov).tan() * widening).atan()).min(3.1)
+}
+
 /// Clip from camera axes with the vertical field of view `fov` in radians; depth 0 at `near`, 1 at `far`.
 fn perspective(fov: f64, aspect: f64, near: f64, far: f64) -> DMat4 {
     let scale = 1.0 / (0.5 * fov).tan();
@@ -169,6 +175,25 @@ mod tests {
             let above = view.clip_from_world.project_point3(DVec3::Y * 0.5);
             assert!(above.y > 0.1 && above.x.abs() < 1e-12);
             assert!((view.rotation() * view.backward - DVec3::Z).length() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_narrow_picture_shows_what_the_camera_was_placed_for() {
+        for projection in [Projection::Perspective, Projection::Orthographic] {
+            let camera = Camera { projection, aspect: 1.5, ..Camera::default() };
+            let side = |camera: &Camera, viewport: [u32; 2]| {
+                let view = View::new(camera, viewport, DVec3::ZERO, 1.0);
+                let at = view.clip_from_world.project_point3(DVec3::new(0.7, 0.4, 0.0));
+                (at.x, at.y)
+            };
+            let (x, y) = side(&camera, [300, 200]);
+            let (square_x, square_y) = side(&camera, [200, 200]);
+            assert!((square_x - x).abs() < 1e-12 && (square_y - y / 1.5).abs() < 1e-12, "{square_x} {square_y}");
+            // A wider one shows more beside it, as it does of any camera.
+            let any = Camera { aspect: 0.0, ..camera };
+            assert_eq!(side(&camera, [400, 200]), side(&any, [400, 200]));
+            assert_eq!(side(&camera, [300, 200]), side(&any, [300, 200]));
         }
     }
 

@@ -24,6 +24,8 @@ pub use crate::compile::{
 };
 pub use assets::{Assets, Change, Image, MAX_IMAGE_SIDE, Overlay, SHAPE_PREFIX, UNSAVED_HCBTF, image_bytes};
 pub use camera::View;
+#[cfg(feature = "editor")]
+pub(crate) use camera::widened;
 pub use cost::{EffectCost, attribute_bytes};
 pub use effects::{Effect, EffectKind, EffectState, effects};
 pub use keys::{

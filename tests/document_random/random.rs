@@ -417,6 +417,7 @@ impl Random {
             projection: self.choose(&[Projection::Perspective, Projection::Orthographic]),
             fov: 0.1 + self.positive(3.0),
             height: 0.1 + self.positive(100.0),
+            aspect: self.positive(3.0),
         }
     }
 

@@ -123,6 +123,7 @@ fn camera(r: &mut Reader<'_>, of: &mut Fields) -> Option<Camera> {
             projection: r.word(&fields, "projection").unwrap_or_default(),
             fov: r.number(&fields, "fov").unwrap_or(normal.fov),
             height: r.number(&fields, "height").unwrap_or(normal.height),
+            aspect: r.number(&fields, "aspect").unwrap_or(normal.aspect),
         };
         Some((camera, fields.unknown))
     })?;

@@ -122,6 +122,13 @@ pub(in crate::document) static CAMERA: Shape = Shape {
             Json("2.5"),
             "Orthographic: the height of the picture, in scene units.",
         ),
+        field(
+            "aspect",
+            Number(Bounds::new(0.0, 100.0)),
+            Json("0"),
+            "The width over the height of the picture that it was placed for: a narrower one shows as much in width, and \
+             more above and below. 0 for any.",
+        ),
     ],
 };
 

@@ -87,6 +87,7 @@ fn camera(w: &mut Writer, camera: &Camera) {
     w.word_unless("projection", camera.projection, normal.projection);
     w.number_unless("fov", camera.fov, normal.fov);
     w.number_unless("height", camera.height, normal.height);
+    w.number_unless("aspect", camera.aspect, normal.aspect);
 }
 
 fn time_range(w: &mut Writer, time: &TimeRange) {

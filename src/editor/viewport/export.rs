@@ -186,6 +186,7 @@ fn before_a_ball(orbit: &Orbit) -> Orbit {
         target: DVec3::ZERO,
         distance,
         fov: 2.0 * (0.5 * height / distance).atan(),
+        placed_for: 0.0,
         projection: Projection::Orthographic,
         backdrop: None,
         ..orbit.clone()

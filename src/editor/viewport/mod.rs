@@ -138,6 +138,9 @@ impl Viewport {
         let response = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Picture"));
         self.rect = Some(rect);
+        // By the pixels that are drawn, so that it is the picture that others draw of the scene.
+        let [width, height] = picture_size(rect, ui.pixels_per_point()).map(f64::from);
+        session.view.fit_into(width / height);
         spots::note(ui, Spot::Picture, rect);
         let pointer = response.contains_pointer().then(|| ui.input(|input| input.pointer.hover_pos())).flatten();
         let is_free = !probe.is_on() && !fitting.is_on();

@@ -74,6 +74,7 @@ fn fitted(setup: &Setup) -> Camera {
     let reach = setup.objects.iter().map(far).fold(0.0, f64::max) / FILLED;
     let half = 0.5 * view.view_height;
     let half = if reach > 0.0 { reach.clamp(half * ZOOM[0], half * ZOOM[1]) } else { half };
+    let camera = Camera { aspect: 0.0, ..camera };
     match camera.projection {
         Projection::Perspective => Camera { fov: 2.0 * half.atan(), ..camera },
         Projection::Orthographic => Camera { height: 2.0 * half, ..camera },
