@@ -114,6 +114,7 @@ static FILES: &[(&str, &[u8])] = &files![
     "scenes/figure7-beetle-turned.json",
     "scenes/figure7-fruit.json",
     "scenes/figure7-symbolic.json",
+    "scenes/figure28-arch.json",
     "scenes/figure29-flat-grass.json",
     "scenes/figure30-grass.json",
     "scenes/figure31-asphalt.json",

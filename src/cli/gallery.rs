@@ -18,7 +18,8 @@ Examples:
 
 A folder's gallery.json says what is shown and in which order:
   {\"title\": \"...\", \"about\": \"...\", \"sections\": [{\"title\": \"...\", \"entries\": [\"look.json\"]}]}
-An entry may say more: {\"file\": \"look.json\", \"mesh\": \"shape:knot\", \"backdrop\": \"#f2ead8\"}.
+An entry may say more: {\"file\": \"look.json\", \"mesh\": \"shape:knot\", \"backdrop\": \"#f2ead8\"}, and \"name\",
+\"camera\", \"turn_lights\" and \"time\", as chiaro render takes them.
 Its paths are from its folder. Without one everything in the folder is, with a section for each folder in it.
 A look's paragraph is its `about`. A document that cannot be shown is left out and told of.";
 

@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use glam::{DQuat, DVec3};
 use serde_json::json;
 
 use super::open::{check_nodes_folder, library_for};
@@ -13,8 +12,8 @@ use super::tier;
 use crate::clock::Clock;
 use crate::compile::Live;
 use crate::diag::Diagnostic;
-use crate::document::{Camera, Projection, Scene, Tier, parse_hex, write_atomic};
-use crate::frame::{Assets, FramePlan, PassKind, Picture, PlanOptions, Planner, open};
+use crate::document::{Camera, Scene, Tier, parse_hex, write_atomic};
+use crate::frame::{self, Assets, FramePlan, PassKind, Picture, PlanOptions, Planner, open};
 use crate::interp::Precision;
 use crate::milestones;
 use crate::reference::{self, Control, Modules, execute};
@@ -256,63 +255,14 @@ fn adjust(scene: &mut Scene, arguments: &Arguments) -> Result<(), Diagnostic> {
     Ok(())
 }
 
-/// Turns the illumination frame by degrees around the vertical axis, then up.
+/// Turns the illumination frame as `--turn-lights` says.
 pub(super) fn turn_lights(scene: &mut Scene, text: &str) -> Result<(), Diagnostic> {
-    let angles = numbers(text)
-        .filter(|n| (1..=2).contains(&n.len()))
-        .ok_or_else(|| bad_argument("--turn-lights", text, "degrees around the vertical axis, or YAW,PITCH"))?;
-    let yaw = DQuat::from_rotation_y(angles[0].to_radians());
-    let pitch = DQuat::from_rotation_x(-angles.get(1).copied().unwrap_or(0.0).to_radians());
-    let turned = yaw * pitch * DQuat::from_array(scene.illumination);
-    scene.illumination = turned.normalize().to_array();
-    Ok(())
+    frame::turn_lights(scene, text).map_err(|wrong| bad_argument("--turn-lights", &wrong.found, wrong.wanted))
 }
 
+/// Places the camera as `--camera` says.
 pub(super) fn adjust_camera(scene: &mut Scene, text: &str) -> Result<(), Diagnostic> {
-    let bad = |part: &str| {
-        let wanted = "eye=X,Y,Z, target=X,Y,Z, up=X,Y,Z, orbit=YAW,PITCH, distance=D, ortho=HEIGHT or fov=DEGREES, \
-                      joined by `;`";
-        bad_argument("--camera", part, wanted)
-    };
-    let camera = &mut scene.camera;
-    for part in text.split(';').map(str::trim).filter(|part| !part.is_empty()) {
-        let (key, value) = part.split_once('=').ok_or_else(|| bad(part))?;
-        let values = numbers(value).ok_or_else(|| bad(part))?;
-        let target = DVec3::from(camera.target);
-        let offset = DVec3::from(camera.eye) - target;
-        match (key.trim(), values.as_slice()) {
-            ("eye", &[x, y, z]) => camera.eye = [x, y, z],
-            ("target", &[x, y, z]) => camera.target = [x, y, z],
-            ("up", &[x, y, z]) => camera.up = [x, y, z],
-            ("orbit", &[yaw, pitch]) => {
-                let turn = DQuat::from_rotation_y(yaw.to_radians()) * DQuat::from_rotation_x(-pitch.to_radians());
-                camera.eye = (target + turn * DVec3::Z * offset.length()).to_array();
-                // From straight above, too, the picture has an up.
-                camera.up = (turn * DVec3::Y).to_array();
-            }
-            ("distance", &[distance]) if distance > 0.0 => {
-                camera.eye = (target + offset.normalize_or(DVec3::Z) * distance).to_array();
-            }
-            ("ortho", &[height]) if height > 0.0 => {
-                camera.projection = Projection::Orthographic;
-                // Who says how much is seen means it for the picture at hand.
-                (camera.height, camera.aspect) = (height, 0.0);
-            }
-            ("fov", &[degrees]) if degrees > 0.0 && degrees < 180.0 => {
-                camera.projection = Projection::Perspective;
-                (camera.fov, camera.aspect) = (degrees.to_radians(), 0.0);
-            }
-            _ => return Err(bad(part)),
-        }
-    }
-    if DVec3::from(camera.target).distance(camera.eye.into()) < 1e-9 || DVec3::from(camera.up).length() < 1e-9 {
-        return Err(bad_argument("--camera", text, "an eye away from the target, and an `up` of any length but 0"));
-    }
-    Ok(())
-}
-
-fn numbers(text: &str) -> Option<Vec<f64>> {
-    text.split(',').map(|part| part.trim().parse::<f64>().ok().filter(|x| x.is_finite())).collect()
+    frame::place_camera(&mut scene.camera, text).map_err(|wrong| bad_argument("--camera", &wrong.found, wrong.wanted))
 }
 
 fn bad_argument(option: &str, found: &str, wanted: &str) -> Diagnostic {

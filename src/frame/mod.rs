@@ -10,6 +10,7 @@ mod cost;
 mod effects;
 mod keys;
 mod picture;
+mod place;
 mod plan;
 mod samples;
 mod setup;
@@ -33,6 +34,7 @@ pub use keys::{
     set_light_field, structural_look,
 };
 pub use picture::Picture;
+pub use place::{Misplaced, place_camera, turn_lights};
 pub use plan::{Draw, Dropped, FramePlan, LookShaders, Pass, PassKind, PlanOptions, Planner};
 pub use samples::{EvalBatch, EvalSample, Evaluable, LightOverride, eval_batches};
 pub use setup::{

@@ -7,9 +7,9 @@ use serde::{Deserialize, Deserializer};
 use serde_json::Value as Json;
 
 use crate::diag::Diagnostic;
-use crate::document::{parse_hex, read_text};
+use crate::document::{Scene, parse_hex, read_text};
 use crate::examples;
-use crate::frame::SHAPE_PREFIX;
+use crate::frame::{Misplaced, SHAPE_PREFIX, place_camera, turn_lights};
 
 /// The file of a folder that says what its gallery shows.
 pub const LIST_FILE: &str = "gallery.json";
@@ -47,6 +47,14 @@ pub struct Shown {
     pub mesh: Option<String>,
     /// What is behind it, straight RGBA in display colors; the document's own without.
     pub backdrop: Option<[f64; 4]>,
+    /// What it is called here; as the document calls itself without.
+    pub name: Option<String>,
+    /// From where, as [`place_camera`] reads it; from where the document's camera stands without.
+    pub camera: Option<String>,
+    /// How all lights are turned, as [`turn_lights`] reads it.
+    pub lights: Option<String>,
+    /// When, in seconds; at the document's first moment without.
+    pub time: Option<f64>,
 }
 
 /// `gallery.json`.
@@ -75,15 +83,25 @@ struct SectionText {
 #[serde(deny_unknown_fields)]
 struct EntryText {
     file: PathBuf,
+    #[serde(default)]
     mesh: Option<String>,
+    #[serde(default)]
     backdrop: Option<String>,
+    #[serde(default)]
+    name: Option<String>,
+    #[serde(default)]
+    camera: Option<String>,
+    #[serde(default)]
+    turn_lights: Option<String>,
+    #[serde(default)]
+    time: Option<f64>,
 }
 
 /// Entries are paths or say more; told apart here, so that what is wrong with one is told of its field.
 fn entries_text<'de, D: Deserializer<'de>>(entries: D) -> Result<Vec<EntryText>, D::Error> {
-    let entry = |entry| match entry {
-        Json::String(file) => Ok(EntryText { file: file.into(), mesh: None, backdrop: None }),
-        more => serde_json::from_value(more).map_err(D::Error::custom),
+    let entry = |entry| {
+        let more = if entry.is_string() { serde_json::json!({ "file": entry }) } else { entry };
+        serde_json::from_value(more).map_err(D::Error::custom)
     };
     Vec::<Json>::deserialize(entries)?.into_iter().map(entry).collect()
 }
@@ -181,7 +199,7 @@ fn parsed(text: &str, file: &Path, place: &dyn Fn(&Path) -> PathBuf) -> Result<L
     let list: ListText = serde_json::from_str(text).map_err(|error| {
         bad(error.to_string())
             .hint("write {\"title\", \"about\", \"sections\": [{\"title\", \"about\", \"entries\": [\"look.json\"]}]}")
-            .hint("an entry may say more: {\"file\", \"mesh\", \"backdrop\": \"#f2ead8\"}")
+            .hint("an entry may say more: {\"file\", \"name\", \"mesh\", \"backdrop\", \"camera\", \"turn_lights\", \"time\"}")
     })?;
     let color = |file: &Path, text: String| {
         let told = || bad(format!("the backdrop `{text}` of {} is no color", file.display()));
@@ -191,9 +209,22 @@ fn parsed(text: &str, file: &Path, place: &dyn Fn(&Path) -> PathBuf) -> Result<L
         let is_own_shape = name.starts_with(SHAPE_PREFIX);
         if is_own_shape { name } else { place(Path::new(&name)).display().to_string() }
     };
-    let shown = |EntryText { file, mesh, backdrop }: EntryText| {
+    let shown = |entry: EntryText| {
+        let EntryText { file, mesh, backdrop, name, camera, turn_lights: lights, time } = entry;
+        let misplaced = |what: &str, wrong: Misplaced| {
+            bad(format!("{what} of {} cannot be `{}`", file.display(), wrong.found))
+                .hint(format!("write {}", wrong.wanted))
+        };
         let backdrop = backdrop.map(|text| color(&file, text)).transpose()?;
-        Ok(Shown { file: place(&file), mesh: mesh.map(mesh_of), backdrop })
+        // Read here, too, so that what is wrong is told before anything is drawn.
+        let mut scene = Scene::default();
+        if let Some(text) = &camera {
+            place_camera(&mut scene.camera, text).map_err(|wrong| misplaced("the camera", wrong))?;
+        }
+        if let Some(text) = &lights {
+            turn_lights(&mut scene, text).map_err(|wrong| misplaced("turn_lights", wrong))?;
+        }
+        Ok(Shown { file: place(&file), mesh: mesh.map(mesh_of), backdrop, name, camera, lights, time })
     };
     let section = |section: SectionText| {
         let shown = section.entries.into_iter().map(shown).collect::<Result<_, Diagnostic>>()?;
@@ -284,6 +315,27 @@ mod tests {
         let own = folder.path().join("own.obj").display().to_string();
         assert_eq!(found.sections[0].shown[1].mesh.as_ref(), Some(&own));
         assert_eq!(list(&[]).unwrap_err()[0].code, "nothing-to-show");
+    }
+
+    #[test]
+    fn a_list_says_from_where_and_when() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("a.json"), "{}").unwrap();
+        let path = folder.path().join(LIST_FILE);
+        let text = r##"{"sections": [{"entries": [{"file": "a.json", "name": "Dusk", "camera": "orbit=60,10",
+            "turn_lights": "180", "time": 2.5}]}]}"##;
+        std::fs::write(&path, text).unwrap();
+        let found = list(&[folder.path().to_path_buf()]).unwrap();
+        let shown = &found.sections[0].shown[0];
+        assert_eq!((shown.name.as_deref(), shown.time), (Some("Dusk"), Some(2.5)));
+        assert_eq!((shown.camera.as_deref(), shown.lights.as_deref()), (Some("orbit=60,10"), Some("180")));
+        for (right, wrong) in [("orbit=60,10", "orbit=60"), ("\"180\"", "\"round\"")] {
+            std::fs::write(&path, text.replace(right, wrong)).unwrap();
+            let problems = list(&[folder.path().to_path_buf()]).unwrap_err();
+            let is_told =
+                problems[0].message.contains(wrong.trim_matches('"')) && problems[0].message.contains("a.json");
+            assert!(problems[0].code == "bad-gallery" && is_told, "{problems:?}");
+        }
     }
 
     #[test]

@@ -1,0 +1,81 @@
+//! Cameras and lights placed by a line of text, as the command line and a gallery's list have it.
+
+use glam::{DQuat, DVec3};
+
+use crate::document::{Camera, Projection, Scene};
+
+/// What a line cannot say, and what it may.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Misplaced {
+    /// The part that is wrong.
+    pub found: String,
+    /// What is written there.
+    pub wanted: &'static str,
+}
+
+/// Places a camera: `eye=X,Y,Z`, `target=X,Y,Z`, `up=X,Y,Z`, `orbit=YAW,PITCH` and `fov=DEGREES` in degrees, `distance=D` and
+/// `ortho=HEIGHT` in scene units; joined by `;`, taken in order.
+///
+/// # Errors
+/// What is not written so, and an eye in its target.
+pub fn place_camera(camera: &mut Camera, text: &str) -> Result<(), Misplaced> {
+    let bad = |part: &str| Misplaced {
+        found: part.to_owned(),
+        wanted: "eye=X,Y,Z, target=X,Y,Z, up=X,Y,Z, orbit=YAW,PITCH, distance=D, ortho=HEIGHT or fov=DEGREES, joined by `;`",
+    };
+    for part in text.split(';').map(str::trim).filter(|part| !part.is_empty()) {
+        let (key, value) = part.split_once('=').ok_or_else(|| bad(part))?;
+        let values = numbers(value).ok_or_else(|| bad(part))?;
+        let target = DVec3::from(camera.target);
+        let offset = DVec3::from(camera.eye) - target;
+        match (key.trim(), values.as_slice()) {
+            ("eye", &[x, y, z]) => camera.eye = [x, y, z],
+            ("target", &[x, y, z]) => camera.target = [x, y, z],
+            ("up", &[x, y, z]) => camera.up = [x, y, z],
+            ("orbit", &[yaw, pitch]) => {
+                let turn = DQuat::from_rotation_y(yaw.to_radians()) * DQuat::from_rotation_x(-pitch.to_radians());
+                camera.eye = (target + turn * DVec3::Z * offset.length()).to_array();
+                // From straight above, too, the picture has an up.
+                camera.up = (turn * DVec3::Y).to_array();
+            }
+            ("distance", &[distance]) if distance > 0.0 => {
+                camera.eye = (target + offset.normalize_or(DVec3::Z) * distance).to_array();
+            }
+            ("ortho", &[height]) if height > 0.0 => {
+                camera.projection = Projection::Orthographic;
+                // Who says how much is seen means it for the picture at hand.
+                (camera.height, camera.aspect) = (height, 0.0);
+            }
+            ("fov", &[degrees]) if degrees > 0.0 && degrees < 180.0 => {
+                camera.projection = Projection::Perspective;
+                (camera.fov, camera.aspect) = (degrees.to_radians(), 0.0);
+            }
+            _ => return Err(bad(part)),
+        }
+    }
+    if DVec3::from(camera.target).distance(camera.eye.into()) < 1e-9 || DVec3::from(camera.up).length() < 1e-9 {
+        let wanted = "an eye away from the target, and an `up` of any length but 0";
+        return Err(Misplaced { found: text.to_owned(), wanted });
+    }
+    Ok(())
+}
+
+/// Turns a scene's illumination frame, and every light in it: degrees around the vertical axis, or `YAW,PITCH`.
+///
+/// # Errors
+/// What is no angle or two.
+pub fn turn_lights(scene: &mut Scene, text: &str) -> Result<(), Misplaced> {
+    let angles = numbers(text).filter(|n| (1..=2).contains(&n.len())).ok_or_else(|| Misplaced {
+        found: text.to_owned(),
+        wanted: "degrees around the vertical axis, or YAW,PITCH",
+    })?;
+    let yaw = DQuat::from_rotation_y(angles[0].to_radians());
+    let pitch = DQuat::from_rotation_x(-angles.get(1).copied().unwrap_or(0.0).to_radians());
+    let turned = yaw * pitch * DQuat::from_array(scene.illumination);
+    scene.illumination = turned.normalize().to_array();
+    Ok(())
+}
+
+fn numbers(text: &str) -> Option<Vec<f64>> {
+    text.split(',').map(|part| part.trim().parse::<f64>().ok().filter(|x| x.is_finite())).collect()
+}
