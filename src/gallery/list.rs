@@ -99,7 +99,7 @@ struct EntryText {
 
 /// Entries are paths or say more; told apart here, so that what is wrong with one is told of its field.
 fn entries_text<'de, D: Deserializer<'de>>(entries: D) -> Result<Vec<EntryText>, D::Error> {
-    let entry = |entry| {
+    let entry = |entry: Json| {
         let more = if entry.is_string() { serde_json::json!({ "file": entry }) } else { entry };
         serde_json::from_value(more).map_err(D::Error::custom)
     };
