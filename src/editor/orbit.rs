@@ -31,8 +31,8 @@ pub struct Orbit {
     pub target: DVec3,
     /// The vertical field of view, in radians.
     pub fov: f64,
-    /// The width over the height of the picture that a scene's camera was placed for, until it is shown in one
-    /// ([`fit_into`](Self::fit_into)); 0 for any.
+    /// The width over the height of the picture that a scene's camera was placed for, until it is shown in one that may
+    /// be narrower; 0 for any.
     pub placed_for: f64,
     /// Perspective, or parallel lines.
     pub projection: Projection,
