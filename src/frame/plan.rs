@@ -244,7 +244,7 @@ pub struct Planner {
     shaders: HashMap<u64, LookShaders>,
     /// Those that the last plan used.
     used: HashSet<u64>,
-    /// The nodes of compiled looks that read UVs, where a mesh has none.
+    /// The nodes of compiled looks that read UVs or tangents, where a mesh has no UVs.
     uv_readers: HashMap<u64, Vec<NodePath>>,
     /// What was odd, but stopped nothing.
     pub warnings: Vec<Diagnostic>,

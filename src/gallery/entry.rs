@@ -8,8 +8,8 @@ use super::{Options, Shown};
 use crate::accuracy::{BenchOptions, MeasuredNodes, Progress, Report, bench};
 use crate::compile::Live;
 use crate::diag::Diagnostic;
-use crate::document::{Look, Scene};
-use crate::frame::{Assets, Misplaced, Pass, PlanOptions, Planner, Setup, open, place_camera, turn_lights};
+use crate::document::Look;
+use crate::frame::{Assets, Pass, PlanOptions, Planner, Setup, open};
 use crate::library::Library;
 use crate::render::{Renderer, block_on};
 
@@ -48,7 +48,7 @@ impl Entry {
         let mesh = options.mesh.as_deref().or(shown.mesh.as_deref());
         let (mut setup, mut warnings) = open(&shown.file, mesh, &mut assets)?;
         setup.scene.backdrop = shown.backdrop.or(setup.scene.backdrop);
-        place(shown, &mut setup.scene).map_err(|problem| vec![problem])?;
+        shown.place(&mut setup.scene).map_err(|problem| vec![problem])?;
         let time = shown.time.unwrap_or(setup.scene.time.start);
         let plan_options = PlanOptions { size: options.size, samples: options.samples, time };
         let mut planner = Planner::new(assets);
@@ -80,21 +80,6 @@ impl Entry {
         };
         Ok((entry, warnings))
     }
-}
-
-/// Camera and lights as the list has them.
-fn place(shown: &Shown, scene: &mut Scene) -> Result<(), Diagnostic> {
-    let bad = |wrong: Misplaced| {
-        let problem = Diagnostic::error("bad-gallery", format!("there cannot be `{}`", wrong.found));
-        problem.hint(format!("write {}", wrong.wanted))
-    };
-    if let Some(text) = &shown.camera {
-        place_camera(&mut scene.camera, text).map_err(bad)?;
-    }
-    if let Some(text) = &shown.lights {
-        turn_lights(scene, text).map_err(bad)?;
-    }
-    Ok(())
 }
 
 fn measure(

@@ -57,6 +57,26 @@ pub struct Shown {
     pub time: Option<f64>,
 }
 
+impl Shown {
+    /// Places a scene's camera and turns its lights as the list has them.
+    ///
+    /// # Errors
+    /// What cannot be read so.
+    pub(super) fn place(&self, scene: &mut Scene) -> Result<(), Diagnostic> {
+        let bad = |what: &str, wrong: Misplaced| {
+            let message = format!("{what} of {} cannot be `{}`", self.file.display(), wrong.found);
+            Diagnostic::error("bad-gallery", message).hint(format!("write {}", wrong.wanted))
+        };
+        if let Some(text) = &self.camera {
+            place_camera(&mut scene.camera, text).map_err(|wrong| bad("the camera", wrong))?;
+        }
+        if let Some(text) = &self.lights {
+            turn_lights(scene, text).map_err(|wrong| bad("turn_lights", wrong))?;
+        }
+        Ok(())
+    }
+}
+
 /// `gallery.json`.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -83,17 +103,11 @@ struct SectionText {
 #[serde(deny_unknown_fields)]
 struct EntryText {
     file: PathBuf,
-    #[serde(default)]
     mesh: Option<String>,
-    #[serde(default)]
     backdrop: Option<String>,
-    #[serde(default)]
     name: Option<String>,
-    #[serde(default)]
     camera: Option<String>,
-    #[serde(default)]
     turn_lights: Option<String>,
-    #[serde(default)]
     time: Option<f64>,
 }
 
@@ -195,7 +209,8 @@ fn read(file: &Path) -> Result<List, Diagnostic> {
 
 /// The list that the text of `file` says; `place` tells where a file lies that it names.
 fn parsed(text: &str, file: &Path, place: &dyn Fn(&Path) -> PathBuf) -> Result<List, Diagnostic> {
-    let bad = |message: String| Diagnostic::error("bad-gallery", message).in_file(file.display().to_string());
+    let list_file = file.display().to_string();
+    let bad = |message: String| Diagnostic::error("bad-gallery", message).in_file(list_file.clone());
     let list: ListText = serde_json::from_str(text).map_err(|error| {
         bad(error.to_string())
             .hint("write {\"title\", \"about\", \"sections\": [{\"title\", \"about\", \"entries\": [\"look.json\"]}]}")
@@ -211,20 +226,11 @@ fn parsed(text: &str, file: &Path, place: &dyn Fn(&Path) -> PathBuf) -> Result<L
     };
     let shown = |entry: EntryText| {
         let EntryText { file, mesh, backdrop, name, camera, turn_lights: lights, time } = entry;
-        let misplaced = |what: &str, wrong: Misplaced| {
-            bad(format!("{what} of {} cannot be `{}`", file.display(), wrong.found))
-                .hint(format!("write {}", wrong.wanted))
-        };
         let backdrop = backdrop.map(|text| color(&file, text)).transpose()?;
-        // Read here, too, so that what is wrong is told before anything is drawn.
-        let mut scene = Scene::default();
-        if let Some(text) = &camera {
-            place_camera(&mut scene.camera, text).map_err(|wrong| misplaced("the camera", wrong))?;
-        }
-        if let Some(text) = &lights {
-            turn_lights(&mut scene, text).map_err(|wrong| misplaced("turn_lights", wrong))?;
-        }
-        Ok(Shown { file: place(&file), mesh: mesh.map(mesh_of), backdrop, name, camera, lights, time })
+        let shown = Shown { file: place(&file), mesh: mesh.map(mesh_of), backdrop, name, camera, lights, time };
+        // Tried here, so that what is wrong is told before anything is drawn.
+        shown.place(&mut Scene::default()).map_err(|problem| problem.in_file(list_file.clone()))?;
+        Ok(shown)
     };
     let section = |section: SectionText| {
         let shown = section.entries.into_iter().map(shown).collect::<Result<_, Diagnostic>>()?;
