@@ -20,6 +20,8 @@ static FILES: &[(&str, &[u8])] = &files![
     "looks/figure2-specular.json",
     "looks/figure2-screen-aligned.json",
     "looks/figure3-profile.json",
+    "looks/figure3-curves.json",
+    "looks/figure3-isocurves.json",
     "looks/figure4-color.json",
     "looks/figure4-extent.json",
     "looks/figure4-both.json",

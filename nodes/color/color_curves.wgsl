@@ -13,6 +13,7 @@ import chiaro::antialias;
 /// @param green "Green" : The same for green.
 /// @param blue "Blue" : The same for blue.
 /// @return color "Color" : Straight RGBA.
+/// @source Fritsch and Butland 1984
 fn color_curves(color: Color, all: Curve, red: Curve, green: Curve, blue: Curve) -> Color {
     let c = bounded_vec4(color);
     let w = vec3f(footprint_of(c.x), footprint_of(c.y), footprint_of(c.z));

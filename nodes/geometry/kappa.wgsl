@@ -14,6 +14,7 @@ import chiaro::curvature;
 /// @error fast 0.1 : of the curvature itself, for the surface where it is smooth, of triangles of a pixel or so, and not
 ///   seen edge-on; large triangles and creases show, and no pass is needed; for details the same as balanced
 /// @return kappa "Curvature" : In 1/viewport-height, convex positive, within 10,000.
+/// @source Kindlmann et al. 2003, curvature in transfer functions; BADF 3.3
 fn kappa_surface(kappa: f32) -> f32 {
     return kappa_safe(kappa);
 }

@@ -11,6 +11,7 @@ import chiaro::antialias;
 /// @param value "Value" default=0 : Where on the curve, from left to right.
 /// @param curve "Curve" : Its points, at most 16.
 /// @return value "Value" : The curve's height there.
+/// @source Fritsch and Butland 1984
 fn curve(value: f32, curve: Curve) -> f32 {
     let w = footprint_of(value);
     return curve_at(curve, bounded(value), w);

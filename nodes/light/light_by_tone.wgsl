@@ -13,6 +13,7 @@ import chiaro::total;
 /// @param tone "Tone" default=1 min=0 max=1 : 1 is straight above, 0 just above the horizon, as Lambert's cosine.
 /// @param normal "Normal" from=normal : World space; any length but 0.
 /// @return light "Light" : With the light's colour and intensity.
+/// @source thesis 12
 fn light_by_tone(light: Light, tone: f32, normal: vec3f) -> Light {
     let frame = world_from_tangent(light.direction, vec3f(0.0), normal);
     // Never quite on the horizon, where rounding would put some of the surface into the dark.

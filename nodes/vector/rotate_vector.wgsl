@@ -10,6 +10,7 @@ import chiaro::total;
 /// @param angle "Angle" unit=rad default=0 : How far.
 /// @return vector "Vector" : As long as before.
 /// @bypass vector when angle = 0 : its angle is 0
+/// @source Anjyo and Hiramitsu 2003, where it turns a highlight
 fn rotate_vector(vector: vec3f, axis: vec3f, angle: f32) -> vec3f {
     let v = bounded_vec3(vector);
     let k = normalize_or(axis, vec3f(0.0));
