@@ -60,16 +60,68 @@ fn words_of_drivers(by: &Json, found: &mut BTreeSet<String>) {
     }
 }
 
-#[test]
-fn every_technique_has_nodes_looks_and_tests() {
-    let text = std::fs::read_to_string(root().join("docs/techniques.md")).unwrap();
+/// The rows of the page's tables, in cells.
+fn rows(text: &str) -> Vec<Vec<&str>> {
     let rows: Vec<Vec<&str>> = text
         .lines()
         .filter(|line| line.starts_with("| ") && !line.starts_with("| technique") && !line.starts_with("| ---"))
         .map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
         .collect();
     assert!(rows.len() >= 40, "only {} rows are read", rows.len());
-    for row in rows {
+    rows
+}
+
+/// The words between backticks.
+fn words(cell: &str) -> Vec<&str> {
+    cell.split('`').filter(|word| !word.trim().is_empty()).collect()
+}
+
+fn page() -> String {
+    std::fs::read_to_string(root().join("docs/techniques.md")).unwrap()
+}
+
+/// What is told of a node or a group.
+fn docs(kind: &str) -> Vec<&'static str> {
+    let library = Library::built_in();
+    let node = library.nodes.get(kind).into_iter();
+    let told = node.flat_map(|node| std::iter::once(&node.help).chain(&node.sources));
+    told.chain(library.groups.get(kind).map(|group| &group.definition.help)).map(String::as_str).collect()
+}
+
+fn about(look: Json) -> String {
+    look["about"].as_str().unwrap_or_default().to_owned()
+}
+
+/// Whoever meets a node finds the paper that it comes from.
+#[test]
+fn a_techniques_nodes_name_its_papers() {
+    let page = page();
+    let mut papers = 0;
+    for row in rows(&page) {
+        let [technique, after, nodes, examples, _] = row[..] else { panic!("{row:?} has not five cells") };
+        let kinds = words(nodes).into_iter().filter_map(|word| word.split('.').next());
+        let docs: Vec<String> = match technique {
+            // No node does it: its looks tell.
+            "Painted shading" => links(examples).iter().flat_map(|path| looks(path)).map(about).collect(),
+            _ => kinds.flat_map(docs).map(str::to_owned).collect(),
+        };
+        for paper in after.split(", ") {
+            let mut told = paper.split(' ');
+            let is_year = |word: &&str| word.len() == 4 && word.parse::<u32>().is_ok();
+            // `Cook and Torrance 1982`, `Kalnins et al. 2002`: who, and when.
+            let (Some(who), Some(when)) = (told.next(), told.find(is_year)) else { continue };
+            let is_named = docs.iter().any(|text| text.contains(who) && text.contains(when));
+            assert!(is_named, "{technique}: no docs of {nodes} name {paper}");
+            papers += 1;
+        }
+    }
+    assert!(papers >= 40, "only {papers} papers are read");
+}
+
+#[test]
+fn every_technique_has_nodes_looks_and_tests() {
+    let page = page();
+    for row in rows(&page) {
         let [technique, _, words, examples, tests] = row[..] else { panic!("{row:?} has not five cells") };
         let mut found = BTreeSet::new();
         let examples = links(examples);
@@ -78,7 +130,7 @@ fn every_technique_has_nodes_looks_and_tests() {
             let sets = look["direction_keys"].as_array().into_iter().flatten();
             sets.for_each(|set| words_of_drivers(&set["by"], &mut found));
         }
-        let words: Vec<&str> = words.split('`').filter(|word| !word.trim().is_empty()).collect();
+        let words = self::words(words);
         assert!(!words.is_empty() && !examples.is_empty(), "{technique}: nothing is told of it");
         for word in words {
             assert!(found.contains(word), "{technique}: none of {examples:?} has `{word}`");

@@ -28,7 +28,7 @@ import chiaro::total;
 /// @choice encoding "Encoding" default=color color="Color" data="Data" :
 ///   Color for what is seen; Data takes numbers as they are.
 /// @param viewport from=viewport hidden
-/// @source Klein et al. 2000, art maps; Meier 1996
+/// @source Klein et al. 2000, art maps; Meier 1996; Kalnins et al. 2002, strokes that keep their size
 fn brush_strokes_alpha(
     image: texture_2d<f32>,
     image_sampler: sampler,

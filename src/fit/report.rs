@@ -49,7 +49,7 @@ pub struct Report {
     pub is_stopped: bool,
     /// Everything that is another now.
     pub changed: Vec<Changed>,
-    /// The pixels that are farthest off, the worst first.
+    /// The pixels that are farthest off, as much as they count, the worst first.
     pub worst: Vec<Missed>,
 }
 
@@ -177,11 +177,12 @@ impl Report {
         let all = Keep::default();
         let old = knobs_of(shot.setup, shot.look, shot.library, &all)?;
         let new = knobs_of(&wearing(shot, fitted.clone()), shot.look, shot.library, &all)?;
-        let mut worst = painted(after);
+        let mut worst: Vec<&One> = after.iter().filter(|one| !one.is_rest).collect();
         let compared = worst.len();
         let tried = Things::of(&turned);
-        worst.sort_by(|a, b| b.error.total_cmp(&a.error));
-        worst.truncate(WORST);
+        // What a brush hardly touched, at the edge of a stroke, hardly counts.
+        worst.sort_by(|a, b| b.miss().total_cmp(&a.miss()));
+        let worst = worst.into_iter().take(WORST).map(|one| one.missed).collect();
         Ok(Self {
             painted: target.wishes.len(),
             compared,

@@ -105,7 +105,7 @@ impl Showing {
                 Type::Hcbtf => HCBTF,
                 _ => continue,
             };
-            showing.values.insert(port.name.clone(), Value::Text(text.to_owned()));
+            showing.values.entry(port.name.clone()).or_insert_with(|| Value::Text(text.to_owned()));
         }
         Some(showing)
     }

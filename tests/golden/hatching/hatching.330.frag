@@ -2,6 +2,7 @@
 // Hatching: made by Chiaro 0.1.0, GLSL 3.30.
 // The fragment shader. Draws a mesh with the look; the result is straight RGBA.
 // Uniform blocks (std140): ViewBlock 0, ObjectBlock 1, LookBlock 2.
+// Textures: u_curvature_tensor_map 0.
 // hatching.json says what to put there and how to draw.
 struct View {
     mat4x4 clip_from_world;
@@ -28,6 +29,7 @@ struct Surface {
     vec3 normal;
     vec3 view;
     vec3 position_object;
+    vec3 curvature_tensor;
     float magnification;
     mat3x3 world_from_normal;
 };
@@ -72,6 +74,8 @@ layout(std140) uniform ViewBlock { View u_view; };
 layout(std140) uniform ObjectBlock { Object u_object; };
 
 layout(std140) uniform LookBlock { Look u_look; };
+
+uniform sampler2D u_curvature_tensor_map;
 
 smooth in vec3 v_position;
 smooth in vec3 v_position_object;
@@ -192,6 +196,14 @@ vec4 bounded_vec4_(vec4 v_5) {
     return vec4(_e2, _e4, _e6, _e8);
 }
 
+float divided(float a, float b) {
+    if ((abs(b) < SMALLEST_NORMAL)) {
+        return 0.0;
+    }
+    float _e7 = bounded((a / b));
+    return _e7;
+}
+
 float powered(float base, float exponent) {
     bool local_1 = false;
     float _e2 = bounded(base);
@@ -223,22 +235,22 @@ float powered(float base, float exponent) {
     return (_e36 ? -(_e22) : _e22);
 }
 
-float mixed(float a, float b, float t) {
-    float _e4 = bounded((b - a));
-    float _e14 = bounded(((t < 0.5) ? (a + (t * _e4)) : (b - ((1.0 - t) * _e4))));
+float mixed(float a_1, float b_1, float t) {
+    float _e4 = bounded((b_1 - a_1));
+    float _e14 = bounded(((t < 0.5) ? (a_1 + (t * _e4)) : (b_1 - ((1.0 - t) * _e4))));
     return _e14;
 }
 
-vec3 mixed_vec3_(vec3 a_1, vec3 b_1, float t_1) {
-    float _e5 = mixed(a_1.x, b_1.x, t_1);
-    float _e8 = mixed(a_1.y, b_1.y, t_1);
-    float _e11 = mixed(a_1.z, b_1.z, t_1);
+vec3 mixed_vec3_(vec3 a_2, vec3 b_2, float t_1) {
+    float _e5 = mixed(a_2.x, b_2.x, t_1);
+    float _e8 = mixed(a_2.y, b_2.y, t_1);
+    float _e11 = mixed(a_2.z, b_2.z, t_1);
     return vec3(_e5, _e8, _e11);
 }
 
-vec4 mixed_vec4_(vec4 a_2, vec4 b_2, float t_2) {
-    vec3 _e5 = mixed_vec3_(a_2.xyz, b_2.xyz, t_2);
-    float _e8 = mixed(a_2.w, b_2.w, t_2);
+vec4 mixed_vec4_(vec4 a_3, vec4 b_3, float t_2) {
+    vec3 _e5 = mixed_vec3_(a_3.xyz, b_3.xyz, t_2);
+    float _e8 = mixed(a_3.w, b_3.w, t_2);
     return vec4(_e5, _e8);
 }
 
@@ -284,6 +296,28 @@ vec2 sin_cos_of(float x_11) {
     return clamp(_e2, vec2(-1.0), vec2(1.0));
 }
 
+float footprint_of(float x_12) {
+    float _e1 = dFdx(x_12);
+    float _e2 = dFdy(x_12);
+    vec2 d = vec2(_e1, _e2);
+    float _e6 = bounded(sqrt(dot(d, d)));
+    return _e6;
+}
+
+float edge_width(float w, float softness) {
+    float _e4 = bounded(softness);
+    return length(vec2(min(w, 1000000000000000.0), clamp(_e4, 0.0, 1000000000000000.0)));
+}
+
+float step_filtered(float x_13, float edge, float w_1) {
+    float _e4 = bounded((x_13 - edge));
+    if ((w_1 < 1e-30)) {
+        return ((_e4 >= 0.0) ? 1.0 : 0.0);
+    }
+    float _e13 = bounded((_e4 / w_1));
+    return clamp((0.5 + _e13), 0.0, 1.0);
+}
+
 vec4 premultiplied(vec4 color) {
     return vec4((color.xyz * color.w), color.w);
 }
@@ -295,12 +329,32 @@ vec4 straight(vec4 composite) {
     return vec4((composite.xyz / vec3(composite.w)), composite.w);
 }
 
-vec4 mix_colors_normal(vec4 a_3, vec4 b_3, float factor) {
-    vec4 _e3 = bounded_vec4_(a_3);
-    vec4 _e4 = bounded_vec4_(b_3);
+vec4 mix_colors_normal(vec4 a_4, vec4 b_4, float factor) {
+    vec4 _e3 = bounded_vec4_(a_4);
+    vec4 _e4 = bounded_vec4_(b_4);
     float _e6 = factor_of(factor, true);
     vec4 _e7 = mixed_vec4_(_e3, _e4, _e6);
     return _e7;
+}
+
+float kappa_safe(float kappa) {
+    bool is_nan = ((floatBitsToUint(kappa) & 2147483647u) > 2139095040u);
+    return (is_nan ? 0.0 : clamp(kappa, -10000.0, 10000.0));
+}
+
+vec3 tensor_safe(vec3 tensor) {
+    float _e2 = kappa_safe(tensor.x);
+    float _e4 = kappa_safe(tensor.y);
+    float _e6 = kappa_safe(tensor.z);
+    return vec3(_e2, _e4, _e6);
+}
+
+vec2 principal_curvatures(vec3 tensor_1) {
+    float mean = (0.5 * (tensor_1.x + tensor_1.z));
+    float spread = length(vec2((0.5 * (tensor_1.x - tensor_1.z)), tensor_1.y));
+    float far = (mean + ((mean >= 0.0) ? spread : -(spread)));
+    float _e26 = divided(((tensor_1.x * tensor_1.z) - (tensor_1.y * tensor_1.y)), far);
+    return ((mean >= 0.0) ? vec2(far, _e26) : vec2(_e26, far));
 }
 
 float facing(vec3 normal, vec3 view) {
@@ -319,9 +373,9 @@ mat3x3 axes_around(vec3 toward, vec3 up) {
     return mat3x3(_e38, cross(_e6, _e38), _e6);
 }
 
-float combine_tones_union(float a_4, float b_4) {
-    float _e3 = factor_of(a_4, true);
-    float _e5 = factor_of(b_4, true);
+float combine_tones_union(float a_5, float b_5) {
+    float _e3 = factor_of(a_5, true);
+    float _e5 = factor_of(b_5, true);
     return max(_e3, _e5);
 }
 
@@ -429,8 +483,8 @@ Marked mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
 }
 
 vec3 gradient_on_picture(vec3 g, vec3 normal_1, vec3 view_1) {
-    float facing_1 = dot(normal_1, view_1);
-    return (g - (normal_1 * (dot(g, view_1) / ((facing_1 >= 0.0) ? max(facing_1, 0.125) : min(facing_1, -0.125)))));
+    float facing_2 = dot(normal_1, view_1);
+    return (g - (normal_1 * (dot(g, view_1) / ((facing_2 >= 0.0) ? max(facing_2, 0.125) : min(facing_2, -0.125)))));
 }
 
 Marked place_on_surface(vec2 place_1, vec3 along_1, vec3 across_1, vec3 normal_2, vec3 view_2, float magnification, float angle_1) {
@@ -475,14 +529,14 @@ float octave_of(float square) {
     return clamp((-0.7213475 * _e5), -16.0, 16.0);
 }
 
-Stroke stroke_at(ivec2 line, float x_12, int zoom, Strokes style) {
+Stroke stroke_at(ivec2 line, float x_14, int zoom, Strokes style) {
     uvec3 _e7 = lattice_hash(ivec3(line, 1048576), style.seed);
     vec3 _e8 = unit_of_hash(_e7);
     if ((style.length_ <= 0.0)) {
         return Stroke(_e8.y, 1.0);
     }
     float _e15 = power_of_two(zoom);
-    float along_2 = (clamp(((x_12 * _e15) / style.length_), -1000000.0, 1000000.0) + _e8.x);
+    float along_2 = (clamp(((x_14 * _e15) / style.length_), -1000000.0, 1000000.0) + _e8.x);
     float index = floor(along_2);
     uvec3 _e30 = lattice_hash(ivec3(line, int(index)), (style.seed + uint(zoom)));
     vec3 _e31 = unit_of_hash(_e30);
@@ -491,10 +545,10 @@ Stroke stroke_at(ivec2 line, float x_12, int zoom, Strokes style) {
     return Stroke(_e31.x, (slope * (2.0 - slope)));
 }
 
-Stroke stroke_between(ivec2 line_1, float x_13, float level, Strokes style_1) {
+Stroke stroke_between(ivec2 line_1, float x_15, float level, Strokes style_1) {
     float zoom_2 = floor(level);
-    Stroke _e6 = stroke_at(line_1, x_13, int(zoom_2), style_1);
-    Stroke _e10 = stroke_at(line_1, x_13, (int(zoom_2) + 1), style_1);
+    Stroke _e6 = stroke_at(line_1, x_15, int(zoom_2), style_1);
+    Stroke _e10 = stroke_at(line_1, x_15, (int(zoom_2) + 1), style_1);
     float f_1 = (level - zoom_2);
     return Stroke(mix(_e6.turn, _e10.turn, f_1), mix(_e6.profile, _e10.profile, f_1));
 }
@@ -507,9 +561,9 @@ float stray_at(vec2 place_3, int zoom_1, uint seed_3) {
     return (((_e13 - 0.5) * 2.0) * _e19);
 }
 
-float band_filtered(float t_4, float half_, float w) {
+float band_filtered(float t_4, float half_, float w_2) {
     bool local_2 = false;
-    if ((w < 1e-30)) {
+    if ((w_2 < 1e-30)) {
         if ((abs(t_4) <= half_)) {
             local_2 = (half_ > 0.0);
         } else {
@@ -518,7 +572,7 @@ float band_filtered(float t_4, float half_, float w) {
         bool _e12 = local_2;
         return (_e12 ? 1.0 : 0.0);
     }
-    return clamp(((clamp((t_4 + (0.5 * w)), -(half_), half_) - clamp((t_4 - (0.5 * w)), -(half_), half_)) / w), 0.0, 1.0);
+    return clamp(((clamp((t_4 + (0.5 * w_2)), -(half_), half_) - clamp((t_4 - (0.5 * w_2)), -(half_), half_)) / w_2), 0.0, 1.0);
 }
 
 ivec2 line_of(int whole, int octave) {
@@ -527,7 +581,7 @@ ivec2 line_of(int whole, int octave) {
     return ((whole == 0) ? ivec2(0) : ivec2((whole / power), (octave - octaves)));
 }
 
-float hatched(vec2 place_4, float w_1, float level_1, float ink, Strokes style_2) {
+float hatched(vec2 place_4, float w_3, float level_1, float ink, Strokes style_2) {
     if (!((ink > 0.0))) {
         return 0.0;
     }
@@ -548,7 +602,7 @@ float hatched(vec2 place_4, float w_1, float level_1, float ink, Strokes style_2
     float q = clamp((across_3 * _e47), -4194304.0, 4194304.0);
     float _e55 = exp2_stable((octave_1 - level_1));
     float half_1 = ((0.5 * width_1) * _e55);
-    float footprint = (w_1 * _e47);
+    float footprint = (w_3 * _e47);
     int whole_2 = int(roundEven(q));
     ivec2 _e61 = line_of(whole_2, int(octave_1));
     Stroke _e63 = stroke_between(_e61, place_4.x, level_1, style_2);
@@ -558,16 +612,16 @@ float hatched(vec2 place_4, float w_1, float level_1, float ink, Strokes style_2
     float grown = clamp(((growth - (late * _e75.turn)) / (1.0 - late)), 0.0, 1.0);
     float _e92 = band_filtered((q - float(whole_2)), (half_1 * _e63.profile), footprint);
     float _e99 = band_filtered(((q - middle) - 0.5), ((half_1 * grown) * _e75.profile), footprint);
-    float mean = min(((2.0 * half_1) * (1.0 + growth)), 1.0);
+    float mean_1 = min(((2.0 * half_1) * (1.0 + growth)), 1.0);
     float _e110 = eased(footprint, 0.75, 1.5);
-    return mix(max(_e92, _e99), mean, _e110);
+    return mix(max(_e92, _e99), mean_1, _e110);
 }
 
 float cross_hatched(Spaced at, float ink_1, int layers, float cross_, Strokes style_3) {
     float free = 1.0;
     int i_1 = 0;
     Strokes own = Strokes(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0u);
-    vec2 x_14 = dFdx(at.place);
+    vec2 x_17 = dFdx(at.place);
     vec2 y = dFdy(at.place);
     int count_2 = min(max(layers, 1), 4);
     float _e12 = bounded(ink_1);
@@ -591,7 +645,7 @@ float cross_hatched(Spaced at, float ink_1, int layers, float cross_, Strokes st
                 vec2 _e30 = sin_cos_of((float(_e27) * cross_));
                 vec2 along_3 = vec2(_e30.y, _e30.x);
                 vec2 across_4 = vec2(-(_e30.x), _e30.y);
-                float _e42 = bounded(length(vec2(dot(across_4, x_14), dot(across_4, y))));
+                float _e42 = bounded(length(vec2(dot(across_4, x_17), dot(across_4, y))));
                 vec3 s_2 = at.stretch;
                 float square_3 = dot(vec3((across_4.x * across_4.x), ((2.0 * across_4.x) * across_4.y), (across_4.y * across_4.y)), s_2);
                 float _e63 = octave_of(max(square_3, ((s_2.x + s_2.z) / 65.0)));
@@ -633,10 +687,10 @@ MarkPlace mark_place_light(Light light, vec3 normal_4, float angle_3, vec3 view_
 
 float reflectance_wrap(Light light_1, vec3 normal_5, float wrap) {
     float _e3 = bounded(wrap);
-    float w_2 = clamp(_e3, 0.0, 1.0);
+    float w_4 = clamp(_e3, 0.0, 1.0);
     vec3 _e11 = normalize_or(normal_5, vec3(0.0, 0.0, 1.0));
     float cosine = dot(_e11, light_1.direction);
-    return max(((cosine + w_2) / (1.0 + w_2)), 0.0);
+    return max(((cosine + w_4) / (1.0 + w_4)), 0.0);
 }
 
 float map_range(float value_1, float from_low_1, float from_high_1, float to_low_1, float to_high_1, bool clamped_2) {
@@ -647,6 +701,31 @@ float map_range(float value_1, float from_low_1, float from_high_1, float to_low
 float smooth_step_value(float value_2, float low_2, float high_2) {
     float _e3 = eased(value_2, low_2, high_2);
     return _e3;
+}
+
+float seen_well(float facing_1) {
+    float _e3 = eased(facing_1, 0.05, 0.3);
+    return _e3;
+}
+
+float faded_in(float x_16, float limit, float softness_1) {
+    float _e3 = bounded(limit);
+    float at_2 = max(_e3, 0.0);
+    float _e6 = footprint_of(x_16);
+    float _e10 = factor_of(softness_1, true);
+    float _e12 = edge_width(_e6, (min(at_2, 1000000000.0) * _e10));
+    float _e13 = bounded(x_16);
+    float _e14 = step_filtered(_e13, at_2, _e12);
+    return _e14;
+}
+
+float inner_contour_valleys(float limit_1, float softness_2, vec3 tensor_2, vec3 normal_6, vec3 view_5) {
+    vec3 _e5 = tensor_safe(tensor_2);
+    vec2 _e6 = principal_curvatures(_e5);
+    float least = _e6.y;
+    float _e9 = faded_in(-(least), limit_1, softness_2);
+    float _e11 = seen_well(dot(normal_6, view_5));
+    return (_e9 * _e11);
 }
 
 vec4 shade(Surface surface_1) {
@@ -660,19 +739,21 @@ vec4 shade(Surface surface_1) {
     float _e41 = facing(surface_1.normal, surface_1.view);
     float _e44 = smooth_step_value(_e41, 0.34, 0.2);
     float _e45 = combine_tones_union(_e38, _e44);
-    vec4 _e56 = mix_colors_normal(vec4(0.965, 0.937, 0.875, 1.0), vec4(0.12, 0.105, 0.16, 1.0), _e45);
-    vec4 _e57 = premultiplied(_e56);
-    vec4 _e58 = output_(_e57);
-    return _e58;
+    float _e51 = inner_contour_valleys(75.0, 0.3, surface_1.curvature_tensor, surface_1.normal, surface_1.view);
+    float _e52 = combine_tones_union(_e45, _e51);
+    vec4 _e63 = mix_colors_normal(vec4(0.965, 0.937, 0.875, 1.0), vec4(0.12, 0.105, 0.16, 1.0), _e52);
+    vec4 _e64 = premultiplied(_e63);
+    vec4 _e65 = output_(_e64);
+    return _e65;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, mat3x3(0.0));
+    Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0, mat3x3(0.0));
     vec3 _e7 = normalize_or(in_.normal, vec3(0.0, 0.0, 1.0));
-    vec3 normal_6 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_6;
+    vec3 normal_7 = (is_front ? _e7 : -(_e7));
+    surface.normal = normal_7;
     vec4 _e15 = u_view.eye;
     float _e20 = u_view.eye.w;
     vec4 _e26 = u_view.eye;
@@ -680,19 +761,21 @@ void main() {
     vec3 _e33 = normalize_or((_e15.xyz - (_e20 * in_.position)), _e32);
     surface.view = _e33;
     surface.position_object = in_.position_object;
-    mat4x4 _e39 = u_view.camera_from_world;
-    float _e49 = u_view.eye.w;
-    float _e54 = u_view.clip_from_world[0][1];
-    float _e59 = u_view.clip_from_world[1][1];
-    float _e64 = u_view.clip_from_world[2][1];
-    float _e67 = size_on_screen(-((_e39 * vec4(in_.position, 1.0)).z), _e49, length(vec3(_e54, _e59, _e64)));
-    surface.magnification = _e67;
-    mat3x3 _e71 = u_object.world_from_normal;
-    surface.world_from_normal = _e71;
-    Surface _e72 = surface;
-    vec4 _e73 = shade(_e72);
-    vec4 _e74 = finite_vec4_(_e73);
-    out_color = _e74;
+    vec4 _e42 = texelFetch(u_curvature_tensor_map, ivec2(in_.clip.xy), 0);
+    surface.curvature_tensor = _e42.xyz;
+    mat4x4 _e47 = u_view.camera_from_world;
+    float _e57 = u_view.eye.w;
+    float _e62 = u_view.clip_from_world[0][1];
+    float _e67 = u_view.clip_from_world[1][1];
+    float _e72 = u_view.clip_from_world[2][1];
+    float _e75 = size_on_screen(-((_e47 * vec4(in_.position, 1.0)).z), _e57, length(vec3(_e62, _e67, _e72)));
+    surface.magnification = _e75;
+    mat3x3 _e79 = u_object.world_from_normal;
+    surface.world_from_normal = _e79;
+    Surface _e80 = surface;
+    vec4 _e81 = shade(_e80);
+    vec4 _e82 = finite_vec4_(_e81);
+    out_color = _e82;
     return;
 }
 

@@ -2,6 +2,7 @@
 // Hatching: made by Chiaro 0.1.0, GLSL ES 3.00.
 // The vertex shader. Draws a mesh with the look; the result is straight RGBA.
 // Uniform blocks (std140): ViewBlock 0, ObjectBlock 1, LookBlock 2.
+// Textures: u_curvature_tensor_map 0.
 // hatching.json says what to put there and how to draw.
 
 precision highp float;

@@ -1,6 +1,6 @@
 // Hatching: made by Chiaro 0.1.0, HLSL, shader model 5.1.
 // Draws a mesh with the look; the result is straight RGBA.
-// Registers of space 0: view_5 b0, object b1, look b2.
+// Registers of space 0: view_6 b0, object b1, look b2, curvature_tensor_map t0.
 // hatching.json says what to put there and how to draw.
 // UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
@@ -42,6 +42,8 @@ struct Surface {
     float3 view;
     int _pad2_0;
     float3 position_object;
+    int _pad3_0;
+    float3 curvature_tensor;
     float magnification;
     row_major float3x3 world_from_normal;
     int _end_pad_0;
@@ -103,21 +105,22 @@ static const float LN_2_ = 0.6931472;
 static const float LOG2_E = 1.442695;
 static const float SMALLEST_NORMAL = 1.1754944e-38;
 
-cbuffer view_5 : register(b0) { View view_5; }
+cbuffer view_6 : register(b0) { View view_6; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
+Texture2D<float4> curvature_tensor_map : register(t0);
 
 struct VertexOutput_vs_main {
     float3 position_1 : LOC0;
     float3 position_object_1 : LOC1;
-    float3 normal_6 : LOC2;
+    float3 normal_7 : LOC2;
     float4 clip_ : SV_Position;
 };
 
 struct FragmentInput_fs_main {
     float3 position_2 : LOC0;
     float3 position_object_2 : LOC1;
-    float3 normal_7 : LOC2;
+    float3 normal_8 : LOC2;
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
@@ -259,6 +262,15 @@ float4 bounded_vec4_(float4 v_5)
     return float4(_e2, _e4, _e6, _e8);
 }
 
+float divided(float a, float b)
+{
+    if ((abs(b) < SMALLEST_NORMAL)) {
+        return 0.0;
+    }
+    const float _e7 = bounded((a / b));
+    return _e7;
+}
+
 float powered(float base, float exponent)
 {
     bool local_1 = (bool)0;
@@ -292,25 +304,25 @@ float powered(float base, float exponent)
     return (_e36 ? -(_e22) : _e22);
 }
 
-float mixed(float a, float b, float t)
+float mixed(float a_1, float b_1, float t)
 {
-    const float _e4 = bounded((b - a));
-    const float _e14 = bounded(((t < 0.5) ? (a + (t * _e4)) : (b - ((1.0 - t) * _e4))));
+    const float _e4 = bounded((b_1 - a_1));
+    const float _e14 = bounded(((t < 0.5) ? (a_1 + (t * _e4)) : (b_1 - ((1.0 - t) * _e4))));
     return _e14;
 }
 
-float3 mixed_vec3_(float3 a_1, float3 b_1, float t_1)
+float3 mixed_vec3_(float3 a_2, float3 b_2, float t_1)
 {
-    const float _e5 = mixed(a_1.x, b_1.x, t_1);
-    const float _e8 = mixed(a_1.y, b_1.y, t_1);
-    const float _e11 = mixed(a_1.z, b_1.z, t_1);
+    const float _e5 = mixed(a_2.x, b_2.x, t_1);
+    const float _e8 = mixed(a_2.y, b_2.y, t_1);
+    const float _e11 = mixed(a_2.z, b_2.z, t_1);
     return float3(_e5, _e8, _e11);
 }
 
-float4 mixed_vec4_(float4 a_2, float4 b_2, float t_2)
+float4 mixed_vec4_(float4 a_3, float4 b_3, float t_2)
 {
-    const float3 _e5 = mixed_vec3_(a_2.xyz, b_2.xyz, t_2);
-    const float _e8 = mixed(a_2.w, b_2.w, t_2);
+    const float3 _e5 = mixed_vec3_(a_3.xyz, b_3.xyz, t_2);
+    const float _e8 = mixed(a_3.w, b_3.w, t_2);
     return float4(_e5, _e8);
 }
 
@@ -361,6 +373,31 @@ float2 sin_cos_of(float x_11)
     return clamp(_e2, (-1.0).xx, (1.0).xx);
 }
 
+float footprint_of(float x_12)
+{
+    float _e1 = ddx(x_12);
+    float _e2 = ddy(x_12);
+    float2 d = float2(_e1, _e2);
+    const float _e6 = bounded(sqrt(dot(d, d)));
+    return _e6;
+}
+
+float edge_width(float w, float softness)
+{
+    const float _e4 = bounded(softness);
+    return length(float2(min(w, 1000000000000000.0), clamp(_e4, 0.0, 1000000000000000.0)));
+}
+
+float step_filtered(float x_13, float edge, float w_1)
+{
+    const float _e4 = bounded((x_13 - edge));
+    if ((w_1 < 1e-30)) {
+        return ((_e4 >= 0.0) ? 1.0 : 0.0);
+    }
+    const float _e13 = bounded((_e4 / w_1));
+    return clamp((0.5 + _e13), 0.0, 1.0);
+}
+
 float4 premultiplied(float4 color)
 {
     return float4((color.xyz * color.w), color.w);
@@ -374,13 +411,36 @@ float4 straight(float4 composite)
     return float4((composite.xyz / (composite.w).xxx), composite.w);
 }
 
-float4 mix_colors_normal(float4 a_3, float4 b_3, float factor)
+float4 mix_colors_normal(float4 a_4, float4 b_4, float factor)
 {
-    const float4 _e3 = bounded_vec4_(a_3);
-    const float4 _e4 = bounded_vec4_(b_3);
+    const float4 _e3 = bounded_vec4_(a_4);
+    const float4 _e4 = bounded_vec4_(b_4);
     const float _e6 = factor_of(factor, true);
     const float4 _e7 = mixed_vec4_(_e3, _e4, _e6);
     return _e7;
+}
+
+float kappa_safe(float kappa)
+{
+    bool is_nan = ((asuint(kappa) & 2147483647u) > 2139095040u);
+    return (is_nan ? 0.0 : clamp(kappa, -10000.0, 10000.0));
+}
+
+float3 tensor_safe(float3 tensor)
+{
+    const float _e2 = kappa_safe(tensor.x);
+    const float _e4 = kappa_safe(tensor.y);
+    const float _e6 = kappa_safe(tensor.z);
+    return float3(_e2, _e4, _e6);
+}
+
+float2 principal_curvatures(float3 tensor_1)
+{
+    float mean = (0.5 * (tensor_1.x + tensor_1.z));
+    float spread = length(float2((0.5 * (tensor_1.x - tensor_1.z)), tensor_1.y));
+    float far = (mean + ((mean >= 0.0) ? spread : -(spread)));
+    const float _e26 = divided(((tensor_1.x * tensor_1.z) - (tensor_1.y * tensor_1.y)), far);
+    return ((mean >= 0.0) ? float2(far, _e26) : float2(_e26, far));
 }
 
 float facing(float3 normal, float3 view)
@@ -401,10 +461,10 @@ float3x3 axes_around(float3 toward, float3 up)
     return float3x3(_e38, cross(_e6, _e38), _e6);
 }
 
-float combine_tones_union(float a_4, float b_4)
+float combine_tones_union(float a_5, float b_5)
 {
-    const float _e3 = factor_of(a_4, true);
-    const float _e5 = factor_of(b_4, true);
+    const float _e3 = factor_of(a_5, true);
+    const float _e5 = factor_of(b_5, true);
     return max(_e3, _e5);
 }
 
@@ -538,8 +598,8 @@ Marked mark_place_of(float2 place, float3 along, float3 across, float angle)
 
 float3 gradient_on_picture(float3 g, float3 normal_1, float3 view_1)
 {
-    float facing_1 = dot(normal_1, view_1);
-    return (g - (normal_1 * (dot(g, view_1) / ((facing_1 >= 0.0) ? max(facing_1, 0.125) : min(facing_1, -0.125)))));
+    float facing_2 = dot(normal_1, view_1);
+    return (g - (normal_1 * (dot(g, view_1) / ((facing_2 >= 0.0) ? max(facing_2, 0.125) : min(facing_2, -0.125)))));
 }
 
 Marked place_on_surface(float2 place_1, float3 along_1, float3 across_1, float3 normal_2, float3 view_2, float magnification, float angle_1)
@@ -605,7 +665,7 @@ Stroke ConstructStroke(float arg0, float arg1) {
     return ret;
 }
 
-Stroke stroke_at(int2 line_, float x_12, int zoom, Strokes style)
+Stroke stroke_at(int2 line_, float x_14, int zoom, Strokes style)
 {
     const uint3 _e7 = lattice_hash(int3(line_, int(1048576)), style.seed);
     const float3 _e8 = unit_of_hash(_e7);
@@ -614,7 +674,7 @@ Stroke stroke_at(int2 line_, float x_12, int zoom, Strokes style)
         return stroke;
     }
     const float _e15 = power_of_two(zoom);
-    float along_2 = (clamp(((x_12 * _e15) / style.length_), -1000000.0, 1000000.0) + _e8.x);
+    float along_2 = (clamp(((x_14 * _e15) / style.length_), -1000000.0, 1000000.0) + _e8.x);
     float index = floor(along_2);
     const uint3 _e30 = lattice_hash(int3(line_, naga_f2i32(index)), (style.seed + asuint(zoom)));
     const float3 _e31 = unit_of_hash(_e30);
@@ -624,11 +684,11 @@ Stroke stroke_at(int2 line_, float x_12, int zoom, Strokes style)
     return stroke_1;
 }
 
-Stroke stroke_between(int2 line_1, float x_13, float level, Strokes style_1)
+Stroke stroke_between(int2 line_1, float x_15, float level, Strokes style_1)
 {
     float zoom_2 = floor(level);
-    const Stroke _e6 = stroke_at(line_1, x_13, naga_f2i32(zoom_2), style_1);
-    const Stroke _e10 = stroke_at(line_1, x_13, asint(asuint(naga_f2i32(zoom_2)) + asuint(int(1))), style_1);
+    const Stroke _e6 = stroke_at(line_1, x_15, naga_f2i32(zoom_2), style_1);
+    const Stroke _e10 = stroke_at(line_1, x_15, asint(asuint(naga_f2i32(zoom_2)) + asuint(int(1))), style_1);
     float f_1 = (level - zoom_2);
     const Stroke stroke_2 = ConstructStroke(lerp(_e6.turn, _e10.turn, f_1), lerp(_e6.profile, _e10.profile, f_1));
     return stroke_2;
@@ -647,11 +707,11 @@ float stray_at(float2 place_3, int zoom_1, uint seed_3)
     return (((_e13 - 0.5) * 2.0) * _e19);
 }
 
-float band_filtered(float t_4, float half_, float w)
+float band_filtered(float t_4, float half_, float w_2)
 {
     bool local_2 = (bool)0;
 
-    if ((w < 1e-30)) {
+    if ((w_2 < 1e-30)) {
         if ((abs(t_4) <= half_)) {
             local_2 = (half_ > 0.0);
         } else {
@@ -660,7 +720,7 @@ float band_filtered(float t_4, float half_, float w)
         bool _e12 = local_2;
         return (_e12 ? 1.0 : 0.0);
     }
-    return clamp(((clamp((t_4 + (0.5 * w)), -(half_), half_) - clamp((t_4 - (0.5 * w)), -(half_), half_)) / w), 0.0, 1.0);
+    return clamp(((clamp((t_4 + (0.5 * w_2)), -(half_), half_) - clamp((t_4 - (0.5 * w_2)), -(half_), half_)) / w_2), 0.0, 1.0);
 }
 
 int2 line_of(int whole, int octave)
@@ -670,7 +730,7 @@ int2 line_of(int whole, int octave)
     return ((whole == int(0)) ? (int(0)).xx : int2(naga_div(whole, power), asint(asuint(octave) - asuint(octaves))));
 }
 
-float hatched(float2 place_4, float w_1, float level_1, float ink, Strokes style_2)
+float hatched(float2 place_4, float w_3, float level_1, float ink, Strokes style_2)
 {
     if (!((ink > 0.0))) {
         return 0.0;
@@ -692,7 +752,7 @@ float hatched(float2 place_4, float w_1, float level_1, float ink, Strokes style
     float q = clamp((across_3 * _e47), -4194304.0, 4194304.0);
     const float _e55 = exp2_stable((octave_1 - level_1));
     float half_1 = ((0.5 * width_1) * _e55);
-    float footprint = (w_1 * _e47);
+    float footprint = (w_3 * _e47);
     int whole_2 = naga_f2i32(round(q));
     const int2 _e61 = line_of(whole_2, naga_f2i32(octave_1));
     const Stroke _e63 = stroke_between(_e61, place_4.x, level_1, style_2);
@@ -702,9 +762,9 @@ float hatched(float2 place_4, float w_1, float level_1, float ink, Strokes style
     float grown = clamp(((growth - (late * _e75.turn)) / (1.0 - late)), 0.0, 1.0);
     const float _e92 = band_filtered((q - float(whole_2)), (half_1 * _e63.profile), footprint);
     const float _e99 = band_filtered(((q - middle) - 0.5), ((half_1 * grown) * _e75.profile), footprint);
-    float mean = min(((2.0 * half_1) * (1.0 + growth)), 1.0);
+    float mean_1 = min(((2.0 * half_1) * (1.0 + growth)), 1.0);
     const float _e110 = eased(footprint, 0.75, 1.5);
-    return lerp(max(_e92, _e99), mean, _e110);
+    return lerp(max(_e92, _e99), mean_1, _e110);
 }
 
 float cross_hatched(Spaced at, float ink_1, int layers, float cross_, Strokes style_3)
@@ -713,7 +773,7 @@ float cross_hatched(Spaced at, float ink_1, int layers, float cross_, Strokes st
     int i_1 = int(0);
     Strokes own = (Strokes)0;
 
-    float2 x_14 = ddx(at.place);
+    float2 x_17 = ddx(at.place);
     float2 y = ddy(at.place);
     int count_2 = clamp(layers, int(1), int(4));
     const float _e12 = bounded(ink_1);
@@ -740,7 +800,7 @@ float cross_hatched(Spaced at, float ink_1, int layers, float cross_, Strokes st
                 const float2 _e30 = sin_cos_of((float(_e27) * cross_));
                 float2 along_3 = float2(_e30.y, _e30.x);
                 float2 across_4 = float2(-(_e30.x), _e30.y);
-                const float _e42 = bounded(length(float2(dot(across_4, x_14), dot(across_4, y))));
+                const float _e42 = bounded(length(float2(dot(across_4, x_17), dot(across_4, y))));
                 float3 s_2 = at.stretch;
                 float square_3 = dot(float3((across_4.x * across_4.x), ((2.0 * across_4.x) * across_4.y), (across_4.y * across_4.y)), s_2);
                 const float _e63 = octave_of(max(square_3, ((s_2.x + s_2.z) / 65.0)));
@@ -805,10 +865,10 @@ MarkPlace mark_place_light(Light light, float3 normal_4, float angle_3, float3 v
 float reflectance_wrap(Light light_1, float3 normal_5, float wrap)
 {
     const float _e3 = bounded(wrap);
-    float w_2 = clamp(_e3, 0.0, 1.0);
+    float w_4 = clamp(_e3, 0.0, 1.0);
     const float3 _e11 = normalize_or(normal_5, float3(0.0, 0.0, 1.0));
     float cosine = dot(_e11, light_1.direction);
-    return max(((cosine + w_2) / (1.0 + w_2)), 0.0);
+    return max(((cosine + w_4) / (1.0 + w_4)), 0.0);
 }
 
 float map_range(float value_1, float from_low_1, float from_high_1, float to_low_1, float to_high_1, bool clamped_2)
@@ -823,6 +883,34 @@ float smooth_step_value(float value_2, float low_2, float high_2)
     return _e3;
 }
 
+float seen_well(float facing_1)
+{
+    const float _e3 = eased(facing_1, 0.05, 0.3);
+    return _e3;
+}
+
+float faded_in(float x_16, float limit, float softness_1)
+{
+    const float _e3 = bounded(limit);
+    float at_2 = max(_e3, 0.0);
+    const float _e6 = footprint_of(x_16);
+    const float _e10 = factor_of(softness_1, true);
+    const float _e12 = edge_width(_e6, (min(at_2, 1000000000.0) * _e10));
+    const float _e13 = bounded(x_16);
+    const float _e14 = step_filtered(_e13, at_2, _e12);
+    return _e14;
+}
+
+float inner_contour_valleys(float limit_1, float softness_2, float3 tensor_2, float3 normal_6, float3 view_5)
+{
+    const float3 _e5 = tensor_safe(tensor_2);
+    const float2 _e6 = principal_curvatures(_e5);
+    float least = _e6.y;
+    const float _e9 = faded_in(-(least), limit_1, softness_2);
+    const float _e11 = seen_well(dot(normal_6, view_5));
+    return (_e9 * _e11);
+}
+
 float4 shade(Surface surface_1)
 {
     Light _e3 = look.key;
@@ -835,10 +923,12 @@ float4 shade(Surface surface_1)
     const float _e41 = facing(surface_1.normal, surface_1.view);
     const float _e44 = smooth_step_value(_e41, 0.34, 0.2);
     const float _e45 = combine_tones_union(_e38, _e44);
-    const float4 _e56 = mix_colors_normal(float4(0.965, 0.937, 0.875, 1.0), float4(0.12, 0.105, 0.16, 1.0), _e45);
-    const float4 _e57 = premultiplied(_e56);
-    const float4 _e58 = output(_e57);
-    return _e58;
+    const float _e51 = inner_contour_valleys(75.0, 0.3, surface_1.curvature_tensor, surface_1.normal, surface_1.view);
+    const float _e52 = combine_tones_union(_e45, _e51);
+    const float4 _e63 = mix_colors_normal(float4(0.965, 0.937, 0.875, 1.0), float4(0.12, 0.105, 0.16, 1.0), _e52);
+    const float4 _e64 = premultiplied(_e63);
+    const float4 _e65 = output(_e64);
+    return _e65;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
@@ -847,7 +937,7 @@ VertexOutput_vs_main vs_main(Vertex vertex)
 
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_5.clip_from_world;
+    float4x4 _e12 = view_6.clip_from_world;
     out_.clip_ = mul(world, _e12);
     out_.position = world.xyz;
     out_.position_object = vertex.position;
@@ -859,33 +949,39 @@ VertexOutput_vs_main vs_main(Vertex vertex)
     return varyings_1;
 }
 
+int2 naga_f2i32(float2 value) {
+    return int2(clamp(value, -2147483600.0, 2147483500.0));
+}
+
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2, fragmentinput_fs_main.position_object_2, fragmentinput_fs_main.normal_7 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2, fragmentinput_fs_main.position_object_2, fragmentinput_fs_main.normal_8 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
     const float3 _e7 = normalize_or(in_.normal, float3(0.0, 0.0, 1.0));
-    float3 normal_8 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_8;
-    float4 _e15 = view_5.eye;
-    float _e20 = view_5.eye.w;
-    float4 _e26 = view_5.eye;
+    float3 normal_9 = (is_front ? _e7 : -(_e7));
+    surface.normal = normal_9;
+    float4 _e15 = view_6.eye;
+    float _e20 = view_6.eye.w;
+    float4 _e26 = view_6.eye;
     const float3 _e32 = normalize_or(_e26.xyz, float3(0.0, 0.0, 1.0));
     const float3 _e33 = normalize_or((_e15.xyz - (_e20 * in_.position)), _e32);
     surface.view = _e33;
     surface.position_object = in_.position_object;
-    float4x4 _e39 = view_5.camera_from_world;
-    float _e49 = view_5.eye.w;
-    float _e54 = view_5.clip_from_world[0].y;
-    float _e59 = view_5.clip_from_world[1].y;
-    float _e64 = view_5.clip_from_world[2].y;
-    const float _e67 = size_on_screen(-(mul(float4(in_.position, 1.0), _e39).z), _e49, length(float3(_e54, _e59, _e64)));
-    surface.magnification = _e67;
-    float3x3 _e71 = object.world_from_normal;
-    surface.world_from_normal = _e71;
-    Surface _e72 = surface;
-    const float4 _e73 = shade(_e72);
-    const float4 _e74 = finite_vec4_(_e73);
-    return _e74;
+    float4 _e42 = curvature_tensor_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    surface.curvature_tensor = _e42.xyz;
+    float4x4 _e47 = view_6.camera_from_world;
+    float _e57 = view_6.eye.w;
+    float _e62 = view_6.clip_from_world[0].y;
+    float _e67 = view_6.clip_from_world[1].y;
+    float _e72 = view_6.clip_from_world[2].y;
+    const float _e75 = size_on_screen(-(mul(float4(in_.position, 1.0), _e47).z), _e57, length(float3(_e62, _e67, _e72)));
+    surface.magnification = _e75;
+    float3x3 _e79 = object.world_from_normal;
+    surface.world_from_normal = _e79;
+    Surface _e80 = surface;
+    const float4 _e81 = shade(_e80);
+    const float4 _e82 = finite_vec4_(_e81);
+    return _e82;
 }

@@ -1,6 +1,6 @@
 // Hatching: made by Chiaro 0.1.0, Metal Shading Language 2.0.
 // Draws a mesh with the look; the result is straight RGBA.
-// Arguments of both functions: view_5 buffer(0), object buffer(1), look buffer(2).
+// Arguments of both functions: view_6 buffer(0), object buffer(1), look buffer(2), curvature_tensor_map texture(0).
 // hatching.json says what to put there and how to draw.
 // UNVERIFIED: no compiler of Metal Shading Language 2.0 has seen this file.
 
@@ -36,7 +36,8 @@ struct Look {
 struct Surface {
     metal::float3 normal;
     metal::float3 view;
-    metal::packed_float3 position_object;
+    metal::float3 position_object;
+    metal::packed_float3 curvature_tensor;
     float magnification;
     metal::float3x3 world_from_normal;
 };
@@ -237,6 +238,17 @@ metal::float4 bounded_vec4_(
     return metal::float4(_e2, _e4, _e6, _e8);
 }
 
+float divided(
+    float a,
+    float b
+) {
+    if (metal::abs(b) < SMALLEST_NORMAL) {
+        return 0.0;
+    }
+    float _e7 = bounded(a / b);
+    return _e7;
+}
+
 float powered(
     float base,
     float exponent
@@ -272,33 +284,33 @@ float powered(
 }
 
 float mixed(
-    float a,
-    float b,
+    float a_1,
+    float b_1,
     float t
 ) {
-    float _e4 = bounded(b - a);
-    float _e14 = bounded((t < 0.5) ? (a + (t * _e4)) : (b - ((1.0 - t) * _e4)));
+    float _e4 = bounded(b_1 - a_1);
+    float _e14 = bounded((t < 0.5) ? (a_1 + (t * _e4)) : (b_1 - ((1.0 - t) * _e4)));
     return _e14;
 }
 
 metal::float3 mixed_vec3_(
-    metal::float3 a_1,
-    metal::float3 b_1,
+    metal::float3 a_2,
+    metal::float3 b_2,
     float t_1
 ) {
-    float _e5 = mixed(a_1.x, b_1.x, t_1);
-    float _e8 = mixed(a_1.y, b_1.y, t_1);
-    float _e11 = mixed(a_1.z, b_1.z, t_1);
+    float _e5 = mixed(a_2.x, b_2.x, t_1);
+    float _e8 = mixed(a_2.y, b_2.y, t_1);
+    float _e11 = mixed(a_2.z, b_2.z, t_1);
     return metal::float3(_e5, _e8, _e11);
 }
 
 metal::float4 mixed_vec4_(
-    metal::float4 a_2,
-    metal::float4 b_2,
+    metal::float4 a_3,
+    metal::float4 b_3,
     float t_2
 ) {
-    metal::float3 _e5 = mixed_vec3_(a_2.xyz, b_2.xyz, t_2);
-    float _e8 = mixed(a_2.w, b_2.w, t_2);
+    metal::float3 _e5 = mixed_vec3_(a_3.xyz, b_3.xyz, t_2);
+    float _e8 = mixed(a_3.w, b_3.w, t_2);
     return metal::float4(_e5, _e8);
 }
 
@@ -364,6 +376,37 @@ metal::float2 sin_cos_of(
     return metal::clamp(_e2, metal::float2(-1.0), metal::float2(1.0));
 }
 
+float footprint_of(
+    float x_12
+) {
+    float _e1 = metal::dfdx(x_12);
+    float _e2 = metal::dfdy(x_12);
+    metal::float2 d = metal::float2(_e1, _e2);
+    float _e6 = bounded(metal::sqrt(metal::dot(d, d)));
+    return _e6;
+}
+
+float edge_width(
+    float w,
+    float softness
+) {
+    float _e4 = bounded(softness);
+    return metal::length(metal::float2(metal::min(w, 1000000000000000.0), metal::clamp(_e4, 0.0, 1000000000000000.0)));
+}
+
+float step_filtered(
+    float x_13,
+    float edge,
+    float w_1
+) {
+    float _e4 = bounded(x_13 - edge);
+    if (w_1 < 0.000000000000000000000000000001) {
+        return (_e4 >= 0.0) ? 1.0 : 0.0;
+    }
+    float _e13 = bounded(_e4 / w_1);
+    return metal::clamp(0.5 + _e13, 0.0, 1.0);
+}
+
 Composite premultiplied(
     Color color
 ) {
@@ -380,15 +423,41 @@ Color straight(
 }
 
 Color mix_colors_normal(
-    Color a_3,
-    Color b_3,
+    Color a_4,
+    Color b_4,
     float factor
 ) {
-    metal::float4 _e3 = bounded_vec4_(a_3);
-    metal::float4 _e4 = bounded_vec4_(b_3);
+    metal::float4 _e3 = bounded_vec4_(a_4);
+    metal::float4 _e4 = bounded_vec4_(b_4);
     float _e6 = factor_of(factor, true);
     metal::float4 _e7 = mixed_vec4_(_e3, _e4, _e6);
     return _e7;
+}
+
+float kappa_safe(
+    float kappa
+) {
+    bool is_nan = (as_type<uint>(kappa) & 2147483647u) > 2139095040u;
+    return is_nan ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0);
+}
+
+metal::float3 tensor_safe(
+    metal::float3 tensor
+) {
+    float _e2 = kappa_safe(tensor.x);
+    float _e4 = kappa_safe(tensor.y);
+    float _e6 = kappa_safe(tensor.z);
+    return metal::float3(_e2, _e4, _e6);
+}
+
+metal::float2 principal_curvatures(
+    metal::float3 tensor_1
+) {
+    float mean = 0.5 * (tensor_1.x + tensor_1.z);
+    float spread = metal::length(metal::float2(0.5 * (tensor_1.x - tensor_1.z), tensor_1.y));
+    float far = mean + ((mean >= 0.0) ? spread : -(spread));
+    float _e26 = divided((tensor_1.x * tensor_1.z) - (tensor_1.y * tensor_1.y), far);
+    return (mean >= 0.0) ? metal::float2(far, _e26) : metal::float2(_e26, far);
 }
 
 float facing(
@@ -414,11 +483,11 @@ metal::float3x3 axes_around(
 }
 
 float combine_tones_union(
-    float a_4,
-    float b_4
+    float a_5,
+    float b_5
 ) {
-    float _e3 = factor_of(a_4, true);
-    float _e5 = factor_of(b_4, true);
+    float _e3 = factor_of(a_5, true);
+    float _e5 = factor_of(b_5, true);
     return metal::max(_e3, _e5);
 }
 
@@ -560,8 +629,8 @@ metal::float3 gradient_on_picture(
     metal::float3 normal_1,
     metal::float3 view_1
 ) {
-    float facing_1 = metal::dot(normal_1, view_1);
-    return g - (normal_1 * (metal::dot(g, view_1) / ((facing_1 >= 0.0) ? metal::max(facing_1, 0.125) : metal::min(facing_1, -0.125))));
+    float facing_2 = metal::dot(normal_1, view_1);
+    return g - (normal_1 * (metal::dot(g, view_1) / ((facing_2 >= 0.0) ? metal::max(facing_2, 0.125) : metal::min(facing_2, -0.125))));
 }
 
 Marked place_on_surface(
@@ -631,7 +700,7 @@ float octave_of(
 
 Stroke stroke_at(
     metal::int2 line,
-    float x_12,
+    float x_14,
     int zoom,
     Strokes style
 ) {
@@ -641,7 +710,7 @@ Stroke stroke_at(
         return Stroke {_e8.y, 1.0};
     }
     float _e15 = power_of_two(zoom);
-    float along_2 = metal::clamp((x_12 * _e15) / style.length, -1000000.0, 1000000.0) + _e8.x;
+    float along_2 = metal::clamp((x_14 * _e15) / style.length, -1000000.0, 1000000.0) + _e8.x;
     float index = metal::floor(along_2);
     metal::uint3 _e30 = lattice_hash(metal::int3(line, naga_f2i32(index)), style.seed + as_type<uint>(zoom));
     metal::float3 _e31 = unit_of_hash(_e30);
@@ -652,13 +721,13 @@ Stroke stroke_at(
 
 Stroke stroke_between(
     metal::int2 line_1,
-    float x_13,
+    float x_15,
     float level,
     Strokes style_1
 ) {
     float zoom_2 = metal::floor(level);
-    Stroke _e6 = stroke_at(line_1, x_13, naga_f2i32(zoom_2), style_1);
-    Stroke _e10 = stroke_at(line_1, x_13, as_type<int>(as_type<uint>(naga_f2i32(zoom_2)) + as_type<uint>(1)), style_1);
+    Stroke _e6 = stroke_at(line_1, x_15, naga_f2i32(zoom_2), style_1);
+    Stroke _e10 = stroke_at(line_1, x_15, as_type<int>(as_type<uint>(naga_f2i32(zoom_2)) + as_type<uint>(1)), style_1);
     float f_1 = level - zoom_2;
     return Stroke {metal::mix(_e6.turn, _e10.turn, f_1), metal::mix(_e6.profile, _e10.profile, f_1)};
 }
@@ -682,10 +751,10 @@ float stray_at(
 float band_filtered(
     float t_4,
     float half_,
-    float w
+    float w_2
 ) {
     bool local_2 = {};
-    if (w < 0.000000000000000000000000000001) {
+    if (w_2 < 0.000000000000000000000000000001) {
         if (metal::abs(t_4) <= half_) {
             local_2 = half_ > 0.0;
         } else {
@@ -694,7 +763,7 @@ float band_filtered(
         bool _e12 = local_2;
         return _e12 ? 1.0 : 0.0;
     }
-    return metal::clamp((metal::clamp(t_4 + (0.5 * w), -(half_), half_) - metal::clamp(t_4 - (0.5 * w), -(half_), half_)) / w, 0.0, 1.0);
+    return metal::clamp((metal::clamp(t_4 + (0.5 * w_2), -(half_), half_) - metal::clamp(t_4 - (0.5 * w_2), -(half_), half_)) / w_2, 0.0, 1.0);
 }
 
 metal::int2 line_of(
@@ -708,7 +777,7 @@ metal::int2 line_of(
 
 float hatched(
     metal::float2 place_4,
-    float w_1,
+    float w_3,
     float level_1,
     float ink,
     Strokes style_2
@@ -733,7 +802,7 @@ float hatched(
     float q = metal::clamp(across_3 * _e47, -4194304.0, 4194304.0);
     float _e55 = exp2_stable(octave_1 - level_1);
     float half_1 = (0.5 * width_1) * _e55;
-    float footprint = w_1 * _e47;
+    float footprint = w_3 * _e47;
     int whole_2 = naga_f2i32(metal::rint(q));
     metal::int2 _e61 = line_of(whole_2, naga_f2i32(octave_1));
     Stroke _e63 = stroke_between(_e61, place_4.x, level_1, style_2);
@@ -743,9 +812,9 @@ float hatched(
     float grown = metal::clamp((growth - (late * _e75.turn)) / (1.0 - late), 0.0, 1.0);
     float _e92 = band_filtered(q - static_cast<float>(whole_2), half_1 * _e63.profile, footprint);
     float _e99 = band_filtered((q - middle) - 0.5, (half_1 * grown) * _e75.profile, footprint);
-    float mean = metal::min((2.0 * half_1) * (1.0 + growth), 1.0);
+    float mean_1 = metal::min((2.0 * half_1) * (1.0 + growth), 1.0);
     float _e110 = eased(footprint, 0.75, 1.5);
-    return metal::mix(metal::max(_e92, _e99), mean, _e110);
+    return metal::mix(metal::max(_e92, _e99), mean_1, _e110);
 }
 
 float cross_hatched(
@@ -758,7 +827,7 @@ float cross_hatched(
     float free = 1.0;
     int i_1 = 0;
     Strokes own = {};
-    metal::float2 x_14 = metal::dfdx(at.place);
+    metal::float2 x_17 = metal::dfdx(at.place);
     metal::float2 y = metal::dfdy(at.place);
     int count_2 = metal::clamp(layers, 1, 4);
     float _e12 = bounded(ink_1);
@@ -785,7 +854,7 @@ float cross_hatched(
                 metal::float2 _e30 = sin_cos_of(static_cast<float>(_e27) * cross);
                 metal::float2 along_3 = metal::float2(_e30.y, _e30.x);
                 metal::float2 across_4 = metal::float2(-(_e30.x), _e30.y);
-                float _e42 = bounded(metal::length(metal::float2(metal::dot(across_4, x_14), metal::dot(across_4, y))));
+                float _e42 = bounded(metal::length(metal::float2(metal::dot(across_4, x_17), metal::dot(across_4, y))));
                 metal::float3 s_2 = at.stretch;
                 float square_3 = metal::dot(metal::float3(across_4.x * across_4.x, (2.0 * across_4.x) * across_4.y, across_4.y * across_4.y), s_2);
                 float _e63 = octave_of(metal::max(square_3, (at.stretch.x + at.stretch.z) / 65.0));
@@ -854,10 +923,10 @@ float reflectance_wrap(
     float wrap
 ) {
     float _e3 = bounded(wrap);
-    float w_2 = metal::clamp(_e3, 0.0, 1.0);
+    float w_4 = metal::clamp(_e3, 0.0, 1.0);
     metal::float3 _e11 = normalize_or(normal_5, metal::float3(0.0, 0.0, 1.0));
     float cosine = metal::dot(_e11, light_1.direction);
-    return metal::max((cosine + w_2) / (1.0 + w_2), 0.0);
+    return metal::max((cosine + w_4) / (1.0 + w_4), 0.0);
 }
 
 float map_range(
@@ -881,6 +950,43 @@ float smooth_step_value(
     return _e3;
 }
 
+float seen_well(
+    float facing_1
+) {
+    float _e3 = eased(facing_1, 0.05, 0.3);
+    return _e3;
+}
+
+float faded_in(
+    float x_16,
+    float limit,
+    float softness_1
+) {
+    float _e3 = bounded(limit);
+    float at_2 = metal::max(_e3, 0.0);
+    float _e6 = footprint_of(x_16);
+    float _e10 = factor_of(softness_1, true);
+    float _e12 = edge_width(_e6, metal::min(at_2, 1000000000.0) * _e10);
+    float _e13 = bounded(x_16);
+    float _e14 = step_filtered(_e13, at_2, _e12);
+    return _e14;
+}
+
+float inner_contour_valleys(
+    float limit_1,
+    float softness_2,
+    metal::float3 tensor_2,
+    metal::float3 normal_6,
+    metal::float3 view_5
+) {
+    metal::float3 _e5 = tensor_safe(tensor_2);
+    metal::float2 _e6 = principal_curvatures(_e5);
+    float least = _e6.y;
+    float _e9 = faded_in(-(least), limit_1, softness_2);
+    float _e11 = seen_well(metal::dot(normal_6, view_5));
+    return _e9 * _e11;
+}
+
 metal::float4 shade(
     Surface surface_1,
     constant Look& look
@@ -895,15 +1001,17 @@ metal::float4 shade(
     float _e41 = facing(surface_1.normal, surface_1.view);
     float _e44 = smooth_step_value(_e41, 0.34, 0.2);
     float _e45 = combine_tones_union(_e38, _e44);
-    Color _e56 = mix_colors_normal(metal::float4(0.965, 0.937, 0.875, 1.0), metal::float4(0.12, 0.105, 0.16, 1.0), _e45);
-    Composite _e57 = premultiplied(_e56);
-    Color _e58 = output(_e57);
-    return _e58;
+    float _e51 = inner_contour_valleys(75.0, 0.3, surface_1.curvature_tensor, surface_1.normal, surface_1.view);
+    float _e52 = combine_tones_union(_e45, _e51);
+    Color _e63 = mix_colors_normal(metal::float4(0.965, 0.937, 0.875, 1.0), metal::float4(0.12, 0.105, 0.16, 1.0), _e52);
+    Composite _e64 = premultiplied(_e63);
+    Color _e65 = output(_e64);
+    return _e65;
 }
 
 struct vs_mainInput {
     metal::float3 position_1 [[attribute(0)]];
-    metal::float3 normal_6 [[attribute(1)]];
+    metal::float3 normal_7 [[attribute(1)]];
 };
 struct vs_mainOutput {
     metal::float4 clip [[position]];
@@ -913,14 +1021,14 @@ struct vs_mainOutput {
 };
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
-, constant View& view_5 [[buffer(0)]]
+, constant View& view_6 [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
-    const Vertex vertex_ = { varyings.position_1, varyings.normal_6 };
+    const Vertex vertex_ = { varyings.position_1, varyings.normal_7 };
     Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_5.clip_from_world;
+    metal::float4x4 _e12 = view_6.clip_from_world;
     out.clip = _e12 * world;
     out.position = world.xyz;
     out.position_object = vertex_.position;
@@ -931,11 +1039,15 @@ vertex vs_mainOutput vs_main(
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
+metal::int2 naga_f2i32(metal::float2 value) {
+    return static_cast<metal::int2>(metal::clamp(value, -2147483600.0, 2147483500.0));
+}
+
 
 struct fs_mainInput {
     metal::float3 position_1 [[user(loc0), center_perspective]];
     metal::float3 position_object_1 [[user(loc1), center_perspective]];
-    metal::float3 normal_6 [[user(loc2), center_perspective]];
+    metal::float3 normal_7 [[user(loc2), center_perspective]];
 };
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
@@ -944,33 +1056,36 @@ fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
 , bool is_front [[front_facing]]
-, constant View& view_5 [[buffer(0)]]
+, constant View& view_6 [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 , constant Look& look [[buffer(2)]]
+, metal::texture2d<float, metal::access::sample> curvature_tensor_map [[texture(0)]]
 ) {
-    const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object_1, varyings_1.normal_6 };
+    const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object_1, varyings_1.normal_7 };
     Surface surface = {};
     metal::float3 _e7 = normalize_or(in.normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 normal_6 = is_front ? _e7 : -(_e7);
-    surface.normal = normal_6;
-    metal::float4 _e15 = view_5.eye;
-    float _e20 = view_5.eye.w;
-    metal::float4 _e26 = view_5.eye;
+    metal::float3 normal_7 = is_front ? _e7 : -(_e7);
+    surface.normal = normal_7;
+    metal::float4 _e15 = view_6.eye;
+    float _e20 = view_6.eye.w;
+    metal::float4 _e26 = view_6.eye;
     metal::float3 _e32 = normalize_or(_e26.xyz, metal::float3(0.0, 0.0, 1.0));
     metal::float3 _e33 = normalize_or(_e15.xyz - (_e20 * in.position), _e32);
     surface.view = _e33;
     surface.position_object = in.position_object;
-    metal::float4x4 _e39 = view_5.camera_from_world;
-    float _e49 = view_5.eye.w;
-    float _e54 = view_5.clip_from_world[0].y;
-    float _e59 = view_5.clip_from_world[1].y;
-    float _e64 = view_5.clip_from_world[2].y;
-    float _e67 = size_on_screen(-((_e39 * metal::float4(in.position, 1.0)).z), _e49, metal::length(metal::float3(_e54, _e59, _e64)));
-    surface.magnification = _e67;
-    metal::float3x3 _e71 = object.world_from_normal;
-    surface.world_from_normal = _e71;
-    Surface _e72 = surface;
-    metal::float4 _e73 = shade(_e72, look);
-    metal::float4 _e74 = finite_vec4_(_e73);
-    return fs_mainOutput { _e74 };
+    metal::float4 _e42 = curvature_tensor_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    surface.curvature_tensor = _e42.xyz;
+    metal::float4x4 _e47 = view_6.camera_from_world;
+    float _e57 = view_6.eye.w;
+    float _e62 = view_6.clip_from_world[0].y;
+    float _e67 = view_6.clip_from_world[1].y;
+    float _e72 = view_6.clip_from_world[2].y;
+    float _e75 = size_on_screen(-((_e47 * metal::float4(in.position, 1.0)).z), _e57, metal::length(metal::float3(_e62, _e67, _e72)));
+    surface.magnification = _e75;
+    metal::float3x3 _e79 = object.world_from_normal;
+    surface.world_from_normal = _e79;
+    Surface _e80 = surface;
+    metal::float4 _e81 = shade(_e80, look);
+    metal::float4 _e82 = finite_vec4_(_e81);
+    return fs_mainOutput { _e82 };
 }

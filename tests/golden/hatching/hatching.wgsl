@@ -1,6 +1,6 @@
 // Hatching: made by Chiaro 0.1.0, WGSL.
 // Draws a mesh with the look; the result is straight RGBA.
-// Bindings of group 0: view 0, object 1, look 2.
+// Bindings of group 0: view 0, object 1, look 2, curvature_tensor_map 3.
 // hatching.json says what to put there and how to draw.
 
 struct View {
@@ -30,6 +30,7 @@ struct Surface {
     normal: vec3f,
     view: vec3f,
     position_object: vec3f,
+    curvature_tensor: vec3f,
     magnification: f32,
     world_from_normal: mat3x3f,
 }
@@ -37,6 +38,7 @@ struct Surface {
 @group(0) @binding(0) var<uniform> view: View;
 @group(0) @binding(1) var<uniform> object: Object;
 @group(0) @binding(2) var<uniform> look: Look;
+@group(0) @binding(3) var curvature_tensor_map: texture_2d<f32>;
 
 /// Straight RGBA.
 alias Color = vec4f;
@@ -170,6 +172,14 @@ fn bounded_vec4(v: vec4f) -> vec4f {
     return vec4f(bounded(v.x), bounded(v.y), bounded(v.z), bounded(v.w));
 }
 
+/// a / b; 0 where b is 0.
+fn divided(a: f32, b: f32) -> f32 {
+    if abs(b) < SMALLEST_NORMAL {
+        return 0.0;
+    }
+    return bounded(a / b);
+}
+
 /// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and keeps its sign with
 /// any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division by 0 is; 0^0 is 1.
 fn powered(base: f32, exponent: f32) -> f32 {
@@ -241,6 +251,26 @@ fn sin_cos_of(x: f32) -> vec2f {
     return clamp(sin_cos(bounded(x)), vec2f(-1.0), vec2f(1.0));
 }
 
+/// How far x changes over one pixel: |grad x|, finite. Call it in uniform control flow.
+fn footprint_of(x: f32) -> f32 {
+    let d = vec2f(dpdx(x), dpdy(x));
+    return bounded(sqrt(dot(d, d)));
+}
+
+/// The width of an edge that is `softness` wide of itself and seen through a footprint of `w`.
+fn edge_width(w: f32, softness: f32) -> f32 {
+    return length(vec2f(min(w, 1e15), clamp(bounded(softness), 0.0, 1e15)));
+}
+
+/// 0 below the edge and 1 from it on, averaged over a footprint of `w`.
+fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
+    let d = bounded(x - edge);
+    if w < 1e-30 {
+        return select(0.0, 1.0, d >= 0.0);
+    }
+    return clamp(0.5 + bounded(d / w), 0.0, 1.0);
+}
+
 /// Straight to premultiplied.
 fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
@@ -261,6 +291,28 @@ fn straight(composite: Composite) -> Color {
 /// transparency.
 fn mix_colors_normal(a: Color, b: Color, factor: f32) -> Color {
     return mixed_vec4(bounded_vec4(a), bounded_vec4(b), factor_of(factor, true));
+}
+
+/// kappa fit for use: 0 where it is NaN, within +-1e4.
+fn kappa_safe(kappa: f32) -> f32 {
+    // An infinite curvature keeps its sign; only NaN has none.
+    let is_nan = (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u;
+    return select(clamp(kappa, -1e4, 1e4), 0.0, is_nan);
+}
+
+/// Each number of a tensor fit for use, as [`kappa_safe`] makes it.
+fn tensor_safe(tensor: vec3f) -> vec3f {
+    return vec3f(kappa_safe(tensor.x), kappa_safe(tensor.y), kappa_safe(tensor.z));
+}
+
+/// The greatest and the least curvature of a tensor (xx, xy, yy): its eigenvalues.
+fn principal_curvatures(tensor: vec3f) -> vec2f {
+    let mean = 0.5 * (tensor.x + tensor.z);
+    let spread = length(vec2f(0.5 * (tensor.x - tensor.z), tensor.y));
+    // Of the one nearer 0 the difference of both would leave no digits; their product is known.
+    let far = mean + select(-spread, spread, mean >= 0.0);
+    let near = divided(tensor.x * tensor.z - tensor.y * tensor.y, far);
+    return select(vec2f(near, far), vec2f(far, near), mean >= 0.0);
 }
 
 /// Facing ratio
@@ -644,6 +696,23 @@ fn smooth_step_value(value: f32, low: f32, high: f32) -> f32 {
     return eased(value, low, high);
 }
 
+/// 0 at the outline, where curvature on the screen has no bound and no digits, 1 where the surface is seen well.
+fn seen_well(facing: f32) -> f32 {
+    return eased(facing, 0.05, 0.3);
+}
+
+fn inner_contour_valleys(limit: f32, softness: f32, tensor: vec3f, normal: vec3f, view: vec3f) -> f32 {
+    let least = principal_curvatures(tensor_safe(tensor)).y;
+    return faded_in(-least, limit, softness) * seen_well(dot(normal, view));
+}
+
+/// 0 below the limit and 1 above it, over as much of the limit as is soft and never less than a pixel.
+fn faded_in(x: f32, limit: f32, softness: f32) -> f32 {
+    let at = max(bounded(limit), 0.0);
+    let width = edge_width(footprint_of(x), min(at, 1e9) * factor_of(softness, true));
+    return step_filtered(bounded(x), at, width);
+}
+
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
     let light_and_shade = reflectance_wrap(look.key, surface.normal, 0.35);
@@ -653,7 +722,9 @@ fn shade(surface: Surface) -> vec4f {
     let facing_2 = facing(surface.normal, surface.view);
     let contour = smooth_step_value(facing_2, 0.34, 0.2);
     let ink = combine_tones_union(pen_strokes, contour);
-    let pen_on_paper = mix_colors_normal(vec4f(0.965, 0.937, 0.875, 1.0), vec4f(0.12, 0.105, 0.16, 1.0), ink);
+    let features = inner_contour_valleys(75.0, 0.3, surface.curvature_tensor, surface.normal, surface.view);
+    let strokes_and_features = combine_tones_union(ink, features);
+    let pen_on_paper = mix_colors_normal(vec4f(0.965, 0.937, 0.875, 1.0), vec4f(0.12, 0.105, 0.16, 1.0), strokes_and_features);
     let output_2 = output(premultiplied(pen_on_paper));
     return output_2;
 }
@@ -689,6 +760,7 @@ fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) 
     surface.normal = normal;
     surface.view = normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, vec3f(0.0, 0.0, 1.0)));
     surface.position_object = in.position_object;
+    surface.curvature_tensor = textureLoad(curvature_tensor_map, vec2i(in.clip.xy), 0).xyz;
     surface.magnification = size_on_screen(-(view.camera_from_world * vec4f(in.position, 1.0)).z, view.eye.w, length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
     surface.world_from_normal = object.world_from_normal;
     let shaded = shade(surface);

@@ -648,9 +648,9 @@ float noise_perlin(vec3 position, float scale, int octaves_1, float roughness_3,
 vec4 shade(Surface surface_1) {
     vec3 _e2 = position_object(surface_1.position_object);
     float _e7 = noise_perlin(_e2, 1.3, 2, 0.5, 0);
-    float _e13 = map_range(_e7, 0.0, 1.0, 260.0, 520.0, true);
-    vec4 _e17 = thin_film(_e13, 1.38, surface_1.normal, surface_1.view);
-    float _e21 = fresnel(0.42, surface_1.normal, surface_1.view);
+    float _e13 = map_range(_e7, 0.0, 1.0, 180.0, 420.0, true);
+    vec4 _e17 = thin_film(_e13, 1.33, surface_1.normal, surface_1.view);
+    float _e21 = fresnel(0.45, surface_1.normal, surface_1.view);
     vec4 _e29 = blend_add(vec4(0.0784, 0.0863, 0.1216, 1.0), _e17, _e21, 1.0, true);
     Light _e32 = u_look.key;
     float _e36 = reflectance_blinn_phong(_e32, surface_1.normal, surface_1.view, 0.22);

@@ -790,9 +790,9 @@ float4 shade(Surface surface_1)
 {
     const float3 _e2 = position_object(surface_1.position_object);
     const float _e7 = noise_perlin(_e2, 1.3, int(2), 0.5, int(0));
-    const float _e13 = map_range(_e7, 0.0, 1.0, 260.0, 520.0, true);
-    const float4 _e17 = thin_film(_e13, 1.38, surface_1.normal, surface_1.view);
-    const float _e21 = fresnel(0.42, surface_1.normal, surface_1.view);
+    const float _e13 = map_range(_e7, 0.0, 1.0, 180.0, 420.0, true);
+    const float4 _e17 = thin_film(_e13, 1.33, surface_1.normal, surface_1.view);
+    const float _e21 = fresnel(0.45, surface_1.normal, surface_1.view);
     const float4 _e29 = blend_add(float4(0.0784, 0.0863, 0.1216, 1.0), _e17, _e21, 1.0, true);
     Light _e32 = look.key;
     const float _e36 = reflectance_blinn_phong(_e32, surface_1.normal, surface_1.view, 0.22);

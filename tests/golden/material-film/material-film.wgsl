@@ -544,9 +544,9 @@ fn noise_perlin(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed:
 fn shade(surface: Surface) -> vec4f {
     let place = position_object(surface.position_object);
     let swirl = noise_perlin(place, 1.3, 2i, 0.5, 0i);
-    let thickness = map_range(swirl, 0.0, 1.0, 260.0, 520.0, true);
-    let film = thin_film(thickness, 1.38, surface.normal, surface.view);
-    let glow = fresnel(0.42, surface.normal, surface.view);
+    let thickness = map_range(swirl, 0.0, 1.0, 180.0, 420.0, true);
+    let film = thin_film(thickness, 1.33, surface.normal, surface.view);
+    let glow = fresnel(0.45, surface.normal, surface.view);
     let film_2 = blend_add(vec4f(0.0784, 0.0863, 0.1216, 1.0), film, glow, 1.0, true);
     let highlight = reflectance_blinn_phong(look.key, surface.normal, surface.view, 0.22);
     let highlight_on_top = blend_add(film_2, vec4f(1.0), highlight, 0.2, true);

@@ -1,0 +1,111 @@
+// Hatching: made by Chiaro 0.1.0, WGSL.
+// Draws normals and depth, for the curvature pass.
+// Bindings of group 0: view 0, object 1.
+// hatching.json says what to put there and how to draw.
+
+struct View {
+    clip_from_world: mat4x4f,
+    camera_from_world: mat4x4f,
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
+    eye: vec4f,
+}
+
+struct Object {
+    world_from_object: mat4x4f,
+    /// The inverse transpose, for normals.
+    world_from_normal: mat3x3f,
+    id: f32,
+    /// The alpha cutoff of the material, 0 for none.
+    cutoff: f32,
+}
+
+/// The surface under the fragment, in world space.
+struct Surface {
+    normal: vec3f,
+}
+
+@group(0) @binding(0) var<uniform> view: View;
+@group(0) @binding(1) var<uniform> object: Object;
+
+/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN never happens.
+fn is_finite(x: f32) -> bool {
+    return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
+}
+
+/// x, or `otherwise` where x is NaN or infinite.
+fn finite_or(x: f32, otherwise: f32) -> f32 {
+    return select(otherwise, x, is_finite(x));
+}
+
+/// Each component as it is, or 0 where it is NaN or infinite.
+fn finite_vec3(v: vec3f) -> vec3f {
+    return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
+}
+
+/// Each component as it is, or 0 where it is NaN or infinite.
+fn finite_vec4(v: vec4f) -> vec4f {
+    return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
+}
+
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a NaN. Scaled by the
+/// largest component first, so that neither tiny nor huge vectors under- or overflow.
+fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
+    let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    if !(largest > 1e-30 && largest < 1e30) {
+        return otherwise;
+    }
+    let scaled = v * (1.0 / largest);
+    let square = dot(scaled, scaled);
+    // max() passes over a NaN.
+    if !is_finite(square) {
+        return otherwise;
+    }
+    return scaled * (1.0 / sqrt(square));
+}
+
+/// The normal that the curvature pass sees.
+fn shade(surface: Surface) -> vec3f {
+    return surface.normal;
+}
+
+struct Vertex {
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+}
+
+struct Varyings {
+    @builtin(position) clip: vec4f,
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+}
+
+@vertex
+fn vs_main(vertex: Vertex) -> Varyings {
+    let world = object.world_from_object * vec4f(vertex.position, 1.0);
+    var out: Varyings;
+    out.clip = view.clip_from_world * world;
+    out.position = world.xyz;
+    out.normal = object.world_from_normal * vertex.normal;
+    return out;
+}
+
+struct Fragment {
+    /// The normal in camera axes, and the object's number plus 1.
+    @location(0) normal: vec4f,
+    /// The distance in front of the eye.
+    @location(1) depth: f32,
+}
+
+@fragment
+fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> Fragment {
+    let facing = normalize_or(in.normal, vec3f(0.0, 0.0, 1.0));
+    let toward = normalize_or(view.eye.xyz - view.eye.w * in.position, facing);
+    let is_behind = !is_front && dot(facing, toward) < -0.1;
+    let normal = select(facing, -facing, is_behind);
+    var surface: Surface;
+    surface.normal = normal;
+    let shaded = shade(surface);
+    let seen = (view.camera_from_world * vec4f(shaded, 0.0)).xyz;
+    let depth = -(view.camera_from_world * vec4f(in.position, 1.0)).z;
+    return Fragment(vec4f(seen, object.id + 1.0), depth);
+}

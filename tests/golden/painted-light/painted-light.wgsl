@@ -1,0 +1,405 @@
+// Painted light: made by Chiaro 0.1.0, WGSL.
+// Draws a mesh with the look; the result is straight RGBA.
+// Bindings of group 0: view 0, object 1, look 2.
+// painted-light.json says what to put there and how to draw.
+
+struct View {
+    clip_from_world: mat4x4f,
+    camera_from_world: mat4x4f,
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
+    eye: vec4f,
+}
+
+struct Object {
+    world_from_object: mat4x4f,
+    /// The inverse transpose, for normals.
+    world_from_normal: mat3x3f,
+    id: f32,
+    /// The alpha cutoff of the material, 0 for none.
+    cutoff: f32,
+}
+
+/// What is known before the fragment.
+struct Look {
+    @align(16) back: Light,
+    @align(16) lamp: Light,
+    @align(16) window: Light,
+}
+
+/// The surface under the fragment, in world space.
+struct Surface {
+    normal: vec3f,
+}
+
+@group(0) @binding(0) var<uniform> view: View;
+@group(0) @binding(1) var<uniform> object: Object;
+@group(0) @binding(2) var<uniform> look: Look;
+
+/// Straight RGBA.
+alias Color = vec4f;
+
+/// Premultiplied RGBA: the stack of layers below, as blends pass it on.
+alias Composite = vec4f;
+
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and near pi.
+struct Angle {
+    /// sin(u/2), 0 or more.
+    half_sin: f32,
+    /// cos(u/2), 0 or more.
+    half_cos: f32,
+}
+
+/// A light as it arrives at a point of the surface.
+struct Light {
+    /// Unit, toward the light, in world space.
+    direction: vec3f,
+    /// Unit, toward the light, in the light's own frame.
+    own_direction: vec3f,
+    /// Straight RGB.
+    color: vec3f,
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
+    intensity: f32,
+}
+
+const PI: f32 = 3.14159265358979323846;
+const HALF_PI: f32 = 1.57079632679489661923;
+const LN_2: f32 = 0.693147180559945309417;
+const LOG2_E: f32 = 1.44269504088896340736;
+/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN never happens.
+fn is_finite(x: f32) -> bool {
+    return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
+}
+
+/// x, or `otherwise` where x is NaN or infinite.
+fn finite_or(x: f32, otherwise: f32) -> f32 {
+    return select(otherwise, x, is_finite(x));
+}
+
+/// Each component as it is, or 0 where it is NaN or infinite.
+fn finite_vec3(v: vec3f) -> vec3f {
+    return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
+}
+
+/// Each component as it is, or 0 where it is NaN or infinite.
+fn finite_vec4(v: vec4f) -> vec4f {
+    return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
+}
+
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a NaN. Scaled by the
+/// largest component first, so that neither tiny nor huge vectors under- or overflow.
+fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
+    let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    if !(largest > 1e-30 && largest < 1e30) {
+        return otherwise;
+    }
+    let scaled = v * (1.0 / largest);
+    let square = dot(scaled, scaled);
+    // max() passes over a NaN.
+    if !is_finite(square) {
+        return otherwise;
+    }
+    return scaled * (1.0 / sqrt(square));
+}
+
+/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of two. 0 below -149,
+/// the largest finite number above 128.
+fn exp2_stable(x: f32) -> f32 {
+    let clamped = clamp(x, -150.0, 127.999992);
+    let whole = round(clamped);
+    let f = (clamped - whole) * LN_2;
+    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667 + f * (0.0416666666666666667 + f * (0.00833333333333333333 + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
+    // Two steps, because 2^-150 is no normal number.
+    let half_whole = i32(whole) / 2;
+    return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
+}
+
+/// 2^n for n in [-126, 127], by its bits.
+fn power_of_two(n: i32) -> f32 {
+    return bitcast<f32>(u32(n + 127) << 23u);
+}
+
+/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative error below 1e-7).
+fn log_stable(x: f32) -> f32 {
+    let bits = bitcast<u32>(x);
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
+    let shift = i32((bits - 0x3f3504f3u) >> 23u);
+    let exponent = select(shift, shift - 512, shift >= 256);
+    let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
+    let z = (mantissa - 1.0) / (mantissa + 1.0);
+    let z2 = z * z;
+    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
+    return f32(exponent) * LN_2 + series;
+}
+
+/// ln(1 - y) for y in [0, 1/4], by the series of atanh.
+fn log1p_negative_small(y: f32) -> f32 {
+    let z = y / (2.0 - y);
+    let z2 = z * z;
+    return -2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
+}
+
+/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows 4.9e-4.
+fn sin_cos_quarter(x: f32) -> vec2f {
+    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64 to see sines by 1e-11,
+    // and end where they err downward: a profile whose cut-off is pi is 0 there, in f64 too.
+    let h = 0.5 * x;
+    let h2 = h * h;
+    let s = h * (1.0 + h2 * (-0.166666666666666667 + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413 + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
+    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667 + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016 + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
+    let c = 1.0 - one_minus_c;
+    return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
+}
+
+/// The angle between the unit vectors d and l, from the chords |d - l| and |d + l|.
+fn angle_between(d: vec3f, l: vec3f) -> Angle {
+    let p = length(d - l);
+    let s = length(d + l);
+    let k = 1.0 / sqrt(max(p * p + s * s, 1e-30));
+    return Angle(p * k, s * k);
+}
+
+/// u in radians.
+fn angle_radians(u: Angle) -> f32 {
+    return 2.0 * atan2_positive(u.half_sin, u.half_cos);
+}
+
+/// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
+fn atan2_positive(y: f32, x: f32) -> f32 {
+    let small = min(y, x);
+    let large = max(y, x);
+    if large <= 0.0 {
+        return 0.0;
+    }
+    let t = small / large;
+    // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
+    let is_wide = t > 0.41421356;
+    let r = select(t, (small - large) / (small + large), is_wide);
+    let r2 = r * r;
+    let series = r * (1.0 + r2 * (-0.333333333333333333 + r2 * (0.2 + r2 * (-0.142857142857142857 + r2 * (0.111111111111111111 + r2 * (-0.0909090909090909091
+        + r2 * (0.0769230769230769231 + r2 * (-0.0666666666666666667 + r2 * 0.0588235294117647059))))))));
+    let a = select(series, series + 0.785398163397448310, is_wide);
+    return select(a, HALF_PI - a, y > x);
+}
+
+/// u - shift, clamped to [0, pi], for |shift| <= pi (BADF eq. 8 and math.md D3).
+fn angle_shifted(u: Angle, shift: f32) -> Angle {
+    return angle_turned(u, sin_cos_quarter(0.5 * clamp(shift, -PI, PI)));
+}
+
+/// How far u changes over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient needs no inverse
+/// trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
+fn angle_footprint(u: Angle) -> f32 {
+    let half = vec2f(u.half_sin, u.half_cos);
+    let dx = dpdx(half);
+    let dy = dpdy(half);
+    let w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
+    // An infinite or NaN derivative at a silhouette gives the widest footprint.
+    return min(finite_or(w, 0.5), 0.5);
+}
+
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+fn angle_turned(u: Angle, t: vec2f) -> Angle {
+    let s = u.half_sin * t.y - u.half_cos * t.x;
+    let c = u.half_cos * t.y + u.half_sin * t.x;
+    let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
+    // Beyond either end the smaller one tells which: a turn by pi may leave the other just below 0.
+    let turned = select(upper, vec2f(0.0, 1.0), s <= 0.0 && s < c);
+    return Angle(turned.x, turned.y);
+}
+
+/// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
+/// transparency is not lost.
+fn straight(composite: Composite) -> Color {
+    if composite.w <= 0.0 {
+        return composite;
+    }
+    return vec4f(composite.xyz / composite.w, composite.w);
+}
+
+/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0, 1] when `clamped`.
+/// At opacity 0 it is `below` exactly, whatever that is.
+fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clamped: bool) -> Composite {
+    if opacity <= 0.0 {
+        return below;
+    }
+    let mixed = vec4f(below.xyz + opacity * (blended - below.xyz), alpha);
+    return select(mixed, clamp(mixed, vec4f(0.0), vec4f(1.0)), clamped);
+}
+
+/// Blend
+///
+/// Lays a colour, where the tone is, over what is below: one step of a layered look.
+fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
+    return blend_finish(below, below.xyz + tone * color.xyz, below.w, opacity * color.w, clamped);
+}
+
+/// Output
+///
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number becomes black here.
+fn output(color: Composite) -> Color {
+    return finite_vec4(straight(color));
+}
+
+/// A light's intensity in two parts: what of it dims the layer (at most 1) and what brightens the colour (at least 1).
+fn light_split(intensity: f32) -> vec2f {
+    return vec2f(min(intensity, 1.0), max(intensity, 1.0));
+}
+
+/// Light on a layer
+///
+/// Gives a layer its light's colour and intensity: below 1 the intensity fades the tone, above 1 it brightens the
+/// colour, so that a light that goes out leaves the layers below as they are.
+fn light_apply(light: Light, color: Color, tone: f32) -> LitLayer {
+    let split = light_split(light.intensity);
+    return LitLayer(vec4f(color.xyz * light.color * split.y, color.w), tone * split.x);
+}
+
+struct LitLayer {
+    /// The colour under this light.
+    color: Color,
+    /// The tone under this light.
+    tone: f32,
+}
+
+/// Parametrization
+///
+/// The angle u between a light and a direction of the surface; it decides how shading moves. Diffuse stays on the
+/// surface, Specular moves with the eye, Half-vector is Blinn's highlight, Screen-aligned ignores the illumination
+/// frame and the camera: the light is read in the picture's own axes.
+fn parametrization_diffuse(light: Light, normal: vec3f) -> Angle {
+    return angle_between(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction);
+}
+
+/// What a profile needs of its offset, fall-off and cut-off; made once, in f64 wherever they are known before the
+/// fragment.
+struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
+    half_cos_offset: f32,
+    half_sin_offset: f32,
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
+    scale: f32,
+    /// gamma of BADF eq. 11.
+    exponent: f32,
+    /// tau, the step's place, in radians.
+    offset: f32,
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
+    edge_mean: f32,
+    edge_deviation: f32,
+    /// 0: soft; 1: a step at tau; 2: ambient, 1 everywhere.
+    kind: u32,
+}
+
+const PROFILE_STEP: u32 = 1u;
+const PROFILE_AMBIENT: u32 = 2u;
+/// alpha at one angle, without antialiasing; `u` is warped already.
+fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
+    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
+    if s <= 0.0 || shape.kind == PROFILE_AMBIENT {
+        return 1.0;
+    }
+    if shape.kind == PROFILE_STEP {
+        // Inclusive (D4), also where rounding puts u = tau on the far side.
+        return select(0.0, 1.0, s <= 4e-7);
+    }
+    let q = s * shape.scale;
+    return profile_power(q, shape.exponent);
+}
+
+/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
+fn profile_power(q: f32, exponent: f32) -> f32 {
+    if q >= 1.0 {
+        return 0.0;
+    }
+    var log_base = 0.0;
+    if q < 0.5 {
+        log_base = log1p_negative_small(q * q);
+    } else {
+        log_base = log_stable((1.0 - q) * (1.0 + q));
+    }
+    return clamp(exp2_stable(exponent * LOG2_E * log_base), 0.0, 1.0);
+}
+
+/// alpha averaged over a footprint of `w` radians (math.md 2.4): the hard step where w is 0, a ramp of the gradient's
+/// width where the edge is narrower than a pixel, three-point Gauss quadrature where it is narrow, the point value
+/// where it is wide.
+fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let point = profile_point(u, shape);
+    if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
+        return point;
+    }
+    // No footprint is above 0.5, so that this is not even compiled for an edge that is known to be softer.
+    if shape.edge_deviation < 0.145 && w >= 3.46410161513775459 * shape.edge_deviation {
+        let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+        return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
+    }
+    if w < 0.1 * shape.edge_deviation {
+        return point;
+    }
+    let reach = sin_cos_quarter(0.193649167310370844 * w);
+    let before = profile_point(angle_turned(u, reach), shape);
+    let after = profile_point(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
+}
+
+/// Profile
+///
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at the fall-off. Edges
+/// are as sharp as asked and antialiased by their width on the screen.
+///
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off; beyond that the
+/// curve is still falling, but it is steepest elsewhere too.
+fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_shifted(angle, shift);
+    return profile_filtered(warped, angle_footprint(warped), shape);
+}
+
+const body_tone_shape = ProfileShape(0.99649334, 0.08367206, 2.6028495, 1.0, 0.16754, 0.52017534, 0.18670145, 0u);
+const light_tone_shape = ProfileShape(0.6656215, 0.7462895, 0.0, 1.0, 1.68494, 0.0, 0.0, 1u);
+const behind_tone_shape = ProfileShape(0.5434498, 0.83944166, 1.8401, 1.0, 1.99251, 0.74832225, 0.2733681, 0u);
+
+/// The look at one point of the surface.
+fn shade(surface: Surface) -> vec4f {
+    let body_angle = parametrization_diffuse(look.window, surface.normal);
+    let body_tone = profile(body_angle, 0.0, body_tone_shape);
+    let body_lit = light_apply(look.window, vec4f(0.81098, 0.66636, 0.30508, 1.0), body_tone);
+    let body_blend = blend_add(vec4f(0.09379, 0.05837, 0.14467, 1.0), body_lit.color, body_lit.tone, 1.0, true);
+    let light_angle = parametrization_diffuse(look.lamp, surface.normal);
+    let light_tone = profile(light_angle, 0.0, light_tone_shape);
+    let light_lit = light_apply(look.lamp, vec4f(0.18074, 0.61994, 0.48594, 1.0), light_tone);
+    let light_blend = blend_add(body_blend, light_lit.color, light_lit.tone, 1.0, true);
+    let behind_angle = parametrization_diffuse(look.back, surface.normal);
+    let behind_tone = profile(behind_angle, 0.0, behind_tone_shape);
+    let behind_lit = light_apply(look.back, vec4f(0.05258, 0.06483, 0.14449, 1.0), behind_tone);
+    let behind_blend = blend_add(light_blend, behind_lit.color, behind_lit.tone, 1.0, true);
+    let output_2 = output(behind_blend);
+    return output_2;
+}
+
+struct Vertex {
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+}
+
+struct Varyings {
+    @builtin(position) clip: vec4f,
+    @location(0) normal: vec3f,
+}
+
+@vertex
+fn vs_main(vertex: Vertex) -> Varyings {
+    let world = object.world_from_object * vec4f(vertex.position, 1.0);
+    var out: Varyings;
+    out.clip = view.clip_from_world * world;
+    out.normal = object.world_from_normal * vertex.normal;
+    return out;
+}
+
+@fragment
+fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
+    let facing = normalize_or(in.normal, vec3f(0.0, 0.0, 1.0));
+    let normal = select(-facing, facing, is_front);
+    var surface: Surface;
+    surface.normal = normal;
+    let shaded = shade(surface);
+    return finite_vec4(shaded);
+}
