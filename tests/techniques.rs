@@ -88,7 +88,7 @@ fn docs(kind: &str) -> Vec<&'static str> {
     told.chain(library.groups.get(kind).map(|group| &group.definition.help)).map(String::as_str).collect()
 }
 
-fn about(look: Json) -> String {
+fn about(look: &Json) -> String {
     look["about"].as_str().unwrap_or_default().to_owned()
 }
 
@@ -102,7 +102,7 @@ fn a_techniques_nodes_name_its_papers() {
         let kinds = words(nodes).into_iter().filter_map(|word| word.split('.').next());
         let docs: Vec<String> = match technique {
             // No node does it: its looks tell.
-            "Painted shading" => links(examples).iter().flat_map(|path| looks(path)).map(about).collect(),
+            "Painted shading" => links(examples).iter().flat_map(|path| looks(path)).map(|look| about(&look)).collect(),
             _ => kinds.flat_map(docs).map(str::to_owned).collect(),
         };
         for paper in after.split(", ") {
