@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 mod canvas;
 #[path = "editor/driven.rs"]
 mod driven;
-#[path = "../tests/editor_support/mod.rs"]
+#[path = "../tests/editor/editor_support/mod.rs"]
 mod editor_support;
 #[path = "editor/latency.rs"]
 mod latency;

@@ -1,4 +1,4 @@
-//! Generated modules against WGSL that an expert writes by hand for the same picture (`tests/handwritten.rs` holds that it
+//! Generated modules against WGSL that an expert writes by hand for the same picture (`tests/truth/handwritten.rs` holds that it
 //! is the same).
 //!
 //! `cargo bench --no-default-features --features gpu --bench handwritten` prints a row for each look of

@@ -1,0 +1,253 @@
+//! The panels of the window: closed, brought back, moved and remembered.
+
+use crate::editor_support::Hand;
+use crate::editor_support::home::Home;
+use chiaro::editor::{App, Orbit};
+use eframe::egui::accesskit::Toggled;
+use eframe::egui::{Key, Modifiers, Role, vec2};
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+
+fn has_tab(hand: &Hand, label: &str) -> bool {
+    hand.harness.query_by_role_and_label(Role::Tab, label).is_some()
+}
+
+fn click_tab(hand: &mut Hand, label: &str) {
+    let at = hand.harness.get_by_role_and_label(Role::Tab, label).rect().center();
+    hand.click(at);
+    hand.settle();
+}
+
+fn in_view_menu(hand: &mut Hand, label: &str) {
+    let at = hand.harness.get_by_label("View").rect().center();
+    hand.click(at);
+    hand.settle();
+    let entry = hand.harness.query_by_role_and_label(Role::CheckBox, label);
+    let rect = entry.or_else(|| hand.harness.query_by_role_and_label(Role::Button, label)).expect("an entry").rect();
+    hand.click(rect.center());
+    hand.settle();
+    // A click elsewhere closes the menu.
+    let at = hand.empty_place();
+    hand.click(at);
+    hand.settle();
+}
+
+#[test]
+fn a_panel_that_is_closed_comes_back_beside_its_neighbours() {
+    let mut hand = Hand::new();
+    for label in [
+        "Picture",
+        "Graph",
+        "Inspector",
+        "Code",
+        "Effects",
+        "Cost and accuracy",
+        "Probe",
+        "Layers",
+        "Lights",
+        "Problems",
+        "History",
+        "Library",
+    ] {
+        assert!(has_tab(&hand, label), "{label}");
+    }
+    click_tab(&mut hand, "Effects");
+    assert!(hand.harness.query_by_label_contains("no GPU").is_some());
+    in_view_menu(&mut hand, "Effects");
+    assert!(!has_tab(&hand, "Effects") && has_tab(&hand, "Code"));
+    in_view_menu(&mut hand, "Effects");
+    let tab = |label| hand.harness.get_by_role_and_label(Role::Tab, label).rect();
+    assert_eq!(tab("Effects").top(), tab("Code").top(), "in the same stack");
+    // All of a stack may go, and the last one comes back all the same.
+    for label in ["Effects", "Code", "Problems", "Cost and accuracy", "Probe"] {
+        in_view_menu(&mut hand, label);
+    }
+    assert!(!has_tab(&hand, "Code"));
+    in_view_menu(&mut hand, "Probe");
+    assert!(has_tab(&hand, "Probe"));
+    in_view_menu(&mut hand, "Reset panels");
+    assert!(has_tab(&hand, "Code") && has_tab(&hand, "Effects"));
+}
+
+#[test]
+fn the_arrangement_is_remembered_and_a_damaged_one_changes_nothing() {
+    let mut hand = Hand::new();
+    in_view_menu(&mut hand, "Effects");
+    click_tab(&mut hand, "Probe");
+    let saved = hand.app_mut().changed_arrangement().expect("it changed");
+    assert!(hand.app_mut().changed_arrangement().is_none(), "told once");
+    let mut other = Hand::new();
+    other.app_mut().arrange(&saved);
+    other.settle();
+    assert!(!has_tab(&other, "Effects") && has_tab(&other, "Probe"));
+    for broken in [
+        serde_json::json!(null),
+        serde_json::json!({"root": 7}),
+        serde_json::json!({"root": 1, "tiles": {"tiles": {}}}),
+    ] {
+        other.app_mut().arrange(&broken);
+        other.settle();
+        assert!(!has_tab(&other, "Effects") && has_tab(&other, "Probe") && has_tab(&other, "Graph"));
+    }
+}
+
+/// Whether a panel's tab is the one in front.
+fn is_in_front(hand: &Hand, label: &str) -> bool {
+    hand.harness
+        .query_by_role_and_label(Role::Tab, label)
+        .is_some_and(|tab| tab.accesskit_node().toggled() == Some(Toggled::True))
+}
+
+fn new_painting(hand: &mut Hand) {
+    hand.press("Paint");
+    hand.press("New HCBTF, small (16 x 16, 3 x 6 directions)");
+    assert!(hand.has("Painting canvas"));
+}
+
+fn view(hand: &mut Hand, role: Role, label: &str) {
+    hand.press("View");
+    hand.press_a(role, label);
+    hand.key(Key::Escape);
+    hand.settle();
+}
+
+#[test]
+fn painting_has_a_layout_of_its_own_and_each_is_kept_as_it_was_left() {
+    let home = Home::new();
+    let mut hand = home.window(None);
+    view(&mut hand, Role::CheckBox, "Effects");
+    assert!(!has_tab(&hand, "Effects") && !has_tab(&hand, "Paint") && is_in_front(&hand, "Graph"));
+    new_painting(&mut hand);
+    assert!(is_in_front(&hand, "Paint") && is_in_front(&hand, "Samples") && !has_tab(&hand, "Effects"));
+    view(&mut hand, Role::CheckBox, "Fill rules");
+    view(&mut hand, Role::CheckBox, "Sheet");
+    // Another look has the graph back, and nothing of painting.
+    hand.key_with(Modifiers::COMMAND, Key::N);
+    hand.settle();
+    assert!(is_in_front(&hand, "Graph") && !has_tab(&hand, "Effects"));
+    assert!(["Paint", "Samples", "Sheet", "Light and eye", "Fill rules"].iter().all(|panel| !has_tab(&hand, panel)));
+    // To and fro by hand, too.
+    view(&mut hand, Role::RadioButton, "Layout for painting");
+    assert!(has_tab(&hand, "Sheet") && !has_tab(&hand, "Fill rules"));
+    view(&mut hand, Role::RadioButton, "Layout for looks");
+    assert!(is_in_front(&hand, "Graph") && !has_tab(&hand, "Paint"));
+    // The way back to what is painted brings its layout.
+    view(&mut hand, Role::CheckBox, "Paint");
+    hand.press("Back to New HCBTF");
+    assert!(is_in_front(&hand, "Paint") && has_tab(&hand, "Sheet") && !has_tab(&hand, "Fill rules"));
+    hand.press("Paint");
+    hand.press("Close the HCBTF");
+    assert!(is_in_front(&hand, "Graph"), "the panel that was opened to paint is behind it");
+    assert!(!has_tab(&hand, "Sheet") && !has_tab(&hand, "Effects"));
+    drop(hand);
+
+    let mut hand = home.window(None);
+    assert!(is_in_front(&hand, "Graph") && !has_tab(&hand, "Sheet") && !has_tab(&hand, "Effects"));
+    new_painting(&mut hand);
+    assert!(has_tab(&hand, "Sheet") && !has_tab(&hand, "Fill rules") && !has_tab(&hand, "Effects"));
+    // Each is reset by itself.
+    view(&mut hand, Role::Button, "Reset panels");
+    assert!(has_tab(&hand, "Fill rules") && !has_tab(&hand, "Sheet") && is_in_front(&hand, "Paint"));
+    hand.key_with(Modifiers::COMMAND, Key::N);
+    hand.settle();
+    assert!(!has_tab(&hand, "Effects"), "the other one stays");
+}
+
+#[test]
+fn a_painting_that_is_left_gives_the_view_of_before_back() {
+    let mut hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
+    hand.app_mut().show_on("shape:torus");
+    hand.settle();
+    let middle = hand.app().viewport().rect().unwrap().center();
+    hand.drag(middle, middle + vec2(70.0, -30.0));
+    hand.settle();
+    let before = hand.app().session().orbit().clone();
+    new_painting(&mut hand);
+    let sheet = hand.app().session().orbit().clone();
+    assert!(sheet.mesh == "shape:plane" && sheet.z_is_up, "a painting is seen on a square that lies");
+    // Turned about, it is a sheet still, and the second painting's square is no view to come back to either.
+    hand.drag(middle, middle + vec2(-40.0, 20.0));
+    new_painting(&mut hand);
+    hand.key_with(Modifiers::COMMAND, Key::N);
+    hand.settle();
+    assert_eq!(*hand.app().session().orbit(), before);
+    // The way back to it shows the square again, and from there as before.
+    hand.press("Paint");
+    hand.press_a(Role::MenuItem, "Back to New HCBTF");
+    assert_eq!(hand.app().session().orbit().mesh, "shape:plane");
+    hand.key_with(Modifiers::COMMAND, Key::N);
+    hand.settle();
+    assert_eq!(*hand.app().session().orbit(), before);
+}
+
+#[test]
+fn a_mesh_that_was_chosen_while_painting_stays_and_stands_as_it_stood() {
+    let mut hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
+    new_painting(&mut hand);
+    hand.app_mut().show_on("shape:knot");
+    hand.key_with(Modifiers::COMMAND, Key::N);
+    hand.settle();
+    assert_eq!(*hand.app().session().orbit(), Orbit { mesh: "shape:knot".to_owned(), ..Orbit::default() });
+}
+
+#[test]
+fn after_a_restart_a_painting_gives_the_view_of_the_beginning() {
+    let home = Home::new();
+    let mut hand = home.window(None);
+    new_painting(&mut hand);
+    let at = hand.app().painting().screen([8.0, 8.0]).unwrap();
+    hand.drag(at, at + vec2(0.5, 0.0));
+    hand.settle();
+    hand.app_mut().session_mut().close_journal(true);
+    drop(hand);
+    let mut hand = home.window(None);
+    assert!(hand.has("Painting canvas") && hand.app().session().orbit().mesh == "shape:plane");
+    hand.key_with(Modifiers::COMMAND, Key::N);
+    hand.settle();
+    assert_eq!(*hand.app().session().orbit(), Orbit::default());
+}
+
+#[test]
+fn edits_of_a_look_move_no_panels() {
+    let mut hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
+    new_painting(&mut hand);
+    hand.app_mut().session_mut().select(vec!["painting".into()]);
+    let edit = chiaro::document::Edit::SetValue {
+        graph: chiaro::document::GraphId::Look,
+        id: "painting".into(),
+        port: "sheet".into(),
+        value: chiaro::document::Value::Text(String::new()),
+        index: None,
+    };
+    hand.app_mut().session_mut().apply(edit, None).unwrap();
+    hand.settle();
+    assert!(!hand.has("Painting canvas") && is_in_front(&hand, "Paint") && has_tab(&hand, "Samples"));
+}
+
+#[test]
+fn the_one_layout_of_before_becomes_both_where_painting_had_covered_the_graph() {
+    let mut hand = Hand::new();
+    new_painting(&mut hand);
+    let saved = hand.app_mut().changed_arrangement().expect("it changed");
+    // It was written without a name, and painting had left its panels in it.
+    let mut other = Hand::new();
+    other.app_mut().arrange(&saved["painting"]);
+    other.settle();
+    assert!(is_in_front(&other, "Graph") && has_tab(&other, "Paint"), "nothing that was arranged is taken away");
+    new_painting(&mut other);
+    assert!(is_in_front(&other, "Paint") && is_in_front(&other, "Samples"));
+}
+
+#[test]
+fn panels_do_not_mind_how_little_room_they_have() {
+    let mut hand = Hand::new();
+    hand.app_mut().session_mut().select(vec!["diffuse".into()]);
+    for panel in ["Layers", "Lights", "Objects", "Library", "History"] {
+        hand.harness.set_size(vec2(1500.0, 900.0));
+        hand.settle();
+        hand.press_a(Role::Tab, panel);
+        for size in [vec2(120.0, 400.0), vec2(60.0, 60.0), vec2(400.0, 90.0)] {
+            hand.harness.set_size(size);
+            hand.harness.run_steps(3);
+        }
+    }
+}

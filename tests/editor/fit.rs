@@ -1,0 +1,376 @@
+//! Painting light on the picture: strokes by a real pointer, a fit to them, and what becomes of it.
+
+use std::path::{Path, PathBuf};
+
+use crate::editor_support::Hand;
+use chiaro::compile::Live;
+use chiaro::document::{Document, Look};
+use chiaro::editor::App;
+use chiaro::frame::{Assets, PlanOptions, Planner, SetupLook, default_setup};
+use chiaro::interp::Precision;
+use chiaro::library::Library;
+use chiaro::reference::{self, Control, Modules};
+use eframe::egui::{Key, Modifiers, Pos2, Role, Theme, vec2};
+use eframe::egui_wgpu::WgpuSetup;
+use egui_kittest::Harness;
+use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
+
+/// The side of the pictures that are held against each other, in pixels.
+const SIDE: u32 = 32;
+
+/// A window in which light is painted on an example, at few pixels.
+fn painter(example: &str) -> Hand {
+    let mut hand = Hand::new();
+    hand.app_mut().fitting_mut().set_effort(24, 2);
+    hand.app_mut().open(Path::new(example));
+    hand.app_mut().show_on("shape:sphere");
+    hand.settle();
+    paint_light(&mut hand);
+    hand
+}
+
+/// The key over the picture that begins it.
+fn paint_light(hand: &mut Hand) {
+    let at = at(hand, 0.0, 0.0);
+    hand.hover(at);
+    hand.key(Key::L);
+    hand.settle();
+    assert!(hand.app().fitting().is_on());
+}
+
+/// A place of the picture, in parts of the ball's radius from its middle.
+fn at(hand: &Hand, x: f32, y: f32) -> Pos2 {
+    let rect = hand.app().viewport().rect().unwrap();
+    let radius = hand.app().session().orbit().radius_in_picture() as f32 * rect.height();
+    rect.center() + vec2(x, -y) * radius
+}
+
+/// A stroke through places of the ball.
+fn stroke(hand: &mut Hand, brush: &str, places: &[[f32; 2]]) {
+    hand.press_a(Role::RadioButton, &format!("Brush: {brush}"));
+    let points: Vec<Pos2> = places.iter().map(|&[x, y]| at(hand, x, y)).collect();
+    hand.drag_through(&points);
+    hand.settle();
+}
+
+/// The mean of the green channel around a place of the ball, in the reference's picture, which shares nothing with the
+/// window.
+fn brightness(look: &Look, [x, y]: [f64; 2]) -> f64 {
+    let source = Look::read("{}", "none").source.into();
+    let look = SetupLook { look: look.clone(), source, folder: PathBuf::new() };
+    let (setup, _) = default_setup(look, "shape:sphere", &mut Assets::default()).unwrap();
+    let options = PlanOptions { size: [SIDE; 2], samples: 1, time: 0.0 };
+    let plan = Planner::new(Assets::default()).plan(&setup, Library::built_in(), &Live::Keyed, &options).unwrap();
+    let radius = chiaro::editor::Orbit::default().radius_in_picture();
+    let modules = Modules::new(&plan, Precision::F64).unwrap();
+    let picture = reference::execute(&plan, &modules, &reference::Options::default(), &Control::none()).unwrap();
+    let middle = [0.5 + x * radius, 0.5 - y * radius].map(|part| (part * f64::from(SIDE)) as u32);
+    let around = (0..9).map(|index| [middle[0] + index % 3 - 1, middle[1] + index / 3 - 1]);
+    around.map(|[x, y]| picture.straight(x, y)[1]).sum::<f64>() / 9.0
+}
+
+const LEFT: [f32; 2] = [-0.55, 0.2];
+const RIGHT: [f32; 2] = [0.55, 0.2];
+
+fn paint_both_sides(hand: &mut Hand) {
+    stroke(hand, "Light", &[[0.5, 0.4], [0.6, -0.1]]);
+    stroke(hand, "Dark", &[[-0.5, 0.4], [-0.6, -0.1]]);
+}
+
+#[test]
+fn light_is_painted_fitted_applied_and_undone() {
+    let mut hand = painter("examples/looks/figure3-profile.json");
+    let before = hand.look().clone();
+    paint_both_sides(&mut hand);
+    assert!(hand.app().fitting().painted() > 20, "{}", hand.app().fitting().painted());
+    assert_eq!(hand.app().session().steps().collect::<Vec<_>>(), ["paint light", "paint dark"]);
+
+    hand.press("Fit this look");
+    let [was, is] = hand.app().fitting().errors().unwrap_or_else(|| panic!("{:?}", hand.app().fitting().told()));
+    assert!(is < 0.7 * was, "{is} of {was}");
+    assert_eq!(*hand.look(), before, "a preview is no edit");
+    assert!(hand.app().session().preview().is_some() && hand.says("Preview of the fit") | hand.has("Apply"));
+
+    hand.press("Apply");
+    let after = hand.look().clone();
+    assert!(after != before && hand.app().session().preview().is_none());
+    let [left, right] = [LEFT, RIGHT].map(|place| {
+        let place = place.map(f64::from);
+        brightness(&after, place) - brightness(&before, place)
+    });
+    assert!(right > 0.03 && left < 0.0, "right {right}, left {left}");
+    let places = |look: &Look| look.graph.nodes.values().map(|node| node.position).collect::<Vec<_>>();
+    assert_eq!(places(&after), places(&before));
+    // What is left is an ordinary look, of which a file says the same.
+    let read = Look::read(&after.to_text(), "fitted.json");
+    assert!(!read.has_errors() && read.value == Some(after.clone()), "{:?}", read.diagnostics);
+
+    assert!(hand.app().fitting().errors().is_some() && hand.has("Applied; undo takes it back"));
+    hand.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(*hand.look(), before, "one step");
+    hand.settle();
+    assert!(hand.app().fitting().errors().is_none() && !hand.has("Applied; undo takes it back"));
+    hand.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
+    assert_eq!(*hand.look(), after);
+}
+
+#[test]
+fn new_layers_take_the_place_of_the_nodes() {
+    let mut hand = painter("examples/looks/figure3-profile.json");
+    let before = hand.look().clone();
+    stroke(&mut hand, "Color", &[[0.5, 0.5], [0.6, -0.2]]);
+    stroke(&mut hand, "Keep", &[[-0.6, 0.3], [-0.3, -0.3]]);
+    hand.app_mut().fitting_mut().set_layers(1);
+    hand.press("Fit new layers");
+    let [was, is] = hand.app().fitting().errors().unwrap_or_else(|| panic!("{:?}", hand.app().fitting().told()));
+    // Half of the way, and a little less: what is not painted wishes to stay.
+    assert!(is < 0.7 * was, "{is} of {was}");
+    assert_eq!(*hand.look(), before);
+    hand.press("Apply");
+    assert!(
+        hand.look().graph.nodes.values().all(|node| ["base", "light_layer", "output"].contains(&node.kind.as_str()))
+    );
+    let mut places: Vec<[u64; 2]> = hand.look().graph.nodes.values().map(|n| n.position.map(f64::to_bits)).collect();
+    let count = places.len();
+    places.sort_unstable();
+    places.dedup();
+    assert_eq!(places.len(), count, "no node lies on another");
+    hand.undo();
+    assert_eq!(*hand.look(), before);
+}
+
+#[test]
+fn strokes_are_undone_cleared_and_belong_to_their_view() {
+    let mut hand = painter("examples/looks/figure3-profile.json");
+    let orbit = hand.app().session().orbit().clone();
+    paint_both_sides(&mut hand);
+    let both = hand.app().fitting().painted();
+    hand.undo();
+    hand.settle();
+    let one = hand.app().fitting().painted();
+    assert!(0 < one && one < both, "{one} of {both}");
+    hand.redo();
+    hand.settle();
+    assert_eq!(hand.app().fitting().painted(), both);
+    assert_eq!(*hand.app().session().orbit(), orbit, "the brush turns nothing");
+    let middle = at(&hand, 0.0, 0.0);
+    hand.wheel(middle, 60.0);
+    assert_eq!(*hand.app().session().orbit(), orbit, "a wheel does not lose the view");
+
+    // From elsewhere they are not seen, and nothing is painted; a button leads back.
+    let (from, to) = (at(&hand, 0.0, 0.0), at(&hand, 0.5, 0.0));
+    hand.drag_with(Modifiers::ALT, from, to);
+    hand.settle();
+    assert_ne!(*hand.app().session().orbit(), orbit);
+    hand.press("Fit this look");
+    assert!(hand.app().fitting().told().unwrap().contains("another view"), "{:?}", hand.app().fitting().told());
+    hand.press("Back to the painted view");
+    assert_eq!(*hand.app().session().orbit(), orbit);
+
+    stroke(&mut hand, "Erase", &[[0.3, 0.7], [0.5, 0.3], [0.6, 0.0], [0.5, -0.4]]);
+    assert!(hand.app().fitting().painted() < both);
+    hand.press("Clear");
+    assert!(hand.app().session().sketch().is_empty() && hand.app().fitting().painted() == 0);
+    hand.undo();
+    assert!(!hand.app().session().sketch().is_empty());
+    // Whoever does not see strokes takes back steps of the look.
+    hand.key(Key::Escape);
+    assert!(!hand.app().fitting().is_on());
+    assert_eq!(hand.app().session().undo_label(), None);
+    paint_light(&mut hand);
+    assert!(hand.app().session().undo_label().is_some() && !hand.app().session().sketch().is_empty());
+}
+
+#[test]
+fn what_cannot_be_fitted_is_told() {
+    let mut hand = painter("examples/looks/figure3-profile.json");
+    let told = |hand: &Hand| hand.app().fitting().told().unwrap_or_default().to_owned();
+    hand.press("Fit this look");
+    assert!(told(&hand).contains("Nothing is painted"), "{}", told(&hand));
+    // Beside the object.
+    stroke(&mut hand, "Light", &[[-1.1, 0.95], [-1.0, 1.0]]);
+    assert!(hand.app().session().sketch().is_empty());
+    assert!(hand.app().message().unwrap_or_default().contains("met no object"), "{:?}", hand.app().message());
+    // A dot.
+    let size = hand.place_of(Role::SpinButton, "Size").center();
+    hand.double_click(size);
+    hand.key_with(Modifiers::COMMAND, Key::A);
+    hand.type_text("3");
+    hand.key(Key::Enter);
+    stroke(&mut hand, "Light", &[[0.2, 0.0], [0.21, 0.0]]);
+    assert!((1..12).contains(&hand.app().fitting().painted()), "{}", hand.app().fitting().painted());
+    hand.press("Fit this look");
+    assert!(told(&hand).contains("Too little"), "{}", told(&hand));
+    // Nothing may change.
+    for _ in 0..10 {
+        hand.key(Key::Escape);
+    }
+    let mut hand = painter("examples/looks/figure3-profile.json");
+    paint_both_sides(&mut hand);
+    for label in ["Lights", "Profiles", "Colors", "Base"] {
+        hand.press_a(Role::CheckBox, &format!("Keep: {label}"));
+    }
+    hand.press("Fit this look");
+    assert!(told(&hand).contains("may change"), "{}", told(&hand));
+}
+
+#[test]
+fn a_fit_can_be_stopped_and_an_edit_ends_it() {
+    let mut hand = painter("examples/looks/figure3-profile.json");
+    let before = hand.look().clone();
+    paint_both_sides(&mut hand);
+    let start = |hand: &mut Hand| {
+        let fit = hand.place("Fit this look").center();
+        hand.click(fit);
+        assert!(hand.app().fitting().is_fitting(), "{:?}", hand.app().fitting().told());
+    };
+    start(&mut hand);
+    hand.press("Stop");
+    assert!(!hand.app().fitting().is_fitting() && *hand.look() == before, "nothing is applied by itself");
+    // However far it had come: either it had something, which is shown, or it tells that it had not.
+    let told = hand.app().fitting().told().unwrap().to_owned();
+    match hand.app().fitting().errors() {
+        Some([was, is]) => {
+            assert!(is < was && told.contains("best so far") && hand.app().session().preview().is_some(), "{told}");
+            hand.press("Discard");
+        }
+        None => assert!(told.contains("stopped") && hand.app().session().preview().is_none(), "{told}"),
+    }
+
+    // Escape stops it too, and ends nothing else.
+    start(&mut hand);
+    hand.key(Key::Escape);
+    hand.settle();
+    assert!(hand.app().fitting().is_on() && !hand.app().fitting().is_fitting());
+    if hand.has("Discard") {
+        hand.press("Discard");
+    }
+
+    start(&mut hand);
+    let edit = chiaro::document::Edit::SetLookName { name: "Another".to_owned() };
+    hand.app_mut().session_mut().apply(edit, None).unwrap();
+    hand.settle();
+    assert!(hand.app().fitting().told().unwrap().contains("was changed"), "{:?}", hand.app().fitting().told());
+    assert!(hand.app().session().preview().is_none());
+}
+
+#[test]
+fn strokes_wait_for_their_look_and_undoing_one_ends_a_preview() {
+    let example = Path::new("examples/looks/figure3-profile.json");
+    let mut hand = painter("examples/looks/figure3-profile.json");
+    paint_both_sides(&mut hand);
+    hand.press("Fit this look");
+    assert!(hand.app().session().preview().is_some(), "{:?}", hand.app().fitting().told());
+    hand.undo();
+    assert!(hand.app().session().preview().is_none() && hand.app().fitting().errors().is_none());
+    assert_eq!(hand.app().fitting().told(), Some("The strokes were changed: fit again"));
+
+    let tile = hand.app().session().sketch().tile().cloned();
+    hand.app_mut().open(Path::new("examples/looks/figure2-diffuse.json"));
+    hand.settle();
+    assert!(hand.app().session().sketch().is_empty() && !hand.app().fitting().is_on());
+    hand.app_mut().open(example);
+    hand.settle();
+    assert!(tile.is_some() && hand.app().session().sketch().tile() == tile.as_ref());
+}
+
+#[test]
+fn tools_leave_the_picture_its_size_and_a_stroke_waits_until_it_is_read() {
+    let mut hand = painter("examples/looks/figure3-profile.json");
+    let rect = hand.app().viewport().rect();
+    for brush in ["Dark", "Color", "Keep", "Erase", "Light"] {
+        hand.press_a(Role::RadioButton, &format!("Brush: {brush}"));
+        assert_eq!(hand.app().viewport().rect(), rect, "{brush}");
+    }
+    // Another height is another picture, of which nothing is read yet.
+    hand.app_mut().fitting_mut().set_effort(28, 2);
+    let points: Vec<Pos2> = [[0.5, 0.4], [0.6, -0.1]].iter().map(|&[x, y]| at(&hand, x, y)).collect();
+    hand.drag_through(&points);
+    hand.settle();
+    assert_eq!(hand.app().session().steps().collect::<Vec<_>>(), ["paint light"], "{:?}", hand.app().message());
+    assert!(hand.app().fitting().painted() > 20, "{}", hand.app().fitting().painted());
+}
+
+#[test]
+fn a_preview_is_discarded_or_goes_with_an_edit() {
+    let mut hand = painter("examples/looks/figure3-profile.json");
+    let before = hand.look().clone();
+    paint_both_sides(&mut hand);
+    hand.press("Fit this look");
+    assert!(hand.app().session().preview().is_some());
+    hand.press("Discard");
+    assert!(hand.app().session().preview().is_none() && *hand.look() == before && hand.app().fitting().is_on());
+    hand.press("Fit this look");
+    assert!(hand.app().session().preview().is_some());
+    let edit = chiaro::document::Edit::SetLookName { name: "Another".to_owned() };
+    hand.app_mut().session_mut().apply(edit, None).unwrap();
+    hand.settle();
+    assert!(hand.app().session().preview().is_none() && !hand.has("Apply"));
+    // Strokes are of a look: another one has none.
+    hand.app_mut().open(Path::new("examples/looks/figure2-diffuse.json"));
+    hand.settle();
+    assert!(hand.app().session().sketch().is_empty());
+    assert!(matches!(Document::load(Path::new("examples/looks/figure2-diffuse.json")), Document::Look(_)));
+}
+
+/// Pictures of each state, to be looked at: `cargo test --test editor_fit -- --ignored` writes them to `target/shots`, or
+/// to the folder that `CHIARO_SHOTS` names.
+#[test]
+#[ignore = "writes pictures to be looked at"]
+fn shots() {
+    let size = vec2(1600.0, 960.0);
+    let mut setup = default_wgpu_setup();
+    if let WgpuSetup::CreateNew(setup) = &mut setup {
+        setup.device_descriptor = std::sync::Arc::new(chiaro::render::device_descriptor);
+    }
+    let state = create_render_state(setup, eframe::egui_wgpu::RendererOptions::PREDICTABLE);
+    let builder = Harness::builder().with_size(size).renderer(WgpuTestRenderer::from_render_state(state.clone()));
+    let mut hand = Hand::with_builder(builder, move |ctx| App::new(ctx, Some(state.clone())));
+    let folder = std::env::var_os("CHIARO_SHOTS").map_or_else(|| PathBuf::from("target/shots"), PathBuf::from);
+    std::fs::create_dir_all(&folder).unwrap();
+    let save = |hand: &mut Hand, name: &str| {
+        hand.harness.render().unwrap().save(folder.join(format!("{name}.png"))).unwrap();
+    };
+    hand.app_mut().fitting_mut().set_effort(96, 2);
+    hand.app_mut().open(Path::new("examples/looks/figure4-color.json"));
+    hand.app_mut().show_on("shape:creature");
+    hand.settle();
+    paint_light(&mut hand);
+    save(&mut hand, "fit-1-begun");
+    stroke(&mut hand, "Light", &[[0.35, 0.45], [0.5, 0.1], [0.4, -0.3]]);
+    stroke(&mut hand, "Dark", &[[-0.45, 0.4], [-0.5, 0.0]]);
+    stroke(&mut hand, "Keep", &[[-0.1, -0.4], [0.1, -0.5]]);
+    let over = at(&hand, 0.1, 0.3);
+    hand.hover(over);
+    save(&mut hand, "fit-2-painted");
+    hand.press("Misses");
+    save(&mut hand, "fit-3-misses");
+    hand.press("Misses");
+    let fit = hand.place("Fit this look").center();
+    hand.click(fit);
+    hand.app().fitting().wait_for_ground();
+    save(&mut hand, "fit-4-fitting");
+    hand.settle();
+    save(&mut hand, "fit-5-preview");
+    hand.press("Apply");
+    save(&mut hand, "fit-6-applied");
+    hand.harness.ctx.set_theme(Theme::Light);
+    hand.settle();
+    save(&mut hand, "fit-7-light");
+    hand.harness.ctx.set_theme(Theme::Dark);
+    let (from, to) = (at(&hand, 0.0, 0.0), at(&hand, 0.5, 0.0));
+    hand.drag_with(Modifiers::ALT, from, to);
+    hand.settle();
+    save(&mut hand, "fit-8-elsewhere");
+    hand.press("Back to the painted view");
+    hand.harness.set_size(vec2(900.0, 620.0));
+    hand.settle();
+    save(&mut hand, "fit-9-small");
+    hand.harness.set_size(vec2(1600.0, 960.0));
+    hand.settle();
+    hand.app_mut().fitting_mut().set_layers(1);
+    hand.press("Clear");
+    stroke(&mut hand, "Color", &[[0.35, 0.45], [0.5, 0.1], [0.4, -0.3]]);
+    hand.press("Fit new layers");
+    save(&mut hand, "fit-10-layers");
+}

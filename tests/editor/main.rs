@@ -1,0 +1,31 @@
+//! The window, driven as a person drives it.
+#![cfg(feature = "editor")]
+
+mod canvas;
+mod dock;
+mod editor_support;
+mod export;
+mod fit;
+mod journeys;
+mod keys;
+mod kills;
+mod monkey;
+mod names;
+mod paint;
+mod paint_make;
+mod paint_parts;
+mod paint_shots;
+mod panels;
+mod picture;
+mod rest;
+mod safety;
+mod scene;
+mod scene_parts;
+mod shots;
+mod stack;
+mod stack_shots;
+mod start;
+#[path = "../support/mod.rs"]
+mod support;
+mod viewport;
+mod window;

@@ -1,0 +1,477 @@
+//! The panels below the picture: effects and the probe, driven by a hand.
+
+use crate::editor_support;
+use crate::editor_support::Hand;
+use eframe::egui::{Key, Rect, vec2};
+use egui_kittest::kittest::Queryable as _;
+
+fn picture(hand: &Hand) -> Rect {
+    hand.app().viewport().rect().unwrap()
+}
+
+fn click_label(hand: &mut Hand, label: &str) {
+    let at = hand.harness.get_by_label(label).rect().center();
+    hand.click(at);
+}
+
+/// A look whose second node divides by 0, and whose last hides it.
+const BROKEN: &str = r##"{"nodes": [
+    {"id": "fine", "kind": "add", "values": {"a": 0, "b": 0}},
+    {"id": "broken", "kind": "wgsl", "at": [240, 0],
+     "values": {"code": "fn broken(value: f32) -> f32 { return 1.0 / value; }"}},
+    {"id": "after", "kind": "wgsl", "at": [480, 0],
+     "values": {"code": "fn after(value: f32) -> f32 { return value * 2.0; }"}},
+    {"id": "output", "kind": "output", "at": [720, 0]}
+  ], "wires": [
+    {"from": "fine", "to": "broken.value"}, {"from": "broken", "to": "after.value"}, {"from": "after", "to": "output.color"}
+  ]}"##;
+
+fn open(hand: &mut Hand, text: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("look.json");
+    std::fs::write(&path, text).unwrap();
+    hand.app_mut().open(&path);
+    hand.settle();
+    let problems = hand.app().session().problems();
+    assert!(problems.iter().all(|problem| !problem.is_error()), "{problems:?}");
+    folder
+}
+
+#[test]
+fn the_probe_reads_every_wire_under_a_resting_pointer() {
+    let mut hand = Hand::new();
+    let middle = picture(&hand).center();
+    hand.hover(middle);
+    hand.settle();
+    assert!(hand.app().probe().wires().is_empty(), "it is off");
+    hand.key(Key::I);
+    hand.settle();
+    assert!(hand.app().probe().is_on());
+    let wires = hand.app().probe().wires();
+    let of = |node: &str| wires.iter().find(|wire| wire.node.to_string() == node).expect("it has a value");
+    // A new look's base is [0.16, 0.15, 0.2]: nothing is computed, so both know it as their numbers can.
+    let base = of("base");
+    assert_eq!(base.double, [0.16, 0.15, 0.2, 1.0]);
+    assert_eq!(base.single, [0.16_f32, 0.15, 0.2, 1.0].map(f64::from));
+    assert!(base.difference() > 0.0 && base.difference() < 1e-8);
+    assert!(wires.last().unwrap().node.to_string() == "output", "in the order of computing");
+    // Beside the object there is nothing.
+    let corner = picture(&hand).left_top() + vec2(5.0, 5.0);
+    hand.hover(corner);
+    hand.settle();
+    assert!(hand.app().probe().wires().is_empty());
+    assert!(hand.harness.query_by_label("Nothing is drawn there.").is_some());
+    // Away from the picture nothing is probed, and Esc leaves.
+    hand.key(Key::Escape);
+    assert!(!hand.app().probe().is_on());
+}
+
+#[test]
+fn a_click_keeps_a_pixel_and_escape_lets_go_of_it() {
+    let mut hand = Hand::new();
+    click_label(&mut hand, "Probe pixel");
+    assert!(hand.app().probe().is_on());
+    let rect = picture(&hand);
+    hand.click(rect.center());
+    hand.settle();
+    let offset = rect.size() / 2.0;
+    assert_eq!(hand.app().probe().pinned(), Some([offset.x as u32, offset.y as u32]));
+    let kept = hand.app().probe().wires().to_vec();
+    assert!(!kept.is_empty());
+    hand.hover(rect.left_top() + vec2(5.0, 5.0));
+    hand.settle();
+    assert_eq!(hand.app().probe().wires(), kept);
+    // The values follow an edit.
+    let graph = chiaro::document::GraphId::Look;
+    let value = chiaro::document::Value::Vector(vec![0.5, 0.25, 0.125]);
+    let edit = chiaro::document::Edit::SetValue { graph, id: "base".into(), port: "color".into(), value, index: None };
+    hand.app_mut().session_mut().apply(edit, None).unwrap();
+    hand.settle();
+    let base = &hand.app().probe().wires()[0];
+    assert_eq!((base.node.to_string().as_str(), base.difference()), ("base", 0.0));
+    assert_eq!(base.double, [0.5, 0.25, 0.125, 1.0]);
+    hand.key(Key::Escape);
+    assert!(hand.app().probe().is_on() && hand.app().probe().pinned().is_none());
+    hand.key(Key::Escape);
+    assert!(!hand.app().probe().is_on());
+    // A click turns nothing, and neither did the probe.
+    assert!(!hand.app().viewport().rect().unwrap().is_negative());
+}
+
+#[test]
+fn a_row_of_the_probe_leads_to_its_node() {
+    let mut hand = Hand::new();
+    hand.key(Key::I);
+    hand.click(picture(&hand).center());
+    hand.settle();
+    let at = hand.harness.get_all_by_label("Wire of base").next().unwrap().rect().center();
+    hand.click(at);
+    assert_eq!(hand.selected(), ["base"]);
+    assert!(hand.app().probe().pinned().is_some(), "the probe goes on");
+}
+
+#[test]
+fn the_first_broken_wire_is_found() {
+    let mut hand = Hand::new();
+    let _folder = open(&mut hand, BROKEN);
+    hand.key(Key::I);
+    hand.click(picture(&hand).center());
+    hand.settle();
+    let wires = hand.app().probe().wires();
+    let broken: Vec<String> = wires.iter().filter(|w| !w.is_finite()).map(|w| w.node.to_string()).collect();
+    assert_eq!(broken.first().map(String::as_str), Some("broken"), "{wires:?}");
+    click_label(&mut hand, "Go to first broken wire");
+    assert_eq!(hand.selected(), ["broken"]);
+}
+
+#[test]
+fn a_window_with_a_probe_at_rest_asks_for_no_frame() {
+    let mut hand = Hand::new();
+    hand.key(Key::I);
+    hand.hover(picture(&hand).center());
+    hand.settle();
+    hand.harness.run_steps(12);
+    hand.settle();
+    assert_eq!(hand.repaint_delay(), std::time::Duration::MAX);
+}
+
+#[test]
+fn effects_are_listed_with_state_and_lead_to_nodes() {
+    let mut hand = Hand::drawing_with(|app, _| app);
+    click_label(&mut hand, "Effects");
+    hand.harness.run_steps(8);
+    hand.settle();
+    let is_listed = |hand: &Hand, label: &str| hand.harness.query_by_label(label).is_some();
+    // The first picture was drawn before the panel was opened: its passes still stand.
+    assert!(is_listed(&hand, "Effect look"));
+    assert!(is_listed(&hand, "Effect curvature of the detail normals"), "a dropped pass is told too");
+    // Only what runs: what was dropped goes away.
+    let at = hand.harness.get_by_label_contains(" dropped").rect().center();
+    hand.click(at);
+    assert!(!is_listed(&hand, "Effect curvature of the detail normals") && is_listed(&hand, "Effect look"));
+    // A node of a list that is taller than the panel: the wheel brings it into view.
+    let list = hand.harness.get_by_label("Effect look").rect().center();
+    let of_diffuse = |hand: &Hand| {
+        let found = hand.harness.query_all_by_label_contains("Effect diffuse").next();
+        found.map(|node| node.rect().center())
+    };
+    for _ in 0..20 {
+        if of_diffuse(&hand).is_some() {
+            break;
+        }
+        hand.wheel(list, -60.0);
+    }
+    hand.wheel(list, -40.0);
+    let at = of_diffuse(&hand).expect("the diffuse layer runs");
+    hand.click(at);
+    assert_eq!(hand.selected(), ["diffuse"]);
+}
+
+/// Opens the list of what the picture is compared with, and chooses from it.
+fn compare_with(hand: &mut Hand, before: &str, what: &str) {
+    let combo = hand.harness.get_all_by_role(eframe::egui::accesskit::Role::ComboBox);
+    let combo = combo.into_iter().find(|node| node.value().as_deref() == Some(before)).map(|node| node.rect().center());
+    hand.click(combo.expect("the list of what to compare with"));
+    let at = hand.harness.get_all_by_label(what).last().unwrap().rect().center();
+    hand.click(at);
+    hand.harness.run_steps(4);
+    hand.settle();
+}
+
+#[test]
+fn the_picture_is_wiped_against_truth_and_tiers() {
+    let mut hand = Hand::drawing_with(|app, _| app);
+    compare_with(&mut hand, "Compare with", "Truth (f64)");
+    let figures = hand.app().wipe().figures().expect("chosen by hand, it is computed at once").clone();
+    assert!(figures.pixels > 10_000 && figures.broken == 0);
+    assert!(figures.max < 1.0 / 255.0, "exact is close to the truth: {figures:?}");
+    // The divider follows the hand, and the camera does not.
+    let before = hand.app().session().orbit().clone();
+    let rect = picture(&hand);
+    hand.drag(rect.center(), rect.center() + vec2(80.0, 0.0));
+    assert!((hand.app().wipe().split() - (0.5 + 80.0 / rect.width())).abs() < 0.02, "{}", hand.app().wipe().split());
+    assert_eq!(*hand.app().session().orbit(), before);
+    // Magnified, what is equal is black: all of the background.
+    click_label(&mut hand, "×256");
+    let image = hand.harness.render().unwrap();
+    let corner = rect.left_bottom() + vec2(6.0, -6.0);
+    assert_eq!(image.get_pixel(corner.x as u32, corner.y as u32).0, [0, 0, 0, 255]);
+    // Once anything changes it is out of date, and only a click computes it again.
+    click_label(&mut hand, "Wipe");
+    let corner = rect.left_top() + vec2(12.0, 60.0);
+    hand.drag(corner, corner + vec2(40.0, 0.0));
+    hand.harness.run_steps(4);
+    hand.settle();
+    assert!(hand.app().wipe().figures().is_none());
+    click_label(&mut hand, "Compute again");
+    hand.settle();
+    assert!(hand.app().wipe().figures().is_some());
+    // A tier follows by itself.
+    compare_with(&mut hand, "Truth (f64)", "Exact");
+    assert_eq!(hand.app().wipe().figures().expect("drawn").max, 0.0, "the look is exact already");
+    hand.drag(corner, corner + vec2(-40.0, 0.0));
+    hand.harness.run_steps(4);
+    hand.settle();
+    assert!(hand.app().wipe().figures().is_some());
+    hand.harness.run_steps(12);
+    hand.settle();
+    assert_eq!(hand.repaint_delay(), std::time::Duration::MAX);
+}
+
+#[test]
+fn tiers_are_measured_when_asked_and_adopted_by_a_click() {
+    use chiaro::document::Tier;
+    let mut hand = Hand::drawing_with(|app, _| app);
+    click_label(&mut hand, "Cost and accuracy");
+    hand.harness.run_steps(8);
+    hand.settle();
+    assert!(hand.app().cost().report().is_none(), "never by itself");
+    click_label(&mut hand, "Measure");
+    hand.settle();
+    let report = hand.app().cost().report().expect("it was measured");
+    assert!(report.rows.iter().any(|row| row.tier == Some(Tier::Fast) && row.error.is_some()));
+    let plot = hand.harness.get_by_label("Error against time").rect();
+    // The table is below the plot.
+    let row = "Adopt fast for Whole look";
+    let visible = |hand: &Hand| {
+        let found = hand.harness.query_by_label(row).map(|node| node.rect());
+        found.filter(|rect| rect.bottom() < 860.0)
+    };
+    for _ in 0..20 {
+        if visible(&hand).is_some() {
+            break;
+        }
+        hand.wheel(plot.center(), -30.0);
+    }
+    let at = visible(&hand).unwrap().center();
+    hand.click(at);
+    assert_eq!(hand.look().tier, Tier::Fast);
+    hand.undo();
+    assert_eq!(hand.look().tier, Tier::Exact);
+    assert!(!hand.app().session().is_dirty(), "one step");
+    // A point of the plot does the same, and tells of itself.
+    for _ in 0..20 {
+        hand.wheel(plot.center(), 60.0);
+    }
+    let point = hand.harness.get_by_label("Point fast").rect().center();
+    hand.hover(point);
+    hand.harness.run_steps(30);
+    assert!(hand.harness.query_by_label_contains("A click adopts it").is_some());
+    hand.click(point);
+    assert_eq!(hand.look().tier, Tier::Fast);
+    hand.undo();
+    // Measuring is stopped by hand; what was measured stays.
+    let times = |hand: &Hand| -> Vec<f64> {
+        hand.app().cost().report().unwrap().rows.iter().map(|row| row.time.median).collect()
+    };
+    let before = times(&hand);
+    let measure = hand.harness.get_by_label("Measure").rect().center();
+    hand.click(measure);
+    let stop = hand.harness.get_by_label("Stop").rect().center();
+    hand.click(stop);
+    hand.settle();
+    assert!(!hand.app().is_busy());
+    assert_eq!(times(&hand), before, "measured to the end, no time would be the same");
+}
+
+/// A look whose output shows 0.5 everywhere, with a constant of 2 and a custom node that is wired to nothing.
+const WIRES: &str = r##"{"nodes": [
+    {"id": "two", "kind": "number", "values": {"value": 2}},
+    {"id": "base", "kind": "base", "at": [240, 0], "values": {"color": [0.5, 0.5, 0.5]}},
+    {"id": "output", "kind": "output", "at": [480, 0]}
+  ], "wires": [{"from": "base", "to": "output.color"}]}"##;
+
+/// The colour in the middle of the picture.
+fn middle(hand: &mut Hand) -> [u8; 4] {
+    let at = picture(hand).center();
+    hand.harness.remove_cursor();
+    hand.settle();
+    hand.harness.render().unwrap().get_pixel(at.x as u32, at.y as u32).0
+}
+
+fn choose(hand: &mut Hand, list: &str, what: &str) {
+    let role = eframe::egui::accesskit::Role::ComboBox;
+    let at = hand.harness.get_by_role_and_label(role, list).rect().center();
+    hand.click(at);
+    let at = hand.harness.get_all_by_label(what).last().unwrap().rect().center();
+    hand.click(at);
+    hand.settle();
+}
+
+#[test]
+fn any_wire_is_shown_in_place_of_the_picture() {
+    let mut hand = Hand::drawing_with(|app, _| app);
+    let _folder = open(&mut hand, WIRES);
+    let grey = middle(&mut hand);
+    assert!(grey[0].abs_diff(128) <= 1, "{grey:?}");
+    hand.click(editor_support::node_center(&hand, "two"));
+    let room = picture(&hand);
+    choose(&mut hand, "View wire", "Value");
+    assert_eq!(picture(&hand), room, "what is told of it lies over the picture, which stays where it is");
+    assert_eq!(middle(&mut hand), [255; 4], "2 is white");
+    // Heat is red above 1, whatever the look's output is.
+    click_label(&mut hand, "Heat");
+    let red = middle(&mut hand);
+    assert!(red[0] > 200 && red[1] < 80 && red[2] < 80, "{red:?}");
+    // Every style is a shader that compiles, and the look is untouched.
+    click_label(&mut hand, "Isolines");
+    let level = middle(&mut hand);
+    assert!(level[..3].iter().all(|c| c.abs_diff(191) <= 1), "2 everywhere crosses nothing: {level:?}");
+    assert!(hand.app().session().problems().is_empty(), "{:?}", hand.app().session().problems());
+    assert!(!hand.app().session().is_dirty());
+    click_label(&mut hand, "Show the look");
+    assert_eq!(middle(&mut hand), grey);
+}
+
+/// The wires inside of groups too: the probe lists them, and a right click shows one.
+#[test]
+fn a_wire_inside_a_group_is_shown_in_place_of_the_picture() {
+    let mut hand = Hand::drawing_with(|app, _| app);
+    hand.app_mut().show_on("shape:sphere");
+    hand.settle();
+    hand.key(Key::I);
+    // The shaded side, down to the right, also where a line above the picture makes it smaller.
+    let place = |hand: &Hand| picture(hand).center() + vec2(0.12, 0.1) * picture(hand).height();
+    let at = place(&hand);
+    hand.click(at);
+    hand.settle();
+    let path = "diffuse/tone";
+    let tone =
+        hand.app().probe().wires().iter().rfind(|wire| wire.node.to_string() == path).expect("the tone").double[0];
+    assert!(tone > 0.05 && tone < 0.95, "{tone}");
+    hand.harness.get_all_by_label(&format!("Wire of {path}")).last().unwrap().click_secondary();
+    hand.settle();
+    click_label(&mut hand, "Show Tone as color");
+    hand.key(Key::Escape);
+    hand.key(Key::Escape);
+    hand.harness.remove_cursor();
+    let at = place(&hand);
+    let grey = color_at(&mut hand, at);
+    let expected = (tone * 255.0).round() as u8;
+    assert!(grey[..3].iter().all(|c| c.abs_diff(expected) <= 8), "{grey:?} for {tone}");
+    assert!(hand.harness.query_by_label("Showing Tone of Diffuse / tone as color").is_some());
+    assert!(!hand.app().session().is_dirty() && hand.app().session().problems().is_empty());
+    for style in ["heat", "isolines"] {
+        hand.key(Key::I);
+        hand.click(at);
+        hand.settle();
+        hand.harness.get_all_by_label(&format!("Wire of {path}")).last().unwrap().click_secondary();
+        hand.settle();
+        click_label(&mut hand, &format!("Show Tone as {style}"));
+        hand.settle();
+        assert!(hand.app().session().problems().is_empty(), "{:?}", hand.app().session().problems());
+        assert_ne!(color_at(&mut hand, at), grey, "{style}");
+        hand.key(Key::Escape);
+        hand.key(Key::Escape);
+    }
+}
+
+fn color_at(hand: &mut Hand, at: eframe::egui::Pos2) -> [u8; 4] {
+    hand.settle();
+    hand.harness.render().unwrap().get_pixel(at.x as u32, at.y as u32).0
+}
+
+/// The picker of a colour in the inspector, opened.
+fn open_picker(hand: &mut Hand) {
+    let swatch = hand.swatch("Convex color").center();
+    hand.click(swatch);
+    hand.settle();
+    assert!(is_picking(hand));
+}
+
+fn is_picking(hand: &Hand) -> bool {
+    hand.says("Saturation and brightness")
+}
+
+#[test]
+fn the_picker_is_closed_by_escape_whatever_was_done_in_it_and_speaks_plainly() {
+    let mut hand = Hand::new();
+    hand.press("Layer Diffuse");
+    let color = |hand: &Hand| hand.look().graph.nodes["diffuse"].values.get("convex").cloned();
+    let first = color(&hand);
+    let steps = hand.steps();
+    open_picker(&mut hand);
+    for jargon in ["U8", "F", "📋", "HSVA"] {
+        assert!(!hand.has(jargon), "{jargon}");
+    }
+    for part in ["Red", "Green", "Blue", "Opacity", "Hex code"] {
+        assert!(hand.has(part), "{part}");
+    }
+    hand.key(Key::Escape);
+    hand.settle();
+    assert!(!is_picking(&hand) && color(&hand) == first && hand.steps() == steps, "it was only looked at");
+
+    // A hand in the square, on the strip of hues, and at a number: each is one step, and Esc leaves what was picked.
+    open_picker(&mut hand);
+    let square = hand.place_like("Saturation and brightness");
+    hand.drag(square.center(), square.right_top() + vec2(-20.0, 20.0));
+    let hues = hand.place_like("Hue");
+    hand.drag(hues.left_center() + vec2(4.0, 0.0), hues.center());
+    let red = hand.place("Red").center();
+    hand.drag(red, red + vec2(40.0, 0.0));
+    assert_eq!(hand.steps(), steps + 3);
+    let picked = color(&hand);
+    assert_ne!(picked, first);
+    hand.key(Key::Escape);
+    hand.settle();
+    assert!(!is_picking(&hand) && color(&hand) == picked);
+
+    // While a number or a hex code is typed, and while the probe, which Esc leaves too, is on.
+    open_picker(&mut hand);
+    let green = hand.place("Green").center();
+    hand.click(green);
+    hand.type_text("9");
+    hand.key(Key::Escape);
+    hand.settle();
+    assert!(!is_picking(&hand), "a number is being typed");
+    let middle = picture(&hand).center();
+    hand.hover(middle);
+    hand.key(Key::I);
+    hand.settle();
+    assert!(hand.app().probe().is_on());
+    open_picker(&mut hand);
+    hand.key(Key::Escape);
+    hand.settle();
+    assert!(!is_picking(&hand) && hand.app().probe().is_on(), "one key, one thing");
+}
+
+#[test]
+fn the_backdrop_is_picked_within_its_menu() {
+    let mut hand = Hand::new();
+    hand.press("Options");
+    hand.press("Backdrop");
+    let own = hand.app().session().orbit().backdrop;
+    assert!(own.is_some());
+    let square = hand.place_like("Saturation and brightness");
+    hand.click(square.right_top() + vec2(-10.0, 10.0));
+    hand.settle();
+    assert_ne!(hand.app().session().orbit().backdrop, own);
+    assert!(is_picking(&hand), "it stays, for the next try");
+    hand.key(Key::Escape);
+    hand.settle();
+    assert!(!is_picking(&hand));
+}
+
+#[test]
+fn values_over_the_picture_come_with_the_pointer_and_go_with_it() {
+    let mut hand = Hand::new();
+    hand.press("Layer Diffuse");
+    let picture = picture(&hand);
+    hand.hover(picture.center());
+    hand.settle();
+    let tab = hand.place("Values of Diffuse over the picture");
+    assert!(tab.width() < 0.4 * picture.width() && tab.height() < 30.0 && !hand.has("Offset on the object"));
+    // Where the feet are there is nothing in the way of a hand.
+    hand.hover(picture.center_bottom() - vec2(0.0, 20.0));
+    hand.settle();
+    assert!(!hand.has("Offset on the object"));
+    hand.hover(tab.center());
+    hand.settle();
+    let field = hand.place("Cut-off on the object");
+    hand.type_over(field, "120");
+    let cutoff = hand.look().graph.nodes["diffuse"].values.get("cutoff").cloned();
+    assert_eq!(cutoff, Some(chiaro::document::Value::Number(2.0944)));
+    hand.hover(picture.center());
+    hand.settle();
+    assert!(!hand.has("Cut-off on the object") && hand.has("Values of Diffuse over the picture"));
+}

@@ -1,0 +1,92 @@
+//! A window at rest wakes neither itself nor the GPU, whatever it shows.
+
+use std::path::Path;
+use std::time::Duration;
+
+use crate::editor_support::Hand;
+use eframe::egui::Role;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+
+/// The boxes that can be ticked, by their names.
+fn boxes(hand: &Hand) -> Vec<String> {
+    let boxes = hand.harness.get_all_by_role(Role::CheckBox);
+    boxes.filter_map(|node| node.accesskit_node().label()).collect()
+}
+
+fn open_view_menu(hand: &mut Hand) {
+    let menu = hand.harness.get_by_label("View").rect().center();
+    hand.click(menu);
+    hand.settle();
+}
+
+fn close_menu(hand: &mut Hand) {
+    let nothing = hand.empty_place();
+    hand.click(nothing);
+    hand.settle();
+}
+
+/// All panels that there are, as the window lists them.
+fn panels(hand: &mut Hand) -> Vec<String> {
+    let others = boxes(hand);
+    open_view_menu(hand);
+    let panels = boxes(hand).into_iter().filter(|name| !others.contains(name)).collect();
+    close_menu(hand);
+    panels
+}
+
+/// Nothing is asked for, by none of many frames.
+fn assert_at_rest(hand: &mut Hand, what: &str) {
+    hand.harness.remove_cursor();
+    hand.settle();
+    // A thread may call once more after its answer was taken.
+    for _ in 0..50 {
+        if hand.repaint_delay() == Duration::MAX {
+            break;
+        }
+        hand.settle();
+    }
+    let pictures = (hand.app().pictures(), hand.app().small_pictures());
+    for _ in 0..20 {
+        hand.harness.step();
+        let causes = hand.harness.ctx.repaint_causes();
+        assert_eq!(hand.repaint_delay(), Duration::MAX, "{what}: {causes:?}");
+        assert!(!hand.app().is_busy(), "{what}: something is being made");
+    }
+    assert_eq!((hand.app().pictures(), hand.app().small_pictures()), pictures, "{what}: pictures are drawn");
+}
+
+/// Shows a panel, which may lie behind another one or be closed.
+fn show(hand: &mut Hand, panel: &str) {
+    if hand.harness.query_by_role_and_label(Role::Tab, panel).is_none() {
+        open_view_menu(hand);
+        let entry = hand.harness.get_by_role_and_label(Role::CheckBox, panel).rect().center();
+        hand.click(entry);
+        close_menu(hand);
+    }
+    let tab = hand.harness.get_by_role_and_label(Role::Tab, panel).rect().center();
+    hand.click(tab);
+    hand.settle();
+}
+
+#[test]
+fn a_window_at_rest_wakes_nothing_whichever_panel_is_shown() {
+    let mut hand = Hand::drawing();
+    hand.app_mut().show_on("shape:sphere");
+    assert_at_rest(&mut hand, "a new look");
+    hand.app_mut().open(&Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks/figure5-directional.json"));
+    hand.app_mut().show_on("shape:sphere");
+    assert_at_rest(&mut hand, "a look that was opened");
+    let panels = panels(&mut hand);
+    assert!(panels.len() > 10, "{panels:?}");
+    for panel in panels {
+        show(&mut hand, &panel);
+        assert_at_rest(&mut hand, &panel);
+    }
+    // A node is selected: the inspector, the profile and the handles on the object are about something.
+    hand.app_mut().session_mut().select(vec!["output".into()]);
+    assert_at_rest(&mut hand, "a selected node");
+    // A hand at work, and rest again.
+    let center = hand.app().viewport().rect().expect("the picture is shown").center();
+    hand.drag(center, center + eframe::egui::vec2(30.0, 0.0));
+    assert_at_rest(&mut hand, "after a drag");
+}

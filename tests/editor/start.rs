@@ -1,0 +1,636 @@
+//! A newcomer's first minutes: the start page, the tour from nothing to a saved look, paths where no dialog is, and
+//! copies to the clipboard. Everything is found by the name that a screen reader tells.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::editor_support::Hand;
+use chiaro::document::{Look, Value};
+use chiaro::editor::{App, Places};
+use eframe::egui::{Event, Key, Modifiers, OutputCommand, Rect, Role, Theme, vec2};
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+
+/// A user's folders, and files beside them.
+struct Home(tempfile::TempDir);
+
+impl Home {
+    fn new() -> Self {
+        Self(tempfile::tempdir().unwrap())
+    }
+
+    fn file(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    /// A window as the program opens it, but for dialogs of the system.
+    fn window(&self, file: Option<&Path>) -> Hand {
+        let places = Places { state: self.file("state"), config: self.file("config") };
+        let file = file.map(Path::to_path_buf);
+        Hand::with(move |ctx| {
+            let mut app = App::new(ctx, None).with_path_fields();
+            app.keep_in(places.clone(), ctx);
+            match &file {
+                Some(file) => app.open(file),
+                None => app.begin(),
+            }
+            app
+        })
+    }
+}
+
+fn has(hand: &Hand, label: &str) -> bool {
+    hand.harness.query_all_by_label(label).next().is_some()
+}
+
+fn says(hand: &Hand, text: &str) -> bool {
+    hand.harness.query_all_by_label_contains(text).next().is_some()
+}
+
+fn press(hand: &mut Hand, label: &str) {
+    let node = hand.harness.query_all_by_label(label).next();
+    let at = node.unwrap_or_else(|| panic!("no {label}")).rect().center();
+    hand.click(at);
+    hand.settle();
+}
+
+/// Chooses a command by its name, as Ctrl+P offers it.
+fn command(hand: &mut Hand, words: &str) {
+    hand.key_with(Modifiers::COMMAND, Key::P);
+    hand.type_text(words);
+    hand.key(Key::Enter);
+    hand.settle();
+}
+
+fn focused(hand: &Hand) -> Option<String> {
+    let nodes = hand.harness.query_all_by(|node| node.is_focused());
+    nodes.filter_map(|node| node.accesskit_node().label()).next()
+}
+
+/// What is in the clipboard after the keys that copy the shader.
+fn copied_by_keys(hand: &mut Hand) -> Option<String> {
+    let modifiers = Modifiers::COMMAND | Modifiers::SHIFT;
+    hand.harness.event(Event::Key { key: Key::W, physical_key: None, pressed: true, repeat: false, modifiers });
+    hand.harness.step();
+    hand.harness.output().platform_output.commands.iter().find_map(|command| match command {
+        OutputCommand::CopyText(text) => Some(text.clone()),
+        _ => None,
+    })
+}
+
+fn compiles(hand: &Hand) -> bool {
+    let session = hand.app().session();
+    session.problems().is_empty() && session.baked().is_some()
+}
+
+fn layers(look: &Look) -> usize {
+    look.graph.nodes.values().filter(|node| node.kind == "light_layer").count()
+}
+
+#[test]
+fn the_start_page_has_every_example_and_leaves_when_one_is_opened() {
+    let home = Home::new();
+    let mut hand = home.window(None);
+    assert!(hand.app().shows_start_page());
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let files = |name: &str| {
+        let files = fs::read_dir(folder.join(name)).unwrap().map(|entry| entry.unwrap().path());
+        files.filter(|path| path.extension().is_some_and(|ending| ending == "json")).collect::<Vec<_>>()
+    };
+    let mut count = 0;
+    for path in [files("looks"), files("images"), files("hcbtf")].concat() {
+        let name = Look::load(&path).value.unwrap().name;
+        let is_figure = path.file_stem().unwrap().to_string_lossy().starts_with("figure");
+        let figure = if is_figure { " · Figure" } else { "" };
+        assert!(says(&hand, &format!("Open the look {name}{figure}")), "{name}");
+        count += 1;
+    }
+    let cards = hand.harness.get_all_by_role(Role::Button).filter_map(|node| node.accesskit_node().label());
+    assert_eq!(cards.filter(|label| label.starts_with("Open the look ")).count(), count, "and nothing is there twice");
+    let scenes = hand.harness.get_all_by_role(Role::Button).filter_map(|node| node.accesskit_node().label());
+    assert_eq!(scenes.filter(|label| label.starts_with("Open the scene ")).count(), files("scenes").len());
+    assert!(!has(&hand, "Recent files") && !says(&hand, "is gone"));
+    press(&mut hand, "Open the look Layers · Figure 1");
+    assert!(!hand.app().shows_start_page());
+    assert_eq!((hand.look().name.as_str(), hand.app().session().path()), ("Layers", None));
+    assert!(has(&hand, "Picture") && compiles(&hand));
+}
+
+#[test]
+fn a_file_that_cannot_be_opened_is_told_above_the_start_page() {
+    let home = Home::new();
+    fs::write(home.file("odd.json"), "\n  not JSON at all").unwrap();
+    let missing = "could not be opened: there is no such file";
+    for (name, why, help) in [
+        ("nope.txt", missing, "check the spelling"),
+        ("nope.hcbtf", missing, "check the spelling"),
+        ("odd.json", "(line 2, column", "odd.json"),
+    ] {
+        let mut hand = home.window(None);
+        let told = hand.app_mut().begin_with(&home.file(name)).unwrap();
+        hand.settle();
+        assert!(told.contains(why) && told.contains(help), "a terminal is told the same: {told}");
+        assert!(hand.app().shows_start_page() && says(&hand, &format!("{name} could not be opened")), "{name}");
+        assert!(says(&hand, why) && says(&hand, help) && says(&hand, home.file(name).to_str().unwrap()), "{name}");
+        assert!(!says(&hand, "os error"), "{name}");
+        // Once: what is open has no problem, and the status bar does not say it again.
+        assert!(hand.app().message().is_none() && hand.app().session().problems().is_empty(), "{name}");
+        assert!(!says(&hand, "1 error"), "{name}");
+        press(&mut hand, "Understood");
+        assert!(!says(&hand, "could not be opened") && hand.app().shows_start_page(), "{name}");
+        // It goes with whatever is opened next, too.
+        hand.app_mut().open(&home.file(name));
+        hand.settle();
+        assert!(says(&hand, "could not be opened"), "{name}");
+        hand.press_a(Role::Button, "New look");
+        assert!(!says(&hand, "could not be opened"), "{name}");
+    }
+}
+
+#[test]
+fn what_was_open_is_offered_and_what_is_gone_is_forgotten() {
+    let home = Home::new();
+    let [rim, lost, odd, stage] = ["rim.json", "lost.json", "odd.json", "stage.json"].map(|name| home.file(name));
+    fs::write(&stage, r#"{"chiaro": "scene", "objects": [{"mesh": "shape:sphere", "looks": "rim.json"}]}"#).unwrap();
+    fs::write(&rim, r#"{"name": "Rim", "nodes": [{"kind": "base"}, {"kind": "output"}]}"#).unwrap();
+    fs::write(&odd, "not JSON at all").unwrap();
+    let mut hand = home.window(None);
+    hand.app_mut()
+        .change_settings(|settings| [&odd, &lost, &rim, &stage].into_iter().for_each(|path| settings.opened(path)));
+    hand.settle();
+    assert!(has(&hand, "Open the look rim") && has(&hand, "Open the look odd") && has(&hand, "lost is gone"));
+    assert!(has(&hand, "Open the scene stage"));
+    press(&mut hand, "Forget lost");
+    assert!(!has(&hand, "lost is gone") && !hand.app().settings().recent.contains(&lost));
+    assert!(hand.app().shows_start_page(), "forgetting opens nothing");
+    press(&mut hand, "Open the look odd");
+    assert!(hand.app().shows_start_page(), "what cannot be read is told, and nothing is lost");
+    assert!(hand.says("odd.json could not be opened") && hand.app().message().is_none());
+    press(&mut hand, "Open the look rim");
+    assert!(!hand.app().shows_start_page());
+    assert_eq!(hand.app().session().path(), Some(rim.as_path()));
+
+    // The page lies over what is open, and goes without a trace.
+    command(&mut hand, "start page");
+    assert!(hand.app().shows_start_page());
+    fs::remove_file(&rim).unwrap();
+    // The bar above tells of it too, and moves the page when it comes.
+    hand.app_mut().look_at_files();
+    hand.settle();
+    assert!(has(&hand, "rim is gone"), "files are looked for while the page is seen");
+    press(&mut hand, "Close the start page");
+    assert!(!hand.app().shows_start_page());
+    assert_eq!(hand.look().name, "Rim");
+}
+
+#[test]
+fn paintings_that_were_open_show_themselves_and_examples_are_no_files() {
+    use chiaro::document::{Address, Directions, Grid, Hcbtf, Tile};
+    let home = Home::new();
+    let directions = Directions { theta: 2, phi: 3 };
+    let mut hcbtf = Hcbtf::new(Grid { size: [16, 8], light: directions, view: directions });
+    let tile = Tile::filled(hcbtf.grid.size, [200, 90, 40, 255]);
+    hcbtf.painted.insert(Address::default(), std::sync::Arc::new(tile));
+    let path = home.file("surface.hcbtf");
+    fs::write(&path, chiaro::hcbtf::write(&hcbtf).unwrap()).unwrap();
+    let mut hand = home.window(Some(&path));
+    hand.app_mut().open(Path::new("example:hcbtf/pencil.hcbtf"));
+    hand.settle();
+    hand.app_mut().show_start_page();
+    hand.settle();
+    assert!(has(&hand, "Open the painting surface") && says(&hand, "paintings that were open"));
+    assert!(!says(&hand, "cannot be read") && !says(&hand, "is gone"), "an example is opened among the examples");
+    assert_eq!(hand.app().settings().recent, [path]);
+    let at = hand.harness.get_by_label("Open the painting surface").rect().center();
+    hand.hover(at);
+    hand.harness.run_steps(8);
+    assert!(says(&hand, "16 x 8 texels, 4 lights x 4 views, 1 of 16 samples painted"));
+    press(&mut hand, "Open the painting surface");
+    assert!(!hand.app().shows_start_page());
+}
+
+#[test]
+fn the_keyboard_reaches_everything() {
+    let home = Home::new();
+    let mut hand = home.window(None);
+    hand.key(Key::ArrowDown);
+    assert_eq!(focused(&hand).as_deref(), Some("Take the tour"));
+    hand.key(Key::Tab);
+    assert_eq!(focused(&hand).as_deref(), Some("New look"));
+    let mut seen = Vec::new();
+    for _ in 0..40 {
+        hand.key(Key::Tab);
+        seen.extend(focused(&hand));
+        if seen.last().is_some_and(|label| label == "Open the look Litsphere · Figure 2") {
+            break;
+        }
+    }
+    assert!(seen.iter().any(|label| label == "Open a file"), "{seen:?}");
+    let examples = seen.iter().filter(|label| label.starts_with("Open the look")).count();
+    assert!(examples >= 11, "{seen:?}");
+    let first = seen.iter().position(|label| label == "Open the look Layers · Figure 1").unwrap();
+    hand.key(Key::Escape);
+    hand.key(Key::Escape);
+    assert!(!hand.app().shows_start_page());
+    hand.key_with(Modifiers::ALT, Key::Home);
+    assert!(hand.app().shows_start_page());
+    hand.key(Key::ArrowDown);
+    for _ in 0..first + 2 {
+        hand.key(Key::Tab);
+    }
+    hand.key(Key::Enter);
+    hand.settle();
+    assert_eq!(hand.look().name, "Layers");
+}
+
+#[test]
+fn only_a_window_without_anything_to_go_on_with_begins_at_the_start_page() {
+    let home = Home::new();
+    let path = home.file("a.json");
+    fs::write(&path, r#"{"name": "A", "nodes": [{"kind": "base"}, {"kind": "output"}]}"#).unwrap();
+    assert!(!home.window(Some(&path)).app().shows_start_page());
+    let mut hand = home.window(None);
+    assert!(hand.app().shows_start_page());
+    hand.key_with(Modifiers::COMMAND, Key::N);
+    hand.settle();
+    assert!(!hand.app().shows_start_page(), "a new look is made");
+    press(&mut hand, "Layer Diffuse");
+    press(&mut hand, "Solo Diffuse");
+    press(&mut hand, "Show Diffuse");
+    assert!(hand.app().session().is_dirty());
+    hand.app_mut().session_mut().close_journal(true);
+    drop(hand);
+    let hand = home.window(None);
+    assert!(!hand.app().shows_start_page() && hand.app().session().is_dirty(), "unsaved work is gone on with");
+}
+
+#[test]
+fn the_start_page_holds_in_narrow_windows_at_any_scale_in_both_themes() {
+    let home = Home::new();
+    let mut hand = home.window(None);
+    for (width, height) in [(1600.0, 960.0), (760.0, 480.0), (380.0, 240.0)] {
+        hand.harness.set_size(vec2(width, height));
+        for theme in [Theme::Dark, Theme::Light] {
+            hand.harness.ctx.set_theme(theme);
+            hand.settle();
+            for label in ["Take the tour", "New look", "Open a file", "Close the start page"] {
+                let rect = hand.harness.get_by_role_and_label(Role::Button, label).rect();
+                assert!(rect.left() >= 0.0 && rect.right() <= width + 0.5, "{label} at {rect} of {width}");
+            }
+            let card = hand.harness.get_by_label("Open the look Layers · Figure 1").rect();
+            assert!(card.right() <= width + 0.5 && card.width() > 100.0, "{card} of {width}");
+        }
+    }
+}
+
+/// Where the tour is: the title of its card.
+fn step(hand: &Hand) -> String {
+    let nodes = hand.harness.query_all_by_label_contains(" of 7");
+    nodes.filter_map(|node| node.accesskit_node().value().or(node.accesskit_node().label())).next().unwrap_or_default()
+}
+
+#[track_caller]
+fn is_at(hand: &Hand, title: &str) {
+    assert!(step(hand).starts_with(title), "at {:?}, not at {title}", step(hand));
+}
+
+/// A step that is done says so and stays, for who would rather play on, until the artist goes on.
+#[track_caller]
+fn goes_on(hand: &mut Hand, title: &str) {
+    is_at(hand, title);
+    hand.harness.run_steps(40);
+    hand.settle();
+    is_at(hand, title);
+    assert!(!has(hand, "Skip"), "{title} is done");
+    press(hand, "Next");
+}
+
+/// Where the tour's card is.
+fn card(hand: &Hand) -> Rect {
+    let parts = ["End tour", "Back", "Show me"].map(|label| hand.harness.get_by_label(label).rect());
+    parts.into_iter().reduce(Rect::union).unwrap()
+}
+
+fn on_tour(home: &Home) -> Hand {
+    let mut hand = home.window(None);
+    press(&mut hand, "Take the tour");
+    assert!(hand.app().is_on_tour() && !hand.app().shows_start_page());
+    assert_eq!(layers(hand.look()), 0, "from nothing");
+    is_at(&hand, "The base");
+    hand
+}
+
+#[test]
+fn the_tour_goes_on_by_what_an_artist_does() {
+    let home = Home::new();
+    let mut hand = on_tour(&home);
+    let nothing = hand.look().clone();
+
+    // A click alone is not the step: the colour must change.
+    press(&mut hand, "Base Base");
+    is_at(&hand, "The base");
+    let field = hand.harness.get_all_by_role_and_label(Role::TextInput, "Color").next().unwrap().rect().center();
+    hand.click(field);
+    hand.key_with(Modifiers::COMMAND, Key::A);
+    hand.type_text("#301d3c");
+    hand.key(Key::Enter);
+    hand.settle();
+    assert_ne!(hand.look().graph.nodes["base"].values["color"], nothing.graph.nodes["base"].values["color"]);
+
+    goes_on(&mut hand, "The base");
+    is_at(&hand, "A first layer of light");
+    press(&mut hand, "Add layer");
+    is_at(&hand, "A first layer of light");
+    press(&mut hand, "Add Diffuse");
+    assert_eq!(layers(hand.look()), 1);
+
+    goes_on(&mut hand, "A first layer of light");
+    is_at(&hand, "Its profile");
+    let cutoff = hand.harness.get_by_label("Cut-off of the profile").rect().center();
+    hand.drag(cutoff, cutoff + vec2(30.0, 0.0));
+    hand.settle();
+
+    goes_on(&mut hand, "Its profile");
+    is_at(&hand, "Turn the light");
+    let before = hand.app().session().orbit().illumination;
+    let picture = hand.app().viewport().rect().unwrap();
+    // Beside the object a drag turns the camera, which is another thing.
+    hand.drag(picture.left_top() + vec2(6.0, 6.0), picture.left_top() + vec2(40.0, 20.0));
+    hand.settle();
+    is_at(&hand, "Turn the light");
+    hand.drag(picture.center() + vec2(20.0, 34.0), picture.center() + vec2(80.0, 60.0));
+    hand.settle();
+    assert!(hand.app().session().orbit().illumination.angle_between(before) > 0.05);
+
+    goes_on(&mut hand, "Turn the light");
+    is_at(&hand, "A rim from behind");
+    press(&mut hand, "Add layer");
+    press(&mut hand, "Add Back-light");
+    assert_eq!((layers(hand.look()), hand.look().lights.len()), (2, 2));
+
+    goes_on(&mut hand, "A rim from behind");
+    is_at(&hand, "How layers meet");
+    let opacity = hand.harness.get_by_role_and_label(Role::SpinButton, "Opacity of Back-light").rect().center();
+    hand.drag(opacity, opacity - vec2(40.0, 0.0));
+    hand.settle();
+
+    goes_on(&mut hand, "How layers meet");
+    is_at(&hand, "Keep it");
+    let path = home.file("first.json");
+    hand.key_with(Modifiers::COMMAND, Key::S);
+    hand.settle();
+    type_path(&mut hand, &path);
+    assert_eq!(hand.app().session().path(), Some(path.as_path()));
+
+    goes_on(&mut hand, "Keep it");
+    assert!(has(&hand, "This is your look") && compiles(&hand));
+    let saved = Look::load(&path);
+    assert!(!saved.has_errors() && saved.value.as_ref() == Some(hand.look()) && *hand.look() != nothing);
+    press(&mut hand, "See the examples");
+    assert!(!hand.app().is_on_tour() && hand.app().shows_start_page());
+    assert!(has(&hand, "Open the look first"), "what was saved is offered");
+}
+
+/// Types a path where the window asks for one.
+fn type_path(hand: &mut Hand, path: &Path) {
+    let field = hand.harness.get_by_role_and_label(Role::TextInput, "Path").rect().center();
+    hand.click(field);
+    hand.key_with(Modifiers::COMMAND, Key::A);
+    hand.type_text(path.to_str().unwrap());
+    hand.key(Key::Enter);
+    hand.settle();
+}
+
+#[test]
+fn the_tour_shows_every_step_and_ends_in_a_look() {
+    let home = Home::new();
+    let mut hand = on_tour(&home);
+    let nothing = hand.look().clone();
+    for title in
+        ["The base", "A first layer of light", "Its profile", "Turn the light", "A rim from behind", "How layers meet"]
+    {
+        is_at(&hand, title);
+        press(&mut hand, "Show me");
+        goes_on(&mut hand, title);
+    }
+    is_at(&hand, "Keep it");
+    assert_eq!(layers(hand.look()), 2);
+    assert!(*hand.look() != nothing && compiles(&hand));
+    press(&mut hand, "Show me");
+    type_path(&mut hand, &home.file("shown"));
+    assert!(home.file("shown.json").is_file(), "an ending is added");
+    goes_on(&mut hand, "Keep it");
+    assert!(has(&hand, "This is your look"));
+    let shown = hand.look().clone();
+    press(&mut hand, "End tour");
+    assert!(!hand.app().is_on_tour());
+    assert_eq!(*hand.look(), shown, "ending leaves the look as it is");
+
+    // What it did are steps like others.
+    for _ in 0..5 {
+        assert!(hand.app().session().undo_label().is_some());
+        hand.undo();
+    }
+    assert_eq!(*hand.look(), nothing);
+}
+
+#[test]
+fn the_card_covers_nothing_that_a_step_speaks_of() {
+    for size in [vec2(1500.0, 900.0), vec2(1920.0, 1080.0)] {
+        let home = Home::new();
+        let mut hand = on_tour(&home);
+        hand.harness.set_size(size);
+        hand.settle();
+        for title in ["The base", "A first layer of light", "Its profile", "Turn the light", "A rim from behind"] {
+            is_at(&hand, title);
+            let card = card(&hand);
+            let picture = hand.app().viewport().rect().unwrap();
+            assert!(!card.intersects(picture), "{title}: {card} over the picture at {picture}");
+            let button = hand.harness.get_by_label("Add layer").rect();
+            let row = hand.harness.get_by_label("Base Base").rect();
+            assert!(!card.intersects(button) && !card.intersects(row), "{title}: {card} over the layers");
+            if title.starts_with("A ") {
+                press(&mut hand, "Add layer");
+                for choice in ["Add Fill", "Add Diffuse", "Add Back-light"] {
+                    let choice = hand.harness.get_by_label(choice).rect();
+                    assert!(!card.intersects(choice), "{title}: {card} over the menu at {choice}");
+                }
+                hand.key(Key::Escape);
+                hand.settle();
+            }
+            press(&mut hand, "Show me");
+            press(&mut hand, "Next");
+        }
+    }
+}
+
+#[test]
+fn the_rim_of_the_tour_is_seen_however_the_lights_were_turned() {
+    let home = Home::new();
+    let mut hand = on_tour(&home);
+    for _ in 0..2 {
+        press(&mut hand, "Show me");
+        press(&mut hand, "Next");
+    }
+    press(&mut hand, "Skip");
+    is_at(&hand, "Turn the light");
+    // Half around: what was behind the object is before it now.
+    let picture = hand.app().viewport().rect().unwrap();
+    for _ in 0..3 {
+        hand.drag(picture.center() + vec2(-60.0, 20.0), picture.center() + vec2(60.0, 20.0));
+    }
+    hand.settle();
+    let turned = hand.app().session().orbit().illumination;
+    assert!(turned.angle_between(glam::DQuat::IDENTITY) > 1.0);
+    goes_on(&mut hand, "Turn the light");
+    press(&mut hand, "Show me");
+    let light = glam::DVec3::from(hand.look().lights["back"].direction).normalize();
+    let to_eye = (turned * light).dot(hand.app().session().orbit().direction());
+    assert!((-0.8..0.0).contains(&to_eye), "behind what is seen, and not so far that its rim is not: {to_eye}");
+}
+
+#[test]
+fn the_tour_can_be_left_gone_back_in_and_undone() {
+    let home = Home::new();
+    let mut hand = on_tour(&home);
+    press(&mut hand, "Show me");
+    goes_on(&mut hand, "The base");
+    is_at(&hand, "A first layer of light");
+    press(&mut hand, "Back");
+    is_at(&hand, "The base");
+    assert!(has(&hand, "Next"), "it is done already, and stays until the artist goes on");
+    hand.undo();
+    hand.settle();
+    assert!(has(&hand, "Skip") && !has(&hand, "Next"), "what is undone is not done");
+    press(&mut hand, "Skip");
+    is_at(&hand, "A first layer of light");
+    press(&mut hand, "Skip");
+    is_at(&hand, "Its profile");
+    let shows = hand.harness.get_by_role_and_label(Role::Button, "Show me");
+    assert!(shows.accesskit_node().is_disabled(), "there is no layer to shape");
+    let before = hand.look().clone();
+    press(&mut hand, "End tour");
+    assert!(!hand.app().is_on_tour() && *hand.look() == before);
+
+    // Another look ends it too, and it can be taken again, from the menu.
+    press(&mut hand, "Help");
+    press(&mut hand, "Take the tour");
+    assert!(hand.app().is_on_tour());
+    hand.key_with(Modifiers::COMMAND, Key::N);
+    hand.settle();
+    assert!(!hand.app().is_on_tour());
+}
+
+#[test]
+fn paths_are_asked_for_in_the_window_where_there_is_no_dialog() {
+    let home = Home::new();
+    let path = home.file("a.json");
+    fs::write(&path, r#"{"name": "A", "nodes": [{"kind": "base"}, {"kind": "output"}]}"#).unwrap();
+    let mut hand = home.window(None);
+    press(&mut hand, "Open a file");
+    assert!(says(&hand, "shows no file dialog"));
+    type_path(&mut hand, &home.file("nowhere.json"));
+    assert!(says(&hand, "There is no such file") && hand.app().shows_start_page());
+    type_path(&mut hand, home.0.path());
+    assert!(has(&hand, "a.json"), "a folder is gone into, and shows what it has");
+    press(&mut hand, "a.json");
+    press(&mut hand, "Open this");
+    assert_eq!(hand.app().session().path(), Some(path.as_path()));
+
+    // Saving under the name of another file says so first.
+    fs::write(home.file("b.json"), "mine").unwrap();
+    press(&mut hand, "Save as");
+    let field = hand.harness.get_by_role_and_label(Role::TextInput, "Path").rect().center();
+    hand.click(field);
+    hand.key_with(Modifiers::COMMAND, Key::A);
+    hand.type_text(home.file("b.json").to_str().unwrap());
+    hand.settle();
+    assert!(says(&hand, "it would be replaced"));
+    hand.key(Key::Escape);
+    hand.settle();
+    if has(&hand, "Cancel") {
+        press(&mut hand, "Cancel");
+    }
+    assert_eq!(fs::read_to_string(home.file("b.json")).unwrap(), "mine");
+
+    // Who would rather type can, in any case.
+    hand.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::O);
+    hand.settle();
+    assert!(!says(&hand, "shows no file dialog") && has(&hand, "Open a look, a scene or an HCBTF"));
+}
+
+#[test]
+fn the_shader_is_copied_as_wgsl() {
+    let mut hand = Hand::new();
+    let wgsl = copied_by_keys(&mut hand).expect("the shader is in the clipboard");
+    assert_eq!(Some(&wgsl), hand.app().session().baked().map(|shader| &shader.wgsl));
+    assert!(hand.app().message().unwrap().contains("WGSL"));
+    press(&mut hand, "Copy as");
+    for label in ["Copy the picture as an image", "Copy the shader as WGSL", "nodes as text", "as GLSL ES 3.00", "HLSL"]
+    {
+        assert!(says(&hand, label), "{label}");
+    }
+    hand.key(Key::Escape);
+    // A look that does not compile has none, and it is said why.
+    let edit = chiaro::document::Edit::SetKind {
+        graph: chiaro::document::GraphId::Look,
+        id: "diffuse".into(),
+        kind: "nothing_such".to_owned(),
+    };
+    hand.app_mut().session_mut().apply(edit, None).unwrap();
+    hand.settle();
+    let is_none = hand.app().session().baked().is_none();
+    assert_eq!(copied_by_keys(&mut hand).is_none(), is_none);
+    assert!(matches!(hand.look().graph.nodes["base"].values["color"], Value::Vector(_)));
+}
+
+/// Where a card is that may lie below what is seen: it opens by the keyboard as well.
+fn open_card(hand: &mut Hand, label: &str) {
+    let card =
+        hand.harness.get_all_by_role(Role::Button).find(|node| node.accesskit_node().label().as_deref() == Some(label));
+    card.unwrap_or_else(|| panic!("there is no {label}")).focus();
+    hand.settle();
+    hand.key(Key::Enter);
+    hand.settle();
+}
+
+#[test]
+fn an_example_of_an_hcbtf_brings_its_file_along_wherever_it_is_saved() {
+    let home = Home::new();
+    let mut hand = home.window(None);
+    let metal = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/hcbtf/halftone.json");
+    let name = Look::load(&metal).value.unwrap().name;
+    open_card(&mut hand, &format!("Open the look {name}"));
+    assert_eq!((hand.look().name.as_str(), hand.app().session().path()), (name.as_str(), None));
+    assert!(compiles(&hand), "{:?}", hand.app().session().problems());
+    let saved = home.file("mine.json");
+    assert!(hand.app_mut().save_as(&saved));
+    let (setup, problems) = chiaro::frame::open(&saved, None, &mut chiaro::frame::Assets::default()).unwrap();
+    assert!(problems.is_empty() && setup.looks.len() == 1);
+    let mut assets = chiaro::frame::Assets::default();
+    assets.draft();
+    let options = chiaro::hcbtf::LayerOptions::default();
+    let named = chiaro::frame::SetupLook::clone(&setup.looks[0]);
+    let (image, _) = assets.hcbtf(&named.folder, "example:hcbtf/halftone.hcbtf", options).unwrap();
+    // A draft has 1 + 2 x 4 views that differ at most, and the layer that tells the grid.
+    assert!((2..=10).contains(&image.layers), "{}", image.layers);
+}
+
+#[test]
+fn an_example_scene_opens_as_a_new_one_of_ones_own() {
+    let home = Home::new();
+    let mut hand = home.window(None);
+    open_card(&mut hand, "Open the scene Painted surfaces");
+    assert!(!hand.app().shows_start_page());
+    let stage = hand.app().session().stage().expect("a scene");
+    assert_eq!((stage.scene().objects.len(), stage.path(), hand.app().session().path()), (10, None, None));
+    let wrong: Vec<String> = stage.problem_texts().map(str::to_owned).collect();
+    assert!(wrong.is_empty() && compiles(&hand), "{wrong:?} {:?}", hand.app().session().problems());
+    // It is saved with the examples that it wears, and found again.
+    let (look, scene) = (home.file("arch.json"), home.file("scene.json"));
+    assert!(hand.app_mut().save_as(&look));
+    hand.app_mut().session_mut().save_scene_as(&scene).unwrap();
+    let text = fs::read_to_string(&scene).unwrap();
+    assert!(text.contains("\"arch.json\"") && text.contains("\"example:hcbtf/grass.json\""), "{text}");
+    let (setup, _) = chiaro::frame::open(&scene, None, &mut chiaro::frame::Assets::default()).unwrap();
+    assert_eq!((setup.objects.len(), setup.looks.len()), (10, 10));
+}

@@ -1,0 +1,12 @@
+//! Pictures of the GPU: effects, pruning, muting, groups and surfaces that leave them as they were.
+
+mod effects;
+mod grouping;
+mod long_graphs;
+mod mute;
+mod probe;
+mod property_looks;
+mod prune;
+#[path = "../support/mod.rs"]
+mod support;
+mod surfaces;

@@ -1,0 +1,275 @@
+//! What the compiler leaves out changes nothing: specialized looks against unspecialized ones, live against baked.
+#![cfg(feature = "gpu")]
+
+use std::path::Path;
+
+use crate::support::eval::{eval_with, look, options};
+use crate::support::files;
+use crate::support::random::Random;
+use crate::support::report::Errors;
+use crate::support::stacks::idle_stack;
+use chiaro::compile::{Live, Options, compile};
+use chiaro::document::{Look, Value};
+use chiaro::frame::{EvalSample, SetupLook};
+use chiaro::library::{BypassResult, Fallback, Library, Limit, NodeDef, Test, Type};
+use glam::{DMat3, DVec2, DVec3};
+use serde_json::{Map, Value as Json, json};
+
+fn samples(seed: u64, count: usize) -> Vec<EvalSample> {
+    let mut random = Random::new(seed);
+    (0..count)
+        .map(|_| EvalSample {
+            normal: random.direction(),
+            view: random.direction(),
+            position: random.direction() * random.unit(),
+            camera: DMat3::from_quat(random.rotation()),
+            frame: random.rotation(),
+            uv: DVec2::new(random.unit(), random.unit()),
+            kappa: random.between(-20.0, 20.0),
+            vertex_color: [(); 4].map(|()| random.unit()),
+            ..EvalSample::default()
+        })
+        .collect()
+}
+
+/// Holds one way of compiling a look against another.
+fn compare(errors: &mut Errors, look: &SetupLook, a: &Options, b: &Options) {
+    let samples = samples(3, 300);
+    let library = Library::built_in();
+    let (left, right) = (eval_with(look, library, a, &samples), eval_with(look, library, b, &samples));
+    for ((x, y), sample) in left.iter().zip(&right).zip(&samples) {
+        for (x, y) in x.iter().zip(y) {
+            errors.note(*x, *y, || format!("{} at {sample:?}", look.look.name));
+        }
+    }
+}
+
+fn examples() -> Vec<SetupLook> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");
+    let paths: Vec<_> =
+        files::below(&folder).into_iter().filter(|path| path.extension().is_some_and(|e| e == "json")).collect();
+    assert!(paths.len() >= 6, "{paths:?}");
+    let open = |path: std::path::PathBuf| {
+        let loaded = Look::load(&path);
+        SetupLook {
+            look: loaded.value.expect("an example opens"),
+            source: loaded.source.into(),
+            folder: folder.clone(),
+        }
+    };
+    paths.into_iter().map(open).collect()
+}
+
+#[test]
+fn examples_are_the_same_unspecialized_and_live() {
+    let baked = Options::default();
+    let mut pruned = Errors::new("examples: specialized against unspecialized", 1.0 / 255.0);
+    let mut live = Errors::new("examples: live against keyed", 1e-5);
+    for look in examples() {
+        compare(&mut pruned, &look, &baked, &Options { unspecialized: true, ..Options::default() });
+        compare(&mut live, &look, &baked, &Options { live: Live::All, ..Options::default() });
+    }
+    pruned.finish();
+    live.finish();
+}
+
+#[test]
+fn random_stacks_are_the_same_unspecialized_and_live() {
+    let mut random = Random::new(70);
+    let mut pruned = Errors::new("random stacks: specialized against unspecialized", 2e-5);
+    let mut live = Errors::new("random stacks: live against keyed", 2e-5);
+    let mut removed = 0;
+    for _ in 0..16 {
+        let look = idle_stack(&mut random);
+        compare(&mut pruned, &look, &Options::default(), &Options { unspecialized: true, ..Options::default() });
+        compare(&mut live, &look, &Options::default(), &Options { live: Live::All, ..Options::default() });
+        removed += compile(&look.look, Library::built_in(), &Options::default()).expect("it compiles").removed.len();
+    }
+    pruned.finish();
+    live.finish();
+    assert!(removed > 20, "hardly anything was removed: {removed}");
+}
+
+/// A fitting value for an input that a bypass asks nothing of.
+fn ordinary(ty: &Type, random: &mut Random) -> Json {
+    match ty {
+        Type::Bool => json!(random.chance(0.5)),
+        Type::Int => json!(random.index(4)),
+        Type::Vec2 => json!([random.unit(), random.unit()]),
+        Type::Vec3 => json!([random.unit(), random.unit(), random.unit()]),
+        Type::Color | Type::Composite => json!([random.unit(), random.unit(), random.unit(), random.unit()]),
+        _ => json!(random.unit()),
+    }
+}
+
+fn constant(ty: &Type, x: f64) -> Json {
+    match ty {
+        Type::Bool => json!(x != 0.0),
+        Type::Vec2 => json!([x, x]),
+        Type::Vec3 => json!([x, x, x]),
+        Type::Color | Type::Composite => json!([x, x, x, x]),
+        _ => json!(x),
+    }
+}
+
+/// A node whose values meet a bypass' conditions; wired-only inputs come from a base.
+fn bypassed(def: &NodeDef, index: usize, ty: &Type, random: &mut Random) -> SetupLook {
+    let mut values = Map::new();
+    let bypass = &def.bypasses[index];
+    // What a port takes: a node that is for any type takes this one.
+    let type_of = |port: &chiaro::library::Input| {
+        let is_wide = def.variants.iter().any(|variant| variant.width.as_ref() == Some(ty));
+        let is_first =
+            port.ty == Type::Float && is_wide && !matches!(port.name.as_str(), "factor" | "low" | "high" | "exponent");
+        if is_first { ty.clone() } else { port.ty.clone() }
+    };
+    for input in def.visible_inputs() {
+        if matches!(input.fallback, Fallback::Value(_) | Fallback::Same(_)) && input.options.is_empty() {
+            values.insert(input.name.to_string(), ordinary(&type_of(input), random));
+        }
+    }
+    for condition in &bypass.conditions {
+        let input = &def.inputs[condition.input];
+        let name = input.name.to_string();
+        match &condition.test {
+            Test::Is(x) => drop(values.insert(name, constant(&type_of(input), *x))),
+            Test::Black => drop(values.insert(name, json!([0, 0, 0, 1]))),
+            Test::Same(other) => {
+                let other = values[def.inputs[*other].name.as_str()].clone();
+                values.insert(name, other);
+            }
+            Test::Word(words) => drop(values.insert(name, json!(random.pick(words)))),
+            // `ordinary` lies between 0 and 1; so does a clamped stack.
+            Test::Unit | Test::UnitAlpha => {}
+            Test::AtMost(limit) | Test::AtLeast(limit) => {
+                let side = if matches!(condition.test, Test::AtMost(_)) { -1.0 } else { 1.0 };
+                match limit {
+                    Limit::Number(number) => drop(values.insert(name, constant(&type_of(input), number + 0.5 * side))),
+                    // Beyond whatever `ordinary` gives.
+                    Limit::Input(other) => {
+                        let other = &def.inputs[*other];
+                        values.insert(other.name.to_string(), constant(&type_of(other), 2.0 * -side));
+                    }
+                }
+            }
+        }
+    }
+    let mut nodes = vec![
+        json!({"id": "base", "kind": "base", "values": {"color": [0.3, 0.6, 0.9, 0.5]}}),
+        json!({"id": "output", "kind": "output"}),
+    ];
+    // An angle comes from a light's parametrization, and is seen through a profile.
+    let mut wires = Vec::new();
+    let uses = |ty: Type| def.visible_inputs().any(|input| input.ty == ty);
+    if uses(Type::Angle) || uses(Type::Light) {
+        nodes.push(json!({"id": "light", "kind": "light", "values": {"light": "key"}}));
+    }
+    if uses(Type::Angle) {
+        nodes.push(json!({"id": "angle", "kind": "parametrization"}));
+        wires.push(json!({"from": "light", "to": "angle.light"}));
+    }
+    if def.outputs[0].ty == Type::Angle {
+        nodes.push(json!({"id": "tone", "kind": "profile"}));
+        wires.push(json!({"from": "node", "to": "tone.angle"}));
+        wires.push(json!({"from": "tone", "to": "output.color"}));
+    } else if def.outputs[0].ty == Type::Light {
+        nodes.push(json!({"id": "seen", "kind": "reflectance", "values": {"model": "lambert"}}));
+        wires.push(json!({"from": "node", "to": "seen.light"}));
+        wires.push(json!({"from": "seen", "to": "output.color"}));
+    } else {
+        wires.push(json!({"from": "node", "to": "output.color"}));
+    }
+    for input in def.visible_inputs().filter(|input| input.fallback == Fallback::Wire) {
+        let from = match input.ty {
+            Type::Angle => "angle",
+            Type::Light => "light",
+            _ => "base",
+        };
+        wires.push(json!({"from": from, "to": format!("node.{}", input.name)}));
+    }
+    if let BypassResult::Input(port) = bypass.result {
+        // What stands in the node's place is known to nobody before the fragment, where it can be.
+        let input = &def.inputs[port];
+        let is_free = bypass.conditions.iter().all(|c| c.input != port && c.test != Test::Same(port));
+        let source = match type_of(input) {
+            Type::Color => Some("vertex_color"),
+            Type::Vec3 => Some("normal"),
+            Type::Vec2 => Some("uv"),
+            Type::Float => Some("facing"),
+            _ => None,
+        };
+        if let (true, Some(source), Fallback::Value(_)) = (is_free, source, &input.fallback) {
+            nodes.push(json!({"id": "source", "kind": source}));
+            wires.push(json!({"from": "source", "to": format!("node.{}", input.name)}));
+            values.remove(input.name.as_str());
+        }
+    }
+    nodes.push(json!({"id": "node", "kind": def.kind, "values": values}));
+    let lights = json!({"key": {"direction": [0.3, 0.5, 0.8]}});
+    look(&json!({"lights": lights, "nodes": nodes, "wires": wires}))
+}
+
+/// Every `@bypass` of every node: with its conditions met the node gives what stands in its place.
+#[test]
+fn every_bypass_gives_what_the_node_gives() {
+    let library = Library::built_in();
+    let mut random = Random::new(71);
+    let mut errors = Errors::new("bypassed against not bypassed", 0.0);
+    let mut rules = 0;
+    for def in library.nodes.values() {
+        for index in 0..def.bypasses.len() {
+            rules += 1;
+            let wide = def.variants.iter().filter_map(|variant| variant.width.clone());
+            for ty in [Type::Float].into_iter().chain(wide) {
+                for _ in 0..2 {
+                    let look = bypassed(def, index, &ty, &mut random);
+                    let samples = samples(4, 40);
+                    let with = eval_with(&look, library, &options("node"), &samples);
+                    let without =
+                        eval_with(&look, library, &Options { unspecialized: true, ..options("node") }, &samples);
+                    for (x, y) in with.iter().flatten().zip(without.iter().flatten()) {
+                        // One step of f32 where a rule says what is true of the reals.
+                        let step = f64::from(f32::EPSILON) * y.abs();
+                        let excess = ((x - y).abs() - step).max(0.0);
+                        errors.note(excess, 0.0, || {
+                            format!("{}, {} as {ty:?}\n{}", def.kind, def.bypasses[index].reason, look.look.to_text())
+                        });
+                    }
+                }
+            }
+        }
+    }
+    errors.finish();
+    assert!(rules > 25, "{rules} rules");
+}
+
+/// The values that make a rule apply are what is removed: each rule is reported.
+#[test]
+fn every_bypass_is_taken() {
+    let library = Library::built_in();
+    let mut random = Random::new(72);
+    for def in library.nodes.values() {
+        for (index, bypass) in def.bypasses.iter().enumerate() {
+            let look = bypassed(def, index, &Type::Float, &mut random);
+            let shader = compile(&look.look, library, &Options::default()).expect("it compiles");
+            let (node, call) = (chiaro::ids::NodePath::parse("node"), format!("{}(", def.kind));
+            let is_gone = shader.removed.iter().any(|removal| removal.path == node) || !shader.wgsl.contains(&call);
+            assert!(is_gone, "{}: {} is not taken\n{}", def.kind, bypass.reason, look.look.to_text());
+        }
+    }
+}
+
+#[test]
+fn a_value_that_is_edited_prunes_nothing() {
+    let mut look = idle_stack(&mut Random::new(73));
+    let library = Library::built_in();
+    let live = Options { live: Live::All, ..Options::default() };
+    let before = compile(&look.look, library, &live).expect("it compiles");
+    for node in look.look.graph.nodes.values_mut().filter(|node| node.kind == "light_layer") {
+        node.values.insert("opacity".into(), Value::Number(0.4));
+        node.values.insert("slope".into(), Value::Number(0.7));
+        node.values.insert("convex".into(), Value::Vector(DVec3::splat(0.3).to_array().to_vec()));
+    }
+    let after = compile(&look.look, library, &live).expect("it compiles");
+    assert_eq!(before.wgsl, after.wgsl, "an edited value changed live code");
+}

@@ -1,0 +1,147 @@
+//! The tile of blue noise that dither and dots share: made here, by void and cluster (Ulichney 1993), and held to what
+//! blue noise is. `CHIARO_BLESS=1` writes it.
+
+use std::f64::consts::TAU;
+use std::fmt::Write as _;
+use std::path::Path;
+
+const SIDE: usize = 32;
+const CELLS: usize = SIDE * SIDE;
+
+/// How much a point is felt at each offset, on a torus. Whole numbers, so that every machine ranks alike.
+fn weights() -> Vec<u64> {
+    let apart = |d: usize| d.min(SIDE - d) as f64;
+    let weight = |index: usize| {
+        let square = apart(index % SIDE).powi(2) + apart(index / SIDE).powi(2);
+        ((-square / (2.0 * 1.9_f64.powi(2))).exp() * f64::from(1_u32 << 24)).round() as u64
+    };
+    (0..CELLS).map(weight).collect()
+}
+
+struct Pattern {
+    weights: Vec<u64>,
+    is_set: Vec<bool>,
+    felt: Vec<u64>,
+}
+
+impl Pattern {
+    fn toggle(&mut self, at: usize) {
+        self.is_set[at] = !self.is_set[at];
+        for index in 0..CELLS {
+            let x = (index % SIDE + SIDE - at % SIDE) % SIDE;
+            let y = (index / SIDE + SIDE - at / SIDE) % SIDE;
+            let weight = self.weights[y * SIDE + x];
+            if self.is_set[at] {
+                self.felt[index] += weight;
+            } else {
+                self.felt[index] -= weight;
+            }
+        }
+    }
+
+    /// The point with the most others around it.
+    fn cluster(&self) -> usize {
+        let points = (0..CELLS).filter(|&at| self.is_set[at]);
+        points.max_by_key(|&at| (self.felt[at], CELLS - at)).expect("there are points")
+    }
+
+    /// The empty place with the fewest points around it.
+    fn void(&self) -> usize {
+        let free = (0..CELLS).filter(|&at| !self.is_set[at]);
+        free.min_by_key(|&at| (self.felt[at], at)).expect("there is room")
+    }
+}
+
+/// When each cell's turn is, from 0.
+fn ranks() -> Vec<usize> {
+    let mut pattern = Pattern { weights: weights(), is_set: vec![false; CELLS], felt: vec![0; CELLS] };
+    // Points anywhere, moved out of clusters into voids until that changes nothing.
+    let mut state = 1_u32;
+    let first = CELLS / 10;
+    while pattern.is_set.iter().filter(|set| **set).count() < first {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        let at = (state >> 16) as usize % CELLS;
+        if !pattern.is_set[at] {
+            pattern.toggle(at);
+        }
+    }
+    loop {
+        let from = pattern.cluster();
+        pattern.toggle(from);
+        let to = pattern.void();
+        pattern.toggle(to);
+        if from == to {
+            break;
+        }
+    }
+    let mut ranks = vec![0; CELLS];
+    let start = (pattern.is_set.clone(), pattern.felt.clone());
+    for rank in (0..first).rev() {
+        let at = pattern.cluster();
+        pattern.toggle(at);
+        ranks[at] = rank;
+    }
+    (pattern.is_set, pattern.felt) = start;
+    for rank in first..CELLS {
+        let at = pattern.void();
+        pattern.toggle(at);
+        ranks[at] = rank;
+    }
+    ranks
+}
+
+fn source(ranks: &[usize]) -> String {
+    let mut text = "// Made by tests/surfaces/blue_noise.rs: the turns of 32 by 32 cells, by void and cluster (Ulichney 1993). Whatever share of \
+                    them has\n// had its turn lies evenly, without a pattern and without clumps. Four turns of 0 to 255 to a \
+                    number, the first lowest.\nconst BLUE_TILE = array<u32, 256>(\n"
+        .to_owned();
+    for row in ranks.chunks(SIDE) {
+        let numbers = row.chunks(4).map(|four| {
+            let number = four.iter().enumerate().fold(0, |sum, (i, rank)| sum | (rank / 4) << (8 * i));
+            format!("0x{number:08x}u")
+        });
+        let _ = writeln!(text, "    {},", numbers.collect::<Vec<_>>().join(", "));
+    }
+    text += ");\n\n/// The number of the tile, which repeats, that holds a cell's turn.\n\
+             fn blue_index(cell: vec2i) -> u32 {\n    let at = bitcast<vec2u>(cell) & vec2u(31u);\n    \
+             return 8u * at.y + (at.x >> 2u);\n}\n\n\
+             /// The threshold of a cell in such a number, between 0 and 1.\n\
+             fn blue_part(four: u32, cell: vec2i) -> f32 {\n    \
+             return (f32((four >> (8u * (bitcast<u32>(cell.x) & 3u))) & 0xffu) + 0.5) * 0.00390625;\n}\n\n\
+             /// The threshold of a cell: blue noise. What asks for several keeps a copy of the tile of its own, because\n\
+             /// compilers make one at every place that asks.\n\
+             fn blue_threshold(cell: vec2i) -> f32 {\n    return blue_part(BLUE_TILE[blue_index(cell)], cell);\n}\n";
+    text
+}
+
+#[test]
+fn the_tile_is_what_void_and_cluster_makes() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("shaders/lib/blue_noise.wgsl");
+    let wanted = source(&ranks());
+    if std::env::var_os("CHIARO_BLESS").is_some() {
+        std::fs::write(&path, &wanted).unwrap();
+    }
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), wanted, "run with CHIARO_BLESS=1");
+}
+
+/// Of white noise every frequency has the same power; of blue noise the low ones have next to none.
+#[test]
+fn low_frequencies_have_no_power() {
+    let ranks = ranks();
+    for share in [0.1, 0.3, 0.5, 0.8] {
+        let power = |u: usize, v: usize| {
+            let (mut re, mut im) = (0.0, 0.0);
+            for (at, _) in ranks.iter().enumerate().filter(|(_, rank)| (**rank as f64) < share * CELLS as f64) {
+                let phase = TAU * ((u * (at % SIDE) + v * (at / SIDE)) % SIDE) as f64 / SIDE as f64;
+                re += phase.cos();
+                im += phase.sin();
+            }
+            // 1 for white noise.
+            (re * re + im * im) / (CELLS as f64 * share * (1.0 - share))
+        };
+        let low: Vec<f64> =
+            (0..=3).flat_map(|u| (0..=3).map(move |v| (u, v))).skip(1).map(|(u, v)| power(u, v)).collect();
+        let mean = low.iter().sum::<f64>() / low.len() as f64;
+        assert!(mean < 0.08, "share {share}: {mean}");
+    }
+}

@@ -1,0 +1,13 @@
+//! Meshes, painted surfaces and directions: what a scene is made of, without a GPU.
+
+mod blue_noise;
+mod directions_schemes;
+mod directions_weights;
+mod geometry_import;
+mod geometry_models;
+mod geometry_shapes;
+mod hcbtf_bake;
+mod hcbtf_examples;
+mod hcbtf_file;
+#[path = "../support/mod.rs"]
+mod support;

@@ -1,0 +1,103 @@
+//! Whole pictures of a painted surface in waves, near and far, against the reference in f64: there the smaller levels of a
+//! tile are read, and blended, as the screen asks.
+
+use std::path::Path;
+
+use chiaro::accuracy::{ErrorFigures, Progress, Stopped, Truth};
+use chiaro::compile::Live;
+use chiaro::diag::Diagnostic;
+use chiaro::document::{Address, Camera, Grid, Hcbtf, Scene, Tile};
+use chiaro::frame::{Assets, PlanOptions, Planner, Setup};
+use chiaro::library::Library;
+use chiaro::render::Renderer;
+
+use super::{Directions, file, stored_as};
+use crate::support::eval::{renderer, scene_of, shape, told};
+use crate::support::random::Random;
+
+/// Paint whose colours follow the directions smoothly, with noise from texel to texel.
+fn moss() -> Hcbtf {
+    let directions = Directions { theta: 4, phi: 6 };
+    let grid = Grid { size: [16, 12], light: directions, view: directions };
+    let mut random = Random::new(90);
+    let grain: Vec<f64> = (0..grid.texels()).map(|_| random.between(-0.3, 0.3)).collect();
+    let mut hcbtf = Hcbtf::new(grid);
+    for address in grid.addresses() {
+        let Address { light, view } = address;
+        let (light, view) = (grid.light.vector(light), grid.view.vector(view));
+        let texel = |grain: &f64| {
+            let rgb = [0.5 + 0.3 * light.x, 0.4 + 0.3 * view.y, 0.2 + 0.5 * light.z * view.z];
+            let [r, g, b] = rgb.map(|channel| ((channel + grain).clamp(0.0, 1.0) * 255.0).round() as u8);
+            [r, g, b, 255]
+        };
+        let bytes = grain.iter().flat_map(texel).collect();
+        hcbtf.painted.insert(address, Tile::new(grid.size, bytes).expect("its size").into());
+    }
+    hcbtf
+}
+
+/// The waves, lying, `far` from the eye, with the tile so often on them that it is seen that many times smaller.
+fn setup(path: &Path, storage: &str, tier: &str, far: f64, repeats: f64) -> Setup {
+    let mut look = stored_as(storage, path, "smooth", tier);
+    let node = look.look.graph.nodes.get_mut("paint").expect("the lookup");
+    node.values.insert("scale".into(), chiaro::document::Value::Vector(vec![repeats, repeats]));
+    look.look.lights[0].direction = [0.4, 0.5, 0.8];
+    let (mesh, matrix) = shape("waves");
+    let camera = Camera { eye: (far * glam::DVec3::new(0.1, -0.75, 0.65)).into(), ..Camera::default() };
+    scene_of(vec![(look, mesh, matrix)], Scene { camera, ..Scene::default() })
+}
+
+fn flawless<T>(result: Result<T, Stopped>) -> T {
+    result.unwrap_or_else(|stopped| panic!("{}", told(&Vec::<Diagnostic>::from(stopped))))
+}
+
+fn measured(path: &Path, precise: &mut Renderer, far: f64, repeats: f64) -> Vec<(String, ErrorFigures)> {
+    let options = PlanOptions { size: [96, 72], samples: 1, time: 0.0 };
+    let truth = |storage: &str| {
+        let mut go_on = |_, _| true;
+        flawless(Truth::of(
+            &setup(path, storage, "exact", far, repeats),
+            Library::built_in(),
+            &mut Planner::for_truth(Assets::default()),
+            &options,
+            &mut Progress::new(&mut go_on),
+        ))
+    };
+    // Blocks have a loss of their own, which the reference decodes as the GPU does.
+    let (painted, blocks) = (truth("quick"), truth("blocks"));
+    let tiers =
+        [("quick", "exact"), ("quick", "balanced"), ("quick", "fast"), ("compact", "exact"), ("blocks", "exact")];
+    tiers
+        .into_iter()
+        .map(|(storage, tier)| {
+            let truth = if storage == "blocks" { &blocks } else { &painted };
+            let setup = setup(path, storage, tier, far, repeats);
+            let plan = Planner::default().plan(&setup, Library::built_in(), &Live::Exposed, &options);
+            let plan = plan.unwrap_or_else(|problems| panic!("{}", told(&problems)));
+            (format!("{storage} {tier} from {far} with {repeats}"), flawless(truth.compare(precise, &plan)))
+        })
+        .collect()
+}
+
+/// Repeats of 16 texels in 15 pixels and in 2: at the first place levels 0 and 1 are seen, at the second 2 to 4.
+#[test]
+fn smooth_lookups_are_true_at_any_distance() {
+    let path = file("moss", &moss());
+    let mut precise = Renderer::new(renderer().gpu().precise());
+    for (far, repeats) in [(2.2, 6.0), (5.0, 24.0)] {
+        for (what, figures) in measured(&path, &mut precise, far, repeats) {
+            println!(
+                "{what}: max {:.1e}, p999 {:.1e}, rms {:.1e} of {} pixels, {} broken",
+                figures.max, figures.p999, figures.rms, figures.pixels, figures.broken
+            );
+            // What the node's file states of each tier, in any pixel.
+            let most = match what.split(' ').nth(1) {
+                Some("exact") => 1e-4,
+                Some("balanced") => 5e-3,
+                _ => 0.55,
+            };
+            assert!(figures.broken == 0 && figures.pixels > 5_000, "{what}: {figures:?}");
+            assert!(figures.max <= most, "{what}: {figures:?}");
+        }
+    }
+}

@@ -1,0 +1,171 @@
+//! Every node of the library, in every choice, width and tier, on the GPU against f64.
+#![cfg(feature = "gpu")]
+#![allow(clippy::print_stdout, reason = "figures are worth reading when a bound is missed")]
+
+use crate::support::eval::{renderer, told};
+use chiaro::accuracy::sweep::{Case, Effort, Lab, LookEffort, Measured, StabilityEffort, Survey, survey};
+use chiaro::accuracy::{Progress, Stopped};
+use chiaro::diag::Diagnostic;
+use chiaro::library::Library;
+
+fn sweep(effort: &Effort) -> Vec<Measured> {
+    let mut renderer = renderer();
+    let mut lab = Lab::new(Library::built_in(), &mut renderer).unwrap_or_else(|problems| panic!("{}", told(&problems)));
+    let mut kinds: Vec<&str> = Library::built_in().nodes.keys().map(String::as_str).collect();
+    kinds.sort_unstable();
+    let mut all = Vec::new();
+    for kind in kinds {
+        for case in Case::of(&Library::built_in().nodes[kind]) {
+            let measured = lab.measure(&case, effort).unwrap_or_else(|stopped: Stopped| {
+                let problems: Vec<Diagnostic> = stopped.into();
+                panic!("{}: {}", case.name(), told(&problems))
+            });
+            all.push(measured);
+        }
+    }
+    all
+}
+
+#[allow(clippy::print_stdout, reason = "`--nocapture` shows how near the bounds are")]
+fn hold(all: &[Measured]) {
+    let mut broken = Vec::new();
+    for one in all {
+        let line = format!(
+            "{:50} {:8} {:6} {:5} {:3} abs {:.1e} p999 {:.1e} max {:.1e} of {:.0e}  {}",
+            one.case.name(),
+            format!("{:?}", one.case.tier),
+            one.samples,
+            one.rounded,
+            one.broken,
+            one.absolute,
+            one.p999,
+            one.max,
+            one.bound,
+            if one.holds() { "" } else { &one.worst_words }
+        );
+        println!("{line}");
+        if !one.holds() {
+            broken.push(line);
+        }
+    }
+    assert!(broken.is_empty(), "{} beyond their bounds:\n{}", broken.len(), broken.join("\n"));
+}
+
+#[test]
+fn every_node_keeps_its_bound() {
+    hold(&sweep(&Effort::QUICK));
+}
+
+#[test]
+#[ignore = "minutes: scripts/soak"]
+fn soak_every_node_keeps_its_bound() {
+    hold(&sweep(&Effort::FULL));
+}
+
+/// What the GPU and the truth give where every slot has these numbers.
+fn one(node: &str, inputs: &[(&str, &[f64])]) -> [Vec<f64>; 2] {
+    let mut renderer = renderer();
+    let mut lab = Lab::new(Library::built_in(), &mut renderer).unwrap_or_else(|problems| panic!("{}", told(&problems)));
+    let case = Case::of(&Library::built_in().nodes[node]).remove(0);
+    let bench = lab.bench(&case).unwrap_or_else(|problems| panic!("{}", told(&problems)));
+    let of = |name: &str| inputs.iter().find(|input| input.0 == name).map(|input| input.1.to_vec());
+    let numbers = bench.slots.iter().map(|slot| of(&slot.name).unwrap_or_else(|| vec![0.0; slot.width])).collect();
+    let findings = lab.compare(&bench, &[numbers]);
+    let mut findings = findings.unwrap_or_else(|stopped| panic!("{}", told(&Vec::<Diagnostic>::from(stopped))));
+    let finding = findings.remove(0);
+    [finding.got, finding.truth]
+}
+
+/// An angle of pi that is turned by another pi stays at pi, on the GPU and in f64.
+#[test]
+fn a_turn_by_pi_beyond_pi_ends_at_pi() {
+    let quarter = [std::f64::consts::FRAC_PI_2];
+    let inputs: [(&str, &[f64]); 4] =
+        [("angle", &[1.0, 0.0]), ("falloff", &quarter), ("cutoff", &quarter), ("shift", &[-7.0])];
+    for tone in one("profile", &inputs) {
+        assert_eq!(tone, [0.0]);
+    }
+}
+
+/// A tangent that nearly lies along the normal still gives a frame at right angles.
+#[test]
+fn a_tangent_beside_the_normal_gives_a_frame_at_right_angles() {
+    let normal = [-1.0, -2.3e-4, 2.4e-4];
+    let inputs: [(&str, &[f64]); 3] =
+        [("normal", &normal), ("surface_normal", &[0.0, 1.0, 0.0]), ("surface_tangent", &[-1.0, 0.0, 1.2e-4])];
+    for frame in one("tangent_frame", &inputs) {
+        let along: f64 = (0..3).map(|i| frame[i] * frame[6 + i]).sum();
+        assert!(along.abs() < 3e-7, "{along} of {frame:?}");
+    }
+}
+
+/// Points beside the origin have an angle as long as f32 tells them from it.
+#[test]
+fn the_smallest_point_has_an_angle() {
+    let least = [-f64::from(f32::MIN_POSITIVE)];
+    for angle in one("arctangent", &[("y", &least), ("x", &least)]) {
+        assert!((angle[0] + 0.75 * std::f64::consts::PI).abs() < 1e-6, "{angle:?}");
+    }
+}
+
+/// Workers share a survey, and it says what one alone would, in the same order.
+#[test]
+fn a_survey_by_several_workers_is_that_of_one() {
+    let library = Library::built_in();
+    let kinds = ["profile", "add", "facing"];
+    let effort = Effort { ordinary: 64, extreme: 64, rounds: 1 };
+    let folder = tempfile::tempdir().expect("a folder");
+    for name in ["b", "a"] {
+        let look = include_str!("../../examples/looks/figure3-profile.json");
+        std::fs::write(folder.path().join(format!("{name}.json")), look).expect("it is written");
+    }
+    let tiny = LookEffort { meshes: vec!["shape:sphere"], stations: 2, sides: vec![24], ..LookEffort::quick() };
+    let wanted = Survey {
+        nodes: kinds.map(str::to_owned).to_vec(),
+        effort,
+        looks: Some(folder.path().to_owned()),
+        look_effort: tiny.clone(),
+        large: Some(LookEffort { sides: vec![48], ..tiny }),
+        stability: StabilityEffort { frames: 2, side: 24 },
+    };
+    let mut steps = Vec::new();
+    let mut told = |done, total| {
+        steps.push((done, total));
+        true
+    };
+    let report = survey(&wanted, library, &mut Progress::new(&mut told)).unwrap_or_else(|stopped| {
+        let problems: Vec<Diagnostic> = stopped.into();
+        panic!("{}", self::told(&problems))
+    });
+    let names = |all: &[chiaro::accuracy::sweep::LookMeasured]| -> Vec<String> {
+        all.iter().map(|one| format!("{} {:?}", one.look, one.tier)).collect()
+    };
+    let all = ["a Exact", "a Balanced", "a Fast", "b Exact", "b Balanced", "b Fast"];
+    assert_eq!(
+        (names(&report.looks), names(&report.large)),
+        (all.map(str::to_owned).to_vec(), all.map(str::to_owned).to_vec())
+    );
+    assert!(report.large.iter().all(|one| one.worst_words.is_empty() || one.worst_words.contains("48 px")));
+    assert_eq!(report.stability.iter().map(|one| one.look.as_str()).collect::<String>(), "aabb");
+    let mut renderer = renderer();
+    let mut lab = Lab::new(library, &mut renderer).unwrap_or_else(|problems| panic!("{}", self::told(&problems)));
+    let mut alone = Vec::new();
+    for kind in ["add", "facing", "profile"] {
+        for case in Case::of(&library.nodes[kind]) {
+            let measured = lab.measure(&case, &effort).unwrap_or_else(|_| panic!("{}", case.name()));
+            alone.push(serde_json::json!(measured));
+        }
+    }
+    assert_eq!(report.nodes.iter().map(|one| serde_json::json!(one)).collect::<Vec<_>>(), alone);
+    let total = alone.len() as u64 + 2 * (2 + 2 + 2 * 2);
+    assert_eq!(steps, (1..=total).map(|done| (done, total)).collect::<Vec<_>>(), "every step is told, once");
+
+    // Nobody goes on who was told to stop.
+    let mut most = 0;
+    let mut told = |done, _| {
+        most = done;
+        done < 3
+    };
+    assert!(matches!(survey(&wanted, library, &mut Progress::new(&mut told)), Err(Stopped::Asked)));
+    assert!(most < total, "{most} of {total}");
+}

@@ -1,0 +1,42 @@
+//! The worst inputs that a search has found for each node stay within what the node is held to.
+#![cfg(feature = "gpu")]
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use crate::support::eval::{renderer, told};
+use chiaro::accuracy::sweep::{Case, Lab, Worst, bound, search};
+use chiaro::diag::Diagnostic;
+use chiaro::library::Library;
+
+#[test]
+fn the_worst_inputs_stay_within_their_bounds() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/worst");
+    let mut by_case: BTreeMap<Case, Vec<Worst>> = BTreeMap::new();
+    for file in std::fs::read_dir(folder).expect("the folder is there").flatten() {
+        for worst in search::read(&file.path()).unwrap_or_else(|problem| panic!("{problem}")) {
+            by_case.entry(worst.case.clone()).or_default().push(worst);
+        }
+    }
+    assert!(by_case.len() > 150, "only {} cases are kept", by_case.len());
+    let mut renderer = renderer();
+    let mut lab = Lab::new(Library::built_in(), &mut renderer).unwrap_or_else(|problems| panic!("{}", told(&problems)));
+    let mut broken = Vec::new();
+    for (case, kept) in by_case {
+        let bench = lab.bench(&case).unwrap_or_else(|problems| panic!("{}", told(&problems)));
+        let all: Vec<_> =
+            kept.iter().map(|worst| worst.numbers(&bench).unwrap_or_else(|problem| panic!("{problem}"))).collect();
+        let findings = lab.compare(&bench, &all);
+        let findings = findings.unwrap_or_else(|stopped| panic!("{}", told(&Vec::<Diagnostic>::from(stopped))));
+        let most = bound(&case, &lab.library);
+        for (finding, worst) in findings.iter().zip(&kept) {
+            let is_finite = finding.got.iter().all(|x| x.is_finite());
+            if !is_finite || finding.error > most {
+                let name = case.name();
+                broken
+                    .push(format!("{name}: {:.1e} of {most:.0e}, was {:.1e}: {finding:?}", finding.error, worst.error));
+            }
+        }
+    }
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+}

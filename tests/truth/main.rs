@@ -1,0 +1,18 @@
+//! What the shaders compute against independent formulas in f64, and the reference against itself.
+
+mod badf;
+mod closed_forms;
+mod family;
+mod handwritten;
+mod hard_cases;
+mod keys;
+mod marks;
+mod nodes;
+mod pruned;
+mod raster;
+mod shape_passes;
+mod single;
+#[path = "../support/mod.rs"]
+mod support;
+mod tiers;
+mod wire_keys;
