@@ -5,52 +5,33 @@
 //! output, and emits one WGSL module that [`wgsl`] has validated. [`frame`] joins looks, meshes, lights, keys and time
 //! into a frame plan, which the renderer executes and `export` turns into files for other programs.
 //!
-//! Modules stand on floors, lowest first; each imports only from floors below its own, and a test holds that.
+//! Each floor of the house is a crate under `src/`, lowest first; here its rooms go by the names that people say.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
-// Floor 0: words that everything is said in.
-mod base64;
-pub mod clock;
-pub mod diag;
-pub mod examples;
-pub mod figures;
-pub mod ids;
-pub mod milestones;
+#[doc(inline)]
+pub use chiaro_language::{clock, diag, figures, ids, interp, milestones, wgsl};
 
-// Floor 1: WGSL sources, and the only caller of naga's front end and validator.
-pub mod wgsl;
+#[doc(inline)]
+pub use chiaro_compiler::{catalog, compile, document, examples, library};
 
-// Floor 2: what runs WGSL in f64, what nodes there are, what artists make.
-pub mod document;
-pub mod interp;
-pub mod library;
+#[doc(inline)]
+pub use chiaro_scene::{directions, drawing, export, frame, geometry, hcbtf};
 
-// Floor 3: from documents to shaders and frame plans.
-pub mod catalog;
-pub mod compile;
-pub mod directions;
-pub mod drawing;
-pub mod frame;
-pub mod geometry;
-pub mod hcbtf;
-
-// Floor 4: who executes plans and carries shaders away.
-pub mod export;
-pub mod reference;
+#[doc(inline)]
+pub use chiaro_reference as reference;
 #[cfg(feature = "gpu")]
-pub mod render;
+#[doc(inline)]
+pub use chiaro_render as render;
 
-// Floor 5: what accuracy costs in time, and looks from what was painted.
+#[doc(inline)]
+pub use chiaro_laboratory::fit;
 #[cfg(feature = "gpu")]
-pub mod accuracy;
-pub mod fit;
+#[doc(inline)]
+pub use chiaro_laboratory::{accuracy, gallery};
 
-// Floor 5½: what is shown of both.
-#[cfg(feature = "gpu")]
-pub mod gallery;
-
-// Floor 6: who people talk to.
-pub mod cli;
+#[doc(inline)]
+pub use chiaro_cli as cli;
 #[cfg(feature = "editor")]
-pub mod editor;
+#[doc(inline)]
+pub use chiaro_editor as editor;

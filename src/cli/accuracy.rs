@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 
 use super::output::Output;
-use crate::accuracy::Progress;
-use crate::accuracy::sweep::{Effort, LookEffort, StabilityEffort, Survey, search, survey};
 use crate::diag::Diagnostic;
 use crate::library::Library;
+use chiaro_laboratory::accuracy::Progress;
+use chiaro_laboratory::accuracy::sweep::{Effort, LookEffort, StabilityEffort, Survey, search, survey};
 
 const EXAMPLES: &str = "\
 Examples:

@@ -5,12 +5,12 @@ use std::path::PathBuf;
 use super::open::{check_nodes_folder, library_for};
 use super::output::Output;
 use super::render::{Size, parse_samples, parse_time};
-use crate::accuracy::error::VISIBLE;
-use crate::accuracy::{BenchOptions, Measure, MeasuredNodes, Progress, Report, Subject, bench, plot};
 use crate::diag::Diagnostic;
 use crate::document::write_atomic;
 use crate::frame::{Assets, PlanOptions, open};
-use crate::render::{Gpu, Renderer, block_on};
+use chiaro_laboratory::accuracy::error::VISIBLE;
+use chiaro_laboratory::accuracy::{BenchOptions, Measure, MeasuredNodes, Progress, Report, Subject, bench, plot};
+use chiaro_render::{Gpu, Renderer, block_on};
 
 const EXAMPLES: &str = "\
 Examples:

@@ -13,8 +13,8 @@ use crate::diag::{Diagnostic, Severity, has_errors};
 use crate::document::{Document, Loaded, Look, Scene, Value};
 use crate::figures::count;
 use crate::frame::{Assets, Rig, missing_uvs, scene_setup};
-use crate::hcbtf::LayerOptions;
 use crate::library::{Library, Type};
+use chiaro_scene::hcbtf::LayerOptions;
 
 const EXAMPLES: &str = "\
 Examples:

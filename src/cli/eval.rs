@@ -13,7 +13,7 @@ use crate::document::{Look, Node, Tier, Value};
 use crate::frame::{Assets, eval_batches};
 use crate::ids::{NodePath, PortName};
 use crate::library::{CUSTOM_CODE, CUSTOM_KIND, GroupPorts, Library, Output as Port, Type, load_node};
-use crate::render::{Gpu, Renderer, block_on};
+use chiaro_render::{Gpu, Renderer, block_on};
 
 const HELP: &str = r#"Examples:
   chiaro eval look.json --at samples.json
@@ -102,7 +102,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         })?;
     let mut answers = vec![Json::Null; samples.len()];
     if !batches.is_empty() {
-        let one = |error: crate::render::RenderError| vec![Diagnostic::from(error)];
+        let one = |error: chiaro_render::RenderError| vec![Diagnostic::from(error)];
         let mut renderer = Renderer::new(block_on(Gpu::headless()).map_err(one)?);
         for batch in &batches {
             let values = block_on(renderer.evaluate(batch)).map_err(one)?;

@@ -7,7 +7,7 @@ use serde_json::json;
 use super::open::{check_nodes_folder, library_for, open_look};
 use super::output::Output;
 use crate::diag::Diagnostic;
-use crate::export;
+use chiaro_scene::export;
 
 const EXAMPLES: &str = "\
 Examples:

@@ -11,9 +11,9 @@ use super::output::Output;
 use super::render::{adjust_camera, check_target, parse_time, turn_lights};
 use crate::diag::Diagnostic;
 use crate::document::{Document, Look, write_atomic};
-use crate::fit::{FitOptions, Fitted, Keep, Report, Target, fit_layers, fit_look, picture_of};
 use crate::frame::{Assets, DEFAULT_MESH, Setup, SetupLook, default_setup, image_bytes, open};
-use crate::hcbtf::Progress;
+use chiaro_laboratory::fit::{FitOptions, Fitted, Keep, Report, Target, fit_layers, fit_look, picture_of};
+use chiaro_scene::hcbtf::Progress;
 
 const EXAMPLES: &str = "\
 Examples:

@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use super::open::{check_nodes_folder, library_for};
 use super::output::{Output, once};
 use super::render::{Size, parse_samples};
-use crate::accuracy::Progress;
 use crate::diag::{Diagnostic, has_errors};
-use crate::gallery::{Options, build, list};
-use crate::render::{Gpu, block_on};
+use chiaro_laboratory::accuracy::Progress;
+use chiaro_laboratory::gallery::{Options, build, list};
+use chiaro_render::{Gpu, block_on};
 
 const EXAMPLES: &str = "\
 Examples:

@@ -18,7 +18,7 @@ use crate::interp::Precision;
 use crate::milestones;
 use crate::reference::{self, Control, Modules, execute};
 #[cfg(feature = "gpu")]
-use crate::render::{Gpu, Renderer, block_on};
+use chiaro_render::{Gpu, Renderer, block_on};
 
 const EXAMPLES: &str = "\
 Examples:

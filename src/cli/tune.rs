@@ -5,13 +5,13 @@ use std::path::{Path, PathBuf};
 use super::open::{check_nodes_folder, check_replaced, library_for};
 use super::output::Output;
 use super::render::Size;
-use crate::accuracy::report::tier_word;
-use crate::accuracy::tune::{Goal, TuneOptions, Tuned, is_beaten, tune};
-use crate::accuracy::{Measure, Progress, Variant};
 use crate::diag::Diagnostic;
 use crate::document::{Document, Look, write_atomic};
 use crate::frame::{Assets, PlanOptions, Setup, open};
-use crate::render::{Gpu, Renderer, block_on};
+use chiaro_laboratory::accuracy::report::tier_word;
+use chiaro_laboratory::accuracy::tune::{Goal, TuneOptions, Tuned, is_beaten, tune};
+use chiaro_laboratory::accuracy::{Measure, Progress, Variant};
+use chiaro_render::{Gpu, Renderer, block_on};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -125,7 +125,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     if arguments.json {
         output.json(&serde_json::json!(tuned));
     } else {
-        output.result(&tuned.text());
+        output.result(&report(&tuned));
     }
     if tuned.is_met {
         return Ok(());
@@ -194,43 +194,38 @@ fn write(arguments: &Arguments, tuned: &Tuned, target: &Path) -> Result<(), Vec<
     write_atomic(target, look.to_text_like(&loaded.source).as_bytes()).map_err(|problem| vec![*problem])
 }
 
-impl Tuned {
-    /// The report as people read it.
-    fn text(&self) -> String {
-        let mut lines = vec![self.summary()];
-        lines.push(format!("  error means {}: {}", self.measure.word(), self.measure.meaning()));
-        let [x, y] = self.worst.pixel;
-        if self.worst.error > 0.0 {
-            let (side, station) = (self.worst.side, self.worst.station.told());
-            lines.push(format!(
-                "  the worst pixel, off by {:.1e}: {x},{y} of {side}x{side}, {station}",
-                self.worst.error
-            ));
-        }
-        for (index, candidate) in self.candidates.iter().enumerate() {
-            let better = self.candidates.iter().find(|other| is_beaten(candidate, other));
-            let state = match (self.chosen.contains(&index), candidate.saves.low > 0.0, better) {
-                (true, ..) => "chosen".to_owned(),
-                (_, false, _) => "cannot be told apart from exact in time: stays exact".to_owned(),
-                (_, _, Some(other)) => {
-                    let tier = tier_word(Some(other.tier));
-                    format!("cannot be told apart from {tier} in time, which is nearer to the truth")
-                }
-                _ => "too far from the truth, or another tier of this node is better".to_owned(),
-            };
-            lines.push(format!(
-                "  {} {}: error {:.1e}, saves {:.3} ms ({:.3} to {:.3}): {state}",
-                candidate.node,
-                tier_word(Some(candidate.tier)),
-                candidate.error,
-                candidate.saves.median,
-                candidate.saves.low,
-                candidate.saves.high,
-            ));
-        }
-        if self.candidates.is_empty() {
-            lines.push("  no node of this look has more than one tier".to_owned());
-        }
-        lines.join("\n")
+/// The report as people read it.
+fn report(tuned: &Tuned) -> String {
+    let mut lines = vec![tuned.summary()];
+    lines.push(format!("  error means {}: {}", tuned.measure.word(), tuned.measure.meaning()));
+    let [x, y] = tuned.worst.pixel;
+    if tuned.worst.error > 0.0 {
+        let (side, station) = (tuned.worst.side, tuned.worst.station.told());
+        lines.push(format!("  the worst pixel, off by {:.1e}: {x},{y} of {side}x{side}, {station}", tuned.worst.error));
     }
+    for (index, candidate) in tuned.candidates.iter().enumerate() {
+        let better = tuned.candidates.iter().find(|other| is_beaten(candidate, other));
+        let state = match (tuned.chosen.contains(&index), candidate.saves.low > 0.0, better) {
+            (true, ..) => "chosen".to_owned(),
+            (_, false, _) => "cannot be told apart from exact in time: stays exact".to_owned(),
+            (_, _, Some(other)) => {
+                let tier = tier_word(Some(other.tier));
+                format!("cannot be told apart from {tier} in time, which is nearer to the truth")
+            }
+            _ => "too far from the truth, or another tier of this node is better".to_owned(),
+        };
+        lines.push(format!(
+            "  {} {}: error {:.1e}, saves {:.3} ms ({:.3} to {:.3}): {state}",
+            candidate.node,
+            tier_word(Some(candidate.tier)),
+            candidate.error,
+            candidate.saves.median,
+            candidate.saves.low,
+            candidate.saves.high,
+        ));
+    }
+    if tuned.candidates.is_empty() {
+        lines.push("  no node of this look has more than one tier".to_owned());
+    }
+    lines.join("\n")
 }

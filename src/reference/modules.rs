@@ -13,12 +13,12 @@ use crate::diag::Diagnostic;
 use crate::frame::{
     Attribute, BindingKind, CompiledShader, Draw, FramePlan, Image, ImageShape, ImageUse, PassKind, Stage,
 };
-use crate::geometry::Mesh;
 use crate::interp::{
     self, Address, Bindings, Bound, Filter, Lanes, Level, Port, Precision, Program, ResourceKind, Sampler, Texture,
     TextureDimension,
 };
 use crate::wgsl::{self, Valid};
+use chiaro_scene::geometry::Mesh;
 
 /// Both stages of a module.
 #[derive(Debug)]

@@ -5,7 +5,7 @@ use std::time::Duration;
 use super::{RenderError, Renderer};
 use crate::clock::Clock;
 use crate::frame::{Effect, FramePlan, PassKind};
-use crate::render::gpu::Gpu;
+use crate::gpu::Gpu;
 
 /// How many passes can be timed in one frame.
 const MOST_PASSES: u32 = 16;

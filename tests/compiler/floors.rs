@@ -1,101 +1,126 @@
-//! The house stands: a module of `src/` imports only from floors below its own.
+//! The house stands: a room imports only from floors below its own.
 //!
-//! The test reads every source file, comments and strings left out, and follows each path that starts at the crate's
-//! root, whether it says `crate::` or climbs there by `super::`. Test code inside `src/` is held to the same rule.
+//! Cargo holds the floors that are crates; the manifests are read here for what Cargo would let pass. Inside a crate the
+//! test reads every source file, comments and strings left out, and follows each path that starts at the crate's root,
+//! whether it says `crate::` or climbs there by `super::`. Test code inside `src/` is held to the same rule.
 
-use crate::support;
 mod scan;
 
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::support;
 use scan::Reference;
 
-/// The floors of `docs/decisions.md`, lowest first. A module may import from any line above its own here, and from
-/// itself; never from its own line or a line below.
+/// The crates of `docs/decisions.md`, lowest first, each with its rooms by floors. A room may import from any line above
+/// its own in its crate, and from itself; never from its own line or a line below. A crate may depend on those before it.
 ///
-/// The half floors hold what stands on a neighbour of the same floor: a diagnostic names nodes by their ids, a milestone
-/// has a time, a group that the library ships is a document, a drawing shows what the catalog knows, and a frame plan
-/// joins what the rest of floor 3 makes.
-const FLOORS: &[(&str, &[&str])] = &[
-    ("0", &["base64", "clock", "examples", "figures", "ids", "math"]),
-    ("0½", &["diag", "milestones"]),
-    ("1", &["wgsl"]),
-    ("2", &["document", "interp"]),
-    ("2½", &["library"]),
-    ("3", &["catalog", "compile", "directions", "geometry", "hcbtf"]),
-    ("3½", &["drawing", "frame"]),
-    ("4", &["export", "reference", "render"]),
-    ("5", &["accuracy", "fit"]),
-    ("5½", &["gallery"]),
-    ("6", &["cli", "editor"]),
+/// A diagnostic names nodes by their ids, a milestone has a time, a group that the library ships is a document, a drawing
+/// shows what the catalog knows, and a frame plan joins what the rest of the scene's rooms make.
+const CRATES: &[(&str, &[&[&str]])] = &[
+    ("language", &[&["base64", "clock", "figures", "ids"], &["diag", "milestones"], &["wgsl"], &["interp"]]),
+    ("compiler", &[&["examples"], &["document"], &["library"], &["catalog", "compile"]]),
+    ("scene", &[&["directions", "geometry", "hcbtf"], &["drawing", "frame"], &["export"]]),
+    ("reference", &[]),
+    ("render", &[]),
+    ("laboratory", &[&["accuracy", "fit"], &["gallery"]]),
+    ("editor", &[]),
+    ("cli", &[]),
 ];
 
 /// Imports that the floors would allow and that would make a proof worthless: the reference judges the compiler's
 /// output, so it must not be built on the compiler.
-const APART: &[(&str, &str)] = &[("reference", "compile")];
+const APART: &[(&str, &str, &str)] = &[("reference", "chiaro_compiler", "compile")];
 
-/// Crates that belong to some modules only: the compiler is to build without a GPU and without a window.
+/// Packages that belong to some crates only: the compiler is to build without a GPU and without a window, and who wants
+/// WGSL from a graph pays for no command line and no archives.
 const KEPT_TO: &[(&str, &[&str])] = &[
-    ("wgpu", &["render", "accuracy", "editor"]),
+    ("wgpu", &["render", "editor"]),
     ("egui", &["editor"]),
     ("egui_extras", &["editor"]),
+    ("egui_tiles", &["editor"]),
     ("eframe", &["editor"]),
     ("rfd", &["editor"]),
     ("notify", &["editor"]),
+    ("clap", &["cli"]),
+    ("ctrlc", &["cli"]),
+    ("zip", &["scene"]),
+    ("faer", &["scene"]),
+    ("gltf", &["scene"]),
+    ("rayon", &["scene", "reference", "laboratory"]),
 ];
 
-/// The rank of a module's floor, and the floor's name.
-fn floor_of(module: &str) -> Option<(usize, &'static str)> {
-    FLOORS.iter().enumerate().find(|(_, (_, modules))| modules.contains(&module)).map(|(rank, (name, _))| (rank, *name))
+/// The rank of a room among the floors of its crate.
+fn floor_of(krate: &str, room: &str) -> Option<usize> {
+    let (_, floors) = CRATES.iter().find(|(name, _)| *name == krate)?;
+    floors.iter().position(|rooms| rooms.contains(&room))
 }
 
-/// What is wrong with `reference` standing in the top-level module `importer`, if anything.
-fn complaint(importer: &str, reference: &Reference) -> Option<String> {
+/// What is wrong with `reference` standing in the room `importer` of a crate, if anything.
+fn complaint(krate: &str, importer: &str, reference: &Reference) -> Option<String> {
     let imported = match reference {
         Reference::Module(name) => name.as_str(),
         Reference::WholeCrate => return Some("takes in the whole crate; name the module".into()),
-        Reference::Crate(name) => {
-            let (_, owners) = KEPT_TO.iter().find(|(kept, _)| kept == name)?;
-            let wrong = !owners.contains(&importer);
-            return wrong.then(|| format!("`{name}` belongs to {} only", owners.join(", ")));
-        }
+        Reference::Crate(_) => return None,
     };
     if imported == importer {
         return None;
     }
-    let Some((upper, upper_name)) = floor_of(imported) else {
-        return Some(format!("`{imported}` stands on no floor; add it to FLOORS in tests/compiler/floors.rs"));
-    };
-    let (own, own_name) = floor_of(importer)?;
+    // What the crate's root takes in from crates below, which Cargo holds.
+    let upper = floor_of(krate, imported)?;
+    let own = floor_of(krate, importer)?;
     if upper > own {
-        return Some(format!("`{importer}` (floor {own_name}) reaches up to `{imported}` (floor {upper_name})"));
+        return Some(format!("`{importer}` (floor {own}) reaches up to `{imported}` (floor {upper})"));
     }
-    if upper == own {
-        return Some(format!("`{importer}` and `{imported}` share floor {own_name} and may not know each other"));
-    }
-    APART.contains(&(importer, imported)).then(|| format!("`{importer}` may not be built on `{imported}`"))
+    (upper == own).then(|| format!("`{importer}` and `{imported}` share floor {own} and may not know each other"))
 }
 
 /// Everything wrong with the source `text` of the file at `path`, relative to `src/`.
 fn check_source(path: &Path, text: &str) -> Vec<String> {
     let parts: Vec<_> = path.iter().map(|part| part.to_string_lossy().into_owned()).collect();
-    let Some(top) = parts.first().map(|first| first.trim_end_matches(".rs")) else { return Vec::new() };
-    let depth = parts.len() - usize::from(parts.len() > 1 && parts.last().is_some_and(|last| last == "mod.rs"));
-    match (parts.len(), top) {
-        // The root declares the modules, so it may name them all.
-        (1, "lib") => return Vec::new(),
-        (1, "main") => return check_main(text),
+    let [krate, inside @ ..] = parts.as_slice() else { return Vec::new() };
+    match (krate.as_str(), inside.first().map(String::as_str)) {
+        // The root declares what the library is, so it may name everything.
+        ("lib.rs", None) => return Vec::new(),
+        ("main.rs", None) => return check_main(text),
         _ => {}
     }
-    scan::references(text, depth)
-        .into_iter()
-        .filter_map(|found| {
-            let complaint = complaint(top, &found.reference)?;
-            Some(format!("src/{}:{}: `{}`: {complaint}", path.display(), found.line, found.path))
-        })
-        .collect()
+    let mut complaints = check_apart(krate, path, text);
+    let rooms = CRATES.iter().find(|(name, _)| name == krate).map_or(0, |(_, floors)| floors.len());
+    let Some(room) = inside.first().map(|first| first.trim_end_matches(".rs")).filter(|_| rooms > 0) else {
+        return complaints;
+    };
+    // The crate's root declares its rooms; a build script is no part of it.
+    if matches!(room, "lib" | "build") {
+        return complaints;
+    }
+    let depth = inside.len() - usize::from(inside.len() > 1 && inside.last().is_some_and(|last| last == "mod.rs"));
+    complaints.extend(scan::references(text, depth).into_iter().filter_map(|found| {
+        let complaint = complaint(krate, room, &found.reference)?;
+        Some(format!("src/{}:{}: `{}`: {complaint}", path.display(), found.line, found.path))
+    }));
+    complaints
+}
+
+/// What a crate imports although a proof would be worthless then.
+fn check_apart(krate: &str, path: &Path, text: &str) -> Vec<String> {
+    let mut complaints = Vec::new();
+    for (_, package, room) in APART.iter().filter(|(name, ..)| *name == krate) {
+        let found = scan::crate_paths(text, package).into_iter();
+        complaints.extend(
+            found
+                .filter(|found| match &found.reference {
+                    Reference::Module(name) => name == room,
+                    other => *other == Reference::WholeCrate,
+                })
+                .map(|found| {
+                    let (line, path) = (found.line, path.display());
+                    format!("src/{path}:{line}: `{}`: `{krate}` may not be built on `{room}`", found.path)
+                }),
+        );
+    }
+    complaints
 }
 
 /// The program only hands over: it may know `chiaro::cli` and `chiaro::editor`, and nothing else of the library.
@@ -107,12 +132,43 @@ fn check_main(text: &str) -> Vec<String> {
         .collect()
 }
 
-/// The folder of the sources, and every `.rs` file in it with its path from there.
+/// What the manifest of a crate asks for that it may not have. Sections of tests count as well, but for other crates of
+/// the house's own.
+fn check_manifest(krate: &str, manifest: &str) -> Vec<String> {
+    let rank = |name: &str| CRATES.iter().position(|(known, _)| *known == name);
+    let mut complaints = Vec::new();
+    let mut is_dependency = false;
+    for line in manifest.lines().map(str::trim) {
+        if line.starts_with('[') {
+            is_dependency = line.trim_matches(['[', ']']).ends_with("dependencies");
+            continue;
+        }
+        let name = line.split(['.', ' ', '=']).next().unwrap_or_default();
+        if !is_dependency || name.is_empty() || name.starts_with('#') {
+            continue;
+        }
+        if let Some(other) = name.strip_prefix("chiaro-")
+            && rank(other) >= rank(krate)
+        {
+            complaints.push(format!("src/{krate}/Cargo.toml: `{krate}` stands below `{other}`"));
+        }
+        let kept = KEPT_TO.iter().find(|(package, _)| *package == name);
+        if let Some((_, owners)) = kept.filter(|(_, owners)| !owners.contains(&krate)) {
+            complaints.push(format!("src/{krate}/Cargo.toml: `{name}` belongs to {} only", owners.join(", ")));
+        }
+    }
+    complaints
+}
+
+/// The folder of the sources, and every `.rs` file in it with its path from there; links lead to what is no source.
 fn sources() -> (PathBuf, Vec<PathBuf>) {
     let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let rust = support::files::below(&src).into_iter().filter(|path| path.extension().is_some_and(|name| name == "rs"));
-    let files = rust.map(|path| path.strip_prefix(&src).expect("it was found there").to_path_buf()).collect();
-    (src, files)
+    let is_rust = |path: &PathBuf| path.extension().is_some_and(|name| name == "rs");
+    let rust = support::files::below(&src).into_iter().filter(is_rust);
+    let rust = rust.map(|path| path.strip_prefix(&src).expect("it was found there").to_path_buf());
+    let files = rust
+        .filter(|path| !["examples", "nodes", "shaders"].iter().any(|link| path.iter().nth(1) == Some(link.as_ref())));
+    (src.clone(), files.collect())
 }
 
 #[test]
@@ -127,18 +183,38 @@ fn imports_go_down() {
 }
 
 #[test]
-fn every_module_stands_on_one_floor() {
+fn every_room_stands_on_one_floor() {
     let (_, files) = sources();
-    let roots: BTreeSet<_> = files
-        .iter()
-        .filter_map(|path| path.iter().next())
-        .map(|first| first.to_string_lossy().trim_end_matches(".rs").to_owned())
-        .filter(|root| root != "lib" && root != "main")
-        .collect();
-    for root in &roots {
-        let count = FLOORS.iter().filter(|(_, modules)| modules.contains(&root.as_str())).count();
-        assert_eq!(count, 1, "`{root}` stands on {count} floors; FLOORS in tests/compiler/floors.rs must name it once");
+    for (krate, floors) in CRATES.iter().filter(|(_, floors)| !floors.is_empty()) {
+        let rooms: BTreeSet<_> = files
+            .iter()
+            .filter_map(|path| path.strip_prefix(krate).ok()?.iter().next())
+            .map(|first| first.to_string_lossy().trim_end_matches(".rs").to_owned())
+            .filter(|room| room != "lib" && room != "build")
+            .collect();
+        for room in &rooms {
+            let count = floors.iter().filter(|rooms| rooms.contains(&room.as_str())).count();
+            assert_eq!(count, 1, "`{krate}/{room}` stands on {count} floors; CRATES must name it once");
+        }
+        let named = floors.iter().map(|rooms| rooms.len()).sum::<usize>();
+        assert_eq!(named, rooms.len(), "CRATES names rooms of `{krate}` that are not there");
     }
+}
+
+#[test]
+fn crates_stand_on_those_below() {
+    let (src, _) = sources();
+    let mut complaints = Vec::new();
+    let mut count = 0;
+    for entry in fs::read_dir(&src).expect("there are sources").flatten() {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        let Ok(manifest) = fs::read_to_string(entry.path().join("Cargo.toml")) else { continue };
+        assert!(CRATES.iter().any(|(known, _)| *known == name), "CRATES must name `{name}`");
+        complaints.extend(check_manifest(&name, &manifest));
+        count += 1;
+    }
+    assert_eq!(count, CRATES.len(), "every crate of CRATES has a manifest");
+    assert!(complaints.is_empty(), "manifests that break the floors:\n{}", complaints.join("\n"));
 }
 
 #[cfg(test)]
@@ -152,59 +228,77 @@ mod rules {
     #[test]
     fn down_is_fine() {
         let text =
-            "use crate::{diag::Diagnostic, ids::{self, NodePath}};\nuse crate::compile::emit::Map;\nuse wgpu::Device;";
-        assert_eq!(check("render/mod.rs", text), [""; 0]);
+            "use crate::{document::Look, ids::{self, NodePath}};\nuse crate::compile::emit::Map;\nuse wgpu::Device;";
+        assert_eq!(check("compiler/compile/mod.rs", text), [""; 0]);
+        assert_eq!(check("render/passes/mod.rs", text), [""; 0]);
         assert_eq!(check("lib.rs", "pub use crate::editor::run;"), [""; 0]);
+        assert_eq!(check("compiler/lib.rs", "pub use crate::compile::run;"), [""; 0]);
     }
 
     #[test]
     fn up_and_sideways_are_named_with_their_place() {
         assert_eq!(
-            check("compile/emit.rs", "use crate::ids::NodeId;\n\nuse crate::{\n    diag,\n    render::Device,\n};"),
-            ["src/compile/emit.rs:5: `crate::render`: `compile` (floor 3) reaches up to `render` (floor 4)"]
+            check("scene/hcbtf/file.rs", "use crate::ids::NodeId;\n\nuse crate::{\n    diag,\n    frame::Plan,\n};"),
+            ["src/scene/hcbtf/file.rs:5: `crate::frame`: `hcbtf` (floor 0) reaches up to `frame` (floor 1)"]
         );
-        let sideways = check("geometry/mod.rs", "fn f() { crate::compile::run() }");
+        let sideways = check("scene/geometry/mod.rs", "fn f() { crate::directions::run() }");
         assert_eq!(sideways.len(), 1);
-        assert!(sideways[0].contains("share floor 3"), "{sideways:?}");
+        assert!(sideways[0].contains("share floor 0"), "{sideways:?}");
     }
 
     #[test]
-    fn half_floors_have_an_order() {
-        assert_eq!(check("frame/mod.rs", "use crate::{compile::X, geometry::Y, directions::Z};"), [""; 0]);
-        assert_eq!(check("compile/mod.rs", "use crate::frame::Plan;").len(), 1);
-        assert_eq!(check("library/mod.rs", "use crate::document::Look;"), [""; 0]);
-        assert_eq!(check("document/mod.rs", "use crate::library::NodeDef;").len(), 1);
-        assert_eq!(check("library/mod.rs", "use crate::interp::Value;"), [""; 0]);
-        assert_eq!(check("ids.rs", "use crate::diag::Diagnostic;").len(), 1);
+    fn floors_have_an_order() {
+        assert_eq!(check("scene/frame/mod.rs", "use crate::{compile::X, geometry::Y, directions::Z};"), [""; 0]);
+        assert_eq!(check("scene/hcbtf/mod.rs", "use crate::frame::Plan;").len(), 1);
+        assert_eq!(check("compiler/library/mod.rs", "use crate::document::Look;"), [""; 0]);
+        assert_eq!(check("compiler/document/mod.rs", "use crate::library::NodeDef;").len(), 1);
+        assert_eq!(check("compiler/library/mod.rs", "use crate::interp::Value;"), [""; 0]);
+        assert_eq!(check("language/ids.rs", "use crate::diag::Diagnostic;").len(), 1);
     }
 
     #[test]
-    fn unknown_modules_and_the_whole_crate_are_refused() {
-        assert!(check("cli/mod.rs", "use crate::util::x;")[0].contains("no floor"));
-        assert!(check("cli/mod.rs", "use crate::*;")[0].contains("whole crate"));
-        assert!(check("cli/mod.rs", "use crate as root;")[0].contains("whole crate"));
-        assert!(check("ids.rs", "use super::*;")[0].contains("whole crate"));
+    fn the_whole_crate_is_refused() {
+        assert!(check("compiler/catalog/mod.rs", "use crate::*;")[0].contains("whole crate"));
+        assert!(check("compiler/catalog/mod.rs", "use crate as root;")[0].contains("whole crate"));
+        assert!(check("language/ids.rs", "use super::*;")[0].contains("whole crate"));
     }
 
     #[test]
     fn climbing_by_super_counts_too() {
-        assert_eq!(check("compile/emit/mod.rs", "use super::super::render::Device;").len(), 1);
-        assert_eq!(check("compile/emit/mod.rs", "use super::check; mod tests { use super::super::check; }"), [""; 0]);
-        assert_eq!(check("compile/mod.rs", "mod tests { use super::super::render::Device; }").len(), 1);
-        assert_eq!(check("compile/emit.rs", "use super::{super::cli::run, check};").len(), 1);
+        let of = |text: &str| check("scene/hcbtf/fill/mod.rs", text);
+        assert_eq!(of("use super::super::frame::Plan;").len(), 1);
+        assert_eq!(of("use super::check; mod tests { use super::super::check; }"), [""; 0]);
+        assert_eq!(check("scene/hcbtf/mod.rs", "mod tests { use super::super::frame::Plan; }").len(), 1);
+        assert_eq!(check("scene/hcbtf/fill.rs", "use super::{super::frame::run, check};").len(), 1);
     }
 
     #[test]
-    fn crates_are_kept_to_their_modules() {
-        assert!(check("compile/mod.rs", "fn f(d: &wgpu::Device) {}")[0].contains("belongs to render"));
-        assert_eq!(check("compile/mod.rs", "use naga::{wgpu::x};\nlet wgpu = 1;"), [""; 0]);
-        assert!(check("cli/mod.rs", "use egui::Ui;")[0].contains("editor only"));
+    fn packages_are_kept_to_their_crates() {
+        let manifest = "[package]\nname = \"x\"\n[dependencies]\nwgpu.workspace = true\nclap = { workspace = true }\n";
+        assert_eq!(
+            check_manifest("compiler", manifest),
+            [
+                "src/compiler/Cargo.toml: `wgpu` belongs to render, editor only",
+                "src/compiler/Cargo.toml: `clap` belongs to cli only"
+            ]
+        );
+        assert!(check_manifest("scene", "[dev-dependencies]\negui = \"1\"")[0].contains("editor only"));
+        assert_eq!(check_manifest("scene", "[features]\negui = []\n[dependencies]\nserde = \"1\""), [""; 0]);
+    }
+
+    #[test]
+    fn crates_depend_downward() {
+        let manifest = "[dependencies]\nchiaro-render = { workspace = true }\nchiaro-language.workspace = true";
+        assert_eq!(check_manifest("scene", manifest), ["src/scene/Cargo.toml: `scene` stands below `render`"]);
+        assert_eq!(check_manifest("editor", manifest), [""; 0]);
     }
 
     #[test]
     fn the_reference_is_not_built_on_the_compiler() {
-        assert!(check("reference/mod.rs", "use crate::compile::Look;")[0].contains("may not be built"));
-        assert_eq!(check("reference/mod.rs", "use crate::{frame::Plan, interp::Lanes};"), [""; 0]);
+        assert!(check("reference/lib.rs", "use chiaro_compiler::{compile, library};")[0].contains("may not be built"));
+        assert!(check("reference/eval.rs", "use chiaro_compiler::compile::Look;")[0].contains("may not be built"));
+        assert!(check("reference/eval.rs", "use chiaro_compiler::*;")[0].contains("may not be built"));
+        assert_eq!(check("reference/lib.rs", "use chiaro_compiler::{document, library};"), [""; 0]);
     }
 
     #[test]

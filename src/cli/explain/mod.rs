@@ -16,7 +16,7 @@ use crate::diag::Diagnostic;
 use crate::frame::FramePlan;
 use crate::frame::{Assets, PlanOptions, Planner, open};
 #[cfg(feature = "gpu")]
-use crate::render::{Gpu, PassTime, Renderer, block_on, set_times};
+use chiaro_render::{Gpu, PassTime, Renderer, block_on, set_times};
 
 const EXAMPLES: &str = "\
 Examples:

@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 use clap::ValueEnum;
 
 use super::{GRID_HELP, GridText, check_free, filled, open, telling, with_ending};
-use crate::cli::open::taken;
-use crate::cli::output::Output;
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Storage, write_atomic};
-use crate::hcbtf::{Which, exchange, write};
+use crate::open::taken;
+use crate::output::Output;
+use chiaro_scene::hcbtf::{Which, exchange, write};
 
 /// How samples lie in other programs' files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -5,11 +5,11 @@ use std::path::PathBuf;
 use serde_json::{Value as Json, json};
 
 use super::{filled, open};
-use crate::cli::output::Output;
 use crate::diag::Diagnostic;
 use crate::document::{Hcbtf, Storage};
 use crate::figures::{bytes, count};
-use crate::hcbtf::{Device, Filled, Limits, Provenance, needs, needs_at_most, sheet};
+use crate::output::Output;
+use chiaro_scene::hcbtf::{Device, Filled, Limits, Provenance, needs, needs_at_most, sheet};
 
 /// What `chiaro hcbtf info` is given.
 #[derive(Debug, clap::Args)]
@@ -42,7 +42,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
 /// What textures are made for: the adapter that Chiaro would draw with, else what WebGPU guarantees.
 fn present() -> Device {
     #[cfg(feature = "gpu")]
-    if let Ok(gpu) = crate::render::block_on(crate::render::Gpu::headless()) {
+    if let Ok(gpu) = chiaro_render::block_on(chiaro_render::Gpu::headless()) {
         return gpu.holds();
     }
     Device::guaranteed()

@@ -6,12 +6,12 @@ use std::sync::Arc;
 use super::super::open::{check_nodes_folder, library_for, open_look};
 use super::super::render::Size;
 use super::{GRID_HELP, GridText, check_free, open, telling, with_ending};
-use crate::cli::output::Output;
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Hcbtf, write_atomic};
 use crate::frame::{Assets, MAX_TILE_SAMPLES, moving_light, tile_assets};
-use crate::hcbtf::{Synthesis, synthesize, write};
+use crate::output::Output;
 use crate::reference::{BakedLook, TILE_SAMPLES, bake_look_sampled};
+use chiaro_scene::hcbtf::{Synthesis, synthesize, write};
 
 /// What `chiaro hcbtf synthesize` is given.
 #[derive(Debug, clap::Args)]

@@ -16,7 +16,7 @@ use super::open::taken;
 use super::output::Output;
 use crate::diag::Diagnostic;
 use crate::document::{Directions, Grid, Hcbtf};
-use crate::hcbtf::{Filled, Progress, fill::fill, load};
+use chiaro_scene::hcbtf::{Filled, Progress, fill::fill, load};
 
 const EXAMPLES: &str = "\
 Examples:

@@ -4,10 +4,10 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::{GRID_HELP, GridText, check_free, with_ending};
-use crate::cli::output::Output;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf, Rule, Tile, parse_hex, write_atomic};
-use crate::hcbtf::write;
+use crate::output::Output;
+use chiaro_scene::hcbtf::write;
 
 /// What `chiaro hcbtf new` is given.
 #[derive(Debug, clap::Args)]

@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use serde_json::json;
 
 use super::open;
-use crate::cli::output::Output;
 use crate::diag::Diagnostic;
 use crate::document::{Hcbtf, Rule, read_text, write_atomic};
-use crate::hcbtf::{read_rules, write};
+use crate::output::Output;
+use chiaro_scene::hcbtf::{read_rules, write};
 
 /// How wide help is written.
 const WIDTH: usize = 98;

@@ -8,9 +8,6 @@ use crate::library::{Context, Conversion, Input, Rate, Type};
 
 const HEAD: &str = include_str!("head.md");
 const CUSTOM: &str = include_str!("custom.md");
-/// How the gallery shows kinds; `null` where there is nothing to see.
-const SAMPLES: &str = include_str!("../../gallery/samples.json");
-
 /// What the gallery says of kinds, by kind.
 type Samples = serde_json::Map<String, serde_json::Value>;
 
@@ -23,7 +20,7 @@ pub(super) fn document(entries: &[Entry]) -> String {
         let links: Vec<String> = entries.iter().map(|entry| link(entry)).collect();
         let _ = writeln!(text, "- **{category}**: {}", links.join(", "));
     }
-    let samples: Samples = serde_json::from_str(SAMPLES).unwrap_or_default();
+    let samples: Samples = serde_json::from_str(chiaro_laboratory::NODE_SAMPLES).unwrap_or_default();
     for (category, entries) in by_category(entries) {
         let _ = writeln!(text, "\n## Category {category}");
         entries.iter().for_each(|entry| text += &section(entry, &samples));

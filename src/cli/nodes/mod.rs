@@ -8,14 +8,14 @@ mod text;
 use std::path::PathBuf;
 
 use super::output::Output;
-#[cfg(feature = "gpu")]
-use crate::accuracy::Progress;
 use crate::diag::Diagnostic;
-#[cfg(feature = "gpu")]
-use crate::gallery::nodes::write_nodes;
 use crate::library::Library;
 #[cfg(feature = "gpu")]
-use crate::render::{Gpu, block_on};
+use chiaro_laboratory::accuracy::Progress;
+#[cfg(feature = "gpu")]
+use chiaro_laboratory::gallery::nodes::write_nodes;
+#[cfg(feature = "gpu")]
+use chiaro_render::{Gpu, block_on};
 use entry::Entry;
 
 const EXAMPLES: &str = "\

@@ -7,21 +7,21 @@ use eframe::egui::{self, Ui};
 
 use super::App;
 use super::files::{self, Pending};
+use crate::canvas::edits;
+use crate::command::Command;
 use crate::diag::Diagnostic;
+use crate::dialogs::Purpose;
+use crate::dock;
 use crate::document::{Edit, Storage};
-use crate::editor::canvas::edits;
-use crate::editor::command::Command;
-use crate::editor::dialogs::Purpose;
-use crate::editor::dock;
-use crate::editor::fitting;
-use crate::editor::look_export::stem_of;
-use crate::editor::painting;
-use crate::editor::safety::Wish;
-use crate::editor::session::Session;
-use crate::editor::shortcuts::{self, Action};
-use crate::editor::stage::Stage;
-use crate::editor::viewport::Export;
+use crate::fitting;
 use crate::hcbtf::exchange::Form;
+use crate::look_export::stem_of;
+use crate::painting;
+use crate::safety::Wish;
+use crate::session::Session;
+use crate::shortcuts::{self, Action};
+use crate::stage::Stage;
+use crate::viewport::Export;
 
 impl App {
     pub(super) fn apply(&mut self, ui: &Ui, command: Command) {

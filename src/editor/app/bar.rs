@@ -3,14 +3,14 @@
 use eframe::egui::{self, RichText, Role, Ui, ViewportCommand, WidgetInfo};
 
 use super::App;
-use crate::editor::command::Command;
-use crate::editor::painting::{Shown, Wish, Work, look, shown};
-use crate::editor::panels::problems;
-use crate::editor::session::Session;
-use crate::editor::shortcuts::{self, Action};
-use crate::editor::spots::{self, Spot};
-use crate::editor::stage::Stage;
-use crate::editor::{dock, theme};
+use crate::command::Command;
+use crate::painting::{Shown, Wish, Work, look, shown};
+use crate::panels::problems;
+use crate::session::Session;
+use crate::shortcuts::{self, Action};
+use crate::spots::{self, Spot};
+use crate::stage::Stage;
+use crate::{dock, theme};
 
 /// Below this width, in points, the name of what is open is not told in the bar: the window's title has it too.
 const LEAST_NAME: f32 = 60.0;

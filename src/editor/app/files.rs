@@ -6,17 +6,17 @@ use std::sync::Arc;
 use eframe::egui::{self, RichText, Ui, ViewportCommand};
 
 use super::App;
+use crate::command::Command;
+use crate::confirm;
 use crate::diag::Diagnostic;
+use crate::dialogs::PAINTING;
+use crate::dock::Panel;
 use crate::document::{Grid, Hcbtf};
-use crate::editor::command::Command;
-use crate::editor::confirm;
-use crate::editor::dialogs::PAINTING;
-use crate::editor::dock::Panel;
-use crate::editor::painting::{Import, Work, look};
-use crate::editor::panels::{library, problems};
-use crate::editor::stage::{Stage, Wanted};
 use crate::examples;
 use crate::frame::UNSAVED_HCBTF;
+use crate::painting::{Import, Work, look};
+use crate::panels::{library, problems};
+use crate::stage::{Stage, Wanted};
 
 /// What would lose unsaved changes.
 #[derive(Clone, Debug, PartialEq)]

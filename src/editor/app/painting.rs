@@ -7,13 +7,13 @@ use eframe::egui::Ui;
 use super::App;
 use super::files::Pending;
 use crate::diag::Diagnostic;
+use crate::dialogs::Purpose;
+use crate::dock::{Panel, Workspace};
 use crate::document::{Edit, Grid, Hcbtf, HcbtfEdit, Storage};
-use crate::editor::dialogs::Purpose;
-use crate::editor::dock::{Panel, Workspace};
-use crate::editor::painting::{Home, Import, Made, Wish, Work, counted, look, shown};
-use crate::editor::panels::problems::sentence;
 use crate::frame::UNSAVED_HCBTF;
 use crate::hcbtf::exchange::Form;
+use crate::painting::{Home, Import, Made, Wish, Work, counted, look, shown};
+use crate::panels::problems::sentence;
 
 impl App {
     pub(super) fn apply_to_painting(&mut self, ui: &Ui, wish: Wish) {

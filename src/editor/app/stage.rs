@@ -6,13 +6,13 @@ use eframe::egui::Ui;
 
 use super::App;
 use super::files::Pending;
+use crate::dialogs::Purpose;
+use crate::dock::Panel;
 use crate::document::SceneEdit;
-use crate::editor::dialogs::Purpose;
-use crate::editor::dock::Panel;
-use crate::editor::stage::{OPEN_LOOK, Stage, Wish};
 use crate::examples;
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX, look_of};
 use crate::ids::ObjectId;
+use crate::stage::{OPEN_LOOK, Stage, Wish};
 
 impl App {
     pub(super) fn apply_to_stage(&mut self, ui: &Ui, wish: Wish) {

@@ -5,14 +5,14 @@ use std::path::Path;
 use eframe::egui::{self, Ui};
 
 use super::App;
-use crate::editor::command::Command;
-use crate::editor::dialogs::{Answer, Purpose, Way};
-use crate::editor::painting;
-use crate::editor::path_field::PathField;
-use crate::editor::session::Session;
-use crate::editor::stage::Wish;
-use crate::editor::theme;
-use crate::editor::tour::{NOTHING, Tour};
+use crate::command::Command;
+use crate::dialogs::{Answer, Purpose, Way};
+use crate::painting;
+use crate::path_field::PathField;
+use crate::session::Session;
+use crate::stage::Wish;
+use crate::theme;
+use crate::tour::{NOTHING, Tour};
 
 /// What was open when the start page came: it leaves with that.
 #[derive(Debug, PartialEq)]

@@ -96,16 +96,15 @@ fn name(subject: &Subject) -> String {
 
 /// Whether the look has this row's tier now.
 fn in_use(session: &Session, row: &Row) -> bool {
-    row.tier.is_some() && row.subject_is_there(session) && adopt(session.look(), row).is_none()
+    row.tier.is_some() && subject_is_there(session, row) && adopt(session.look(), row).is_none()
 }
 
-impl Row {
-    fn subject_is_there(&self, session: &Session) -> bool {
-        match &self.subject {
-            Subject::Whole => true,
-            Subject::Pass(_) => false,
-            Subject::Node { id, .. } => session.look().graph.nodes.contains_key(id),
-        }
+/// Whether the look still has what this row measured.
+fn subject_is_there(session: &Session, row: &Row) -> bool {
+    match &row.subject {
+        Subject::Whole => true,
+        Subject::Pass(_) => false,
+        Subject::Node { id, .. } => session.look().graph.nodes.contains_key(id),
     }
 }
 

@@ -4,10 +4,10 @@ use eframe::egui::{self, DragValue, Response, Role, Sense, Stroke, StrokeKind, U
 
 use super::tools::{Kind, SIZES};
 use super::{Fitting, Wish};
+use crate::command::Command;
 use crate::document::ColorSpace;
-use crate::editor::command::Command;
-use crate::editor::inspector::color;
-use crate::editor::theme;
+use crate::inspector::color;
+use crate::theme;
 
 /// A field with its name is no wider, in points.
 const PERCENT: f32 = 110.0;

@@ -7,10 +7,10 @@ use super::work::Job;
 use super::{ENOUGH, Fitting, LEAST_PAINTED, What};
 use crate::diag::Diagnostic;
 use crate::document::{Edit, Tile};
-use crate::editor::panels::problems::sentence;
-use crate::editor::session::Session;
 use crate::fit::{FitOptions, Fitted, Keep, Report, Target};
 use crate::hcbtf::Progress;
+use crate::panels::problems::sentence;
+use crate::session::Session;
 
 /// Which look something is about: another revision is another look.
 pub(super) type Of = (u64, u64, Option<u64>);

@@ -10,12 +10,12 @@ use eframe::egui::ColorImage;
 
 use crate::compile::Live;
 use crate::diag::Diagnostic;
-use crate::editor::session::Session;
-use crate::editor::still::{Reused, Stamp, Still};
-use crate::editor::worker::Worker;
 use crate::frame::{Cull, PlanOptions, Planner, Setup};
 use crate::interp::Precision;
 use crate::reference::{Control, Modules, Options, execute};
+use crate::session::Session;
+use crate::still::{Reused, Stamp, Still};
+use crate::worker::Worker;
 
 /// What a ground is of: the same again is known.
 #[derive(Clone, Debug, PartialEq)]

@@ -10,9 +10,9 @@ use super::ground::Ground;
 use super::target::FINENESS;
 use super::tools::Tools;
 use super::{Fitting, Kind, Standpoint};
+use crate::command::Command;
 use crate::document::Tile;
-use crate::editor::command::Command;
-use crate::editor::session::Session;
+use crate::session::Session;
 
 /// A stroke that goes on: what is wished is made of how much it covers.
 pub(super) struct Going {

@@ -14,11 +14,11 @@ use super::ground::Moment;
 use super::target;
 use super::veil::strokes;
 use super::{Fitting, Wish};
+use crate::command::Command;
 use crate::document::Tile;
-use crate::editor::command::Command;
-use crate::editor::session::Session;
-use crate::editor::theme;
 use crate::fit::picture_of;
+use crate::session::Session;
+use crate::theme;
 
 /// What a texture of strokes is of.
 #[derive(PartialEq)]

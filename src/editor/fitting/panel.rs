@@ -5,13 +5,13 @@ use eframe::egui::{Button, Color32, DragValue, ProgressBar, RichText, Role, Scro
 
 use super::fit::Outcome;
 use super::{Fitting, What, Wish, target};
+use crate::command::Command;
+use crate::dock::hint;
 use crate::document::parse_hex;
-use crate::editor::command::Command;
-use crate::editor::dock::hint;
-use crate::editor::panels::problems::sentence;
-use crate::editor::session::Session;
-use crate::editor::theme;
 use crate::fit::{Changed, Report};
+use crate::panels::problems::sentence;
+use crate::session::Session;
+use crate::theme;
 
 /// The most layers that are fitted from nothing here.
 pub(super) const MOST_LAYERS: usize = 5;

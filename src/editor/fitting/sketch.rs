@@ -7,8 +7,8 @@
 use std::sync::Arc;
 
 use crate::document::{Camera, Tile};
-use crate::editor::orbit::Orbit;
-use crate::editor::session::times::Times;
+use crate::orbit::Orbit;
+use crate::session::times::Times;
 
 /// As many steps can be taken back: each holds a picture of about a megabyte.
 const MOST_STEPS: usize = 32;
@@ -54,9 +54,9 @@ pub struct Sketch {
     done: Vec<(&'static str, State)>,
     /// What each step is called, and what was after it, the next one last.
     undone: Vec<(&'static str, State)>,
-    pub(in crate::editor) times: Times,
+    pub(crate) times: Times,
     /// Whether it is seen, so that undo takes its steps back.
-    pub(in crate::editor) is_open: bool,
+    pub(crate) is_open: bool,
 }
 
 impl Sketch {
@@ -66,7 +66,7 @@ impl Sketch {
     }
 
     /// The same with nothing to be taken back.
-    pub(in crate::editor) fn without_past(self) -> Self {
+    pub(crate) fn without_past(self) -> Self {
         Self { state: self.state, ..Self::default() }
     }
 
@@ -81,7 +81,7 @@ impl Sketch {
     }
 
     /// Paints: a step that can be taken back.
-    pub(in crate::editor) fn did(&mut self, what: &'static str, standpoint: Standpoint, tile: Option<Tile>, now: u64) {
+    pub(crate) fn did(&mut self, what: &'static str, standpoint: Standpoint, tile: Option<Tile>, now: u64) {
         if self.done.len() >= MOST_STEPS {
             self.done.remove(0);
             self.times.fit((self.done.len(), self.undone.len()));
@@ -92,35 +92,35 @@ impl Sketch {
         self.times.did((self.done.len(), 0), now);
     }
 
-    pub(in crate::editor) fn undo(&mut self) -> bool {
+    pub(crate) fn undo(&mut self) -> bool {
         let Some((what, before)) = self.done.pop() else { return false };
         self.undone.push((what, std::mem::replace(&mut self.state, before)));
         self.times.undid();
         true
     }
 
-    pub(in crate::editor) fn redo(&mut self, now: u64) -> bool {
+    pub(crate) fn redo(&mut self, now: u64) -> bool {
         let Some((what, after)) = self.undone.pop() else { return false };
         self.done.push((what, std::mem::replace(&mut self.state, after)));
         self.times.redid(now);
         true
     }
 
-    pub(in crate::editor) fn undo_label(&self) -> Option<&'static str> {
+    pub(crate) fn undo_label(&self) -> Option<&'static str> {
         self.done.last().map(|(what, _)| *what)
     }
 
-    pub(in crate::editor) fn redo_label(&self) -> Option<&'static str> {
+    pub(crate) fn redo_label(&self) -> Option<&'static str> {
         self.undone.last().map(|(what, _)| *what)
     }
 
     /// How many steps are done.
-    pub(in crate::editor) fn place(&self) -> usize {
+    pub(crate) fn place(&self) -> usize {
         self.done.len()
     }
 
     /// What every step is called: those that are done, then those that were taken back, the next first.
-    pub(in crate::editor) fn labels(&self) -> impl Iterator<Item = &'static str> {
+    pub(crate) fn labels(&self) -> impl Iterator<Item = &'static str> {
         self.done.iter().chain(self.undone.iter().rev()).map(|(what, _)| *what)
     }
 }

@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use crate::diag::Diagnostic;
 use crate::document::Look;
-use crate::editor::still::Still;
-use crate::editor::worker::Worker;
 use crate::fit::{FitOptions, Fitted, Target, fit_layers, fit_look};
 use crate::frame::Assets;
 use crate::hcbtf::Progress;
+use crate::still::Still;
+use crate::worker::Worker;
 
 /// What is fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,7 +4,7 @@ use eframe::egui::{Color32, Painter, Pos2, Shape, Stroke, Ui, Vec2};
 use glam::DVec3;
 
 use super::tilt::Tilt;
-use crate::editor::theme;
+use crate::theme;
 
 /// How long an arrow is that lies across, of the tile's size on the screen.
 const LENGTH: f32 = 0.62;

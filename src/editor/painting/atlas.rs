@@ -7,7 +7,7 @@ use eframe::egui::{Color32, ColorImage, Context, Painter, Pos2, Rect, TextureHan
 
 use super::work::Work;
 use crate::document::{Address, Tile};
-use crate::editor::panels::widgets::fitted;
+use crate::panels::widgets::fitted;
 
 /// The side of a small picture, in texels.
 const SIDE: usize = 16;

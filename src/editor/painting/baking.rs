@@ -8,16 +8,16 @@ use super::making::{Bake, Job, told_seconds};
 use super::preview::{self, Of, Preview};
 use super::work::Work;
 use super::{Wish, command, counted, grid, memory};
+use crate::command::Command;
+use crate::confirm;
 use crate::document::{Grid, LightKind};
-use crate::editor::command::Command;
-use crate::editor::confirm;
-use crate::editor::panels::problems::sentence;
-use crate::editor::panels::widgets::{fitted, lead, picture_frame, whole};
-use crate::editor::session::Session;
-use crate::editor::theme;
 use crate::frame::{SetupLook, moving_light};
 use crate::hcbtf::{Device, check_all_painted};
 use crate::ids::LightId;
+use crate::panels::problems::sentence;
+use crate::panels::widgets::{fitted, lead, picture_frame, whole};
+use crate::session::Session;
+use crate::theme;
 
 /// The side of a preview, in points.
 const SIDE: f32 = 110.0;

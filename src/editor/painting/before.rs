@@ -1,8 +1,8 @@
 //! The view that a painting's flat square took the place of.
 
 use super::look::lies_flat;
-use crate::editor::orbit::Orbit;
-use crate::editor::session::Session;
+use crate::orbit::Orbit;
+use crate::session::Session;
 
 /// Keeps that view until another look is open. A scene has views of its own, and none is kept of it.
 #[derive(Debug, Default)]

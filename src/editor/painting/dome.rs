@@ -7,7 +7,7 @@ use glam::DVec2;
 use super::moves;
 use super::work::{State, Work};
 use crate::document::{Address, Direction, Directions};
-use crate::editor::theme;
+use crate::theme;
 
 /// The rim, from the edge of the room, in points.
 const MARGIN: f32 = 12.0;

@@ -14,11 +14,11 @@ use super::tilt::Tilt;
 use super::tools::{Kind, Tools};
 use super::work::Work;
 use super::{arrows, moves};
+use crate::command::Command;
 use crate::document::{Address, HcbtfAngle};
-use crate::editor::command::Command;
-use crate::editor::session::Session;
-use crate::editor::shortcuts::{self, Place, Way};
-use crate::editor::theme;
+use crate::session::Session;
+use crate::shortcuts::{self, Place, Way};
+use crate::theme;
 
 /// The tile fills so much of the room when it is fitted, so that some of its copies are seen.
 const FITTED: f64 = 0.6;

@@ -6,10 +6,10 @@ use std::sync::Arc;
 
 use crate::diag::Diagnostic;
 use crate::document::{Hcbtf, Storage};
-use crate::editor::worker::Worker;
 use crate::hcbtf::Progress;
 use crate::hcbtf::exchange::{self, Form};
 use crate::hcbtf::fill::fill;
+use crate::worker::Worker;
 
 /// An HCBTF as it was when it was asked for.
 struct Job {

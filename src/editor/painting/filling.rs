@@ -6,9 +6,9 @@ use std::sync::{Arc, Weak};
 use super::work::Work;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf, Tile};
-use crate::editor::worker::Worker;
 use crate::hcbtf::fill::{fill, refill, sample};
 use crate::hcbtf::{Device, Filled, NotFilled, Progress};
+use crate::worker::Worker;
 
 struct Wish {
     hcbtf: Arc<Hcbtf>,

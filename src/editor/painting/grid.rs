@@ -6,13 +6,13 @@ use eframe::egui::{self, Button, DragValue, Id, Modal, RichText, Ui, WidgetInfo}
 
 use super::work::Work;
 use super::{Wish, command, counted, memory};
+use crate::command::Command;
+use crate::confirm;
 use crate::document::{Address, Directions, Grid, MAX_ANGLE_STEPS, MAX_TILE_SIDE, Tile};
-use crate::editor::command::Command;
-use crate::editor::confirm;
-use crate::editor::panels::problems::sentence;
-use crate::editor::panels::widgets::lead;
-use crate::editor::theme;
 use crate::hcbtf::Device;
+use crate::panels::problems::sentence;
+use crate::panels::widgets::lead;
+use crate::theme;
 
 /// The width of labels before fields, in points.
 pub(super) const LEAD: f32 = 48.0;

@@ -9,10 +9,10 @@ use super::tilt::Tilt;
 use super::tools::{Kind, Tools};
 use super::work::Work;
 use super::{Wish, command};
+use crate::command::Command;
 use crate::document::{Address, Hcbtf, HcbtfEdit, Tile};
-use crate::editor::command::Command;
-use crate::editor::session::Session;
 use crate::hcbtf::paint::{self, Flood, Stroke};
+use crate::session::Session;
 
 /// What the pointer is at.
 pub(super) enum Going {

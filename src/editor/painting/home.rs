@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::document::Look;
-use crate::editor::orbit::Orbit;
+use crate::orbit::Orbit;
 
 /// A look that showed what is painted, as it was when another one was opened.
 #[derive(Clone, Debug)]

@@ -3,7 +3,7 @@
 use eframe::egui::{Color32, Painter, Pos2, Response, Role, Sense, Shape, Stroke, Ui, WidgetInfo, vec2};
 
 use super::tools::Kind;
-use crate::editor::theme;
+use crate::theme;
 
 /// The side of a tool's button, in points.
 const SIDE: f32 = 28.0;

@@ -6,14 +6,14 @@ use eframe::egui::{self, Button, ComboBox, DragValue, Id, Modal, RichText, Ui, W
 
 use super::grid::directions;
 use super::{Wish, command};
+use crate::command::Command;
+use crate::confirm;
 use crate::diag::Diagnostic;
 use crate::document::{Directions, Grid, Hcbtf};
-use crate::editor::command::Command;
-use crate::editor::confirm;
-use crate::editor::theme;
 use crate::hcbtf::Progress;
 use crate::hcbtf::contact::MAX_GAP;
 use crate::hcbtf::exchange::{self, Form};
+use crate::theme;
 
 /// What pictures are taken for. How large their tiles are they tell themselves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

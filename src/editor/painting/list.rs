@@ -6,11 +6,11 @@ use super::easel::name_of;
 use super::map::Atlas;
 use super::work::Work;
 use super::{Wish, command, moves};
+use crate::command::Command;
+use crate::dock::cell;
 use crate::document::{Address, HcbtfEdit};
-use crate::editor::command::Command;
-use crate::editor::dock::cell;
-use crate::editor::panels::widgets::{picture_frame, row_ground};
-use crate::editor::theme;
+use crate::panels::widgets::{picture_frame, row_ground};
+use crate::theme;
 
 const ROW: f32 = 30.0;
 

@@ -7,13 +7,13 @@ use glam::{DQuat, DVec3};
 use serde_json::json;
 
 use super::work::Work;
+use crate::catalog::Catalog;
 use crate::document::{Edit, GraphId, Look, Value};
-use crate::editor::catalog::Catalog;
-use crate::editor::orbit::{Orbit, PLANE};
-use crate::editor::session::Session;
-use crate::editor::stage::{folder_of, real};
 use crate::frame::{SetupLook, UNSAVED_HCBTF};
 use crate::library::Type;
+use crate::orbit::{Orbit, PLANE};
+use crate::session::Session;
+use crate::stage::{folder_of, real};
 
 /// The default look on an HCBTF of this name, and of tiles of so many texels, which keep their shape in it.
 pub(crate) fn default_look(sheet: &str, name: &str, size: [u32; 2]) -> String {

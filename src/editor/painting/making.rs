@@ -11,14 +11,14 @@ use super::import::Import;
 use crate::clock::Clock;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf, Tile, write_atomic};
-use crate::editor::theme;
-use crate::editor::worker::Worker;
 use crate::frame::{Assets, Overlay, SetupLook, tile_assets};
 use crate::hcbtf::fill::{fill, sample};
 use crate::hcbtf::{Filled, Progress, Synthesis, synthesize_filled, write};
 use crate::ids::LightId;
 use crate::library::Library;
 use crate::reference::bake_look;
+use crate::theme;
+use crate::worker::Worker;
 
 /// While something is made the window looks again after so many seconds.
 const AGAIN: f32 = 0.1;

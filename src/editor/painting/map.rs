@@ -11,10 +11,10 @@ use super::easel::name_of;
 use super::list::copy_to;
 use super::work::{State, Work};
 use super::{Wish, command};
+use crate::command::Command;
 use crate::document::{Address, Direction, Directions, HcbtfEdit};
-use crate::editor::command::Command;
-use crate::editor::theme;
 use crate::hcbtf::Provenance;
+use crate::theme;
 
 /// Between the rings, in points.
 const GAP: f32 = 3.0;

@@ -6,10 +6,10 @@ use eframe::egui::{CollapsingHeader, Grid as Table, RichText, Ui};
 
 use super::work::Work;
 use crate::document::{Grid, Storage};
-use crate::editor::theme;
-use crate::editor::worker::Worker;
 use crate::figures::bytes;
 use crate::hcbtf::{Device, Filled, Need, filled_at_most, layers_bytes, needs, needs_at_most};
+use crate::theme;
+use crate::worker::Worker;
 
 /// Of which grid, the bytes of all tiles, and what each storage takes.
 pub(super) type Measured = (Grid, u64, Vec<Need>);

@@ -1,7 +1,7 @@
 //! Ways through the directions of a light or a view, by keys and by names.
 
 use crate::document::{Direction, Directions};
-use crate::editor::shortcuts::Way;
+use crate::shortcuts::Way;
 
 /// The direction one step away: left and right go around the normal, down goes toward the horizon, up toward the normal. At
 /// the normal, where there is nowhere to go around to, left and right lead off it to their own side of the hemisphere.

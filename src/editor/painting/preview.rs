@@ -7,12 +7,12 @@ use super::textures::Shown;
 use crate::clock::Clock;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Directions, Grid, Tile};
-use crate::editor::worker::Worker;
 use crate::frame::{Assets, Overlay, SetupLook, tile_assets};
 use crate::hcbtf::Progress;
 use crate::ids::LightId;
 use crate::library::Library;
 use crate::reference::bake_look;
+use crate::worker::Worker;
 
 /// A preview has at most so many texels along a side: what is made should be there at once.
 const MOST_SIDE: u32 = 96;

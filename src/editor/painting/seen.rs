@@ -6,9 +6,9 @@ use eframe::egui::Ui;
 
 use super::look;
 use super::work::Work;
-use crate::editor::command::Command;
-use crate::editor::orbit::Orbit;
-use crate::editor::session::Session;
+use crate::command::Command;
+use crate::orbit::Orbit;
+use crate::session::Session;
 
 /// What is known of it.
 #[derive(Default)]

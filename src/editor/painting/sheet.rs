@@ -10,10 +10,10 @@ use eframe::egui::{
 
 use super::work::{State, Work};
 use super::{Wish, command, moves};
+use crate::command::Command;
 use crate::document::{Address, Direction, Grid};
-use crate::editor::command::Command;
-use crate::editor::theme;
 use crate::hcbtf::sheet::{Held, column, held, place, row, size};
+use crate::theme;
 
 /// Points a texel of the sheet, at most.
 const CLOSEST: f64 = 64.0;

@@ -8,13 +8,13 @@ use super::look::sheets;
 use super::memory;
 use super::work::Work;
 use super::{Wish, command};
+use crate::command::Command;
 use crate::document::{Directions, Grid};
-use crate::editor::command::Command;
-use crate::editor::session::Session;
-use crate::editor::stage::real;
-use crate::editor::theme;
 use crate::examples::PREFIX;
 use crate::frame::UNSAVED_HCBTF;
+use crate::session::Session;
+use crate::stage::real;
+use crate::theme;
 
 /// A grid to begin with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

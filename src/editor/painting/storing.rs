@@ -5,13 +5,13 @@ use eframe::egui::{Grid as Table, Id, Modal, RichText, Ui};
 use super::memory::{Memory, named};
 use super::work::Work;
 use super::{Wish, command};
+use crate::command::Command;
+use crate::confirm;
 use crate::document::Storage;
-use crate::editor::command::Command;
-use crate::editor::confirm;
-use crate::editor::theme;
 use crate::figures::bytes;
 use crate::hcbtf::exchange::Form;
 use crate::hcbtf::{Need, needs_at_most};
+use crate::theme;
 
 /// Asks, while `asked` is there.
 pub(super) fn show(ui: &Ui, asked: &mut Option<Storage>, work: Option<&Work>, memory: &mut Memory) -> Option<Command> {

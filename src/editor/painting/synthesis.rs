@@ -13,14 +13,14 @@ use super::making::{Job, Laid, Making, bar};
 use super::textures::Shown;
 use super::work::Work;
 use super::{Wish, command, grid, memory};
+use crate::command::Command;
+use crate::confirm;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf};
-use crate::editor::command::Command;
-use crate::editor::confirm;
-use crate::editor::panels::problems::sentence;
-use crate::editor::panels::widgets::lead;
-use crate::editor::theme;
 use crate::hcbtf::{Device, Filled, Synthesis};
+use crate::panels::problems::sentence;
+use crate::panels::widgets::lead;
+use crate::theme;
 
 /// The side of a picture in points.
 const SIDE: f32 = 220.0;

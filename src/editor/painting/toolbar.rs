@@ -7,9 +7,9 @@ use eframe::egui::{
 use super::icons;
 use super::tools::{Kind, LARGEST, PALETTE, Tools};
 use crate::document::ColorSpace;
-use crate::editor::inspector::color;
-use crate::editor::theme;
 use crate::hcbtf::paint::{Pressure, Symmetry};
+use crate::inspector::color;
+use crate::theme;
 
 /// The side of a colour of the palette, in points.
 const SWATCH: f32 = 16.0;

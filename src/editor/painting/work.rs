@@ -11,10 +11,10 @@ use serde_json::{Value as Json, json};
 use super::home::Home;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf, HcbtfEdit, History, Rule, Tile, write_atomic};
-use crate::editor::paths::absolute;
-use crate::editor::session::kept::Kept;
 use crate::frame::Overlay;
 use crate::hcbtf::{self, Filled, Provenance};
+use crate::paths::absolute;
+use crate::session::kept::Kept;
 
 /// A new one is filled from the first stroke on: what is painted is blended over all lights and views.
 const FIRST_SHARPNESS: f64 = 4.0;

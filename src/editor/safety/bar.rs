@@ -8,7 +8,7 @@ use eframe::egui::{Panel, RichText, Ui};
 use super::disk::{Conflict, PaintingConflict};
 use super::offers::Offer;
 use super::{Safety, Wish};
-use crate::editor::session::Session;
+use crate::session::Session;
 
 /// The names of so many documents are told in the bar; a list has all of them.
 const MOST_NAMED: usize = 3;

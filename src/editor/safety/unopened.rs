@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use crate::diag::{Diagnostic, LineColumn};
-use crate::editor::paths::absolute;
-use crate::editor::session::Session;
+use crate::paths::absolute;
+use crate::session::Session;
 
 /// A file that could not be opened.
 pub(super) struct Unopened {
@@ -35,7 +35,7 @@ impl Unopened {
     }
 
     fn open(session: &Session) -> (u64, Option<u64>) {
-        (session.document_number(), session.painting().map(crate::editor::painting::Work::number))
+        (session.document_number(), session.painting().map(crate::painting::Work::number))
     }
 
     /// Whether nothing else was opened since.

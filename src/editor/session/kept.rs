@@ -6,7 +6,7 @@ use super::times::{Gestures, Times};
 use crate::diag::Diagnostic;
 use crate::document::History;
 use crate::document::journal::{About, Journaled, Op, Slot};
-use crate::editor::safety::keeper::Standing;
+use crate::safety::keeper::Standing;
 
 /// A document with all that is kept of it.
 pub(crate) struct Kept<D: Journaled> {

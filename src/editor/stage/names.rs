@@ -29,7 +29,7 @@ pub(crate) fn real(path: &Path) -> PathBuf {
 }
 
 fn absolute(path: &Path) -> PathBuf {
-    clean(&crate::editor::paths::absolute(path))
+    clean(&crate::paths::absolute(path))
 }
 
 /// The way from a folder to a file, both absolute; the file itself where there is none, as from one drive to another.

@@ -4,10 +4,10 @@ use glam::{DQuat, DVec3, EulerRot};
 
 use super::{OPEN_LOOK, Stage};
 use crate::document::{Object, Scene, SceneEdit, Transform};
-use crate::editor::orbit::Orbit;
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX};
 use crate::geometry::SHAPES;
 use crate::ids::{ObjectId, is_slug, make_slug};
+use crate::orbit::Orbit;
 
 /// Between two objects that stand side by side, in scene units.
 const GAP: f64 = 0.15;

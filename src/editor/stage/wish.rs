@@ -1,11 +1,11 @@
-//! What panels and the picture ask for of a scene; [`App`](crate::editor::App) does it.
+//! What panels and the picture ask for of a scene; [`App`](crate::App) does it.
 
 use std::path::PathBuf;
 
 use eframe::egui;
 
+use crate::dialogs::Purpose;
 use crate::document::SceneEdit;
-use crate::editor::dialogs::Purpose;
 use crate::ids::ObjectId;
 
 /// Something that is asked for of the scene.

@@ -3,20 +3,20 @@
 
 use wgpu::util::DeviceExt as _;
 
+use crate::Renderer;
 use crate::frame::{FramePlan, PassKind};
-use crate::render::Renderer;
-use crate::render::gpu::Gpu;
-use crate::render::target::format_of;
+use crate::gpu::Gpu;
+use crate::target::format_of;
 use crate::wgsl;
 
 /// The fixed pipeline of one of them.
 #[derive(Debug)]
-pub(in crate::render) struct CurvaturePass {
+pub(crate) struct CurvaturePass {
     pipeline: wgpu::RenderPipeline,
 }
 
 impl CurvaturePass {
-    pub(in crate::render) fn new(gpu: &Gpu, name: &str, kind: &PassKind) -> Self {
+    pub(crate) fn new(gpu: &Gpu, name: &str, kind: &PassKind) -> Self {
         let source = wgsl::pass(name).unwrap_or_default().text;
         let descriptor =
             wgpu::ShaderModuleDescriptor { label: Some(name), source: wgpu::ShaderSource::Wgsl(source.into()) };
@@ -47,12 +47,7 @@ impl CurvaturePass {
 }
 
 impl Renderer {
-    pub(in crate::render) fn draw_curvature(
-        &mut self,
-        plan: &FramePlan,
-        kind: &PassKind,
-        encoder: &mut wgpu::CommandEncoder,
-    ) {
+    pub(crate) fn draw_curvature(&mut self, plan: &FramePlan, kind: &PassKind, encoder: &mut wgpu::CommandEncoder) {
         let (Some(targets), Some(name)) = (self.targets.of(kind), kind.shader()) else { return };
         let Some(made) = self.targets.made(kind) else { return };
         // Each level of smoothed normals is made from the one before it.

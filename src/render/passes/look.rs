@@ -4,8 +4,8 @@ use wgpu::util::DeviceExt as _;
 
 use crate::compile::{BindingKind, CompiledShader, Stage};
 use crate::frame::{Draw, FramePlan, PassKind};
-use crate::render::pipeline::{LookPipeline, Sides};
-use crate::render::{RenderError, Renderer};
+use crate::pipeline::{LookPipeline, Sides};
+use crate::{RenderError, Renderer};
 
 /// A draw with its pipeline and everything bound.
 pub(super) struct Bound {
@@ -33,7 +33,7 @@ pub(super) fn depth_attachment(view: &wgpu::TextureView) -> wgpu::RenderPassDept
 }
 
 impl Renderer {
-    pub(in crate::render) fn draw_look(
+    pub(crate) fn draw_look(
         &mut self,
         plan: &FramePlan,
         encoder: &mut wgpu::CommandEncoder,

@@ -3,10 +3,10 @@
 use super::look::{Bound, cleared, depth_attachment};
 use crate::compile::Stage;
 use crate::frame::{FramePlan, PassKind};
-use crate::render::{RenderError, Renderer};
+use crate::{RenderError, Renderer};
 
 impl Renderer {
-    pub(in crate::render) fn draw_normals(
+    pub(crate) fn draw_normals(
         &mut self,
         plan: &FramePlan,
         kind: &PassKind,

@@ -3,7 +3,7 @@
 use chiaro::document::Look;
 use chiaro::fit::{Target, Wish};
 
-use crate::hidden::{SIDE, picture, setup_of};
+use super::hidden::{SIDE, picture, setup_of};
 
 /// What a few strokes wish, and what the look shows of the rest.
 pub(crate) struct Strokes {

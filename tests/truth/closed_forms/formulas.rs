@@ -6,8 +6,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use glam::{DMat3, DVec3, DVec4};
 use serde_json::Value as Json;
 
+use super::surfaces::Point;
 use crate::support::badf::{self, Mode};
-use crate::surfaces::Point;
 
 /// A base and the layers over it, in order.
 pub(crate) struct Stack {

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use chiaro::reference::{Interpolation, Options, Snap, Target};
 
-use crate::shaders::{CLEAR, Plain, at_pixel, draw, draw_all, in_order, somewhere};
+use super::shaders::{CLEAR, Plain, at_pixel, draw, draw_all, in_order, somewhere};
 use crate::support::random::Random;
 
 const SNAPS: [Snap; 2] = [Snap::None, Snap::Subpixel(8)];

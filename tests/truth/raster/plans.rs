@@ -10,7 +10,7 @@ use chiaro::library::Library;
 use chiaro::reference::{Control, Interpolation, Options, PassImages, Shader, Shaders, Texels, execute};
 use glam::DVec3;
 
-use crate::shaders::Plain;
+use super::shaders::Plain;
 
 /// Shaders as closures, that note what they were asked for.
 #[derive(Default)]

@@ -7,7 +7,7 @@ use chiaro::reference::{
 };
 use glam::DVec3;
 
-use crate::shaders::{BOTH, CLEAR, Plain, at_pixel, draw, draw_all, in_order};
+use super::shaders::{BOTH, CLEAR, Plain, at_pixel, draw, draw_all, in_order};
 use crate::support::random::Random;
 
 const SIZE: [u32; 2] = [60, 45];

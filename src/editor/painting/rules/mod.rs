@@ -12,13 +12,13 @@ use eframe::egui::{
 use super::memory::Memory;
 use super::work::Work;
 use super::{Wish, command, moves};
+use crate::command::Command;
 use crate::document::relief::PRESETS;
 use crate::document::{Address, ColorSpace, Directions, HcbtfAngle, HcbtfEdit, Rule, Strokes};
-use crate::editor::command::Command;
-use crate::editor::inspector::color;
-use crate::editor::panels::widgets::lead;
-use crate::editor::theme;
 use crate::hcbtf::Provenance;
+use crate::inspector::color;
+use crate::panels::widgets::lead;
+use crate::theme;
 
 /// The width of labels before fields, in points: the longest is "Ground ambient".
 const LEAD: f32 = 96.0;

@@ -7,7 +7,7 @@ use eframe::egui::{Button, CollapsingHeader, Id, Role, Slider, Ui, WidgetInfo};
 use super::{LEAD, Work};
 use crate::document::relief::{Channel, Finish, Glint, Illumination, PRESETS, Pattern};
 use crate::document::{Address, Relief};
-use crate::editor::panels::widgets::lead;
+use crate::panels::widgets::lead;
 
 /// Shows the fields of a relief; who changed one.
 pub(super) fn fields(ui: &mut Ui, work: &Work, relief: &mut Relief) -> Option<Id> {

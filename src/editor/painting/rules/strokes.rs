@@ -6,7 +6,7 @@ use eframe::egui::{Button, CollapsingHeader, ComboBox, DragValue, Id, RichText, 
 
 use super::{line, number, rgb, rgba};
 use crate::document::{Bundle, Placement, StrokeShape, StrokeTones, Strokes};
-use crate::editor::theme;
+use crate::theme;
 
 const SHAPES: [(StrokeShape, &str); 3] = [
     (StrokeShape::Thread, "Threads: round, they grow from the tile"),

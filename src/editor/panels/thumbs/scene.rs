@@ -89,7 +89,7 @@ mod tests {
     #[test]
     fn all_of_a_scene_is_in_its_small_picture() {
         for name in ["cast", "figure2-parametrizations", "figure4-curvature", "figure5-from-behind"] {
-            let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("examples/scenes/{name}.json"));
+            let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../examples/scenes/{name}.json"));
             let (mut setup, _) = open(&path, None, &mut Assets::default()).unwrap();
             setup.scene.camera = fitted(&setup);
             let view = View::new(&setup.scene.camera, [100, 100], DVec3::ZERO, 20.0);

@@ -1,0 +1,221 @@
+//! The command line: one file a subcommand.
+//!
+//! Results go to standard output, messages to standard error. Exit codes: 0 done; 1 a document, an asset or the GPU is
+//! at fault, and a diagnostic says how; 2 the command line is; 130 ended by Ctrl-C, with no file half written.
+
+use chiaro_compiler::{catalog, compile, document, library};
+use chiaro_language::{clock, diag, figures, ids, interp, milestones};
+use chiaro_reference as reference;
+use chiaro_scene::frame;
+
+#[cfg(feature = "gpu")]
+mod accuracy;
+#[cfg(feature = "gpu")]
+mod bench;
+mod check;
+mod desktop;
+#[cfg(feature = "gpu")]
+mod eval;
+mod explain;
+mod export;
+mod fit;
+#[cfg(feature = "gpu")]
+mod gallery;
+mod hcbtf;
+mod interrupt;
+mod new;
+mod nodes;
+mod open;
+mod output;
+mod probe;
+mod render;
+#[cfg(feature = "gpu")]
+mod samples;
+mod scene;
+mod tier;
+#[cfg(feature = "gpu")]
+mod tune;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::error::ErrorKind;
+use clap::{CommandFactory as _, Parser, Subcommand};
+
+use output::Output;
+
+/// Draw with light: stylized shading as a graph, compiled to one readable WGSL shader.
+#[derive(Debug, Parser)]
+#[command(name = "chiaro", version, max_term_width = 100, after_help = EXAMPLES, args_conflicts_with_subcommands = true)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Option<Command>,
+    /// A look or a scene to open in the editor
+    file: Option<PathBuf>,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  chiaro
+  chiaro new rim
+  chiaro rim.json
+  chiaro render rim.json -o rim.png --mesh bunny.obj
+  chiaro check examples/
+  chiaro export rim.json --to glsl-450 -o shaders/
+
+Results go to standard output, messages to standard error.
+Exit codes: 0 done; 1 something in a document, an asset or the GPU is at fault (a message says what);
+2 the command line is wrong; 130 ended by Ctrl-C, with no file half written.";
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Open a look, a scene or an HCBTF in the editor (also what `chiaro` and `chiaro FILE` do)
+    #[command(after_help = EDIT_EXAMPLES)]
+    Edit {
+        /// A look or a scene
+        files: Vec<PathBuf>,
+        /// The mesh to see it on: a file (OBJ, PLY, STL, glTF, GLB) or an own shape (shape:knot); one that lies on its
+        /// back is stood up by Options, "Z is up"
+        #[arg(short, long)]
+        mesh: Option<String>,
+    },
+    /// Write a look or a scene to begin with
+    New(new::Arguments),
+    /// Tell everything that is wrong or odd in looks and scenes
+    Check(check::Arguments),
+    /// Tell what is drawn, in which passes, on which data, and why
+    Explain(explain::Arguments),
+    /// List the nodes that looks are made of, or tell all about one
+    Nodes(nodes::Arguments),
+    /// Render a look or a scene to a PNG
+    Render(render::Arguments),
+    /// Print a look's value, or any node's, at given surface samples
+    #[cfg(feature = "gpu")]
+    Eval(eval::Arguments),
+    /// Measure what a look costs and how far it is from the truth, whole and node by node
+    #[cfg(feature = "gpu")]
+    Bench(bench::Arguments),
+    /// Pick the cheapest tiers under a stated error, or the most accurate within a stated time
+    #[cfg(feature = "gpu")]
+    Tune(tune::Arguments),
+    /// Turn a look's lights, profiles and colours until it shows what was painted on its picture
+    Fit(fit::Arguments),
+    /// Tell the value on every wire at one pixel, f32 beside f64
+    Probe(probe::Arguments),
+    /// Measure how far every node and every example look is from the truth, and write it down
+    #[cfg(feature = "gpu")]
+    Accuracy(accuracy::Arguments),
+    /// Show looks and scenes as a web page, with their graphs, shaders and costs
+    #[cfg(feature = "gpu")]
+    Gallery(gallery::Arguments),
+    /// Write a look as shaders for other programs
+    Export(export::Arguments),
+    /// Tell what a hand-painted 6D texture (.hcbtf) holds, make one, exchange its samples with other programs
+    Hcbtf(hcbtf::Arguments),
+    /// Put Chiaro and its file types into the desktop's menu, or take them out
+    Desktop(desktop::Arguments),
+}
+
+const EDIT_EXAMPLES: &str = "\
+Examples:
+  chiaro edit
+  chiaro edit examples/looks/figure1-layers.json";
+
+/// Codes of diagnostics about the command line itself, which are told as the argument parser's own are.
+const USAGE: [&str; 2] = ["bad-argument", "unknown-language"];
+
+/// What `main` does after the command line was read.
+#[derive(Debug)]
+pub enum Outcome {
+    /// It is done.
+    Done(ExitCode),
+    /// The editor is to be opened with these files.
+    Edit {
+        /// Looks; the first is shown.
+        files: Vec<PathBuf>,
+        /// The mesh to see it on.
+        mesh: Option<String>,
+    },
+}
+
+/// Reads the command line and does what it says, but for the editor, which `main` opens.
+pub fn run() -> Outcome {
+    milestones::reached("program");
+    let command = match Arguments::parse() {
+        Arguments { command: Some(Command::Edit { files, mesh }), .. } => return Outcome::Edit { files, mesh },
+        Arguments { command: Some(command), .. } => command,
+        Arguments { file: Some(word), .. } if is_mistyped(&word) => unknown_subcommand(&word).exit(),
+        Arguments { file, .. } => return Outcome::Edit { files: file.into_iter().collect(), mesh: None },
+    };
+    interrupt::clean_up_on_interrupt();
+    let output = Output::new();
+    let result = match &command {
+        Command::Edit { .. } => Ok(()),
+        Command::New(arguments) => new::run(arguments, &output),
+        Command::Check(arguments) => match check::run(arguments, &output) {
+            // Its problems are told: they are the result.
+            Ok(true) => return Outcome::Done(ExitCode::FAILURE),
+            found => found.map(drop),
+        },
+        Command::Explain(arguments) => explain::run(arguments, &output),
+        Command::Nodes(arguments) => nodes::run(arguments, &output),
+        Command::Render(arguments) => render::run(arguments, &output),
+        #[cfg(feature = "gpu")]
+        Command::Eval(arguments) => eval::run(arguments, &output),
+        #[cfg(feature = "gpu")]
+        Command::Bench(arguments) => bench::run(arguments, &output),
+        #[cfg(feature = "gpu")]
+        Command::Tune(arguments) => tune::run(arguments, &output),
+        Command::Fit(arguments) => fit::run(arguments, &output),
+        Command::Probe(arguments) => probe::run(arguments, &output),
+        #[cfg(feature = "gpu")]
+        Command::Accuracy(arguments) => accuracy::run(arguments, &output),
+        #[cfg(feature = "gpu")]
+        Command::Gallery(arguments) => gallery::run(arguments, &output),
+        Command::Export(arguments) => export::run(arguments, &output),
+        Command::Hcbtf(arguments) => hcbtf::run(arguments, &output),
+        Command::Desktop(arguments) => desktop::run(arguments, &output),
+    };
+    Outcome::Done(match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(problems) => {
+            output.diagnostics(&problems);
+            let is_usage = problems.iter().all(|problem| USAGE.contains(&problem.code));
+            if is_usage { ExitCode::from(2) } else { ExitCode::FAILURE }
+        }
+    })
+}
+
+/// Whether a word that is no subcommand was meant as one: it is no file, and looks like none.
+fn is_mistyped(word: &Path) -> bool {
+    !word.exists() && word.extension().is_none() && word.components().count() == 1
+}
+
+fn unknown_subcommand(word: &Path) -> clap::Error {
+    let mut command = Arguments::command();
+    let word = word.to_string_lossy();
+    let alike = |name: &&str| strsim::damerau_levenshtein(name, &word) <= 2;
+    let near = command.get_subcommands().map(clap::Command::get_name).find(alike).map(str::to_owned);
+    let tip = near.map_or_else(String::new, |near| format!("\n\n  tip: a similar subcommand exists: '{near}'"));
+    command.error(ErrorKind::InvalidSubcommand, format!("unrecognized subcommand or file '{word}'{tip}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_alone_is_opened_and_a_mistyped_subcommand_is_told() {
+        let read = |words: &[&str]| Arguments::try_parse_from(std::iter::once("chiaro").chain(words.iter().copied()));
+        let opened = read(&["looks/rim.json"]).unwrap();
+        assert!(opened.command.is_none() && opened.file == Some("looks/rim.json".into()));
+        assert!(read(&[]).unwrap().file.is_none());
+        assert!(matches!(read(&["check", "a.json"]).unwrap().command, Some(Command::Check(_))));
+        assert!(read(&["a.json", "check"]).is_err());
+        for (word, is_mistyped_one) in [("rendr", true), ("rim.json", false), ("looks/rim", false), ("src", false)] {
+            assert_eq!(is_mistyped(Path::new(word)), is_mistyped_one, "{word}");
+        }
+        let told = unknown_subcommand(Path::new("rendr")).to_string();
+        assert!(told.contains("'rendr'") && (cfg!(not(feature = "gpu")) || told.contains("'render'")), "{told}");
+    }
+}

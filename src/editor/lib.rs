@@ -1,0 +1,147 @@
+//! The editor: node canvas, viewport, inspector, generated WGSL. The only egui code.
+//!
+//! A [`Session`] holds the open look with its past and asks a thread for shaders; panels read it and return commands;
+//! [`App`] applies those in one place. The canvas owns no graph: it reads the document and draws what is in view.
+
+use chiaro_compiler::{catalog, compile, document, examples, library};
+use chiaro_laboratory::{accuracy, fit};
+use chiaro_language::{clock, diag, figures, ids, interp, milestones};
+use chiaro_reference as reference;
+use chiaro_render as render;
+use chiaro_scene::{directions, drawing, export, frame, geometry, hcbtf};
+
+mod app;
+pub mod canvas;
+mod code;
+mod command;
+mod compiling;
+mod confirm;
+mod cost;
+mod curves;
+mod dialogs;
+mod dock;
+pub mod fitting;
+mod fixes;
+mod inspector;
+mod keying;
+mod lighting;
+mod look_export;
+mod orbit;
+pub mod painting;
+mod panels;
+mod path_field;
+mod paths;
+mod picture;
+mod probe;
+mod reading;
+pub(crate) mod safety;
+pub mod session;
+pub mod settings;
+mod sheet;
+mod shortcuts;
+mod spots;
+pub mod stage;
+mod still;
+mod theme;
+mod tour;
+mod viewport;
+mod wipe;
+mod wire;
+mod worker;
+
+use eframe::egui;
+use std::io::Write as _;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+pub use app::App;
+pub use canvas::Canvas;
+pub use cost::Cost;
+pub use fitting::Fitting;
+pub use orbit::Orbit;
+pub use painting::Painting;
+pub use probe::Probe;
+pub use safety::places::Places;
+pub use session::Session;
+pub use settings::Settings;
+pub use stage::Stage;
+pub use viewport::Viewport;
+pub use wipe::Wipe;
+
+use crate::catalog::values;
+use panels::problems;
+
+use crate::diag::Diagnostic;
+use crate::frame::{DEFAULT_MESH, SHAPE_PREFIX};
+use crate::library::Library;
+
+/// How the window is opened, and with which device.
+pub fn options() -> eframe::NativeOptions {
+    let viewport = egui::ViewportBuilder::default()
+        .with_app_id("chiaro")
+        .with_title("Chiaro")
+        .with_inner_size([1600.0, 960.0])
+        .with_min_inner_size([760.0, 480.0])
+        .with_drag_and_drop(true)
+        .with_icon(icon());
+    let mut setup = eframe::egui_wgpu::WgpuSetupCreateNew::without_display_handle();
+    setup.device_descriptor = Arc::new(|adapter| {
+        milestones::reached("adapter");
+        crate::render::device_descriptor(adapter)
+    });
+    let mut options = eframe::NativeOptions { viewport, renderer: eframe::Renderer::Wgpu, ..Default::default() };
+    options.wgpu_options.wgpu_setup = setup.into();
+    options
+}
+
+/// The program's icon, as `chiaro desktop` installs it too.
+fn icon() -> egui::IconData {
+    eframe::icon_data::from_png_bytes(include_bytes!("icon.png")).unwrap_or_default()
+}
+
+/// Begins what the first picture needs of the processor, beside the window's and the device's beginning: nodes are read,
+/// and an own shape is made, once for all who ask.
+fn warm_up(mesh: Option<&str>) {
+    drop(worker::start("library", || {
+        Library::built_in();
+    }));
+    let shape = mesh.unwrap_or(DEFAULT_MESH).strip_prefix(SHAPE_PREFIX).map(str::to_owned);
+    if let Some(shape) = shape {
+        drop(worker::start("shape", move || drop(crate::geometry::shape(&shape))));
+    }
+}
+
+/// Opens the window with the first of `files`, or a new look, on `mesh` (a path, or `shape:` and a name), and returns
+/// when it is closed.
+///
+/// # Errors
+/// Why there can be no window.
+pub fn run(files: &[PathBuf], mesh: Option<&str>) -> Result<(), Box<Diagnostic>> {
+    let file = files.first().cloned();
+    let mesh = mesh.map(str::to_owned);
+    warm_up(mesh.as_deref());
+    let create = move |context: &eframe::CreationContext<'_>| {
+        milestones::reached("window and device");
+        let mut app = App::new(&context.egui_ctx, context.wgpu_render_state.clone());
+        if let Some(places) = Places::of_user() {
+            app.keep_in(places, &context.egui_ctx);
+        }
+        match file {
+            Some(file) => {
+                if let Some(wrong) = app.begin_with(&file) {
+                    let _ = writeln!(std::io::stderr(), "{wrong}");
+                }
+            }
+            None => app.begin(),
+        }
+        if let Some(mesh) = mesh {
+            app.show_on(&mesh);
+        }
+        Ok(Box::new(app) as Box<dyn eframe::App>)
+    };
+    eframe::run_native("chiaro", options(), Box::new(create)).map_err(|error| {
+        let problem = Diagnostic::error("no-window", format!("no window could be opened: {error}"));
+        let hint = "without a display, `chiaro render` makes pictures; on Linux DISPLAY or WAYLAND_DISPLAY names one";
+        Box::new(problem.hint(hint))
+    })
+}

@@ -1,0 +1,311 @@
+//! A small look around one node, and its picture: what the node gives on a sphere or another shape.
+
+use std::path::Path;
+
+use serde_json::Value as Json;
+
+use crate::catalog::{Catalog, Kind, Port};
+use crate::compile::Live;
+use crate::diag::Diagnostic;
+use crate::document::{Endpoint, Light, Look, Node, Value, Values, Wire};
+use crate::examples;
+use crate::frame::{Assets, Picture, PlanOptions, Planner, SHAPE_PREFIX, SetupLook, default_setup};
+use crate::library::{Fallback, Library, Type};
+use crate::render::{Renderer, block_on};
+
+/// What shows more of a node than its defaults, by kind: values as in a look's JSON, which source `feed`s which input, what
+/// the output is multiplied by (`times`), on which own shape it is seen (`mesh`), or `null` where there is nothing to see.
+const VALUES: &str = crate::NODE_SAMPLES;
+/// What a node is shown on where the table names no other of the own shapes.
+const MESH: &str = "sphere";
+/// The node itself, in its look.
+const NODE: &str = "node";
+/// An image for nodes that ask for one, beside the look.
+const IMAGE: &str = "sample.png";
+/// The same for HCBTFs.
+const HCBTF: &str = "sample.hcbtf";
+const STRIPES: &str = "example:hcbtf/stripes.hcbtf";
+
+/// How a kind is shown.
+#[derive(Default)]
+struct Showing {
+    values: Values,
+    /// Inputs, each with its source.
+    feed: Vec<(String, String)>,
+    times: Option<f64>,
+    mesh: String,
+}
+
+/// A look that shows the first output of a node of `kind`; `None` where there is nothing to see of it.
+fn look_of(kind: &Kind, catalog: &Catalog, showing: Showing) -> Option<Look> {
+    let mut build = Build { look: Look::default(), catalog };
+    let lights = [("key", [-0.5, 0.6, 0.62]), ("back", [0.8, -0.1, 0.2])];
+    for (id, direction) in lights {
+        build.look.lights.insert(id.into(), Light { direction, ..Light::default() });
+    }
+    build.add(NODE, &kind.id, showing.values);
+    for (port, source) in &showing.feed {
+        build.make(source);
+        build.wire(source, NODE, port);
+    }
+    let is_chosen = !showing.feed.is_empty();
+    for port in &kind.inputs {
+        if build.is_fed(kind, port, is_chosen)
+            && let Some(source) = source_of(kind, &port.ty)
+        {
+            build.make(source);
+            build.wire(source, NODE, port.name.as_str());
+        }
+    }
+    if kind.id == "output" {
+        return Some(build.look);
+    }
+    let mut shown = match &kind.outputs.first()?.ty {
+        Type::Light => build.lit(),
+        // Half a turn is white.
+        Type::Angle => build.then("share", "divide", "a", &[("b", std::f64::consts::PI)], NODE),
+        // Directions as colours, with the middle grey for 0.
+        Type::Vec3 => {
+            let half = build.then("half", "multiply", "a", &[("b", 0.5)], NODE);
+            build.then("raised", "add", "a", &[("b", 0.5)], half)
+        }
+        ty if ty.convert_to(&Type::Composite).is_some() => NODE,
+        _ => return None,
+    };
+    if let Some(times) = showing.times {
+        shown = build.then("times", "multiply", "a", &[("b", times)], shown);
+    }
+    build.then("output", "output", "color", &[], shown);
+    Some(build.look)
+}
+
+impl Showing {
+    /// What the table says of a kind, with files and lights for inputs that name some.
+    fn of(kind: &Kind) -> Option<Self> {
+        let table: serde_json::Map<String, Json> = serde_json::from_str(VALUES).unwrap_or_default();
+        let mut showing = Self { mesh: MESH.to_owned(), ..Self::default() };
+        if let Some(own) = table.get(&kind.id) {
+            let mut own = own.as_object()?.clone();
+            if let Some(Json::Object(feed)) = own.remove("feed") {
+                let pair = |(port, source): (String, Json)| Some((port, source.as_str()?.to_owned()));
+                showing.feed = feed.into_iter().filter_map(pair).collect();
+            }
+            if let Some(Json::String(mesh)) = own.remove("mesh") {
+                showing.mesh = mesh;
+            }
+            showing.times = own.remove("times").and_then(|times| times.as_f64());
+            // Read as a document's: numbers, colours, curves and ramps are told apart there.
+            let text = serde_json::json!({"nodes": [{"id": NODE, "kind": kind.id, "values": own}]}).to_string();
+            let node = Look::read(&text, "samples.json").value.and_then(|look| look.graph.nodes.get(NODE).cloned());
+            showing.values = node.map(|node| node.values).unwrap_or_default();
+        }
+        for port in &kind.inputs {
+            let text = match port.ty {
+                Type::LightName => "key",
+                Type::Image => IMAGE,
+                Type::Hcbtf => HCBTF,
+                _ => continue,
+            };
+            showing.values.entry(port.name.clone()).or_insert_with(|| Value::Text(text.to_owned()));
+        }
+        Some(showing)
+    }
+}
+
+/// What feeds an input of a type where nothing else is said.
+fn source_of(kind: &Kind, ty: &Type) -> Option<&'static str> {
+    let is_plain = matches!(kind.category.as_str(), "math" | "vector");
+    Some(match ty {
+        Type::Light => "light",
+        Type::Angle => "turn",
+        Type::Composite => "base",
+        Type::Color => "colors",
+        Type::Vec3 | Type::Vec4 => "facing",
+        Type::Vec2 => "uv",
+        Type::Float if is_plain => "across",
+        Type::Float => "tone",
+        _ => return None,
+    })
+}
+
+struct Build<'a> {
+    look: Look,
+    catalog: &'a Catalog,
+}
+
+impl Build<'_> {
+    fn add(&mut self, id: &str, kind: &str, values: Values) {
+        self.look.graph.nodes.insert(id.into(), Node { kind: kind.to_owned(), values, ..Node::default() });
+    }
+
+    fn wire(&mut self, from: &str, node: &str, port: &str) {
+        let port = if port.is_empty() { self.first_input(node) } else { port.to_owned() };
+        let output = self.look.graph.nodes.get(from).and_then(|node| self.catalog.of(node));
+        let output = output.and_then(|kind| kind.outputs.first()).map(|port| port.name.clone()).unwrap_or_default();
+        let from = Endpoint { node: from.into(), port: output };
+        self.look.graph.wires.push(Wire { from, to: Endpoint { node: node.into(), port: port.as_str().into() } });
+    }
+
+    fn first_input(&self, node: &str) -> String {
+        let kind = self.look.graph.nodes.get(node).and_then(|node| self.catalog.of(node));
+        kind.and_then(|kind| kind.inputs.first()).map(|port| port.name.to_string()).unwrap_or_default()
+    }
+
+    /// Whether an input gets a wire: all that need one, and of a node that would be the same everywhere the first, unless
+    /// that was chosen by hand.
+    fn is_fed(&self, kind: &Kind, port: &Port, is_chosen: bool) -> bool {
+        let has_value = self.look.graph.nodes.get(NODE).is_some_and(|node| node.values.contains_key(&port.name));
+        let has_wire = self.look.graph.wire_into(&NODE.into(), &port.name).is_some();
+        if !port.is_wirable() || has_value || has_wire {
+            return false;
+        }
+        if matches!(port.fallback, Fallback::Wire) {
+            return true;
+        }
+        let is_varying = kind.inputs.iter().any(|port| matches!(port.fallback, Fallback::Context(_) | Fallback::Wire));
+        let is_value = kind.category == "input" || kind.id == "base";
+        let first = kind.inputs.iter().find(|port| port.is_wirable() && source_of(kind, &port.ty).is_some());
+        !is_chosen && !is_varying && !is_value && first.is_some_and(|first| first.name == port.name)
+    }
+
+    /// Adds a node with some numbers, fed by `from`.
+    fn then(&mut self, id: &'static str, kind: &str, port: &str, numbers: &[(&str, f64)], from: &str) -> &'static str {
+        let values = numbers.iter().map(|(name, x)| ((*name).into(), Value::Number(*x)));
+        self.add(id, kind, values.collect());
+        self.wire(from, id, port);
+        id
+    }
+
+    /// What a light lights.
+    fn lit(&mut self) -> &'static str {
+        let turn = self.then("lit_turn", "parametrization", "light", &[], NODE);
+        let soft = [("offset", 0.0), ("falloff", 1.6), ("cutoff", 1.6)];
+        let tone = self.then("lit_tone", "profile", "angle", &soft, turn);
+        let color = self.then("lit_color", "light_apply", "light", &[], NODE);
+        let lit = self.then("lit", "multiply", "a", &[], color);
+        self.wire(tone, lit, "b");
+        lit
+    }
+
+    /// Adds a source with what it needs, once.
+    fn make(&mut self, source: &str) {
+        if self.look.graph.nodes.contains_key(source) {
+            return;
+        }
+        let light = |id: &str| [("light".into(), Value::Text(id.to_owned()))].into();
+        match source {
+            "light" => self.add("light", "light", light("key")),
+            "back" => self.add("back", "light", light("back")),
+            "turn" => {
+                self.make("light");
+                self.then("turn", "parametrization", "light", &[], "light");
+            }
+            "tone" => {
+                self.make("turn");
+                let soft = [("offset", 0.0), ("falloff", 1.6), ("cutoff", 1.6)];
+                self.then("tone", "profile", "angle", &soft, "turn");
+            }
+            "base" => self.add("base", "base", [("color".into(), Value::Vector(vec![0.24, 0.14, 0.2, 1.0]))].into()),
+            "facing" => self.add("facing", "camera_normal", Values::default()),
+            "across" => {
+                self.make("facing");
+                self.then("across", "separate_vector", "", &[], "facing");
+            }
+            "uv" => self.add("uv", "uv", Values::default()),
+            "normal" => self.add("normal", "normal", Values::default()),
+            "noise" => self.add("noise", "noise", [("octaves".into(), Value::Number(3.0))].into()),
+            // A normal map that leans with the noise.
+            "bumps" => {
+                self.make("noise");
+                self.then("bumps", "combine_color", "red", &[("green", 0.5), ("blue", 1.0)], "noise");
+            }
+            _ => {
+                self.make("facing");
+                let halved = self.then("halved", "multiply", "a", &[("b", 0.5)], "facing");
+                self.then("colors", "add", "a", &[("b", 0.5)], halved);
+            }
+        }
+    }
+}
+
+/// Draws what a node of a kind gives, on a transparent ground; `None` where nothing could be seen of it. `folder` is where
+/// the image and the HCBTF lie that some nodes read ([`write_assets`]).
+pub(super) fn picture(
+    kind: &Kind,
+    catalog: &Catalog,
+    library: &Library,
+    renderer: &mut Renderer,
+    (folder, side): (&Path, u32),
+) -> Result<Option<Picture>, Vec<Diagnostic>> {
+    let Some(showing) = Showing::of(kind) else { return Ok(None) };
+    let mesh = format!("{SHAPE_PREFIX}{}", showing.mesh);
+    let Some(look) = look_of(kind, catalog, showing) else { return Ok(None) };
+    let mut assets = Assets::default();
+    // No text of it is anywhere.
+    let source = Look::read("{}", &kind.id).source.into();
+    let look = SetupLook { look, source, folder: folder.to_path_buf() };
+    let (mut setup, _) = default_setup(look, &mesh, &mut assets)?;
+    setup.scene.backdrop = None;
+    if mesh.ends_with(MESH) {
+        // It fills its picture.
+        setup.scene.camera.eye = [0.0, 0.0, 4.2];
+        setup.scene.camera.target = [0.0; 3];
+    }
+    let options = PlanOptions { size: [side, side], samples: 4, time: 0.4 };
+    let plan = Planner::new(assets).plan(&setup, library, &Live::Keyed, &options)?;
+    Ok(Some(block_on(renderer.picture(&plan)).map_err(|error| vec![error.into()])?))
+}
+
+/// Writes the files that samples read.
+pub(super) fn write_assets(folder: &Path) -> Result<(), Diagnostic> {
+    let write =
+        |name: &str, bytes: &[u8]| crate::document::write_atomic(&folder.join(name), bytes).map_err(|problem| *problem);
+    write(HCBTF, examples::file(Path::new(STRIPES)).unwrap_or_default())?;
+    // Warm above and cool below, lighter to the right, so that it is seen which way round it lies.
+    const SIDE: u32 = 64;
+    let pixel = |index: u32| {
+        let (x, y) = ((index % SIDE) as f32 / SIDE as f32, (index / SIDE) as f32 / SIDE as f32);
+        let is_dark = (x * 8.0).floor() as i32 % 2 == (y * 8.0).floor() as i32 % 2;
+        let light = if is_dark { 0.55 } else { 0.85 } + 0.15 * x;
+        [light, light * (0.75 - 0.2 * y), light * (0.35 + 0.5 * y), 1.0]
+    };
+    let picture = Picture { size: [SIDE, SIDE], rgba: (0..SIDE * SIDE).map(pixel).collect() };
+    write(IMAGE, &picture.to_png()?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn samples_are_of_ports_that_there_are() {
+        let catalog = Catalog::new(Library::built_in());
+        let table: serde_json::Map<String, Json> = serde_json::from_str(VALUES).unwrap();
+        for (kind, values) in &table {
+            let known = catalog.get(kind).unwrap_or_else(|| panic!("there is no kind `{kind}`"));
+            let Some(values) = values.as_object() else { continue };
+            let fed = values.get("feed").and_then(Json::as_object).into_iter().flat_map(|feed| feed.keys());
+            for port in values.keys().filter(|name| !matches!(name.as_str(), "feed" | "times" | "mesh")).chain(fed) {
+                assert!(known.input(port).is_some(), "{kind} has no input `{port}`");
+            }
+        }
+    }
+
+    #[test]
+    fn every_sample_is_a_good_look() {
+        let library = Library::built_in();
+        let catalog = Catalog::new(library);
+        let mut unseen = Vec::new();
+        for kind in catalog.all().filter(|kind| kind.id != crate::catalog::CUSTOM_KIND) {
+            match Showing::of(kind).and_then(|showing| look_of(kind, &catalog, showing)) {
+                None => unseen.push(kind.id.clone()),
+                Some(look) => {
+                    let compiled = crate::compile::compile(&look, library, &Default::default());
+                    assert!(compiled.is_ok(), "{}: {:?}", kind.id, compiled.err());
+                }
+            }
+        }
+        let told = |kind: &String| serde_json::from_str::<serde_json::Map<_, Json>>(VALUES).unwrap()[kind].is_null();
+        assert!(unseen.iter().all(told), "nothing is seen of {unseen:?}");
+    }
+}

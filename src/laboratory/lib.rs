@@ -1,0 +1,17 @@
+//! What accuracy costs in time, looks fitted to what was painted, and galleries of both.
+
+use chiaro_compiler::{catalog, compile, document, examples, library};
+use chiaro_language::{diag, figures, ids, interp};
+use chiaro_reference as reference;
+#[cfg(feature = "gpu")]
+use chiaro_render as render;
+use chiaro_scene::{drawing, export, frame, hcbtf};
+
+/// What a node is shown with in docs and gallery, by kind: values, sources, shape.
+pub const NODE_SAMPLES: &str = include_str!("gallery/samples.json");
+
+#[cfg(feature = "gpu")]
+pub mod accuracy;
+pub mod fit;
+#[cfg(feature = "gpu")]
+pub mod gallery;

@@ -1,0 +1,174 @@
+//! Reads literals at f64, which naga's front end has rounded to f32.
+//!
+//! naga keeps no number as it was written, but it keeps where it stood; and what it folded has the place of the whole
+//! expression. That text is read again and evaluated twice side by side, in f64 throughout and as naga did, rounding
+//! where WGSL's types do. Only if the second gives naga's number bit for bit is the first believed. So a misreading does
+//! no harm: naga's number stands.
+
+use std::collections::HashMap;
+
+use naga::Span;
+
+use super::arithmetic::{Number, evaluate};
+use crate::wgsl::{DeclarationKind, scan};
+
+/// Longer texts are not read again.
+const MAX_LENGTH: usize = 1000;
+
+/// How often the module's constants are gone through until all that name others are known.
+const MAX_PASSES: usize = 32;
+
+/// The text of a module, and what its constants are.
+pub(super) struct Literals<'s> {
+    source: &'s str,
+    constants: HashMap<String, Number>,
+}
+
+impl<'s> Literals<'s> {
+    pub(super) fn of(source: &'s str) -> Self {
+        let scan = scan(source);
+        let constants = scan.declarations.iter().filter(|declaration| declaration.kind == DeclarationKind::Constant);
+        let mut unknown: Vec<(&str, Option<&str>, &str)> = constants
+            .filter_map(|declaration| {
+                let (head, value) = source.get(declaration.body.clone())?.split_once('=')?;
+                let ty = head.split_once(':').map(|(_, ty)| ty.trim());
+                Some((declaration.name.as_str(), ty, value.trim_end().trim_end_matches(';')))
+            })
+            .filter(|(_, _, value)| value.len() <= MAX_LENGTH)
+            .collect();
+        let mut literals = Self { source, constants: HashMap::new() };
+        for _ in 0..MAX_PASSES {
+            let before = unknown.len();
+            unknown.retain(|(name, ty, value)| {
+                let number = evaluate(value, &literals.constants).and_then(|number| match ty {
+                    Some("f32") => Some(number.single()),
+                    None => Some(number),
+                    Some(_) => None,
+                });
+                number.map(|number| literals.constants.insert((*name).to_owned(), number)).is_none()
+            });
+            if unknown.len() == before {
+                break;
+            }
+        }
+        literals
+    }
+
+    /// The f64 that stands where naga read `single`; none if the text does not say that number.
+    pub(super) fn wide(&self, span: Span, single: f32) -> Option<f64> {
+        let range = span.to_range()?;
+        let mut text = self.source.get(range.clone())?;
+        let rest = self.source.get(range.end..)?;
+        // Of a call, naga keeps where its name stands.
+        if text.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_') && rest.trim_start().starts_with('(') {
+            text = self.source.get(range.start..range.end + end_of_call(rest)?)?;
+        }
+        if text.len() > MAX_LENGTH {
+            return None;
+        }
+        let number = evaluate(text, &self.constants)?;
+        number.agrees_with(single).then_some(number.wide())
+    }
+}
+
+/// Where the bracket that opens `text` is closed.
+fn end_of_call(text: &str) -> Option<usize> {
+    let mut depth = 0_usize;
+    for (index, byte) in text.bytes().enumerate().take(MAX_LENGTH) {
+        match byte {
+            b'(' => depth += 1,
+            b')' => {
+                depth = depth.checked_sub(1)?;
+                if depth == 0 {
+                    return Some(index + 1);
+                }
+            }
+            _ => {}
+        }
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::wgsl::{PASSES, SHADER_LIBRARY, Source, link, parse};
+
+    /// The nodes, which a crate above this one carries: their paths and texts.
+    fn shipped_nodes() -> Vec<(String, String)> {
+        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../nodes");
+        let mut nodes = Vec::new();
+        for category in std::fs::read_dir(root).unwrap() {
+            for file in std::fs::read_dir(category.unwrap().path()).unwrap() {
+                let path = file.unwrap().path();
+                if path.extension().is_some_and(|extension| extension == "wgsl") {
+                    nodes.push((path.display().to_string(), std::fs::read_to_string(&path).unwrap()));
+                }
+            }
+        }
+        nodes
+    }
+
+    /// Every f32 literal of a source: its place, what naga made of it, and what is read again.
+    fn literals(source: &str) -> Vec<(String, f32, Option<f64>)> {
+        let module = parse(source).unwrap_or_else(|error| panic!("{error}")).module;
+        let literals = Literals::of(source);
+        let mut found = Vec::new();
+        let mut add = |arena: &naga::Arena<naga::Expression>| {
+            for (handle, expression) in arena.iter() {
+                if let naga::Expression::Literal(naga::Literal::F32(single)) = *expression {
+                    let span = arena.get_span(handle);
+                    let text = span.to_range().map_or("", |range| &source[range]);
+                    found.push((text.to_owned(), single, literals.wide(span, single)));
+                }
+            }
+        };
+        add(&module.global_expressions);
+        module.functions.iter().for_each(|(_, function)| add(&function.expressions));
+        module.entry_points.iter().for_each(|entry| add(&entry.function.expressions));
+        found
+    }
+
+    #[test]
+    fn every_literal_of_the_shipped_shaders_is_read_again() {
+        let (mut count, mut widened) = (0, 0);
+        let shaders = [PASSES, SHADER_LIBRARY].into_iter().flatten();
+        let shaders = shaders.map(|&(name, text)| (name.to_owned(), text.to_owned()));
+        for (name, text) in shaders.chain(shipped_nodes()) {
+            let linked = link(&[Source { name: &name, text: &text }]).unwrap_or_else(|problems| panic!("{problems:?}"));
+            for (text, single, wide) in literals(&linked.text) {
+                count += 1;
+                let wide = wide.unwrap_or_else(|| panic!("{name}: `{text}` ({single:?}) could not be read again"));
+                widened += u32::from(wide != f64::from(single));
+                let ulp = f64::from(single).abs() * f64::from(f32::EPSILON);
+                assert!((wide - f64::from(single)).abs() <= ulp, "{name}: `{text}` is {single:?}, not {wide:?}");
+            }
+        }
+        assert!(count > 1000 && widened > 300, "{widened} of {count} literals are wider than f32");
+    }
+
+    #[test]
+    fn constants_are_followed_to_where_they_are_written() {
+        let source = "
+            const A = B * 3.0;
+            const B: f32 = C / 3.0;
+            const C = 0.1;
+            const V = vec3f(0.1, A, 1.0 / 3.0);
+            fn f(x: f32) -> f32 { return x * A + V.y + (vec3f(0.7) * 0.7).x + log(2.0) - 1e-7; }";
+        let expected = [0.1 / 3.0 * 3.0, 0.1, 0.1 / 3.0 * 3.0, 1.0 / 3.0, 0.7 * 0.7, 2.0_f64.ln(), 1e-7];
+        let found: Vec<f64> = literals(source).into_iter().filter_map(|(_, _, wide)| wide).collect();
+        for x in expected {
+            assert!(found.contains(&x), "{x:?} is not among {found:?}");
+        }
+    }
+
+    #[test]
+    fn a_misreading_does_no_harm() {
+        let source = "const PI: f32 = 3.5; fn f(x: f32) -> f32 { const PI = 0.1; return x * PI * 2.5; }";
+        for (text, single, wide) in literals(source) {
+            if text.contains("PI") {
+                assert_eq!(wide, None, "`{text}` is {single:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,206 @@
+//! The camera's matrices, in f64.
+
+use glam::{DMat3, DMat4, DVec3, DVec4};
+
+use crate::compile::Uniform;
+use crate::document::{Camera, Projection};
+
+/// A camera resolved for one picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// Clip space as WebGPU has it: x right, y up, z from 0 (near) to 1 (far).
+    pub clip_from_world: DMat4,
+    /// Camera axes: x right, y up, z toward the viewer, from the eye.
+    pub camera_from_world: DMat4,
+    /// World space.
+    pub eye: DVec3,
+    /// From the target toward the viewer, unit.
+    pub backward: DVec3,
+    /// Whether lines meet at the eye.
+    pub is_perspective: bool,
+    /// Pixels.
+    pub viewport: [u32; 2],
+    /// The height of the picture in scene units: at depth 1 for perspective, at every depth for parallel projection.
+    pub view_height: f64,
+}
+
+impl View {
+    /// Resolves `camera` for a picture of `viewport` pixels of a scene within `radius` of `center`.
+    pub fn new(camera: &Camera, viewport: [u32; 2], center: DVec3, radius: f64) -> Self {
+        let eye = DVec3::from(camera.eye);
+        let backward = (eye - DVec3::from(camera.target)).try_normalize().unwrap_or(DVec3::Z);
+        let up = DVec3::from(camera.up);
+        // An up vector along the line of sight leaves the roll open; any other axis settles it.
+        let fallback = if backward.y.abs() < 0.9 { DVec3::Y } else { DVec3::Z };
+        let right = up.cross(backward).try_normalize().unwrap_or_else(|| fallback.cross(backward).normalize());
+        let up = backward.cross(right);
+        let rotation = DMat3::from_cols(right, up, backward).transpose();
+        let camera_from_world = DMat4::from_mat3(rotation) * DMat4::from_translation(-eye);
+        let aspect = f64::from(viewport[0].max(1)) / f64::from(viewport[1].max(1));
+        // Everything in the scene lies between these two planes; a little more, so that nothing is cut.
+        let distance = backward.dot(eye - center);
+        let reach = radius.max(1e-6) * 1.01;
+        let far = (distance + reach).max(1e-3);
+        let widening = camera.widening(aspect);
+        let (projection, is_perspective, view_height) = match camera.projection {
+            Projection::Perspective => {
+                let near = (distance - reach).max(far * 1e-3);
+                let fov = widened(camera.fov.clamp(0.01, 3.1), widening);
+                (perspective(fov, aspect, near, far.max(near * 1.001)), true, 2.0 * (0.5 * fov).tan())
+            }
+            Projection::Orthographic => {
+                let half = 0.5 * camera.height.max(1e-6) * widening;
+                let near = distance - reach;
+                (orthographic(half * aspect, half, near, far.max(near + 1e-3)), false, 2.0 * half)
+            }
+        };
+        let clip_from_world = projection * camera_from_world;
+        Self { clip_from_world, camera_from_world, eye, backward, is_perspective, viewport, view_height }
+    }
+
+    /// The size of a pixel in scene units: at depth 1 for perspective, at every depth for parallel projection.
+    pub fn pixel_size(&self) -> f64 {
+        self.view_height / f64::from(self.viewport[1].max(1))
+    }
+
+    /// The size of a pixel, in scene units, so far in front of the eye.
+    pub fn pixel_size_at(&self, distance: f64) -> f64 {
+        self.pixel_size() * if self.is_perspective { distance.abs() } else { 1.0 }
+    }
+
+    /// The distance in front of the eye, in scene units along the line of sight, that clip space has as `depth`.
+    pub fn distance(&self, depth: f64) -> f64 {
+        // Along the line of sight both z and w of clip space are linear in the distance.
+        let clip = |distance: f64| self.clip_from_world * (self.eye - self.backward * distance).extend(1.0);
+        let (at_0, at_1) = (clip(0.0), clip(1.0));
+        let slope = at_1 - at_0;
+        (at_0.z - depth * at_0.w) / (depth * slope.w - slope.z)
+    }
+
+    /// The rotation from world to camera axes.
+    pub fn rotation(&self) -> DMat3 {
+        DMat3::from_mat4(self.camera_from_world)
+    }
+
+    /// Unit, from `point` toward the viewer, world space.
+    pub fn toward_viewer(&self, point: DVec3) -> DVec3 {
+        if self.is_perspective { (self.eye - point).try_normalize().unwrap_or(self.backward) } else { self.backward }
+    }
+
+    /// How many pixels away the curvature pass looks.
+    pub fn curvature_reach(&self) -> usize {
+        3 * (f64::from(self.viewport[1]) / 800.0).round().max(1.0) as usize
+    }
+
+    /// Every number of the curvature passes' uniform, in order, for images whose first row is at the top, before a
+    /// picture of so many samples a pixel.
+    pub fn curvature_numbers(&self, samples: u32) -> [f64; 5] {
+        let is_perspective = f64::from(u8::from(self.is_perspective));
+        [self.pixel_size(), is_perspective, f64::from(self.viewport[1]), 0.0, f64::from(samples)]
+    }
+
+    /// The bytes of the shader's `View` uniform.
+    pub fn uniform_bytes(&self) -> Vec<u8> {
+        self.uniform_numbers().into_iter().flat_map(|x| (x as f32).to_le_bytes()).collect()
+    }
+
+    /// Every number of the shader's `View` uniform, in order.
+    pub fn uniform_numbers(&self) -> Vec<f64> {
+        let eye = if self.is_perspective { self.eye.extend(1.0) } else { self.backward.extend(0.0) };
+        let mut numbers = self.clip_from_world.to_cols_array().to_vec();
+        numbers.extend(self.camera_from_world.to_cols_array());
+        numbers.extend(eye.to_array());
+        // Rows are counted from the top, as pixels are.
+        numbers.extend([1.0, 1.0, 0.0, 0.0]);
+        numbers
+    }
+}
+
+/// A vertical field of view in radians, so many times as high at every depth.
+pub fn widened(fov: f64, widening: f64) -> f64 {
+    (2.0 * ((0.5 * fov).tan() * widening).atan()).min(3.1)
+}
+
+/// Clip from camera axes with the vertical field of view `fov` in radians; depth 0 at `near`, 1 at `far`.
+fn perspective(fov: f64, aspect: f64, near: f64, far: f64) -> DMat4 {
+    let scale = 1.0 / (0.5 * fov).tan();
+    let depth = far / (near - far);
+    DMat4::from_cols(
+        DVec4::new(scale / aspect, 0.0, 0.0, 0.0),
+        DVec4::new(0.0, scale, 0.0, 0.0),
+        DVec4::new(0.0, 0.0, depth, -1.0),
+        DVec4::new(0.0, 0.0, near * depth, 0.0),
+    )
+}
+
+/// Clip from camera axes for a box of half a width and half a height; depth 0 at `near`, 1 at `far`.
+fn orthographic(half_width: f64, half_height: f64, near: f64, far: f64) -> DMat4 {
+    let depth = 1.0 / (near - far);
+    DMat4::from_cols(
+        DVec4::new(1.0 / half_width, 0.0, 0.0, 0.0),
+        DVec4::new(0.0, 1.0 / half_height, 0.0, 0.0),
+        DVec4::new(0.0, 0.0, depth, 0.0),
+        DVec4::new(0.0, 0.0, near * depth, 1.0),
+    )
+}
+
+/// The shader's `Object` uniform.
+pub(super) fn object_uniform(world_from_object: DMat4, id: f64, cutoff: f64) -> Uniform {
+    let linear = DMat3::from_mat4(world_from_object);
+    // A flattened object has no inverse; its normals then turn as directions do.
+    let normals = if linear.determinant().abs() > 1e-12 { linear.inverse().transpose() } else { linear };
+    let mut numbers = world_from_object.to_cols_array().to_vec();
+    let mut padded = numbers.clone();
+    for column in normals.to_cols_array_2d() {
+        numbers.extend(column);
+        padded.extend(column);
+        padded.push(0.0);
+    }
+    numbers.extend([id, cutoff]);
+    padded.extend([id, cutoff, 0.0, 0.0]);
+    Uniform { bytes: padded.into_iter().flat_map(|x| (x as f32).to_le_bytes()).collect(), numbers }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_target_is_in_the_middle_and_up_is_up() {
+        for projection in [Projection::Perspective, Projection::Orthographic] {
+            let camera = Camera { eye: [3.0, 2.0, 4.0], projection, ..Camera::default() };
+            let view = View::new(&camera, [200, 100], DVec3::ZERO, 1.0);
+            let middle = view.clip_from_world.project_point3(DVec3::ZERO);
+            assert!(middle.truncate().length() < 1e-12 && middle.z > 0.0 && middle.z < 1.0, "{middle}");
+            let above = view.clip_from_world.project_point3(DVec3::Y * 0.5);
+            assert!(above.y > 0.1 && above.x.abs() < 1e-12);
+            assert!((view.rotation() * view.backward - DVec3::Z).length() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_narrow_picture_shows_what_the_camera_was_placed_for() {
+        for projection in [Projection::Perspective, Projection::Orthographic] {
+            let camera = Camera { projection, aspect: 1.5, ..Camera::default() };
+            let side = |camera: &Camera, viewport: [u32; 2]| {
+                let view = View::new(camera, viewport, DVec3::ZERO, 1.0);
+                let at = view.clip_from_world.project_point3(DVec3::new(0.7, 0.4, 0.0));
+                (at.x, at.y)
+            };
+            let (x, y) = side(&camera, [300, 200]);
+            let (square_x, square_y) = side(&camera, [200, 200]);
+            assert!((square_x - x).abs() < 1e-12 && (square_y - y / 1.5).abs() < 1e-12, "{square_x} {square_y}");
+            // A wider one shows more beside it, as it does of any camera.
+            let any = Camera { aspect: 0.0, ..camera };
+            assert_eq!(side(&camera, [400, 200]), side(&any, [400, 200]));
+            assert_eq!(side(&camera, [300, 200]), side(&any, [300, 200]));
+        }
+    }
+
+    #[test]
+    fn looking_straight_down_works() {
+        let camera = Camera { eye: [0.0, 5.0, 0.0], ..Camera::default() };
+        let view = View::new(&camera, [100, 100], DVec3::ZERO, 1.0);
+        assert!(view.clip_from_world.is_finite());
+    }
+}

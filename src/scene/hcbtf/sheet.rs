@@ -1,0 +1,315 @@
+//! The thesis's flattened texture: all six dimensions in one picture (thesis 10.2 and A.3).
+//!
+//! With `i` for the light (incident) and `r` for the view (reflected), and Ti, Pi, Tr, Pr the rings and steps of each,
+//!
+//! ```text
+//! X = ix (Tr Ti) + theta_r Ti + theta_i
+//! Y = iy (Pr (Pi + 2)) + phi_r (Pi + 2) + phi_i + 1
+//! ```
+//!
+//! The rows at phi_i + 1 = 0 and Pi + 1 are padding, copies of the last and the first step, so that hardware interpolates
+//! across the seam. At theta = 0 every step around the normal holds a copy of the one sample there. (Section 10.2 and the
+//! heading of figure 23 tell it with light and view exchanged; the shader of A.3, which ran, does it like this.) iy counts a
+//! tile's rows from the top.
+
+use std::sync::Arc;
+
+use rayon::iter::{IndexedParallelIterator as _, IntoParallelIterator as _, ParallelIterator as _};
+use rayon::slice::ParallelSliceMut as _;
+
+use super::fill::{Filled, shared};
+use super::picture::{Picture, decode, reduced};
+use super::report::Report;
+use super::{MAX_PAINTED_BYTES, Progress, folder};
+use crate::diag::Diagnostic;
+use crate::document::{Address, Direction, Grid, Hcbtf, Tile};
+
+/// Width and height of a grid's sheet, in texels; as large as numbers go for a grid that cannot be.
+pub fn size(grid: &Grid) -> [u32; 2] {
+    let times = |numbers: [u32; 3]| numbers.into_iter().fold(1_u32, u32::saturating_mul);
+    [
+        times([grid.size[0], grid.view.theta, grid.light.theta]),
+        times([grid.size[1], grid.view.phi, grid.light.phi.saturating_add(2)]),
+    ]
+}
+
+/// The sheet of a filled HCBTF.
+///
+/// # Errors
+/// Where it would take more than [`MAX_PAINTED_BYTES`].
+pub fn export(filled: &Filled) -> Result<Picture, Box<Diagnostic>> {
+    let grid = filled.grid();
+    let mut sheet = Picture::transparent(size(&grid), "sheet")?;
+    let (width, stride) = (4 * grid.size[0] as usize, 4 * sheet.size[0] as usize);
+    sheet.rgba.par_chunks_exact_mut(stride).enumerate().for_each(|(y, row)| {
+        let place = Row::of(&grid, y);
+        // One row of each tile that meets in this one; texels of one ix lie beside each other.
+        let rows: Vec<&[u8]> = place
+            .addresses(&grid)
+            .filter_map(|address| filled.tile(address)?.bytes().get(place.iy * width..(place.iy + 1) * width))
+            .collect();
+        for (ix, texels) in row.chunks_exact_mut(4 * rows.len().max(1)).enumerate() {
+            for (texel, row) in texels.chunks_exact_mut(4).zip(&rows) {
+                texel.copy_from_slice(&row[4 * ix..4 * ix + 4]);
+            }
+        }
+    });
+    Ok(sheet)
+}
+
+/// What a texel of the sheet holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Held {
+    /// The sample that it is of, as it is kept.
+    pub address: Address,
+    /// Which texel of that tile, from its upper left corner.
+    pub texel: [u32; 2],
+    /// Whether it is a copy: padding, or one of the steps around the normal but the first.
+    pub is_copy: bool,
+}
+
+/// What the sheet of a grid holds at a place, in texels from its upper left corner; `None` outside.
+pub fn held(grid: &Grid, [x, y]: [u32; 2]) -> Option<Held> {
+    let [ix, theta_r, theta_i] = column(grid, x)?;
+    let ([iy, phi_r, phi_i], is_padding) = row(grid, y)?;
+    let direction = |theta, phi| Direction { theta, phi };
+    let written = Address { view: direction(theta_r, phi_r), light: direction(theta_i, phi_i) };
+    let address = written.canonical();
+    Some(Held { address, texel: [ix, iy], is_copy: is_padding || address != written })
+}
+
+/// What a column of the sheet holds: the texel's column in the tile, the ring of the view, and that of the light.
+pub fn column(grid: &Grid, x: u32) -> Option<[u32; 3]> {
+    let across = grid.view.theta * grid.light.theta;
+    let within = x.checked_rem(across)?;
+    (x < size(grid)[0]).then(|| [x / across, within / grid.light.theta, within % grid.light.theta])
+}
+
+/// What a row of the sheet holds: the texel's row in the tile, the step of the view, and that of the light; and whether it
+/// is padding.
+pub fn row(grid: &Grid, y: u32) -> Option<([u32; 3], bool)> {
+    let is_inside = y < size(grid)[1];
+    is_inside.then(|| {
+        let Row { iy, phi_r, phi_i, is_padding } = Row::of(grid, y as usize);
+        ([iy as u32, phi_r, phi_i], is_padding)
+    })
+}
+
+/// What a row of the sheet holds.
+struct Row {
+    iy: usize,
+    phi_r: u32,
+    phi_i: u32,
+    is_padding: bool,
+}
+
+impl Row {
+    fn of(grid: &Grid, y: usize) -> Self {
+        let (steps, padded) = (grid.light.phi, grid.light.phi + 2);
+        let block = (grid.view.phi * padded) as usize;
+        let within = (y % block) as u32;
+        let step = within % padded;
+        Self {
+            iy: y / block,
+            phi_r: within / padded,
+            phi_i: (step + steps - 1) % steps,
+            is_padding: step == 0 || step == padded - 1,
+        }
+    }
+
+    /// The samples whose texels lie beside each other, from the left.
+    fn addresses(&self, grid: &Grid) -> impl Iterator<Item = Address> + use<> {
+        let (lights, phi_i, phi_r) = (grid.light.theta, self.phi_i, self.phi_r);
+        (0..grid.view.theta).flat_map(move |theta_r| {
+            let view = Direction { theta: theta_r, phi: phi_r };
+            (0..lights).map(move |theta_i| Address { light: Direction { theta: theta_i, phi: phi_i }, view })
+        })
+    }
+}
+
+/// Where the texel (ix, iy) of a sample lies in the sheet.
+pub fn place(grid: &Grid, Address { light, view }: Address, [ix, iy]: [usize; 2]) -> [usize; 2] {
+    let padded = grid.light.phi + 2;
+    let across = (grid.view.theta * grid.light.theta) as usize;
+    let down = (grid.view.phi * padded) as usize;
+    let column = (view.theta * grid.light.theta + light.theta) as usize;
+    let row = (view.phi * padded + light.phi + 1) as usize;
+    [ix * across + column, iy * down + row]
+}
+
+/// An HCBTF from a PNG of its sheet; `name` is what diagnostics call the file.
+///
+/// # Errors
+/// Where it is no PNG, or not of the size that the grid asks for.
+pub fn read(
+    png: &[u8],
+    grid: Grid,
+    name: &str,
+    progress: &Progress,
+) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+    let mut report = Report::new(name);
+    let hcbtf =
+        decode_sheet(png, &grid, &mut report).and_then(|sheet| import_into(&sheet, grid, &mut report, progress));
+    report.finish(hcbtf)
+}
+
+fn decode_sheet(png: &[u8], grid: &Grid, report: &mut Report) -> Option<Picture> {
+    match grid.check().and_then(|()| decode(png, |found| fits(found, grid))) {
+        Ok(decoded) => {
+            if decoded.had_16_bits {
+                report.add(reduced("the sheet"));
+            }
+            Some(decoded.picture)
+        }
+        Err(why) => {
+            let problem = Diagnostic::error("hcbtf-sheet", format!("the sheet cannot be used: {why}"));
+            report.add(problem.hint("name the grid that it was made with (--grid 32x32,6x10,6x10)"));
+            None
+        }
+    }
+}
+
+fn fits([width, height]: [u32; 2], grid: &Grid) -> Result<(), String> {
+    let [asked_width, asked_height] = size(grid);
+    if [width, height] != [asked_width, asked_height] {
+        return Err(format!("it has {width} x {height} texels; the grid asks for {asked_width} x {asked_height}"));
+    }
+    let bytes = u64::from(width) * u64::from(height) * 4;
+    let too_large = || format!("it takes {} MiB; at most {} MiB can be", bytes >> 20, MAX_PAINTED_BYTES >> 20);
+    if bytes > MAX_PAINTED_BYTES { Err(too_large()) } else { Ok(()) }
+}
+
+/// An HCBTF from its sheet: every sample is painted then, but for those that are transparent black all over, which are left
+/// empty. Copies that differ from what they copy are told of, and not taken.
+///
+/// # Errors
+/// Where the sheet's size is not what the grid asks for.
+pub fn import(sheet: &Picture, grid: Grid, name: &str) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+    let mut report = Report::new(name);
+    let hcbtf = match grid.check().and_then(|()| fits(sheet.size, &grid)) {
+        Ok(()) if sheet.rgba.len() as u64 == u64::from(sheet.size[0]) * u64::from(sheet.size[1]) * 4 => {
+            import_into(sheet, grid, &mut report, &Progress::new())
+        }
+        Ok(()) => None,
+        Err(why) => {
+            report.add(Diagnostic::error("hcbtf-sheet", format!("the sheet cannot be used: {why}")));
+            None
+        }
+    };
+    report.finish(hcbtf)
+}
+
+fn import_into(sheet: &Picture, grid: Grid, report: &mut Report, progress: &Progress) -> Option<Hcbtf> {
+    progress.begin(grid.sample_count());
+    check(sheet, &grid, report);
+    let [width, height] = grid.size.map(|side| side as usize);
+    let addresses: Vec<Address> = grid.addresses().collect();
+    let painted = addresses.into_par_iter().filter_map(|address| {
+        if progress.is_stopped() {
+            return None;
+        }
+        progress.add(1);
+        let places = (0..height).flat_map(|iy| (0..width).map(move |ix| [ix, iy]));
+        let texels = places.flat_map(|texel| {
+            let [x, y] = place(&grid, address, texel);
+            sheet.texel(x, y)
+        });
+        let mut rgba = Vec::with_capacity(4 * grid.texels());
+        rgba.extend(texels);
+        painted(grid.size, rgba).map(|tile| (address, tile))
+    });
+    let painted = painted.collect();
+    if progress.is_stopped() {
+        report.stop();
+    }
+    Some(gathered(grid, painted))
+}
+
+/// A tile, but for one that is transparent black all over: pictures of many samples have no other way to leave one empty.
+pub(super) fn painted(size: [u32; 2], rgba: Vec<u8>) -> Option<Arc<Tile>> {
+    let is_empty = rgba.iter().all(|byte| *byte == 0);
+    if is_empty { None } else { Tile::new(size, rgba).map(Arc::new) }
+}
+
+/// An HCBTF of painted samples, those that are equal kept once.
+pub(super) fn gathered(grid: Grid, painted: Vec<(Address, Arc<Tile>)>) -> Hcbtf {
+    let (addresses, tiles): (Vec<Address>, Vec<Arc<Tile>>) = painted.into_iter().unzip();
+    let (tiles, places) = shared(tiles);
+    let painted =
+        addresses.into_iter().zip(places).filter_map(|(address, at)| Some((address, tiles.get(at as usize)?.clone())));
+    let mut hcbtf = Hcbtf::new(grid);
+    hcbtf.painted = painted.collect();
+    hcbtf
+}
+
+/// Texels that differ from what they should be copies of.
+#[derive(Clone, Copy, Default)]
+struct Differing {
+    count: u64,
+    /// The first, by rows: y and x.
+    first: Option<[usize; 2]>,
+}
+
+impl Differing {
+    fn at(&mut self, x: usize, y: usize) {
+        self.count += 1;
+        self.first.get_or_insert([y, x]);
+    }
+
+    fn and(self, other: Self) -> Self {
+        let first = self.first.into_iter().chain(other.first).min();
+        Self { count: self.count + other.count, first }
+    }
+}
+
+/// Holds all copies against what they copy: padding rows, lights at the normal, views at the normal.
+fn check(sheet: &Picture, grid: &Grid, report: &mut Report) {
+    let [width, height] = sheet.size.map(|side| side as usize);
+    let found = (0..height).into_par_iter().map(|y| {
+        let row = Row::of(grid, y);
+        let mut found = [Differing::default(); 3];
+        let addresses: Vec<Address> = row.addresses(grid).collect();
+        for x in 0..width {
+            let own = addresses[x % addresses.len()];
+            let at = |address: Address| {
+                let [x, y] = place(grid, address, [x / addresses.len(), row.iy]);
+                sheet.texel(x, y)
+            };
+            let texel = sheet.texel(x, y);
+            if row.is_padding {
+                if texel != at(own) {
+                    found[0].at(x, y);
+                }
+                continue;
+            }
+            // Each against the copy at step 0, by its light and by its view apart.
+            let light = Address { light: own.light.canonical(), ..own };
+            let view = Address { view: own.view.canonical(), ..own };
+            for (found, copied) in found[1..].iter_mut().zip([light, view]) {
+                if copied != own && texel != at(copied) {
+                    found.at(x, y);
+                }
+            }
+        }
+        found
+    });
+    let none = || [Differing::default(); 3];
+    let found = found.reduce(none, |a, b| std::array::from_fn(|i| a[i].and(b[i])));
+    let kinds = [
+        ("texels of padding rows differ from the rows that they copy", "the rows within are taken"),
+        ("texels at the normal differ between steps of the light around it", "step 0 is taken"),
+        ("texels at the normal differ between steps of the view around it", "step 0 is taken"),
+    ];
+    for (Differing { count, first }, (what, taken)) in found.into_iter().zip(kinds) {
+        let Some([y, x]) = first else { continue };
+        let row = Row::of(grid, y);
+        let address = row.addresses(grid).nth(x % (grid.view.theta * grid.light.theta) as usize).unwrap_or_default();
+        let message = format!("{count} {what}, the first at x {x}, y {y} (`{}`)", folder::file_name(address));
+        report.add(
+            Diagnostic::warning("hcbtf-copies", message).hint(format!("{taken}; exporting makes all copies equal")),
+        );
+    }
+}
+
+#[cfg(test)]
+mod tests;
