@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::support::files;
+use crate::support::ledger::{Key, Ledger};
 use crate::support::validators::{
     Stage, Tool, for_glslang, glslang, glslang_hlsl, spirv_val, tint, tools_are_required,
 };
@@ -169,34 +170,55 @@ fn spirv_val_takes_what_is_right_and_refuses_what_is_not() {
     }
 }
 
-/// What validators say against exported files. A file's extension says what it is and so who judges it; an extension that
-/// nobody knows is a mistake.
-fn complaints(files: Vec<PathBuf>) -> Vec<String> {
+/// Has each exported file judged that the ledger does not know, and closes the ledger. A file's extension says what it is
+/// and so who judges it; an extension that nobody knows is a mistake. Files lie under `root`.
+fn judge(mut ledger: Ledger, root: &Path, files: &[PathBuf]) {
+    let versions = Key::of_sources(&["tests/support/validators.rs", "tests/tint"]).with(versions().as_bytes());
     let mut wgsl = Vec::new();
-    let mut complaints = Vec::new();
     for path in files {
+        let name = path.strip_prefix(root).unwrap_or(path).to_string_lossy().into_owned();
         let extension = path.extension().unwrap_or_default().to_string_lossy().into_owned();
-        let text = || fs::read_to_string(&path).map_err(|error| error.to_string());
+        let bytes = fs::read(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        let key = versions.with(&bytes);
+        if !ledger.is_due(&name, &key) {
+            continue;
+        }
+        let text = String::from_utf8_lossy(&bytes);
         let verdict = match extension.as_str() {
             "wgsl" => {
-                wgsl.push(path);
+                wgsl.push((name, key, path));
                 continue;
             }
-            "vert" => text().and_then(|source| glslang(&source, Stage::Vertex, &[])),
-            "frag" => text().and_then(|source| glslang(&source, Stage::Fragment, &[])),
-            "comp" => text().and_then(|source| glslang(&source, Stage::Compute, &[])),
-            "spv" => fs::read(&path).map_err(|error| error.to_string()).and_then(|m| spirv_val(&m, "vulkan1.1")),
-            "hlsl" => text().and_then(|source| glslang_hlsl(&source)),
+            "vert" => glslang(&text, Stage::Vertex, &[]),
+            "frag" => glslang(&text, Stage::Fragment, &[]),
+            "comp" => glslang(&text, Stage::Compute, &[]),
+            "spv" => spirv_val(&bytes, "vulkan1.1"),
+            "hlsl" => glslang_hlsl(&text),
             // Nobody on Debian judges it, and it says so; the rest is no shader.
-            "metal" | "json" | "txt" | "md" | "png" => Ok(()),
+            "metal" | "json" | "txt" | "md" | "png" => continue,
             _ => Err(format!("nobody judges .{extension} files; see tests/export/validators.rs")),
         };
-        complaints.extend(verdict.err().map(|error| format!("{}: {error}", path.display())));
+        ledger.note(&name, &key, verdict.map(|()| 0.0));
     }
-    if !wgsl.is_empty() {
-        complaints.extend(tint(&wgsl).err());
+    let paths: Vec<&PathBuf> = wgsl.iter().map(|(_, _, path)| *path).collect();
+    let refused = if paths.is_empty() { String::new() } else { tint(&paths).err().unwrap_or_default() };
+    let is_of = |line: &&str, path: &Path| line.starts_with(&*path.to_string_lossy());
+    for (name, key, path) in &wgsl {
+        let said: Vec<&str> = refused.lines().filter(|line| is_of(line, path)).collect();
+        ledger.note(name, key, if said.is_empty() { Ok(0.0) } else { Err(said.join("\n")) });
     }
-    complaints
+    let elsewhere = refused.lines().find(|line| !paths.iter().any(|path| is_of(line, path)));
+    assert!(elsewhere.is_none(), "{refused}");
+    ledger.close();
+}
+
+/// Which validators judge here.
+fn versions() -> String {
+    let said = |program: &str| {
+        let output = std::process::Command::new(program).arg("--version").output();
+        output.map(|output| String::from_utf8_lossy(&output.stdout).into_owned()).unwrap_or_default()
+    };
+    said("glslangValidator") + &said("spirv-val")
 }
 
 /// The committed outputs of `tests/golden/`, found by a walk so that none is forgotten.
@@ -206,8 +228,7 @@ fn golden_outputs_pass_their_validators() {
     let golden = files::below(&root.join("tests/golden"));
     let looks = files::below(&root.join("examples/looks"));
     assert!(looks.is_empty() || !golden.is_empty(), "there are example looks and no golden outputs of them");
-    let complaints = complaints(golden);
-    assert!(complaints.is_empty(), "{}", complaints.join("\n\n"));
+    judge(Ledger::open("golden"), root, &golden);
 }
 
 /// Looks that read pictures and HCBTFs have no golden outputs, but are exported to every language all the same. Their
@@ -230,6 +251,5 @@ fn looks_with_textures_pass_their_validators() {
         }
     }
     assert!(written.len() > 15 * LANGUAGES.len(), "only {} files are written", written.len());
-    let complaints = complaints(written);
-    assert!(complaints.is_empty(), "{}", complaints.join("\n\n"));
+    judge(Ledger::open("textures"), out.path(), &written);
 }

@@ -1,7 +1,7 @@
 //! Surface samples and pictures through the library, as `chiaro eval` and `chiaro render` run them.
 
 use std::path::PathBuf;
-use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError, TryLockError};
 
 use chiaro::compile::{Live, Options};
 use chiaro::diag::Diagnostic;
@@ -14,11 +14,18 @@ use chiaro::ids::{NodePath, ObjectId, PortName};
 use chiaro::library::{Library, Type};
 use chiaro::render::{Gpu, Picture, Renderer, block_on};
 
-/// The test program's one device; tests take turns.
+/// One of the test program's devices, whichever is free; with more tests at once than devices they take turns.
 pub(crate) fn renderer() -> MutexGuard<'static, Renderer> {
-    static RENDERER: OnceLock<Mutex<Renderer>> = OnceLock::new();
+    static RENDERERS: [OnceLock<Mutex<Renderer>>; 2] = [const { OnceLock::new() }; 2];
     let make = || Mutex::new(Renderer::new(block_on(Gpu::headless()).expect("a Vulkan device, lavapipe for one")));
-    RENDERER.get_or_init(make).lock().unwrap_or_else(PoisonError::into_inner)
+    for renderer in &RENDERERS {
+        match renderer.get_or_init(make).try_lock() {
+            Ok(free) => return free,
+            Err(TryLockError::Poisoned(poisoned)) => return poisoned.into_inner(),
+            Err(TryLockError::WouldBlock) => {}
+        }
+    }
+    RENDERERS[0].get_or_init(make).lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// A look that must be flawless.

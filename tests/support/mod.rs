@@ -10,6 +10,7 @@ pub(crate) mod files;
 pub(crate) mod handwritten;
 #[cfg(feature = "gpu")]
 pub(crate) mod held;
+pub(crate) mod ledger;
 pub(crate) mod noise;
 pub(crate) mod random;
 pub(crate) mod report;

@@ -5,10 +5,12 @@
 use std::path::Path;
 
 use crate::support::eval::{renderer, told};
+use crate::support::ledger::{Key, Ledger};
+use chiaro::accuracy::sweep::looks::content;
 use chiaro::accuracy::sweep::{LookEffort, StabilityEffort, looks_in, measure_look, measure_stability, stability};
 use chiaro::accuracy::{Colors, Progress, Stopped, Truth};
 use chiaro::diag::Diagnostic;
-use chiaro::document::Projection;
+use chiaro::document::{Projection, Tier};
 use chiaro::frame::{Assets, PlanOptions, Planner, Setup, open};
 use chiaro::library::Library;
 use chiaro::reference::Control;
@@ -24,94 +26,126 @@ fn flawless<T>(result: Result<T, Stopped>) -> T {
     result.unwrap_or_else(|stopped| panic!("{}", told(&Vec::<Diagnostic>::from(stopped))))
 }
 
-#[allow(clippy::print_stdout, reason = "`--nocapture` shows how near the bounds are")]
-fn hold_looks(effort: &LookEffort) {
-    let mut precise = Renderer::new(renderer().gpu().precise());
-    let mut broken = Vec::new();
-    for path in looks() {
-        let mut go_on = |_, _| true;
-        let mut progress = Progress::new(&mut go_on);
-        for measured in flawless(measure_look(&path, Library::built_in(), &mut precise, effort, &mut progress)) {
-            let e = &measured.error;
-            let line = format!(
-                "{:24} {:8} {:3} pictures, NaN {}, max {:.1e}, p999 {:.1e}, rms {:.1e}, edges {} of {} up to {:.1e}; {}",
-                measured.look,
-                format!("{:?}", measured.tier),
-                measured.pictures,
-                e.broken,
-                e.max,
-                e.p999,
-                e.rms,
-                e.edge_visible,
-                e.edges,
-                e.edge_max,
-                measured.worst_words
-            );
-            println!("{line}");
-            if !measured.holds() {
-                broken.push(line);
-            }
-        }
-    }
-    assert!(broken.is_empty(), "beyond their bounds:\n{}", broken.join("\n"));
+/// What judges a look, besides what it is made of.
+const JUDGES: &[&str] = &[
+    "src/language/interp",
+    "src/language/wgsl",
+    "src/scene/frame",
+    "src/scene/directions",
+    "src/reference",
+    "src/render",
+    "src/laboratory/accuracy",
+    "tests/sweeps/looks.rs",
+];
+
+/// What the verdict on a look's pictures depends on.
+fn key(path: &Path, precise: &Renderer, effort: &str, meshes: &[&str], tiers: &[Tier]) -> Key {
+    let mut key = Key::of_sources(JUDGES).with(precise.gpu().info.driver_info.as_bytes()).with(effort.as_bytes());
+    let told = content(path, meshes, tiers, Library::built_in(), &mut |bytes| key.add(bytes));
+    told.unwrap_or_else(|problems| panic!("{}", self::told(&problems)));
+    key
+}
+
+fn stem(path: &Path) -> String {
+    path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
 }
 
 #[allow(clippy::print_stdout, reason = "`--nocapture` shows how near the bounds are")]
-fn hold_stability(effort: &StabilityEffort) {
+fn hold_looks(effort: &LookEffort, ledger: &str) {
     let mut precise = Renderer::new(renderer().gpu().precise());
-    let mut broken = Vec::new();
+    let mut ledger = Ledger::open(ledger);
     for path in looks() {
-        for mesh in stability::MESHES {
+        let key = key(&path, &precise, &format!("{effort:?}"), &effort.meshes, &effort.tiers);
+        ledger.prove(&stem(&path), &key, || {
             let mut go_on = |_, _| true;
             let mut progress = Progress::new(&mut go_on);
-            let measured =
-                flawless(measure_stability(&path, mesh, Library::built_in(), &mut precise, effort, &mut progress));
-            let told =
-                |f: &stability::Flicker| format!("{:.1e} of {:.1e}, {} of {} seen", f.max, f.truth, f.visible, f.count);
-            let line = format!(
-                "{:24} {:9} smooth {}, edges {}, silhouettes {}",
-                measured.look,
-                measured.mesh,
-                told(&measured.smooth),
-                told(&measured.edges),
-                told(&measured.silhouettes)
-            );
-            println!("{line}");
-            if !measured.holds() {
-                broken.push(line);
+            let mut worst = 0.0_f64;
+            for measured in flawless(measure_look(&path, Library::built_in(), &mut precise, effort, &mut progress)) {
+                let e = &measured.error;
+                let line = format!(
+                    "{:24} {:8} {:3} pictures, NaN {}, max {:.1e}, p999 {:.1e}, rms {:.1e}, edges {} of {} up to {:.1e}; {}",
+                    measured.look,
+                    format!("{:?}", measured.tier),
+                    measured.pictures,
+                    e.broken,
+                    e.max,
+                    e.p999,
+                    e.rms,
+                    e.edge_visible,
+                    e.edges,
+                    e.edge_max,
+                    measured.worst_words
+                );
+                println!("{line}");
+                if !measured.holds() {
+                    return Err(line);
+                }
+                worst = worst.max(e.rms);
             }
+            Ok(worst)
+        });
+    }
+    ledger.close();
+}
+
+#[allow(clippy::print_stdout, reason = "`--nocapture` shows how near the bounds are")]
+fn hold_stability(effort: &StabilityEffort, ledger: &str) {
+    let mut precise = Renderer::new(renderer().gpu().precise());
+    let mut ledger = Ledger::open(ledger);
+    for path in looks() {
+        for mesh in stability::MESHES {
+            let key = key(&path, &precise, &format!("{effort:?}"), &[mesh], &[Tier::Exact]);
+            ledger.prove(&format!("{} on {mesh}", stem(&path)), &key, || {
+                let mut go_on = |_, _| true;
+                let mut progress = Progress::new(&mut go_on);
+                let measured =
+                    flawless(measure_stability(&path, mesh, Library::built_in(), &mut precise, effort, &mut progress));
+                let told = |f: &stability::Flicker| {
+                    format!("{:.1e} of {:.1e}, {} of {} seen", f.max, f.truth, f.visible, f.count)
+                };
+                let line = format!(
+                    "{:24} {:9} smooth {}, edges {}, silhouettes {}",
+                    measured.look,
+                    measured.mesh,
+                    told(&measured.smooth),
+                    told(&measured.edges),
+                    told(&measured.silhouettes)
+                );
+                println!("{line}");
+                if measured.holds() { Ok(measured.smooth.mean) } else { Err(line) }
+            });
         }
     }
-    assert!(broken.is_empty(), "they flicker:\n{}", broken.join("\n"));
+    ledger.close();
 }
 
 #[test]
 fn looks_are_true_from_everywhere() {
-    hold_looks(&LookEffort::quick());
+    hold_looks(&LookEffort::quick(), "looks");
 }
 
 #[test]
 fn nothing_flickers_while_light_and_camera_turn() {
-    hold_stability(&StabilityEffort { frames: 6, side: 96 });
+    hold_stability(&StabilityEffort { frames: 6, side: 96 }, "stability");
 }
 
 #[test]
 #[ignore = "hours: scripts/soak"]
 fn soak_looks_are_true_from_everywhere() {
-    hold_looks(&LookEffort::soak());
+    hold_looks(&LookEffort::soak(), "looks-soak");
 }
 
 /// 4096 by 4096 pixels, the rows in the middle; in 4 GB of memory.
 #[test]
 #[ignore = "half an hour: scripts/soak"]
 fn soak_looks_are_true_in_the_largest_pictures() {
-    hold_looks(&LookEffort::large());
+    hold_looks(&LookEffort::large(), "looks-large");
 }
 
 #[test]
 #[ignore = "minutes: scripts/soak"]
 fn soak_nothing_flickers_while_light_and_camera_turn() {
-    hold_stability(&StabilityEffort { frames: 60, side: 256 });
+    hold_stability(&StabilityEffort { frames: 60, side: 256 }, "stability-soak");
 }
 
 /// A camera whose picture is the same but for so many pixels to the right.

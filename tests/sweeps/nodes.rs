@@ -3,6 +3,7 @@
 #![allow(clippy::print_stdout, reason = "figures are worth reading when a bound is missed")]
 
 use crate::support::eval::{renderer, told};
+use crate::support::ledger::{Key, Ledger};
 use chiaro::accuracy::sweep::{Case, Effort, Lab, LookEffort, Measured, StabilityEffort, Survey, survey};
 use chiaro::accuracy::{Progress, Stopped};
 use chiaro::diag::Diagnostic;
@@ -26,23 +27,28 @@ fn sweep(effort: &Effort) -> Vec<Measured> {
     all
 }
 
+/// A case's figures.
+fn line(one: &Measured) -> String {
+    format!(
+        "{:50} {:8} {:6} {:5} {:3} abs {:.1e} p999 {:.1e} max {:.1e} of {:.0e}  {}",
+        one.case.name(),
+        format!("{:?}", one.case.tier),
+        one.samples,
+        one.rounded,
+        one.broken,
+        one.absolute,
+        one.p999,
+        one.max,
+        one.bound,
+        if one.holds() { "" } else { &one.worst_words }
+    )
+}
+
 #[allow(clippy::print_stdout, reason = "`--nocapture` shows how near the bounds are")]
 fn hold(all: &[Measured]) {
     let mut broken = Vec::new();
     for one in all {
-        let line = format!(
-            "{:50} {:8} {:6} {:5} {:3} abs {:.1e} p999 {:.1e} max {:.1e} of {:.0e}  {}",
-            one.case.name(),
-            format!("{:?}", one.case.tier),
-            one.samples,
-            one.rounded,
-            one.broken,
-            one.absolute,
-            one.p999,
-            one.max,
-            one.bound,
-            if one.holds() { "" } else { &one.worst_words }
-        );
+        let line = line(one);
         println!("{line}");
         if !one.holds() {
             broken.push(line);
@@ -51,9 +57,42 @@ fn hold(all: &[Measured]) {
     assert!(broken.is_empty(), "{} beyond their bounds:\n{}", broken.len(), broken.join("\n"));
 }
 
+/// What judges a node, besides what it is made of.
+pub(crate) const JUDGES: &[&str] = &[
+    "src/language/interp",
+    "src/language/wgsl",
+    "src/scene/frame",
+    "src/reference",
+    "src/render",
+    "src/laboratory/accuracy",
+    "tests/sweeps/nodes.rs",
+];
+
+/// What a case's verdict depends on.
+pub(crate) fn key(lab: &mut Lab<'_>, case: &Case, effort: &Effort) -> Key {
+    let mut key = Key::of_sources(JUDGES).with(lab.renderer.gpu().info.driver_info.as_bytes());
+    let content = lab.content(case, effort, &mut |bytes| key.add(bytes));
+    content.unwrap_or_else(|problems| panic!("{}: {}", case.name(), told(&problems)));
+    key
+}
+
 #[test]
 fn every_node_keeps_its_bound() {
-    hold(&sweep(&Effort::QUICK));
+    let effort = Effort::QUICK;
+    let mut ledger = Ledger::open("nodes");
+    let mut renderer = renderer();
+    let mut lab = Lab::new(Library::built_in(), &mut renderer).unwrap_or_else(|problems| panic!("{}", told(&problems)));
+    let mut kinds: Vec<&str> = Library::built_in().nodes.keys().map(String::as_str).collect();
+    kinds.sort_unstable();
+    for case in kinds.into_iter().flat_map(|kind| Case::of(&Library::built_in().nodes[kind])) {
+        let name = format!("{}, {:?}", case.name(), case.tier);
+        let key = key(&mut lab, &case, &effort);
+        ledger.prove(&name, &key, || {
+            let measured = lab.measure(&case, &effort).map_err(|stopped| told(&Vec::<Diagnostic>::from(stopped)))?;
+            if measured.holds() { Ok(measured.max) } else { Err(line(&measured)) }
+        });
+    }
+    ledger.close();
 }
 
 #[test]

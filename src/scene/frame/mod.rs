@@ -6,6 +6,7 @@
 
 mod assets;
 mod camera;
+mod content;
 mod cost;
 mod effects;
 mod keys;

@@ -196,6 +196,33 @@ pub fn looks_in(folder: &Path) -> Result<Vec<PathBuf>, Vec<Diagnostic>> {
     Ok(files)
 }
 
+/// Hands over what decides on a look's pictures, but for the engines that judge them, always in the same order: for each
+/// mesh the plans of the truth and of each tier, as the camera stands in the file. The other stations follow from these.
+///
+/// # Errors
+/// What is wrong with the look.
+pub fn content(
+    path: &Path,
+    meshes: &[&str],
+    tiers: &[Tier],
+    library: &Library,
+    sink: &mut dyn FnMut(&[u8]),
+) -> Result<(), Vec<Diagnostic>> {
+    let mut assets = Assets::default();
+    let options = PlanOptions { size: [16; 2], samples: 1, time: 0.0 };
+    for mesh in meshes {
+        let (setup, _) = open(path, Some(mesh), &mut assets)?;
+        setup.looks.iter().for_each(|worn| sink(worn.look.to_text().as_bytes()));
+        let exact = Variant::Looks(Tier::Exact).of(&setup);
+        Planner::for_truth(Assets::default()).plan(&exact, library, &Live::Keyed, &options)?.content(sink);
+        let mut planner = Planner::default();
+        for &tier in tiers {
+            planner.plan(&Variant::Looks(tier).of(&setup), library, &Live::Keyed, &options)?.content(sink);
+        }
+    }
+    Ok(())
+}
+
 /// Compares a look's pictures in each tier with the truth. `precise` draws [precisely](crate::render::Gpu::precise).
 ///
 /// # Errors

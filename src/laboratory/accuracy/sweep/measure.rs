@@ -139,8 +139,7 @@ impl<'a> Lab<'a> {
     /// What the compiler or the GPU refuses.
     pub fn run(&mut self, bench: &Bench, all: &[Numbers]) -> Result<Vec<Vec<f64>>, Stopped> {
         let samples: Vec<EvalSample> = all.iter().map(|numbers| sample(&bench.slots, numbers)).collect();
-        let has_prepare = self.library.nodes.get(&bench.case.node).is_some_and(|def| def.prepare.is_some());
-        let unspecialized = !has_prepare || bench.case.prepared_in_fragment;
+        let unspecialized = self.is_unspecialized(bench);
         let mut rows = vec![Vec::new(); samples.len()];
         if rows.is_empty() {
             return Ok(rows);
@@ -173,6 +172,52 @@ impl<'a> Lab<'a> {
             }
         }
         Ok(rows)
+    }
+
+    /// Hands over everything that decides on what a case measures, but for the engines that judge it: the modules that
+    /// the GPU and the interpreter run, their numbers and their images, always in the same order.
+    ///
+    /// # Errors
+    /// What the compiler refuses.
+    pub fn content(
+        &mut self,
+        case: &Case,
+        effort: &Effort,
+        sink: &mut dyn FnMut(&[u8]),
+    ) -> Result<(), Vec<Diagnostic>> {
+        let bench = self.bench(case)?;
+        self.content_of(&bench, &samples(&bench, effort), sink)
+    }
+
+    /// The same for chosen samples of a bench.
+    ///
+    /// # Errors
+    /// What the compiler refuses.
+    pub fn content_of(
+        &mut self,
+        bench: &Bench,
+        all: &[Numbers],
+        sink: &mut dyn FnMut(&[u8]),
+    ) -> Result<(), Vec<Diagnostic>> {
+        sink(format!("{:?} {}", bench.case, bound(&bench.case, &self.library)).as_bytes());
+        let all: Vec<EvalSample> = all.iter().map(|numbers| sample(&bench.slots, numbers)).collect();
+        for root in &bench.roots {
+            let run = self.batches(&bench.look, root, &all, self.is_unspecialized(bench))?;
+            let truth = self.batches(&bench.exact, root, &all, true)?;
+            for batch in run.iter().chain(&truth) {
+                sink(batch.shader.wgsl.as_bytes());
+                let numbers = batch.samples.numbers.iter().flat_map(|number| number.to_le_bytes());
+                sink(&numbers.collect::<Vec<u8>>());
+                batch.images.iter().for_each(|image| sink(&image.bytes));
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether the GPU runs a case as it is written: what is prepared is then prepared in the fragment.
+    fn is_unspecialized(&self, bench: &Bench) -> bool {
+        let has_prepare = self.library.nodes.get(&bench.case.node).is_some_and(|def| def.prepare.is_some());
+        !has_prepare || bench.case.prepared_in_fragment
     }
 
     /// Measures a case.
