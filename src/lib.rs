@@ -10,7 +10,6 @@
 #![warn(missing_docs)]
 
 // Floor 0: words that everything is said in.
-mod base64;
 pub mod clock;
 pub mod diag;
 pub mod examples;
@@ -18,7 +17,8 @@ pub mod figures;
 pub mod ids;
 pub mod milestones;
 
-// Floor 1: WGSL sources, and the only caller of naga's front end and validator.
+// Floor 1: WGSL sources, and the only caller of naga's front end and validator; files that others name.
+mod files;
 pub mod wgsl;
 
 // Floor 2: what runs WGSL in f64, what nodes there are, what artists make.

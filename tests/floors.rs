@@ -20,9 +20,9 @@ use scan::Reference;
 /// has a time, a group that the library ships is a document, a drawing shows what the catalog knows, and a frame plan
 /// joins what the rest of floor 3 makes.
 const FLOORS: &[(&str, &[&str])] = &[
-    ("0", &["base64", "clock", "examples", "figures", "ids", "math"]),
+    ("0", &["clock", "examples", "figures", "ids", "math"]),
     ("0½", &["diag", "milestones"]),
-    ("1", &["wgsl"]),
+    ("1", &["files", "wgsl"]),
     ("2", &["document", "interp"]),
     ("2½", &["library"]),
     ("3", &["catalog", "compile", "directions", "geometry", "hcbtf"]),
