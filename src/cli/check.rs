@@ -12,6 +12,7 @@ use crate::compile::{Live, Options, TypedSource, check as check_look, compile_ty
 use crate::diag::{Diagnostic, Severity, has_errors};
 use crate::document::{Document, Loaded, Look, Scene, Value};
 use crate::figures::count;
+use crate::files;
 use crate::frame::{Assets, Rig, missing_uvs, scene_setup};
 use crate::library::{Library, Type};
 use chiaro_scene::hcbtf::LayerOptions;
@@ -86,34 +87,29 @@ struct Checker<'a> {
 
 impl Checker<'_> {
     /// Looks and scenes in a folder and below; other JSON files are left alone, broken ones are not.
-    fn folder(&mut self, folder: &Path, files: &mut Vec<PathBuf>) {
-        // Deep enough for any project; a link to a parent folder must not hang.
+    fn folder(&mut self, folder: &Path, found: &mut Vec<PathBuf>) {
+        // Deep enough for any project.
         const MAX_DEPTH: usize = 16;
-        let before = files.len();
-        let mut open = vec![(folder.to_path_buf(), 0)];
-        while let Some((next, depth)) = open.pop() {
-            let entries = match std::fs::read_dir(&next) {
-                Ok(entries) => entries,
-                Err(error) => {
-                    let message = format!("this folder cannot be read: {error}");
-                    self.problems.push(Diagnostic::error("cannot-read", message).in_file(next.display().to_string()));
-                    continue;
-                }
-            };
-            for path in entries.flatten().map(|entry| entry.path()) {
-                if path.is_dir() {
-                    // Groups for the library are read with it.
-                    let is_library = path.file_name().is_some_and(|name| name == "nodes");
-                    if depth < MAX_DEPTH && !is_library {
-                        open.push((path, depth + 1));
-                    }
-                } else if path.extension().is_some_and(|extension| extension == "json") && may_be_document(&path) {
-                    files.push(path);
-                }
-            }
+        let before = found.len();
+        // Groups for the library are read with it.
+        let is_library = |path: &Path| path.file_name().is_some_and(|name| name == "nodes");
+        let walked = files::walk(folder, MAX_DEPTH, &|path| !is_library(path));
+        for (path, error) in walked.unreadable {
+            let message = format!("this folder cannot be read: {error}");
+            let problem = Diagnostic::error("cannot-read", message);
+            self.problems.push(problem.in_file(path.display().to_string()));
         }
-        files[before..].sort();
-        if files.len() == before {
+        if walked.is_cut {
+            let message =
+                format!("only {} files and folders in it are looked at: not all is checked", files::MAX_ENTRIES);
+            let problem = Diagnostic::warning("too-many-files", message);
+            let hint = "check the folders in it one by one";
+            self.problems.push(problem.in_file(folder.display().to_string()).hint(hint));
+        }
+        let is_json = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "json");
+        found.extend(walked.files.into_iter().filter(|path| is_json(path) && may_be_document(path)));
+        found[before..].sort();
+        if found.len() == before {
             let problem = Diagnostic::warning("no-documents", "there is no look and no scene in this folder");
             self.problems.push(problem.in_file(folder.display().to_string()));
         }

@@ -4,10 +4,11 @@
 //! file), runs whatever is known before the fragment through the interpreter in f64, removes what cannot reach the output,
 //! and emits one WGSL module that naga has validated. [`catalog`] tells people and programs what there is to wire.
 
-use chiaro_language::{base64, clock, diag, ids, interp, milestones, wgsl};
+use chiaro_language::{clock, diag, ids, interp, milestones, wgsl};
 
 pub mod catalog;
 pub mod compile;
 pub mod document;
 pub mod examples;
+pub mod files;
 pub mod library;

@@ -1,6 +1,6 @@
 //! What accuracy costs in time, looks fitted to what was painted, and galleries of both.
 
-use chiaro_compiler::{catalog, compile, document, examples, library};
+use chiaro_compiler::{catalog, compile, document, examples, files, library};
 use chiaro_language::{diag, figures, ids, interp};
 use chiaro_reference as reference;
 #[cfg(feature = "gpu")]

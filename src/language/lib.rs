@@ -4,7 +4,6 @@
 //! caller of naga's front end and validator; [`interp`] runs what it gives in f64 or f32, on the CPU.
 
 // Words that everything is said in.
-pub mod base64;
 pub mod clock;
 pub mod diag;
 pub mod figures;

@@ -4,10 +4,10 @@
 //! weighs keys on the sphere. [`frame`] joins looks, meshes, lights, keys and time into a frame plan, which a renderer
 //! executes; [`export`] turns it into files for other programs, and [`drawing`] draws graphs themselves.
 
-use chiaro_compiler::{catalog, compile, document, examples, library};
+use chiaro_compiler::{catalog, compile, document, examples, files, library};
 #[cfg(test)]
 use chiaro_language::clock;
-use chiaro_language::{base64, diag, figures, ids, interp, wgsl};
+use chiaro_language::{diag, figures, ids, interp, wgsl};
 
 pub mod directions;
 pub mod drawing;

@@ -19,8 +19,8 @@ use scan::Reference;
 /// A diagnostic names nodes by their ids, a milestone has a time, a group that the library ships is a document, a drawing
 /// shows what the catalog knows, and a frame plan joins what the rest of the scene's rooms make.
 const CRATES: &[(&str, &[&[&str]])] = &[
-    ("language", &[&["base64", "clock", "figures", "ids"], &["diag", "milestones"], &["wgsl"], &["interp"]]),
-    ("compiler", &[&["examples"], &["document"], &["library"], &["catalog", "compile"]]),
+    ("language", &[&["clock", "figures", "ids"], &["diag", "milestones"], &["wgsl"], &["interp"]]),
+    ("compiler", &[&["examples"], &["files"], &["document"], &["library"], &["catalog", "compile"]]),
     ("scene", &[&["directions", "geometry", "hcbtf"], &["drawing", "frame"], &["export"]]),
     ("reference", &[]),
     ("render", &[]),

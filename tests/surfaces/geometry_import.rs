@@ -559,6 +559,104 @@ fn wrong_gltf_files() {
     fails("x.glb", b"glTF\x02\0\0\0\x05\0\0\0", "mesh-truncated", None, "short");
 }
 
+/// A triangle in a glTF with more in its JSON: in the root, in the node, in the primitive, among its attributes.
+fn triangle_gltf(root: &str, node: &str, primitive: &str, attributes: &str) -> String {
+    let points: Vec<u8> = [0f32, 0., 0., 1., 0., 0., 0., 1., 0.].iter().flat_map(|x| x.to_le_bytes()).collect();
+    let moves: Vec<u8> = [0f32, 0., 0., 0., 0., 5., 0., 0., 9.].iter().flat_map(|x| x.to_le_bytes()).collect();
+    let data = base64(&[points, moves].concat());
+    format!(
+        r#"{{"asset": {{"version": "2.0"}}, "nodes": [{{"mesh": 0{node}}}],
+         "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0{attributes}}}{primitive}}}]}}],
+         "accessors": [{{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}},
+          {{"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC3"}},
+          {{"componentType": 5126, "count": 20000000, "type": "VEC3"}},
+          {{"componentType": 5126, "count": 3, "type": "VEC4",
+            "sparse": {{"count": 1, "indices": {{"bufferView": 2, "componentType": 5121}},
+              "values": {{"bufferView": 0}}}}}}],
+         "bufferViews": [{{"buffer": 0, "byteLength": 36}}, {{"buffer": 0, "byteOffset": 36, "byteLength": 36}},
+          {{"buffer": 0, "byteLength": 1}}],
+         "buffers": [{{"byteLength": 72, "uri": "data:;base64,{data}"}}]{root}}}"#
+    )
+}
+
+#[test]
+fn gltf_takes_all_that_2_0_allows() {
+    let plain = read("x.gltf", triangle_gltf("", "", "", "")).mesh;
+    assert_eq!(plain.triangle_count(), 1);
+    // Attributes of the maker's own, of whatever count; extras of any kind; channels without a node; what is to come.
+    let channel = r#", "animations": [{"channels": [{"sampler": 0, "target": {"path": "pointer"}}], "samplers": []}],
+        "cameras": [{}], "textures": 7, "extras": "made by hand", "future": {"a": [1]}"#;
+    for json in [
+        triangle_gltf("", "", "", r#", "_FEATURE_ID_0": 2, "_X": 99"#),
+        triangle_gltf("", r#", "extras": [1]"#, r#", "extras": 5"#, ""),
+        triangle_gltf(r#", "extensionsRequired": ["KHR_materials_unlit", "KHR_texture_transform"]"#, "", "", ""),
+        triangle_gltf(channel, r#", "camera": 9, "skin": 9"#, "", ""),
+    ] {
+        assert_eq!(read("x.gltf", json).mesh, plain);
+    }
+}
+
+#[test]
+fn gltf_instances_are_copies() {
+    let with = |attributes: &str| {
+        let node = format!(r#", "extensions": {{"EXT_mesh_gpu_instancing": {{"attributes": {{{attributes}}}}}}}"#);
+        triangle_gltf(r#", "extensionsRequired": ["EXT_mesh_gpu_instancing"]"#, &node, "", "")
+    };
+    let Imported { mesh, notes } = read("x.gltf", with(r#""TRANSLATION": 1, "_ID": 0"#));
+    check(&mesh);
+    assert_eq!(mesh.triangle_count(), 3);
+    let mut depths: Vec<f32> = mesh.positions.iter().map(|p| p[2]).collect();
+    depths.dedup();
+    assert_eq!(depths, [0.0, 5.0, 9.0]);
+    assert!(!notes.iter().any(Diagnostic::is_error));
+    // Scales of (0, 0, 0), (1, 0, 0) and (0, 1, 0): nothing is left of any.
+    fails("x.gltf", with(r#""SCALE": 0"#), "mesh-empty", None, "area");
+    fails("x.gltf", with(r#""TRANSLATION": 7"#), "mesh-syntax", None, "TRANSLATION names no accessor");
+    fails("x.gltf", with(r#""ROTATION": 0"#), "mesh-syntax", None, "ROTATION is of another type");
+    fails("x.gltf", with(r#""TRANSLATION": 1, "SCALE": 2"#), "mesh-syntax", None, "different counts");
+    // Rotations of length 0 turn to nowhere.
+    fails("x.gltf", with(r#""ROTATION": 3"#), "mesh-not-finite", None, "vertex");
+    // Refused before anything of it is read.
+    let many = with(r#""TRANSLATION": 2"#);
+    fails("x.gltf", many, "mesh-too-large", None, "primitives in their places");
+}
+
+#[test]
+fn gltf_names_what_it_requires_and_cannot_have() {
+    let requires = |names: &str| triangle_gltf(&format!(r#", "extensionsRequired": [{names}]"#), "", "", "");
+    let unknown = requires(r#""KHR_materials_ior", "CESIUM_RTC", "KHR_node_visibility", "CESIUM_RTC""#);
+    fails("x.gltf", unknown, "mesh-unsupported", None, "cannot be read: `CESIUM_RTC`, `KHR_node_visibility`");
+    let draco = requires(r#""KHR_draco_mesh_compression""#);
+    assert_eq!(errors("x.gltf", &draco).len(), 1);
+    fails("x.gltf", draco, "mesh-unsupported", None, "compressed with KHR_draco_mesh_compression");
+    // Some writers do not list it, and the accessors have no bytes.
+    let extension = r#", "extensions": {"KHR_draco_mesh_compression": {"bufferView": 0, "attributes": {}}}"#;
+    let unlisted =
+        triangle_gltf("", "", extension, "").replacen("\"bufferView\": 0, \"componentType\"", "\"componentType\"", 1);
+    fails("x.gltf", unlisted, "mesh-unsupported", None, "compressed with KHR_draco");
+    // Beside plain data it is no hindrance.
+    assert_eq!(read("x.gltf", triangle_gltf("", "", extension, "")).mesh.triangle_count(), 1);
+    fails("x.drc", b"DRACO\x02\x02", "mesh-unsupported", None, "Draco");
+}
+
+#[test]
+fn text_in_utf_16_is_told() {
+    let wide = |text: &str| text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<u8>>();
+    for (name, text) in [
+        ("x.obj", CUBE.to_owned()),
+        ("x.obj", format!("\u{feff}{CUBE}")),
+        ("x.ply", ply_text()),
+        ("x.stl", stl_text()),
+        ("x.gltf", triangle_gltf("", "", "", "")),
+        ("x", ply_text()),
+    ] {
+        fails(name, wide(&text), "mesh-encoding", None, "UTF-16");
+    }
+    let mut binary = stl_binary();
+    binary[..4].copy_from_slice(b"a\0b\0");
+    read("x.stl", binary);
+}
+
 // --- Paths
 
 #[test]
@@ -571,7 +669,10 @@ fn load_reads_the_file_and_those_beside_it() {
     assert!(problems[0].message.contains("`my mesh.bin`"), "{}", problems[0]);
     std::fs::write(folder.path().join("my mesh.bin"), gltf_bytes()).unwrap();
     assert_eq!(load(&path).unwrap().mesh.triangle_count(), 4);
-    for wrong in [folder.path().join("absent.obj"), folder.path().to_owned()] {
+    let pipe = folder.path().join("pipe.obj");
+    let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+    let pipe = made.is_ok_and(|status| status.success()).then_some(pipe);
+    for wrong in [folder.path().join("absent.obj"), folder.path().to_owned()].into_iter().chain(pipe) {
         let problems = load(&wrong).unwrap_err();
         assert_eq!(
             (problems[0].code, problems[0].place.file.clone()),

@@ -1,6 +1,6 @@
 //! Types every node of a look: which function it is, what its inputs are bound to, and in which order they run.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
 use indexmap::IndexMap;
@@ -9,9 +9,9 @@ use petgraph::graph::{DiGraph, NodeIndex};
 use super::drivers::{self, TypedDriver};
 use super::flatten::{FlatGraph, FlatInput, FlatNode, GroupOutputs, Param, ParamId, flatten};
 use super::value::{describe, expected, typed_value};
-use crate::diag::{Diagnostic, Severity, has_errors};
+use crate::diag::{Diagnostic, Severity, bounded, has_errors};
 use crate::document::{ColorSpace, Exposed, Light, Look, Target, Tier, Value};
-use crate::ids::{LightId, NodePath, PortName};
+use crate::ids::{LightId, NodeId, NodePath, PortName};
 use crate::library::{Context, Conversion, Fallback, Input, Library, NodeDef, Parameter, Special, Type, Variant};
 
 /// A look in which every value has a type and every problem was reported.
@@ -118,8 +118,20 @@ pub fn check(
     library: &Library,
     root: Option<&(NodePath, PortName)>,
 ) -> Result<(TypedGraph, Vec<Diagnostic>), Vec<Diagnostic>> {
+    match check_all(look, library, root) {
+        Ok((graph, problems)) => Ok((graph, bounded(problems))),
+        Err(problems) => Err(bounded(problems)),
+    }
+}
+
+/// As [`check`], with as many problems as there are.
+fn check_all(
+    look: &Look,
+    library: &Library,
+    root: Option<&(NodePath, PortName)>,
+) -> Result<(TypedGraph, Vec<Diagnostic>), Vec<Diagnostic>> {
     let mut problems = Vec::new();
-    let flat = flatten(look, library, &mut problems);
+    let Some(flat) = flatten(look, library, &mut problems) else { return Err(problems) };
     let order = order(&flat, &mut problems);
     let root = find_root(&flat, root, &mut problems);
     let mut wrong_drivers = Vec::new();
@@ -141,7 +153,7 @@ pub fn check(
         problems.push(broken_wire(&flat, &reached, node));
     }
     let is_whole = (0..flat.nodes.len()).all(|index| !reached[index] || nodes[index].is_some());
-    let stops = problems.iter().any(|problem| problem.is_error() && concerns_picture(problem, &flat, &reached));
+    let stops = concern_picture(&problems, &flat, &reached);
     let Some(root) = root.filter(|_| is_whole && !stops) else { return Err(problems) };
     let order: Vec<usize> = order.into_iter().filter(|&index| reached[index] || nodes[index].is_some()).collect();
     let keyed = keyed_targets(look);
@@ -175,11 +187,19 @@ pub fn check(
     if stops { Err(problems) } else { Ok((graph, problems)) }
 }
 
-/// Whether a problem is of a node that the picture depends on, or of no node at all. A node of a kind that there is
+/// Whether an error is of a node that the picture depends on, or of no node at all. A node of a kind that there is
 /// not has no outputs; whatever it feeds cannot be typed, which stops the look where that is seen.
-fn concerns_picture(problem: &Diagnostic, flat: &FlatGraph, reached: &[bool]) -> bool {
-    let Some(path) = &problem.place.node else { return true };
-    flat.nodes.iter().zip(reached).any(|(node, reached)| *reached && node.path.ids().starts_with(path.ids()))
+fn concern_picture(problems: &[Diagnostic], flat: &FlatGraph, reached: &[bool]) -> bool {
+    let errors = || problems.iter().filter(|problem| problem.is_error());
+    if errors().any(|error| error.place.node.is_none()) {
+        return true;
+    }
+    let wrong: HashSet<&[NodeId]> = errors().filter_map(|error| Some(error.place.node.as_ref()?.ids())).collect();
+    let lengths: BTreeSet<usize> = wrong.iter().map(|path| path.len()).collect();
+    // The error of a group concerns what is in it.
+    let is_wrong =
+        |path: &[NodeId]| lengths.iter().filter_map(|&length| path.get(..length)).any(|around| wrong.contains(around));
+    flat.nodes.iter().zip(reached).any(|(node, reached)| *reached && is_wrong(node.path.ids()))
 }
 
 /// What keeps a root from being typed where nothing else was reported: a wire from a node that there is not, which

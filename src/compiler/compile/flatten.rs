@@ -1,10 +1,19 @@
 //! Inlines groups: a flat list of library nodes, each input bound to an output, a value or its fallback.
 //!
 //! Nothing recurses over the graph. Scopes (the look's graph and each use of a definition) come from a work list, and an
-//! input is resolved by a loop that walks through groups and reroutes.
+//! input is resolved by a loop that walks through groups and reroutes, over each of them once: what lies behind an input
+//! on the way is remembered.
 
-use std::collections::HashMap;
+mod groups;
+#[cfg(test)]
+mod tests;
+
+use std::cell::RefCell;
+use std::collections::hash_map::Entry;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
+
+use self::groups::{GroupIndex, Groups};
 
 use crate::diag::Diagnostic;
 use crate::document::{Definition, Graph, InterfacePort, Look, Node, Tier, Value, Wire};
@@ -15,6 +24,15 @@ use crate::library::{
 
 /// As many nodes as a look may have once its groups are inlined.
 pub const MAX_FLAT_NODES: usize = 1_000_000;
+
+/// As many problems have suggestions and lists of what there is; for more, that takes longer than it helps.
+const MAX_SUGGESTIONS: usize = 100;
+/// As many kinds are searched for one that was meant.
+const MAX_KINDS: usize = 10_000;
+/// As many ports are listed.
+const MAX_LISTED: usize = 64;
+/// The longest name of a node with the names of the groups around it, in bytes.
+const MAX_NAME: usize = 256;
 
 /// An index into the parameters of a look.
 pub type ParamId = usize;
@@ -119,7 +137,7 @@ enum Slot {
 
 struct Scope<'a> {
     graph: &'a Graph,
-    definition: Option<(&'a str, &'a Definition)>,
+    group: Option<GroupIndex>,
     path: Option<NodePath>,
     name: String,
     region: Option<Arc<str>>,
@@ -138,34 +156,96 @@ struct Flattener<'a> {
     origins: Vec<(usize, &'a NodeId, &'a Node)>,
     flat: FlatGraph,
     param_ids: HashMap<(usize, &'a str, PortName), ParamId>,
+    groups: Groups<'a>,
+    /// The ports of muted groups, which let their inputs through.
+    group_ports: RefCell<HashMap<&'a str, Arc<GroupPorts>>>,
+    /// What lies behind inputs that lead on to others: those of reroutes and groups, and whatever they feed.
+    ends: HashMap<InputKey<'a>, End<'a>>,
+    /// What is wrong with the files of kinds, by kind.
+    broken_kinds: HashMap<&'a str, &'a Diagnostic>,
     problems: Vec<Diagnostic>,
+    suggestions: usize,
+    /// How many wires were followed.
+    #[cfg(test)]
+    followed: std::cell::Cell<usize>,
 }
 
-/// Inlines the groups of `look`. Problems are added to `problems`; what can be made out is returned.
-pub(super) fn flatten(look: &Look, library: &Library, problems: &mut Vec<Diagnostic>) -> FlatGraph {
-    let mut flattener = Flattener {
-        look,
-        library,
-        scopes: Vec::new(),
-        origins: Vec::new(),
-        flat: FlatGraph::default(),
-        param_ids: HashMap::new(),
-        problems: Vec::new(),
-    };
-    flattener.open_scopes();
-    flattener.check_wires();
-    flattener.bind_inputs();
-    flattener.bind_group_outputs();
+/// An input by its scope, node and port.
+type InputKey<'a> = (usize, &'a str, PortName);
+
+/// What lies behind an input.
+#[derive(Clone)]
+enum End<'a> {
+    /// An output of a node.
+    Output {
+        /// The node's index.
+        node: usize,
+        /// The output's index.
+        output: usize,
+    },
+    /// An input that nothing is wired to.
+    Open {
+        scope: usize,
+        id: &'a NodeId,
+        port: PortName,
+        /// What it has without a value, where an interface on the way says so.
+        fallback: Option<Fallback>,
+    },
+    /// A zero, as if it were a value of a muted node's output.
+    Zero { scope: usize, id: &'a NodeId, port: PortName, zero: Value },
+    /// Something that was reported already.
+    Broken,
+    /// A ring of reroutes or groups.
+    Ring,
+}
+
+/// Inlines the groups of `look`. Problems are added to `problems`; what can be made out is returned, or nothing where the
+/// look would become too large.
+pub(super) fn flatten(look: &Look, library: &Library, problems: &mut Vec<Diagnostic>) -> Option<FlatGraph> {
+    let groups = Groups::of(look, library).map_err(|problem| problems.push(*problem)).ok()?;
+    let mut flattener = Flattener::new(look, library, groups);
+    flattener.run();
     problems.append(&mut flattener.problems);
-    flattener.flat
+    Some(flattener.flat)
+}
+
+/// What is wrong with a project's own files, by the kinds that they would be.
+fn broken_kinds(library: &Library) -> HashMap<&str, &Diagnostic> {
+    let mut broken = HashMap::new();
+    for problem in &library.problems {
+        let stem = problem.place.file.as_deref().and_then(|file| file.rsplit(['/', '\\']).next());
+        if let Some(kind) = stem.and_then(|stem| stem.split('.').next()) {
+            broken.entry(kind).or_insert(problem);
+        }
+    }
+    broken
 }
 
 impl<'a> Flattener<'a> {
-    fn definition(&self, kind: &str) -> Option<(&'a str, &'a Definition)> {
-        if let Some((id, definition)) = self.look.definitions.get_key_value(kind) {
-            return Some((id.as_str(), definition));
+    fn new(look: &'a Look, library: &'a Library, groups: Groups<'a>) -> Self {
+        Self {
+            look,
+            library,
+            scopes: Vec::new(),
+            origins: Vec::new(),
+            flat: FlatGraph::default(),
+            param_ids: HashMap::new(),
+            groups,
+            group_ports: RefCell::default(),
+            ends: HashMap::new(),
+            broken_kinds: broken_kinds(library),
+            problems: Vec::new(),
+            suggestions: 0,
+            #[cfg(test)]
+            followed: std::cell::Cell::new(0),
         }
-        self.library.groups.get_key_value(kind).map(|(id, group)| (id.as_str(), &group.definition))
+    }
+
+    fn run(&mut self) {
+        self.open_scopes();
+        self.check_wires();
+        self.bind_inputs();
+        self.bind_group_outputs();
     }
 
     fn open_scopes(&mut self) {
@@ -174,21 +254,20 @@ impl<'a> Flattener<'a> {
         while next < self.scopes.len() {
             self.fill_scope(next);
             next += 1;
-            if self.flat.nodes.len() + self.scopes.len() > MAX_FLAT_NODES {
-                self.problems.push(
-                    Diagnostic::error("too-many-nodes", format!("the look has more than {MAX_FLAT_NODES} nodes"))
-                        .hint("groups within groups multiply: use fewer copies"),
-                );
-                return;
-            }
         }
+    }
+
+    /// Whether one more problem may have suggestions.
+    fn may_suggest(&mut self) -> bool {
+        self.suggestions += 1;
+        self.suggestions <= MAX_SUGGESTIONS
     }
 
     #[expect(clippy::too_many_arguments, reason = "a scope is all of these")]
     fn push_scope(
         &mut self,
         graph: &'a Graph,
-        definition: Option<(&'a str, &'a Definition)>,
+        group: Option<GroupIndex>,
         path: Option<NodePath>,
         parent: Option<(usize, &'a NodeId)>,
         name: String,
@@ -201,7 +280,7 @@ impl<'a> Flattener<'a> {
             wires.entry((wire.to.node.as_str(), wire.to.port.as_str())).or_insert(wire);
         }
         let slots = HashMap::with_capacity(graph.nodes.len());
-        self.scopes.push(Scope { graph, definition, path, name, region, tier, parent, slots, wires });
+        self.scopes.push(Scope { graph, group, path, name, region, tier, parent, slots, wires });
         self.scopes.len() - 1
     }
 
@@ -214,8 +293,8 @@ impl<'a> Flattener<'a> {
         }
         for (id, node) in &graph.nodes {
             let path = self.path_of(scope, id);
-            let slot = if let Some((kind, definition)) = self.definition(&node.kind) {
-                self.open_group(scope, id, node, (kind, definition), path, framed.get(id).cloned())
+            let slot = if let Some(group) = self.groups.get(&node.kind) {
+                self.open_group(scope, id, node, group, path, framed.get(id).cloned())
             } else {
                 match self.node_def(node, &path) {
                     Some(def) => {
@@ -238,31 +317,31 @@ impl<'a> Flattener<'a> {
         scope: usize,
         id: &'a NodeId,
         node: &'a Node,
-        (kind, definition): (&'a str, &'a Definition),
+        group: GroupIndex,
         path: NodePath,
         frame: Option<Arc<str>>,
     ) -> Slot {
-        let mut around = Some(scope);
-        while let Some(index) = around {
-            if self.scopes[index].definition.is_some_and(|(open, _)| open == kind) {
-                self.problems.push(
-                    Diagnostic::error("recursive-group", format!("the group `{kind}` contains itself"))
-                        .node(path)
-                        .hint("remove this node, or make a group of its own for what it holds"),
-                );
-                return Slot::Missing;
-            }
-            around = self.scopes[index].parent.map(|(parent, _)| parent);
+        let (kind, definition) = (self.groups[group].kind, self.groups[group].definition);
+        if self.scopes[scope].group.is_some_and(|outer| self.groups.is_recursive(outer, group)) {
+            self.problems.push(
+                Diagnostic::error("recursive-group", format!("the group `{kind}` contains itself"))
+                    .node(path)
+                    .hint("remove this node, or make a group of its own for what it holds"),
+            );
+            return Slot::Missing;
         }
         let label = if definition.label.is_empty() { kind } else { &definition.label };
         let own = if node.name.is_empty() { readable(id, label) } else { node.name.clone() };
         let name = join_names(&self.scopes[scope].name, &own);
         let region = self.scopes[scope].region.clone().or(frame).unwrap_or_else(|| own.as_str().into());
         let tier = node.tier.unwrap_or(self.scopes[scope].tier);
-        self.unknown_values(node, &path, &port_names(&definition.inputs));
+        let inputs = &self.groups[group].inputs;
+        if node.values.keys().any(|port| !inputs.contains_key(port.as_str())) {
+            self.unknown_values(node, &path, &port_names(&definition.inputs));
+        }
         Slot::Group(self.push_scope(
             &definition.graph,
-            Some((kind, definition)),
+            Some(group),
             Some(path),
             Some((scope, id)),
             name,
@@ -278,24 +357,22 @@ impl<'a> Flattener<'a> {
         if let Some(def) = self.library.nodes.get(&node.kind) {
             return Some(def.clone());
         }
-        let broken = self.library.problems.iter().find(|problem| {
-            let stem = problem.place.file.as_deref().and_then(|file| file.rsplit(['/', '\\']).next());
-            stem.is_some_and(|stem| stem.split('.').next() == Some(&node.kind))
-        });
-        self.problems.push(match broken {
-            Some(problem) => {
-                Diagnostic { severity: crate::diag::Severity::Error, ..problem.clone() }.node(path.clone())
-            }
-            None => {
-                let known =
-                    self.library.kinds().chain(self.look.definitions.keys().map(AsRef::as_ref)).chain([CUSTOM_KIND]);
-                Diagnostic::error("unknown-kind", format!("there is no node of kind `{}`", node.kind))
-                    .node(path.clone())
-                    .suggest(&node.kind, known)
-                    .hint("`chiaro nodes` lists every kind")
-            }
-        });
+        let problem = match self.broken_kinds.get(node.kind.as_str()) {
+            Some(&problem) => Diagnostic { severity: crate::diag::Severity::Error, ..problem.clone() },
+            None => self.unknown_kind(&node.kind),
+        };
+        self.problems.push(problem.node(path.clone()));
         None
+    }
+
+    fn unknown_kind(&mut self, kind: &str) -> Diagnostic {
+        let problem = Diagnostic::error("unknown-kind", format!("there is no node of kind `{kind}`"));
+        if !self.may_suggest() {
+            return problem;
+        }
+        let own = self.look.definitions.keys().map(AsRef::as_ref).take(MAX_KINDS);
+        let known = self.library.kinds().chain(own).chain([CUSTOM_KIND]);
+        problem.suggest(kind, known).hint("`chiaro nodes` lists every kind")
     }
 
     fn custom_def(&mut self, node: &Node, path: &NodePath) -> Option<Arc<NodeDef>> {
@@ -341,58 +418,100 @@ impl<'a> Flattener<'a> {
     }
 
     fn unknown_values(&mut self, node: &Node, path: &NodePath, known: &[&str]) {
-        for port in node.values.keys().filter(|port| !known.contains(&port.as_str())) {
-            self.problems.push(unknown_input(&node.kind, path, port, known));
+        // A look with very many values has them on few nodes, which know few ports, or on groups, which know many.
+        let is_known: HashSet<&str> = known.iter().copied().collect();
+        for port in node.values.keys().filter(|port| !is_known.contains(port.as_str())) {
+            let problem = self.unknown_input(&node.kind, path, port, known);
+            self.problems.push(problem);
         }
+    }
+
+    fn unknown_input(&mut self, kind: &str, path: &NodePath, port: &PortName, known: &[&str]) -> Diagnostic {
+        let message = format!("a node of kind `{kind}` has no input `{port}`");
+        let problem = Diagnostic::error("unknown-port", message).node(path.clone()).port(port.clone());
+        if !self.may_suggest() {
+            return problem;
+        }
+        problem.suggest(port.as_str(), known.iter().copied()).hint(list_of("its inputs are", known))
     }
 
     /// Wires to and from ports that there are not.
     fn check_wires(&mut self) {
         for scope in 0..self.scopes.len() {
-            for wire in &self.scopes[scope].graph.wires {
+            let graph = self.scopes[scope].graph;
+            for wire in &graph.wires {
                 let problems = [self.bad_target(scope, wire), self.bad_source(scope, wire)];
                 self.problems.extend(problems.into_iter().flatten());
             }
         }
     }
 
-    fn bad_target(&self, scope: usize, wire: &Wire) -> Option<Diagnostic> {
+    fn bad_target(&mut self, scope: usize, wire: &Wire) -> Option<Diagnostic> {
         let (id, port) = (&wire.to.node, &wire.to.port);
         let here = &self.scopes[scope];
-        let path = self.path_of(scope, id);
-        let (kind, known) = if let (GROUP_OUTPUTS, Some((kind, definition))) = (id.as_str(), here.definition) {
-            (kind, port_names(&definition.outputs))
-        } else {
-            let kind = here.graph.nodes.get(id).map_or("", |node| node.kind.as_str());
-            match here.slots.get(id.as_str())? {
-                Slot::Flat(index) => {
-                    let def = &self.flat.nodes[*index].def;
-                    (kind, def.visible_inputs().map(|input| input.name.as_str()).collect())
+        let kind = here.graph.nodes.get(id).map_or("", |node| node.kind.as_str());
+        let (kind, known) = match (here.group, here.slots.get(id.as_str())) {
+            (Some(group), _) if id.as_str() == GROUP_OUTPUTS => {
+                let group = &self.groups[group];
+                if group.outputs.contains_key(port.as_str()) {
+                    return None;
                 }
-                Slot::Group(child) => (kind, port_names(&self.scopes[*child].definition?.1.inputs)),
-                Slot::Missing => return None,
+                (group.kind, port_names(&group.definition.outputs))
             }
+            (_, Some(Slot::Flat(index))) => {
+                let inputs = || self.flat.nodes[*index].def.visible_inputs();
+                if inputs().any(|input| input.name == *port) {
+                    return None;
+                }
+                (kind, inputs().map(|input| input.name.as_str()).collect())
+            }
+            (_, Some(Slot::Group(child))) => {
+                let group = &self.groups[self.scopes[*child].group?];
+                if group.inputs.contains_key(port.as_str()) {
+                    return None;
+                }
+                (kind, port_names(&group.definition.inputs))
+            }
+            (_, Some(Slot::Missing) | None) => return None,
         };
-        (!known.contains(&port.as_str())).then(|| unknown_input(kind, &path, port, &known))
+        let (kind, path) = (kind.to_owned(), self.path_of(scope, id));
+        let known: Vec<String> = known.into_iter().map(str::to_owned).collect();
+        let known: Vec<&str> = known.iter().map(String::as_str).collect();
+        Some(self.unknown_input(&kind, &path, port, &known))
     }
 
-    fn bad_source(&self, scope: usize, wire: &Wire) -> Option<Diagnostic> {
+    fn bad_source(&mut self, scope: usize, wire: &Wire) -> Option<Diagnostic> {
         let (id, port) = (&wire.from.node, &wire.from.port);
         let here = &self.scopes[scope];
-        let known: Vec<&str> = if let (GROUP_INPUTS, Some((_, definition))) = (id.as_str(), here.definition) {
-            port_names(&definition.inputs)
-        } else {
-            match here.slots.get(id.as_str())? {
-                Slot::Flat(index) => self.flat.nodes[*index].def.outputs.iter().map(|o| o.name.as_str()).collect(),
-                Slot::Group(child) => port_names(&self.scopes[*child].definition?.1.outputs),
-                Slot::Missing => return None,
-            }
+        let of_group = |ports: &'a [InterfacePort], by_name: &HashMap<&'a str, &'a InterfacePort>| {
+            let is_known = by_name.contains_key(port.as_str()) || port.as_str().is_empty() && !ports.is_empty();
+            (!is_known).then(|| port_names(ports).into_iter().map(str::to_owned).collect())
         };
-        if known.contains(&port.as_str()) || (port.as_str().is_empty() && !known.is_empty()) {
-            return None;
-        }
+        let known: Vec<String> = match (here.group, here.slots.get(id.as_str())) {
+            (Some(group), _) if id.as_str() == GROUP_INPUTS => {
+                let group = &self.groups[group];
+                of_group(&group.definition.inputs, &group.inputs)?
+            }
+            (_, Some(Slot::Flat(index))) => {
+                let outputs = &self.flat.nodes[*index].def.outputs;
+                if outputs.iter().any(|output| output.name == *port) || port.as_str().is_empty() && !outputs.is_empty()
+                {
+                    return None;
+                }
+                outputs.iter().map(|output| output.name.to_string()).collect()
+            }
+            (_, Some(Slot::Group(child))) => {
+                let group = &self.groups[self.scopes[*child].group?];
+                of_group(&group.definition.outputs, &group.outputs)?
+            }
+            (_, Some(Slot::Missing) | None) => return None,
+        };
         let message = format!("the node `{id}` has no output `{port}`");
         let problem = Diagnostic::error("unknown-port", message).node(self.path_of(scope, id)).port(port.clone());
+        if !self.may_suggest() {
+            return Some(problem);
+        }
+        let known: Vec<&str> = known.iter().map(String::as_str).collect();
         Some(problem.suggest(port.as_str(), known.iter().copied()).hint(list_of("its outputs are", &known)))
     }
 
@@ -408,7 +527,8 @@ impl<'a> Flattener<'a> {
     /// Finds what stands behind the outputs of groups, so that they can be shown like those of nodes.
     fn bind_group_outputs(&mut self) {
         for scope in 1..self.scopes.len() {
-            let Some((_, definition)) = self.scopes[scope].definition else { continue };
+            let Some(group) = self.scopes[scope].group else { continue };
+            let definition = self.groups[group].definition;
             let mut found = HashMap::new();
             for (index, port) in definition.outputs.iter().enumerate() {
                 let Some(&wire) = self.scopes[scope].wires.get(&(GROUP_OUTPUTS, port.name.as_str())) else { continue };
@@ -425,44 +545,69 @@ impl<'a> Flattener<'a> {
         }
     }
 
-    /// Walks from an input through groups and reroutes to the output or value that feeds it.
+    /// What an input is bound to.
     fn resolve(&mut self, scope: usize, id: &'a NodeId, port: &PortName) -> FlatInput {
-        let mut at = (scope, id);
-        let mut port = port.clone();
-        let mut fallback: Option<Fallback> = None;
-        // More steps than there are wires means a ring of reroutes or groups.
-        let most = 16 + 2 * self.scopes.iter().map(|scope| scope.graph.wires.len()).sum::<usize>();
-        for _ in 0..most {
-            let (scope, id) = at;
-            let Some(&wire) = self.scopes[scope].wires.get(&(id.as_str(), port.as_str())) else {
-                return self.bind_fallback(scope, id, &port, fallback.as_ref());
-            };
-            let Some(next) = self.follow(scope, wire) else { return FlatInput::Broken };
-            match next {
-                Source::Output { node, output } => return FlatInput::Wire { node, output },
-                Source::Nothing { scope, id, port, zero } => return self.bind_value(scope, id, &port, Some(&zero)),
-                Source::Input { scope, id, port: next_port, fallback: next_fallback } => {
-                    at = (scope, id);
-                    port = next_port;
-                    fallback = next_fallback.or(fallback);
-                }
+        match self.end_of(scope, id, port) {
+            End::Output { node, output } => FlatInput::Wire { node, output },
+            End::Open { scope, id, port, fallback } => self.bind_fallback(scope, id, &port, fallback.as_ref()),
+            End::Zero { scope, id, port, zero } => self.bind_value(scope, id, &port, Some(&zero)),
+            End::Broken => FlatInput::Broken,
+            End::Ring => {
+                let message = "this input is fed by a ring of reroutes or groups, and by no node";
+                let problem = Diagnostic::error("cycle", message).node(self.path_of(scope, id));
+                self.problems.push(problem.hint("remove one wire of the ring"));
+                FlatInput::Broken
             }
         }
-        let problem = Diagnostic::error("cycle", "this input is fed by a ring of reroutes or groups, and by no node");
-        self.problems.push(problem.node(self.path_of(scope, id)).hint("remove one wire of the ring"));
-        FlatInput::Broken
+    }
+
+    /// Walks from an input through groups and reroutes to the output or the open input that feeds it. The inputs on the way
+    /// are walked through once, whoever comes to them later.
+    fn end_of(&mut self, scope: usize, id: &'a NodeId, port: &PortName) -> End<'a> {
+        let mut at = (scope, id, port.clone());
+        // Each with what it has where the input behind it is open.
+        let mut way: Vec<(InputKey<'a>, Option<Fallback>)> = Vec::new();
+        let mut end = loop {
+            let (scope, id, port) = at;
+            let key = (scope, id.as_str(), port.clone());
+            if let Some(known) = self.ends.get(&key) {
+                break known.clone();
+            }
+            let Some(&wire) = self.scopes[scope].wires.get(&(id.as_str(), port.as_str())) else {
+                break End::Open { scope, id, port, fallback: None };
+            };
+            match self.follow(scope, wire) {
+                None => break End::Broken,
+                Some(Source::Output { node, output }) => break End::Output { node, output },
+                Some(Source::Nothing { scope, id, port, zero }) => break End::Zero { scope, id, port, zero },
+                Some(Source::Input { scope, id, port, fallback }) => {
+                    // Who comes back to it before its end is known goes round in a ring.
+                    self.ends.insert(key.clone(), End::Ring);
+                    way.push((key, fallback));
+                    at = (scope, id, port);
+                }
+            }
+        };
+        for (key, passed) in way.into_iter().rev() {
+            if let End::Open { fallback, .. } = &mut end {
+                // What is said nearest to the open input holds.
+                *fallback = fallback.take().or(passed);
+            }
+            self.ends.insert(key, end.clone());
+        }
+        end
     }
 
     /// Where a wire really comes from.
     fn follow(&self, scope: usize, wire: &'a Wire) -> Option<Source<'a>> {
+        #[cfg(test)]
+        self.followed.set(self.followed.get() + 1);
         let mut scope = scope;
         let mut from = &wire.from;
         for _ in 0..=self.scopes.len() {
             let here = &self.scopes[scope];
-            if let (GROUP_INPUTS, Some((_, definition)), Some((parent, id))) =
-                (from.node.as_str(), here.definition, here.parent)
-            {
-                let interface = definition.inputs.iter().find(|port| port.name == from.port);
+            if let (GROUP_INPUTS, Some(group), Some((parent, id))) = (from.node.as_str(), here.group, here.parent) {
+                let interface = self.groups[group].inputs.get(from.port.as_str());
                 let fallback = interface.and_then(|port| port.default.clone()).map(Fallback::Value);
                 return Some(Source::Input { scope: parent, id, port: from.port.clone(), fallback });
             }
@@ -489,12 +634,13 @@ impl<'a> Flattener<'a> {
                     return Some(Source::Output { node: *node, output });
                 }
                 Slot::Group(child) => {
-                    let (_, definition) = self.scopes[*child].definition?;
+                    let group = &self.groups[self.scopes[*child].group?];
+                    let definition = group.definition;
                     let first = definition.outputs.first().map_or("", |port| port.name.as_str());
                     let port = if from.port.as_str().is_empty() { first } else { from.port.as_str() };
                     let (id, node) = here.graph.nodes.get_key_value(from.node.as_str())?;
                     if node.muted {
-                        let ports = GroupPorts::of(definition, &self.look.definitions, self.library);
+                        let ports = self.ports_of(group.kind, definition);
                         let output = definition.outputs.iter().position(|output| output.name.as_str() == port)?;
                         if let Some(source) = self.muted(&ports.inputs, &ports.outputs[output], scope, id) {
                             return Some(source);
@@ -506,6 +652,16 @@ impl<'a> Flattener<'a> {
             }
         }
         None
+    }
+
+    fn ports_of(&self, kind: &'a str, definition: &'a Definition) -> Arc<GroupPorts> {
+        match self.group_ports.borrow_mut().entry(kind) {
+            Entry::Occupied(known) => known.get().clone(),
+            Entry::Vacant(entry) => {
+                let ports = GroupPorts::of(definition, &self.look.definitions, self.library);
+                entry.insert(Arc::new(ports)).clone()
+            }
+        }
     }
 
     /// What stands for an output of a muted node: the input of the same name, else the first that could be its value,
@@ -550,8 +706,8 @@ impl<'a> Flattener<'a> {
         let graph = self.scopes[scope].graph;
         let node = graph.nodes.get(id);
         let explicit = node.and_then(|node| node.values.get(port));
-        let interface = node.and_then(|node| self.definition(&node.kind)).and_then(|(_, definition)| {
-            let port = definition.inputs.iter().find(|interface| interface.name == *port)?;
+        let interface = node.and_then(|node| self.groups.get(&node.kind)).and_then(|group| {
+            let port = self.groups[group].inputs.get(port.as_str())?;
             port.default.as_ref()
         });
         let default = interface.or(default);
@@ -618,16 +774,13 @@ fn port_names(ports: &[InterfacePort]) -> Vec<&str> {
     ports.iter().map(|port| port.name.as_str()).collect()
 }
 
-fn unknown_input(kind: &str, path: &NodePath, port: &PortName, known: &[&str]) -> Diagnostic {
-    Diagnostic::error("unknown-port", format!("a node of kind `{kind}` has no input `{port}`"))
-        .node(path.clone())
-        .port(port.clone())
-        .suggest(port.as_str(), known.iter().copied())
-        .hint(list_of("its inputs are", known))
-}
-
 fn list_of(start: &str, names: &[&str]) -> String {
-    if names.is_empty() { "it has none".to_owned() } else { format!("{start} {}", names.join(", ")) }
+    if names.is_empty() {
+        return "it has none".to_owned();
+    }
+    let more = names.len().saturating_sub(MAX_LISTED);
+    let listed = names[..names.len() - more].join(", ");
+    if more > 0 { format!("{start} {listed} and {more} more") } else { format!("{start} {listed}") }
 }
 
 /// An id that says something is a better name than the kind's label, of which there may be twenty.
@@ -636,6 +789,10 @@ fn readable(id: &NodeId, label: &str) -> String {
     if id.as_str().starts_with(&slug) { label.to_owned() } else { id.as_str().to_owned() }
 }
 
+/// Names of nodes deep in groups would take more memory than all else, where each of the groups has a long one.
 fn join_names(outer: &str, inner: &str) -> String {
-    if outer.is_empty() { inner.to_owned() } else { format!("{outer} {inner}") }
+    let mut name = if outer.is_empty() { inner.to_owned() } else { format!("{outer} {inner}") };
+    let most = name.floor_char_boundary(MAX_NAME);
+    name.truncate(most);
+    name
 }

@@ -5,9 +5,8 @@
 use std::collections::{HashMap, HashSet};
 use std::hash::Hash;
 
-use super::problems::{MAX_PROBLEMS, more_problems};
 use super::{Camera, Definition, Endpoint, Graph, Light, Look, OutputPort, Scene, Target, Wire};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, MAX_PROBLEMS, more_problems};
 use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, LightId, NodeId, NodePath};
 
 /// How many broken references get a suggestion: looking for near names in 100,000 takes its time.

@@ -3,6 +3,8 @@
 use std::io::{Read as _, Write as _};
 use std::sync::Arc;
 
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD as BASE64;
 use flate2::Compression;
 use flate2::read::DeflateDecoder;
 use flate2::write::DeflateEncoder;
@@ -10,7 +12,6 @@ use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{MAX_TILE_SIDE, Tile};
-use crate::base64;
 
 /// Bytes, packed.
 #[derive(Clone, PartialEq, Eq)]
@@ -47,14 +48,14 @@ impl Bytes {
 
 impl Serialize for Bytes {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(&base64::encode(&self.0))
+        serializer.serialize_str(&BASE64.encode(&self.0))
     }
 }
 
 impl<'de> Deserialize<'de> for Bytes {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = String::deserialize(deserializer)?;
-        let bytes = base64::decode(text.as_bytes()).ok_or_else(|| D::Error::custom("no base64"))?;
+        let bytes = BASE64.decode(text.trim()).map_err(|_| D::Error::custom("no base64"))?;
         Ok(Self(bytes.into()))
     }
 }

@@ -1,9 +1,7 @@
 //! The list of what is wrong with a text, and the lines and columns of it.
 
-use crate::diag::{Diagnostic, LineColumn, Severity};
+use crate::diag::{Diagnostic, LineColumn, MAX_PROBLEMS, Severity, more_problems};
 
-/// As many errors, and as many warnings, as are told of one file; the rest is counted.
-pub(super) const MAX_PROBLEMS: usize = 1000;
 /// How far apart the known places of [`Lines`] are, in bytes.
 const STRIDE: usize = 4096;
 
@@ -82,11 +80,6 @@ impl Problems {
         }
         all
     }
-}
-
-/// Tells how many problems are not told.
-pub(super) fn more_problems(count: usize) -> Diagnostic {
-    Diagnostic::note("more-problems", format!("there are {count} more problems, which are not listed"))
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Where things are in the text that a document was read from.
 
-use std::collections::BTreeMap;
+use std::borrow::Cow;
+use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 use super::json::{At, Kind, Tree};
@@ -52,9 +53,48 @@ impl SourceMap {
     /// for by its id, through its groups) or a JSON path. Where the text has no such place, because a default was left
     /// out, the nearest thing around it is taken. A place that is known already stays.
     pub fn locate(&self, diagnostic: &mut Diagnostic) {
+        self.locate_all(std::slice::from_mut(diagnostic));
+    }
+
+    /// Locates all of them.
+    pub fn locate_all(&self, diagnostics: &mut [Diagnostic]) {
+        let mut finder = Finder::new(self);
+        for diagnostic in diagnostics {
+            finder.locate(diagnostic);
+        }
+    }
+
+    /// The line and column of the value at a JSON path, or of the nearest thing around it.
+    pub fn place_of(&self, json_path: &str) -> Option<LineColumn> {
+        let (at, _) = Finder::new(self).find_translated(json_path);
+        at.map(|at| self.line_column(at))
+    }
+
+    fn line_column(&self, at: At) -> LineColumn {
+        self.lines.at(self.text(), self.tree.start(at))
+    }
+}
+
+/// Finds places in a text. Each list and object that is looked into is gone through once, however many places are looked
+/// for: a document may have 100,000 nodes, and something wrong with each.
+struct Finder<'s> {
+    source: &'s SourceMap,
+    items: HashMap<u32, Vec<At>>,
+    members: HashMap<u32, HashMap<Cow<'s, str>, At>>,
+    /// The indices of the nodes of a list, by their ids.
+    nodes: HashMap<u32, HashMap<Cow<'s, str>, usize>>,
+}
+
+impl<'s> Finder<'s> {
+    fn new(source: &'s SourceMap) -> Self {
+        Self { source, items: HashMap::new(), members: HashMap::new(), nodes: HashMap::new() }
+    }
+
+    /// See [`SourceMap::locate`].
+    fn locate(&mut self, diagnostic: &mut Diagnostic) {
         let place = &mut diagnostic.place;
         if place.file.is_none() {
-            place.file = Some(self.file.clone());
+            place.file = Some(self.source.file.clone());
         }
         if place.at.is_some() {
             return;
@@ -63,8 +103,8 @@ impl SourceMap {
             && let Some(node) = &place.node
         {
             // What lies in a group of the library is nowhere in the text; the group's node is.
-            let around = std::iter::successors(Some(node.clone()), NodePath::parent);
-            let path = around.into_iter().find_map(|node| self.path_of_node(&node));
+            let mut around = std::iter::successors(Some(node.clone()), NodePath::parent);
+            let path = around.find_map(|node| self.path_of_node(&node));
             let value = |path: &String| place.port.as_ref().map(|port| format!("{path}.values.{port}"));
             let value = path.as_ref().and_then(value).filter(|value| self.find(value).1);
             place.json_path = value.or(path);
@@ -72,49 +112,43 @@ impl SourceMap {
         if let Some(path) = &place.json_path {
             let (at, path_in_text) = self.find_translated(path);
             place.json_path = Some(path_in_text);
-            place.at = at.map(|at| self.lines.at(self.text(), self.tree.start(at)));
+            place.at = at.map(|at| self.source.line_column(at));
         }
-    }
-
-    /// Locates all of them.
-    pub fn locate_all(&self, diagnostics: &mut [Diagnostic]) {
-        for diagnostic in diagnostics {
-            self.locate(diagnostic);
-        }
-    }
-
-    /// The line and column of the value at a JSON path, or of the nearest thing around it.
-    pub fn place_of(&self, json_path: &str) -> Option<LineColumn> {
-        let (at, _) = self.find_translated(json_path);
-        at.map(|at| self.lines.at(self.text(), self.tree.start(at)))
     }
 
     /// The JSON path of a node, found by its id through the groups around it.
-    fn path_of_node(&self, node: &NodePath) -> Option<String> {
+    fn path_of_node(&mut self, node: &NodePath) -> Option<String> {
         let (last, groups) = node.ids().split_last()?;
         let mut graph = String::new();
         for group in groups {
             let path = self.node_in(&graph, group.as_str())?;
-            let kind = self.find(&format!("{path}.kind")).0.and_then(|at| self.tree.string(at))?;
+            let kind = self.find(&format!("{path}.kind")).0.and_then(|at| self.source.tree.string(at))?;
             graph = member_path("definitions", &kind) + ".";
         }
         self.node_in(&graph, last.as_str())
     }
 
-    fn node_in(&self, graph: &str, id: &str) -> Option<String> {
+    fn node_in(&mut self, graph: &str, id: &str) -> Option<String> {
         let list = format!("{graph}nodes");
         let (Some(at), true) = self.find(&list) else { return None };
-        let has_id = |&node: &At| {
-            let name = self.tree.member(node, "id").or_else(|| self.tree.member(node, "kind"));
-            name.and_then(|name| self.tree.string(name)).is_some_and(|name| name == id)
-        };
-        let index = self.tree.children(at).position(|node| has_id(&node))?;
+        let tree = &self.source.tree;
+        let ids = self.nodes.entry(at.index()).or_insert_with(|| {
+            let mut ids = HashMap::new();
+            for (index, node) in tree.children(at).enumerate() {
+                let name = tree.member(node, "id").or_else(|| tree.member(node, "kind"));
+                if let Some(id) = name.and_then(|name| tree.string(name)) {
+                    ids.entry(id).or_insert(index);
+                }
+            }
+            ids
+        });
+        let index = ids.get(id)?;
         Some(format!("{list}[{index}]"))
     }
 
     /// The value at a path of the text, or the nearest thing around it; and whether it is the value itself.
-    fn find(&self, path: &str) -> (Option<At>, bool) {
-        let mut at = self.tree.root();
+    fn find(&mut self, path: &str) -> (Option<At>, bool) {
+        let mut at = self.source.tree.root();
         for segment in segments(path) {
             let next = at.and_then(|at| self.step(at, &segment, None));
             if next.is_none() {
@@ -126,12 +160,12 @@ impl SourceMap {
     }
 
     /// The value at a path of the document, and its path in the text: they differ where items were left out.
-    fn find_translated(&self, path: &str) -> (Option<At>, String) {
-        let mut at = self.tree.root();
+    fn find_translated(&mut self, path: &str) -> (Option<At>, String) {
+        let mut at = self.source.tree.root();
         let mut so_far = String::new();
         let mut whole = true;
         for segment in segments(path) {
-            let kept = self.kept.get(&so_far);
+            let kept = self.source.kept.get(&so_far);
             let index = match &segment {
                 Segment::Index(index) => kept.map_or(Some(*index), |kept| kept.get(*index).map(|&kept| kept as usize)),
                 Segment::Key(_) => None,
@@ -147,13 +181,25 @@ impl SourceMap {
         (at, so_far)
     }
 
-    fn step(&self, at: At, segment: &Segment, index: Option<usize>) -> Option<At> {
-        match segment {
-            Segment::Key(key) => self.tree.member(at, key),
-            Segment::Index(own) if self.tree.kind(at) == Kind::List => {
-                self.tree.children(at).nth(index.unwrap_or(*own))
+    fn step(&mut self, at: At, segment: &Segment, index: Option<usize>) -> Option<At> {
+        let tree = &self.source.tree;
+        match (segment, tree.kind(at)) {
+            (Segment::Key(key), Kind::Object) => {
+                let members = self.members.entry(at.index()).or_insert_with(|| {
+                    let mut members = HashMap::new();
+                    for member in tree.children(at) {
+                        // Of two of one name the first.
+                        members.entry(tree.key(member)).or_insert(member);
+                    }
+                    members
+                });
+                members.get(key.as_str()).copied()
             }
-            Segment::Index(_) => None,
+            (Segment::Index(own), Kind::List) => {
+                let items = self.items.entry(at.index()).or_insert_with(|| tree.children(at).collect());
+                items.get(index.unwrap_or(*own)).copied()
+            }
+            _ => None,
         }
     }
 }
@@ -215,6 +261,23 @@ pub(super) fn member_path(path: &str, key: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn every_list_is_gone_through_once() {
+        let nodes: Vec<String> = (0..500).map(|i| format!(r#"{{"id": "n{i}", "kind": "k"}}"#)).collect();
+        let text = format!(r#"{{"nodes": [{}]}}"#, nodes.join(",\n"));
+        let source = crate::document::Look::read(&text, "a.json").source;
+        let mut finder = Finder::new(&source);
+        for i in (0..500).rev() {
+            let node = NodePath::root(format!("n{i}").into());
+            let mut problem = Diagnostic::error("test", "").node(node);
+            finder.locate(&mut problem);
+            assert_eq!(problem.place.at.map(|at| at.line), Some(i + 1));
+            assert_eq!(problem.place.json_path, Some(format!("nodes[{i}]")));
+        }
+        // The document; its list of nodes, by place and by id. Nodes themselves are not looked into.
+        assert_eq!((finder.members.len(), finder.items.len(), finder.nodes.len()), (1, 1, 1));
+    }
 
     #[test]
     fn paths_are_taken_apart() {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::fs::{self, File, Permissions};
-use std::io::{self, Read, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
@@ -10,6 +10,7 @@ use std::time::Duration;
 use super::json::MAX_BYTES;
 use crate::clock;
 use crate::diag::{Diagnostic, LineColumn};
+use crate::files::{self, ReadError};
 
 /// What the names of temporary files begin and end with.
 const PREFIX: &str = ".chiaro-";
@@ -40,19 +41,17 @@ pub fn read_text(path: &Path) -> Result<String, Box<Diagnostic>> {
         };
         fail("cannot-read", format!("cannot read the file: {}", crate::diag::reason(&error)), hint)
     };
-    let mut bytes = Vec::new();
-    match crate::examples::file(path) {
-        Some(example) => bytes.extend(example),
-        // One byte beyond the bound tells that there is more, whatever the file's length is said to be.
-        None => {
-            let file = File::open(path).map_err(cannot)?;
-            file.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(cannot)?;
+    let bytes = files::read(path, MAX_BYTES as u64).map_err(|error| match error {
+        ReadError::Io(error) => cannot(error),
+        ReadError::Special => {
+            let message = format!("cannot read the file: {error}");
+            fail("cannot-read", message, "name a plain file")
         }
-    }
-    if bytes.len() > MAX_BYTES {
-        let message = format!("the file is larger than {} MiB, the bound for documents", MAX_BYTES >> 20);
-        return Err(fail("too-large", message, "keep big data in files that the document names"));
-    }
+        ReadError::TooLarge { .. } => {
+            let message = format!("the file is larger than {} MiB, the bound for documents", MAX_BYTES >> 20);
+            fail("too-large", message, "keep big data in files that the document names")
+        }
+    })?;
     if is_painting(path, &bytes) {
         let message = "this is a painting (an HCBTF), and no text".to_owned();
         let mut problem = fail(
@@ -67,12 +66,12 @@ pub fn read_text(path: &Path) -> Result<String, Box<Diagnostic>> {
         );
         return Err(problem);
     }
+    if files::is_utf16(&bytes) {
+        return Err(fail("not-utf8", "the file is UTF-16".into(), "save it as UTF-8"));
+    }
     String::from_utf8(bytes).map_err(|error| {
         let bytes = error.as_bytes();
         let valid = error.utf8_error().valid_up_to();
-        if bytes.starts_with(&[0xFF, 0xFE]) || bytes.starts_with(&[0xFE, 0xFF]) {
-            return fail("not-utf8", "the file is UTF-16".into(), "save it as UTF-8");
-        }
         let before = String::from_utf8_lossy(&bytes[..valid]);
         let message = "the file is not UTF-8 text from here on".into();
         let mut problem = fail("not-utf8", message, "a document is JSON in UTF-8; is this another kind of file?");
@@ -352,8 +351,10 @@ mod tests {
         fs::write(&path, b"{\n  \xC3\xA9\xFF").unwrap();
         let problem = read_text(&path).unwrap_err();
         assert_eq!((problem.code, problem.place.at), ("not-utf8", Some(LineColumn { line: 2, column: 4 })));
-        fs::write(&path, b"\xFF\xFE{\0").unwrap();
-        assert!(read_text(&path).unwrap_err().message.contains("UTF-16"));
+        for utf_16 in [b"\xFF\xFE{\0", b"{\0\n\0"] {
+            fs::write(&path, utf_16).unwrap();
+            assert!(read_text(&path).unwrap_err().message.contains("UTF-16"));
+        }
         File::create(&path).unwrap().set_len(MAX_BYTES as u64 + 1).unwrap();
         assert_eq!(read_text(&path).unwrap_err().code, "too-large");
     }

@@ -1,6 +1,6 @@
 //! The library: built in, and with a project's own files.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, LazyLock};
 
 use indexmap::IndexMap;
@@ -10,8 +10,18 @@ use super::node::NodeDef;
 use super::read::{load_module, load_node, read_node, stem_and_folder};
 use crate::diag::{Diagnostic, has_errors};
 use crate::document::{Definition, Look};
+use crate::files::{self, ReadError};
 use crate::milestones;
 use crate::wgsl::Source;
+
+/// The most folders within folders of a project's nodes; deeper than any category.
+const MAX_DEPTH: usize = 8;
+/// The most files of a project's nodes.
+const MAX_FILES: usize = 4096;
+/// The largest file of a project's nodes, in bytes.
+const MAX_FILE_BYTES: u64 = 1 << 20;
+/// The most that all files of a project's nodes take together, in bytes.
+const MAX_PROJECT_BYTES: u64 = 16 << 20;
 
 /// The nodes and groups there are.
 #[derive(Clone, Debug, Default)]
@@ -84,28 +94,39 @@ impl Library {
     }
 
     /// This library and every node under a project's `nodes/` folder. A broken file adds no node and a diagnostic
-    /// with its line; all else goes on.
+    /// with its line; all else goes on. The folder may be a stranger's: what is read of it is bounded.
     #[must_use]
     pub fn with_project(&self, folder: &Path) -> Self {
         let mut library = self.clone();
-        let mut files = Vec::new();
-        collect_files(folder, 0, &mut files);
-        files.sort();
-        for file in files {
+        let found = node_files(folder);
+        let mut left = MAX_PROJECT_BYTES;
+        let mut is_cut = found.is_cut;
+        for file in found.files {
             let name = file.to_string_lossy().into_owned();
-            match std::fs::read_to_string(&file) {
-                // A checkout of Chiaro, or copies to learn from: nothing is said that is not known.
-                Ok(text) if is_shipped(&file, &text) => {}
-                Ok(text) if name.ends_with(".json") => library.add_groups(&name, &text),
-                Ok(text) => library.add_file(&name, &text),
-                Err(error) => library.problems.push(
-                    Diagnostic::error(
-                        "unreadable-node",
-                        format!("this node file cannot be read: {}", crate::diag::reason(&error)),
-                    )
-                    .in_file(name),
-                ),
+            let text = match read_node_file(&file) {
+                Ok(text) => text,
+                Err(problem) => {
+                    library.problems.push(problem.in_file(name));
+                    continue;
+                }
+            };
+            let Some(rest) = left.checked_sub(text.len() as u64) else {
+                is_cut = true;
+                break;
+            };
+            left = rest;
+            // A checkout of Chiaro, or copies to learn from: nothing is said that is not known.
+            if is_shipped(&file, &text) {
+                continue;
             }
+            if name.ends_with(".json") {
+                library.add_groups(&name, &text);
+            } else {
+                library.add_file(&name, &text);
+            }
+        }
+        if is_cut {
+            library.problems.push(too_much(folder));
         }
         library
     }
@@ -140,22 +161,103 @@ fn kind_taken(kind: &str, file: &str) -> Diagnostic {
         .hint("give it another name")
 }
 
-fn collect_files(folder: &Path, depth: usize, files: &mut Vec<std::path::PathBuf>) {
-    // Deeper than any category; a link to a parent folder must not hang the editor.
-    const MAX_DEPTH: usize = 8;
-    let Ok(entries) = std::fs::read_dir(folder) else { return };
-    for path in entries.flatten().map(|entry| entry.path()) {
-        if path.is_dir() && depth < MAX_DEPTH {
-            collect_files(&path, depth + 1, files);
-        } else if path.extension().is_some_and(|extension| extension == "wgsl" || extension == "json") {
-            files.push(path);
+/// The files of a project's own nodes, and the folders that they lie in.
+#[derive(Debug, Default)]
+pub(crate) struct NodeFiles {
+    /// Files whose names end in `.wgsl` or `.json`, sorted.
+    pub(crate) files: Vec<PathBuf>,
+    /// The folder itself and those in it.
+    #[cfg_attr(not(feature = "editor"), expect(dead_code, reason = "the window watches them"))]
+    pub(crate) folders: Vec<PathBuf>,
+    /// Whether there is more than is looked at.
+    is_cut: bool,
+}
+
+/// Finds a project's own nodes.
+pub(crate) fn node_files(folder: &Path) -> NodeFiles {
+    let walked = files::walk(folder, MAX_DEPTH, &|_| true);
+    let is_node = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "wgsl" || ending == "json");
+    let mut files: Vec<PathBuf> = walked.files.into_iter().filter(is_node).collect();
+    files.sort();
+    let is_cut = walked.is_cut || files.len() > MAX_FILES;
+    files.truncate(MAX_FILES);
+    NodeFiles { files, folders: walked.folders, is_cut }
+}
+
+fn read_node_file(path: &Path) -> Result<String, Diagnostic> {
+    let unreadable = |why: &str| Diagnostic::error("unreadable-node", format!("this node file cannot be read: {why}"));
+    let bytes = files::read(path, MAX_FILE_BYTES).map_err(|error| {
+        let problem = unreadable(&error.to_string());
+        match error {
+            ReadError::Io(_) => problem,
+            _ => problem.hint("keep only WGSL files and group definitions in this folder"),
         }
+    })?;
+    if files::is_utf16(&bytes) {
+        return Err(unreadable("it is text in UTF-16").hint("save it as UTF-8"));
     }
+    String::from_utf8(bytes).map_err(|_| unreadable("it is no text in UTF-8").hint("save it as UTF-8"))
+}
+
+fn too_much(folder: &Path) -> Diagnostic {
+    let message = format!(
+        "this folder holds more than is read for nodes ({MAX_FILES} files and {} MiB): the rest is \
+         left out",
+        MAX_PROJECT_BYTES >> 20
+    );
+    Diagnostic::warning("too-many-nodes", message)
+        .in_file(folder.display().to_string())
+        .hint("keep only WGSL files and group definitions in it, and no links to large folders")
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The problems of a project's nodes, by code.
+    fn problems(folder: &Path) -> Vec<&'static str> {
+        let library = Library::built_in().with_project(folder);
+        library.problems.iter().map(|problem| problem.code).collect()
+    }
+
+    #[test]
+    fn a_file_that_is_too_large_or_no_text_is_told_and_the_rest_is_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        std::fs::write(path("half.wgsl"), "fn half(x: f32) -> f32 {\n    return 0.5 * x;\n}\n").unwrap();
+        std::fs::File::create(path("hole.wgsl")).unwrap().set_len(1 << 40).unwrap();
+        std::fs::write(path("wide.wgsl"), b"\xFF\xFEf\0n\0").unwrap();
+        std::fs::write(path("wild.json"), b"{\xFF}").unwrap();
+        assert_eq!(problems(folder.path()), ["unreadable-node"; 3]);
+        assert!(Library::built_in().with_project(folder.path()).nodes.contains_key("half"));
+    }
+
+    #[test]
+    fn files_are_read_up_to_a_bound_of_all_of_them() {
+        let folder = tempfile::tempdir().unwrap();
+        let text = format!("// {}", "x".repeat(MAX_FILE_BYTES as usize - 3));
+        let most = MAX_PROJECT_BYTES / MAX_FILE_BYTES;
+        for i in 0..=most {
+            std::fs::write(folder.path().join(format!("n{i}.wgsl")), &text).unwrap();
+        }
+        let told = problems(folder.path());
+        assert_eq!(told.iter().filter(|code| **code == "too-many-nodes").count(), 1);
+        assert_eq!(told.len() as u64, most + 1, "{told:?}");
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_strangers_folder_neither_waits_nor_walks_the_disk() {
+        use std::os::unix::fs::symlink;
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        assert!(std::process::Command::new("mkfifo").arg(path("pipe.wgsl")).status().unwrap().success());
+        symlink("/dev/zero", path("zero.json")).unwrap();
+        symlink("/", path("disk")).unwrap();
+        symlink(".", path("ring")).unwrap();
+        assert_eq!(node_files(folder.path()).folders, [folder.path()]);
+        assert_eq!(problems(folder.path()), ["unreadable-node"; 2]);
+    }
 
     #[test]
     fn copies_of_shipped_nodes_say_nothing_and_changed_ones_do() {

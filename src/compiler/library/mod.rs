@@ -24,6 +24,8 @@ mod types;
 pub use context::{Context, LightField, Rate, SMOOTH_LEVELS};
 pub use embedded::NODES;
 pub use group::{CUSTOM_CODE, CUSTOM_KIND, GroupPorts};
+#[cfg(feature = "editor")]
+pub(crate) use load::node_files;
 pub use load::{GroupDef, Library};
 pub use node::{
     Bypass, BypassResult, Condition, Fallback, Input, Limit, NodeDef, NodeModule, Output, Parameter, Prepare, Preset,

@@ -1,7 +1,7 @@
 //! Files that the look and the scene around it live on, changed by other programs: their own, the project's nodes, the
 //! scene's other looks, meshes and images, and what is painted.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, SystemTime};
@@ -13,11 +13,10 @@ use super::super::stage::Stage;
 use super::watch::{Watch, Watched};
 use crate::compile::CompiledShader;
 use crate::frame::SHAPE_PREFIX;
+use crate::library::node_files;
 
 /// After a change nothing is read for so long, in seconds: whoever writes may not be done.
 const CALM: f64 = 0.15;
-/// As many files of a project's nodes are looked at.
-const MAX_NODE_FILES: usize = 4096;
 
 type Stamp = Option<(SystemTime, u64)>;
 
@@ -78,7 +77,7 @@ pub(crate) struct Disk {
     look: Option<PathBuf>,
     /// The folders of the project's nodes, of the look's and of the scene's.
     nodes: Vec<PathBuf>,
-    node_stamps: BTreeMap<PathBuf, Stamp>,
+    project_nodes: ProjectNodes,
     assets: BTreeMap<PathBuf, Stamp>,
     /// When to look, on the window's clock.
     due: Option<f64>,
@@ -101,7 +100,7 @@ impl Disk {
             is_new: true,
             look: None,
             nodes: Vec::new(),
-            node_stamps: BTreeMap::new(),
+            project_nodes: ProjectNodes::default(),
             assets: BTreeMap::new(),
             due: None,
             conflict: None,
@@ -162,7 +161,7 @@ impl Disk {
             session.node_folders().iter().filter_map(|folder| std::path::absolute(folder).ok()).collect();
         if is_other || self.nodes != nodes {
             self.nodes = nodes;
-            self.node_stamps = stamps_below(&self.nodes);
+            self.project_nodes = ProjectNodes::below(&self.nodes);
         }
         let folder = session.folder();
         let images =
@@ -179,7 +178,9 @@ impl Disk {
         let painting = self.of.painting.clone();
         let files = self.assets.keys().cloned().chain(self.look.clone());
         let files = files.chain(links).chain(scene).chain(painting).collect();
-        self.watch.set(Watched { files, folders: self.nodes.iter().cloned().collect() });
+        let folders = self.nodes.iter().cloned().collect();
+        let below = self.project_nodes.folders.clone();
+        self.watch.set(Watched { files, folders, below });
         is_other
     }
 
@@ -196,11 +197,14 @@ impl Disk {
         let mut told = self.check_look(session).or_else(|| self.check_scene(session));
         let of_painting = self.check_painting(session);
         told = told.or(of_painting);
-        let nodes = stamps_below(&self.nodes);
-        if nodes != self.node_stamps {
-            // The folder may be new, and is watched from now on.
-            self.is_new |= self.node_stamps.is_empty() || nodes.is_empty();
-            self.node_stamps = nodes;
+        let nodes = ProjectNodes::below(&self.nodes);
+        let is_changed = nodes.stamps != self.project_nodes.stamps;
+        if is_changed || nodes.folders != self.project_nodes.folders {
+            // A folder that is new is watched from now on.
+            self.watch.renew(nodes.folders.clone());
+        }
+        self.project_nodes = nodes;
+        if is_changed {
             session.reload_library();
             told = told.or_else(|| Some("The project's nodes were loaded again".to_owned()));
         }
@@ -292,26 +296,20 @@ fn stamp(path: &Path) -> Stamp {
     Some((data.modified().ok()?, data.len()))
 }
 
-/// The files of a project's nodes.
-fn stamps_below(folders: &[PathBuf]) -> BTreeMap<PathBuf, Stamp> {
-    const MAX_DEPTH: usize = 8;
-    let mut found = BTreeMap::new();
-    let mut folders: Vec<_> = folders.iter().map(|folder| (folder.clone(), 0)).collect();
-    while let Some((folder, depth)) = folders.pop() {
-        let Ok(entries) = std::fs::read_dir(&folder) else { continue };
-        for path in entries.flatten().map(|entry| entry.path()) {
-            if path.is_dir() {
-                if depth < MAX_DEPTH {
-                    folders.push((path, depth + 1));
-                }
-            } else if path.extension().is_some_and(|ending| ending == "wgsl" || ending == "json") {
-                let stamp = stamp(&path);
-                found.insert(path, stamp);
-            }
-            if found.len() >= MAX_NODE_FILES {
-                return found;
-            }
+/// The files of a project's nodes with their stamps, and the folders that they lie in.
+#[derive(Debug, Default, PartialEq, Eq)]
+struct ProjectNodes {
+    stamps: BTreeMap<PathBuf, Stamp>,
+    folders: BTreeSet<PathBuf>,
+}
+
+impl ProjectNodes {
+    fn below(roots: &[PathBuf]) -> Self {
+        let mut nodes = Self::default();
+        for found in roots.iter().map(|root| node_files(root)) {
+            nodes.stamps.extend(found.files.into_iter().map(|path| (path.clone(), stamp(&path))));
+            nodes.folders.extend(found.folders);
         }
+        nodes
     }
-    found
 }

@@ -1,7 +1,7 @@
 //! Tells when files may have changed. What changed, and whether it did, is for others to see: events come several at a
 //! time, for half-written files, and on some systems not at all.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -13,8 +13,11 @@ use notify::{EventKind, RecommendedWatcher, RecursiveMode, Watcher as _};
 pub(super) struct Watched {
     /// Files, which need not be there yet.
     pub(super) files: BTreeSet<PathBuf>,
-    /// Folders with all in them.
+    /// Folders with all in them, which need not be there yet.
     pub(super) folders: BTreeSet<PathBuf>,
+    /// Those of `folders` that are there, and the folders in them that are looked at. The system is asked for each alone:
+    /// asked for all that is below one, it would follow links over the whole disk.
+    pub(super) below: BTreeSet<PathBuf>,
 }
 
 impl Watched {
@@ -23,15 +26,10 @@ impl Watched {
     }
 
     /// The folders to ask the system for. A file is watched by its folder, since a save puts another in its place.
-    fn to_ask_for(&self) -> BTreeMap<PathBuf, RecursiveMode> {
+    fn to_ask_for(&self) -> BTreeSet<PathBuf> {
         let parents = self.files.iter().chain(&self.folders).filter_map(|path| path.parent());
-        let mut folders: BTreeMap<PathBuf, RecursiveMode> = parents
-            .filter(|folder| folder.is_dir())
-            .map(|folder| (folder.to_owned(), RecursiveMode::NonRecursive))
-            .collect();
-        let whole = self.folders.iter().filter(|folder| folder.is_dir());
-        folders.extend(whole.map(|folder| (folder.clone(), RecursiveMode::Recursive)));
-        folders
+        let folders = parents.chain(self.below.iter().map(PathBuf::as_path));
+        folders.filter(|folder| folder.is_dir()).map(Path::to_path_buf).collect()
     }
 }
 
@@ -46,7 +44,7 @@ pub(super) struct Watch {
     shared: Arc<Shared>,
     /// `None` where the system has none; then files are looked at when the window is come back to.
     watcher: Option<RecommendedWatcher>,
-    folders: BTreeMap<PathBuf, RecursiveMode>,
+    folders: BTreeSet<PathBuf>,
 }
 
 impl Watch {
@@ -68,7 +66,19 @@ impl Watch {
                 wake();
             }
         });
-        Self { shared, watcher: watcher.ok(), folders: BTreeMap::new() }
+        Self { shared, watcher: watcher.ok(), folders: BTreeSet::new() }
+    }
+
+    /// Watches other folders below, and asks for all of them anew: one that was replaced by another of the same name is
+    /// not watched any more, and nobody tells.
+    pub(super) fn renew(&mut self, below: BTreeSet<PathBuf>) {
+        let watched = self.shared.watched.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        for folder in std::mem::take(&mut self.folders) {
+            if let Some(watcher) = &mut self.watcher {
+                let _ = watcher.unwatch(&folder);
+            }
+        }
+        self.set(Watched { below, ..watched });
     }
 
     /// Watches these and nothing else.
@@ -76,17 +86,13 @@ impl Watch {
         let folders = watched.to_ask_for();
         *self.shared.watched.lock().unwrap_or_else(PoisonError::into_inner) = watched;
         let Some(watcher) = &mut self.watcher else { return };
-        for (folder, mode) in &self.folders {
-            if folders.get(folder) != Some(mode) {
-                // A folder that is gone is not watched any more anyway.
-                let _ = watcher.unwatch(folder);
-            }
+        for folder in self.folders.difference(&folders) {
+            // A folder that is gone is not watched any more anyway.
+            let _ = watcher.unwatch(folder);
         }
-        let is_watched = |folder: &PathBuf, mode: &RecursiveMode| self.folders.get(folder) == Some(mode);
-        let new: Vec<_> = folders.iter().filter(|(folder, mode)| !is_watched(folder, mode)).collect();
-        for (folder, mode) in new {
+        for folder in folders.difference(&self.folders) {
             // Where the system has no more watches to give, files are looked at when the window is come back to.
-            let _ = watcher.watch(folder, *mode);
+            let _ = watcher.watch(folder, RecursiveMode::NonRecursive);
         }
         self.folders = folders;
     }

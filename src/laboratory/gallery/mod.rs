@@ -17,11 +17,15 @@ use crate::accuracy::Progress;
 use crate::catalog::Catalog;
 use crate::diag::Diagnostic;
 use crate::document::write_atomic;
+use crate::files::{self, ReadError};
 use crate::ids::make_slug;
 use crate::library::Library;
 use crate::render::{Gpu, Renderer};
 use entry::Entry;
 pub use list::{List, Section, Shown};
+
+/// A page of a gallery is smaller, in bytes.
+const MAX_PAGE_BYTES: u64 = 64 << 20;
 
 /// How a gallery is made.
 #[derive(Clone, Debug, PartialEq)]
@@ -129,11 +133,14 @@ fn check_folder(folder: &Path) -> Result<(), Vec<Diagnostic>> {
     let at = |problem: Diagnostic| vec![problem.in_file(folder.display().to_string())];
     std::fs::create_dir_all(folder)
         .map_err(|error| at(Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"))))?;
-    match std::fs::read(folder.join("index.html")) {
-        Ok(bytes) if !String::from_utf8_lossy(&bytes).contains(GENERATOR) => {
+    let page = folder.join("index.html");
+    match files::read(&page, MAX_PAGE_BYTES) {
+        Err(ReadError::Io(_)) => Ok(()),
+        Ok(bytes) if String::from_utf8_lossy(&bytes).contains(GENERATOR) => Ok(()),
+        // Also what is too large to be a page of ours, or no file at all.
+        _ => {
             let problem = Diagnostic::error("in-the-way", "its index.html is not a gallery of Chiaro");
             Err(at(problem.hint("choose an empty folder with -o")))
         }
-        _ => Ok(()),
     }
 }

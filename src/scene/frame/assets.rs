@@ -10,7 +10,7 @@ use std::time::SystemTime;
 
 use crate::diag::Diagnostic;
 use crate::document::{Address, Directions, Grid, Hcbtf, Tile};
-use crate::examples;
+use crate::files::{self, ReadError};
 use crate::geometry::{self, Mesh};
 use crate::hcbtf::{self, Coding, Filled, LayerOptions, Layers, Progress, Region};
 
@@ -356,17 +356,16 @@ pub fn image_bytes(folder: &Path, path: &str) -> Result<Vec<u8>, Diagnostic> {
 }
 
 fn bytes_of(path: &Path) -> Result<Vec<u8>, Diagnostic> {
-    if let Some(example) = examples::file(path) {
-        return Ok(example.to_vec());
-    }
-    let name = path.display();
-    let problem = |message: String| Diagnostic::error("missing-asset", message);
-    let size = std::fs::metadata(path).map(|data| data.len());
-    if size.as_ref().is_ok_and(|&size| size > MAX_IMAGE_BYTES) {
-        return Err(problem(format!("the image `{name}` is larger than {} MiB", MAX_IMAGE_BYTES >> 20)));
-    }
-    std::fs::read(path)
-        .map_err(|error| problem(format!("the image `{name}` cannot be read: {}", crate::diag::reason(&error))))
+    files::read(path, MAX_IMAGE_BYTES).map_err(|error| {
+        let name = path.display();
+        let message = match error {
+            ReadError::TooLarge { .. } => {
+                format!("the image `{name}` is larger than {} MiB", MAX_IMAGE_BYTES >> 20)
+            }
+            error => format!("the image `{name}` cannot be read: {error}"),
+        };
+        Diagnostic::error("missing-asset", message)
+    })
 }
 
 fn read_image(path: &Path) -> Result<Image, Diagnostic> {

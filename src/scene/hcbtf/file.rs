@@ -4,8 +4,6 @@
 //! can be changed years later.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
-use std::fs::File;
-use std::io::Read as _;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -18,6 +16,7 @@ use super::report::Report;
 use super::{MAX_FILE_BYTES, MAX_PAINTED, MAX_PAINTED_BYTES, MAX_RULES};
 use crate::diag::Diagnostic;
 use crate::document::{Address, Hcbtf, Rule, Tile};
+use crate::files::{self, ReadError};
 
 /// The longer side of a thumbnail, in texels.
 const THUMBNAIL_SIDE: u32 = 256;
@@ -37,24 +36,20 @@ pub fn load(path: &Path) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
 /// # Errors
 /// Why it cannot be read, with its name.
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>, Box<Diagnostic>> {
-    if let Some(bytes) = crate::examples::file(path) {
-        return Ok(bytes.to_vec());
-    }
     let fail = |code, message: String, hint: &str| {
         Box::new(Diagnostic::error(code, message).in_file(path.display().to_string()).hint(hint))
     };
-    let cannot = |error: std::io::Error| {
-        let hint = if path.exists() { "name a file that you may read" } else { "check the spelling and the folder" };
-        fail("cannot-read", format!("cannot read the file: {}", crate::diag::reason(&error)), hint)
-    };
-    let mut bytes = Vec::new();
-    // One byte beyond the bound tells that there is more, whatever the file's length is said to be.
-    File::open(path).and_then(|file| file.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes)).map_err(cannot)?;
-    if bytes.len() as u64 > MAX_FILE_BYTES {
-        let message = format!("the file is larger than {} MiB", MAX_FILE_BYTES >> 20);
-        return Err(fail("too-large", message, "take a coarser grid, or fill by rules what is painted now"));
-    }
-    Ok(bytes)
+    files::read(path, MAX_FILE_BYTES).map_err(|error| match error {
+        ReadError::TooLarge { .. } => {
+            let message = format!("the file is larger than {} MiB", MAX_FILE_BYTES >> 20);
+            fail("too-large", message, "take a coarser grid, or fill by rules what is painted now")
+        }
+        error => {
+            let hint =
+                if path.exists() { "name a file that you may read" } else { "check the spelling and the folder" };
+            fail("cannot-read", format!("cannot read the file: {error}"), hint)
+        }
+    })
 }
 
 /// Reads an `.hcbtf` file, with warnings about what is odd in it. `name` is what diagnostics call the file.

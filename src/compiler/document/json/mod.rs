@@ -22,6 +22,13 @@ pub(super) use writer::{Layout, Writer};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct At(u32);
 
+impl At {
+    /// Of the value in its tree.
+    pub(super) fn index(self) -> u32 {
+        self.0
+    }
+}
+
 /// What a value is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {

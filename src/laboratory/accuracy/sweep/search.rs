@@ -12,7 +12,7 @@ use super::random::Random;
 use super::slot::{Numbers, relate};
 use crate::accuracy::Stopped;
 use crate::diag::Diagnostic;
-use crate::document::write_atomic;
+use crate::document::{read_text, write_atomic};
 
 /// How many are kept from round to round.
 const PARENTS: usize = 6;
@@ -160,6 +160,6 @@ pub fn write(folder: &Path, all: &[Worst]) -> Result<(), Vec<Diagnostic>> {
 /// What cannot be read, or is none.
 pub fn read(path: &Path) -> Result<Vec<Worst>, Diagnostic> {
     let told = |error: String| Diagnostic::error("worst-input", error).in_file(path.display().to_string());
-    let text = std::fs::read_to_string(path).map_err(|error| told(error.to_string()))?;
+    let text = read_text(path).map_err(|problem| told(problem.message))?;
     serde_json::from_str(&text).map_err(|error| told(error.to_string()))
 }

@@ -19,6 +19,7 @@ use super::mesh::Mesh;
 use super::normals::CREASE_ANGLE;
 use super::soup::Soup;
 use crate::diag::Diagnostic;
+use crate::files;
 
 /// Files (and the buffers beside a glTF) longer than this are refused.
 pub const MAX_FILE_BYTES: u64 = 1 << 30;
@@ -70,25 +71,13 @@ pub fn import(name: &str, bytes: &[u8], siblings: Siblings) -> Result<Imported, 
 /// As [`import`], and where the file cannot be read.
 pub fn load(path: &Path) -> Result<Imported, Vec<Diagnostic>> {
     let name = path.display().to_string();
-    let bytes = read_bounded(path).map_err(|why| {
+    let bytes = files::read(path, MAX_FILE_BYTES).map_err(|why| {
         let hint = if path.exists() { "name a file that you may read" } else { "check the spelling and the folder" };
         let problem = Diagnostic::error("mesh-read", format!("the mesh cannot be read: {why}"));
         vec![problem.in_file(name.as_str()).hint(hint)]
     })?;
     let folder = path.parent().unwrap_or(Path::new(""));
-    import(&name, &bytes, &|sibling| read_bounded(&folder.join(sibling)))
-}
-
-/// The bytes of a plain file within [`MAX_FILE_BYTES`].
-fn read_bounded(path: &Path) -> Result<Vec<u8>, String> {
-    let about = std::fs::metadata(path).map_err(|error| crate::diag::reason(&error))?;
-    if !about.is_file() {
-        return Err("it is not a file".to_owned());
-    }
-    if about.len() > MAX_FILE_BYTES {
-        return Err(format!("it has {} bytes, more than the {MAX_FILE_BYTES} allowed", about.len()));
-    }
-    std::fs::read(path).map_err(|error| crate::diag::reason(&error))
+    import(&name, &bytes, &|sibling| files::read(&folder.join(sibling), MAX_FILE_BYTES).map_err(|why| why.to_string()))
 }
 
 fn read(name: &str, bytes: &[u8], siblings: Siblings, report: &mut Report) -> Soup {
@@ -99,6 +88,10 @@ fn read(name: &str, bytes: &[u8], siblings: Siblings, report: &mut Report) -> So
     }
     let file_name = name.rsplit(['/', '\\']).next().unwrap_or(name);
     let (stem, ending) = file_name.rsplit_once('.').unwrap_or((file_name, ""));
+    if let Some(problem) = foreign(bytes, ending) {
+        report.add(problem);
+        return Soup::default();
+    }
     let mut soup = match ending.to_ascii_lowercase().as_str() {
         "obj" => obj::read(bytes, report),
         "ply" => ply::read(bytes, report),
@@ -116,6 +109,21 @@ fn read(name: &str, bytes: &[u8], siblings: Siblings, report: &mut Report) -> So
         stem.clone_into(&mut soup.name);
     }
     soup
+}
+
+/// What is wrong with a file whose first bytes say that no reader can have it.
+fn foreign(bytes: &[u8], ending: &str) -> Option<Diagnostic> {
+    if bytes.starts_with(b"DRACO") {
+        let message = "the mesh is compressed with Draco, which cannot be read";
+        let hint = "export without compression, as glTF, OBJ or PLY";
+        return Some(Diagnostic::error("mesh-unsupported", message).hint(hint));
+    }
+    let is_binary = ending.eq_ignore_ascii_case("stl") && stl::is_binary(bytes);
+    if !is_binary && files::is_utf16(bytes) {
+        let problem = Diagnostic::error("mesh-encoding", "the file is text in UTF-16");
+        return Some(problem.hint("save it as UTF-8"));
+    }
+    None
 }
 
 /// Builds the mesh and tells what was missing or dropped.

@@ -13,15 +13,24 @@ const HEADER: usize = 84;
 /// A binary facet: normal, three points, two bytes of attributes.
 const FACET: usize = 50;
 
-/// Reads either kind. Binary files may begin with `solid` too, so their length decides.
+/// How many facets a binary file says that it has.
+fn declared(bytes: &[u8]) -> Option<u64> {
+    let count = bytes.get(80..HEADER)?;
+    Some(u64::from(u32::from_le_bytes([count[0], count[1], count[2], count[3]])))
+}
+
+/// Whether a file is as long as a binary one. Those may begin with anything, also with `solid`, so their length decides.
+pub(super) fn is_binary(bytes: &[u8]) -> bool {
+    declared(bytes).is_some_and(|count| HEADER as u64 + FACET as u64 * count == bytes.len() as u64)
+}
+
+/// Reads either kind.
 pub(super) fn read(bytes: &[u8], report: &mut Report) -> Soup {
-    let declared = bytes.get(80..HEADER).map(|b| u64::from(u32::from_le_bytes([b[0], b[1], b[2], b[3]])));
-    let binary_length = declared.map(|count| HEADER as u64 + FACET as u64 * count);
     let looks_like_text = bytes.trim_ascii_start().starts_with(b"solid");
-    let points = if looks_like_text && binary_length != Some(bytes.len() as u64) {
+    let points = if looks_like_text && !is_binary(bytes) {
         text(&String::from_utf8_lossy(bytes), report)
     } else {
-        binary(bytes, declared, report)
+        binary(bytes, declared(bytes), report)
     };
     if report.has_errors() {
         return Soup::default();

@@ -1,13 +1,23 @@
 //! The bytes behind a glTF: the chunks of a GLB, data URIs and files beside it.
 
+use base64::Engine as _;
+use base64::alphabet::STANDARD;
+use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 use gltf::Document;
 use gltf::buffer::Source;
 
-use crate::base64;
 use crate::diag::Diagnostic;
 use crate::geometry::import::cursor::Cursor;
 use crate::geometry::import::report::{Problem, Report};
 use crate::geometry::import::{MAX_FILE_BYTES, Siblings};
+
+/// Base64 as writers of glTF leave it: some forget the padding, some do not clear the last bits.
+const BASE64: GeneralPurpose = GeneralPurpose::new(
+    &STANDARD,
+    GeneralPurposeConfig::new()
+        .with_decode_padding_mode(DecodePaddingMode::Indifferent)
+        .with_decode_allow_trailing_bits(true),
+);
 
 /// A GLB's JSON and its binary chunk.
 ///
@@ -77,7 +87,7 @@ fn from_uri(uri: &str, siblings: Siblings) -> Result<Vec<u8>, String> {
         if !kind.ends_with(";base64") {
             return Err("its data URI is not in base64".to_owned());
         }
-        return base64::decode(data.as_bytes()).ok_or_else(|| "its base64 is damaged".to_owned());
+        return BASE64.decode(data.trim()).map_err(|_| "its base64 is damaged".to_owned());
     }
     let path = decode_percent(uri).ok_or("its name is not UTF-8")?;
     let has_scheme = path.split('/').next().is_some_and(|first| first.contains(':'));
@@ -114,6 +124,23 @@ mod tests {
     fn percent_signs() {
         assert_eq!(decode_percent("my%20mesh%2").as_deref(), Some("my mesh%2"));
         assert_eq!(decode_percent("%ff"), None);
+    }
+
+    #[test]
+    fn base64_with_and_without_padding() {
+        let decoded = |text: &str| from_uri(&format!("data:;base64,{text}"), &|_| Err(String::new())).ok();
+        // The examples of RFC 4648.
+        for (text, bytes) in
+            [("", ""), ("Zg==", "f"), ("Zm8=", "fo"), ("Zm9v", "foo"), ("Zm9vYg==", "foob"), ("Zm9vYmFy", "foobar")]
+        {
+            assert_eq!(decoded(text).as_deref(), Some(bytes.as_bytes()), "{text}");
+            assert_eq!(decoded(text.trim_end_matches('=')).as_deref(), Some(bytes.as_bytes()), "{text}");
+        }
+        assert_eq!(decoded(" Zm9v\n").as_deref(), Some(&b"foo"[..]));
+        assert_eq!(decoded("Zm9v!"), None);
+        assert_eq!(decoded("Z"), None);
+        let all: Vec<u8> = (0..=255).collect();
+        assert_eq!(decoded(&BASE64.encode(&all)), Some(all));
     }
 
     #[test]

@@ -7,19 +7,42 @@
 
 mod accessor;
 mod buffers;
+mod extensions;
+mod instances;
 mod primitive;
 
 use glam::DMat4;
 use gltf::Document;
-use gltf::json::Root;
+use gltf::json::mesh::Semantic;
+use gltf::json::validation::Checked;
+use gltf::json::{self, Root};
+use serde::Deserialize;
+use serde::de::IgnoredAny;
+
+use self::instances::Placed;
 
 use super::Siblings;
 use super::report::Report;
 use crate::diag::{Diagnostic, LineColumn};
 use crate::geometry::soup::Soup;
 
-/// Extensions without which a file's triangles cannot be read.
-const COMPRESSIONS: [&str; 3] = ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"];
+/// As much of the JSON as says where triangles are. What else there is need not even be valid: animations, cameras,
+/// textures and whatever later versions and extensions add.
+#[derive(Default, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+struct File {
+    asset: Option<json::Asset>,
+    accessors: Vec<json::Accessor>,
+    buffers: Vec<json::Buffer>,
+    buffer_views: Vec<json::buffer::View>,
+    scene: Option<json::Index<json::Scene>>,
+    scenes: Vec<json::Scene>,
+    nodes: Vec<json::Node>,
+    meshes: Vec<json::Mesh>,
+    materials: Vec<json::Material>,
+    skins: Vec<IgnoredAny>,
+    extensions_required: Vec<String>,
+}
 
 /// Reads a glTF or GLB file.
 pub(super) fn read(bytes: &[u8], siblings: Siblings, report: &mut Report) -> Soup {
@@ -41,11 +64,11 @@ pub(super) fn read(bytes: &[u8], siblings: Siblings, report: &mut Report) -> Sou
     if report.has_errors() {
         return soup;
     }
-    let placed = place_meshes(&document, report);
-    let primitives = placed.iter().flat_map(|(mesh, world)| mesh.primitives().map(move |p| (p, world)));
-    for (primitive, world) in primitives {
+    let placed = place_meshes(&document, &buffers, report);
+    let places = placed.iter().flat_map(|placed| placed.worlds().map(move |world| (&placed.mesh, world)));
+    for (primitive, world) in places.flat_map(|(mesh, world)| mesh.primitives().map(move |p| (p, world))) {
         // One is enough: the soup is of no more use, and a mesh may stand in very many places.
-        if let Err(diagnostic) = primitive::append(&primitive, world, &buffers, &mut soup, &mut skipped) {
+        if let Err(diagnostic) = primitive::append(&primitive, &world, &buffers, &mut soup, &mut skipped) {
             report.add(*diagnostic);
             return Soup::default();
         }
@@ -85,8 +108,8 @@ impl Skipped {
 
 /// Reads and validates the JSON; `None` after an error.
 fn parse(json: &[u8], skipped: &mut Skipped, report: &mut Report) -> Option<Document> {
-    let mut root: Root = match gltf::json::deserialize::from_slice(json) {
-        Ok(root) => root,
+    let file: File = match json::deserialize::from_slice(json) {
+        Ok(file) => file,
         Err(error) => {
             let code = if error.is_eof() { "mesh-truncated" } else { "mesh-syntax" };
             let at = LineColumn { line: error.line() as u32, column: error.column() as u32 };
@@ -94,12 +117,13 @@ fn parse(json: &[u8], skipped: &mut Skipped, report: &mut Report) -> Option<Docu
             return None;
         }
     };
-    for extension in root.extensions_required.iter().filter(|name| COMPRESSIONS.contains(&name.as_str())) {
-        let message = format!("the file is compressed with {extension}, which cannot be read");
-        report.add(Diagnostic::error("mesh-unsupported", message).hint("export without mesh compression"));
-    }
-    skipped.skins = !root.skins.is_empty();
-    keep_geometry(&mut root);
+    extensions::check(&file, report);
+    skipped.skins = !file.skins.is_empty();
+    let Some(root) = geometry_of(file) else {
+        let message = "the glTF is not valid: it has no `asset` that tells its version";
+        report.error("mesh-syntax", message);
+        return None;
+    };
     if let Some(wrong) = missing_accessor(&root) {
         report.error("mesh-syntax", format!("the glTF is not valid: there is no accessor {wrong}"));
     }
@@ -122,28 +146,38 @@ fn parse(json: &[u8], skipped: &mut Skipped, report: &mut Report) -> Option<Docu
     }
 }
 
-/// Drops what is not read, so that nothing wrong in it keeps the geometry from being used: textures of a kind that the
-/// crate does not know, animations, cameras, skins. Bounds of positions, which many writers leave out, are filled in.
-fn keep_geometry(root: &mut Root) {
-    // Those left change materials and textures only, or widen what accessors may hold, which is read anyway.
-    root.extensions_required.clear();
-    root.animations.clear();
-    root.skins.clear();
-    root.cameras.clear();
-    root.textures.clear();
-    root.images.clear();
-    root.samplers.clear();
+/// What is read of a file, as the crate's document; `None` where its version is missing. What is not read is dropped, so
+/// that nothing wrong in it keeps the geometry from being used: textures, cameras and skins that nodes and materials name,
+/// and attributes of the maker's own. Bounds of positions, which many writers leave out, are filled in.
+fn geometry_of(file: File) -> Option<Root> {
+    let mut root = Root {
+        asset: file.asset?,
+        accessors: file.accessors,
+        buffers: file.buffers,
+        buffer_views: file.buffer_views,
+        scene: file.scene,
+        scenes: file.scenes,
+        nodes: file.nodes,
+        meshes: file.meshes,
+        materials: file.materials,
+        ..Root::default()
+    };
     for node in &mut root.nodes {
         (node.camera, node.skin) = (None, None);
+    }
+    for primitive in root.meshes.iter_mut().flat_map(|mesh| &mut mesh.primitives) {
+        let is_own = |name: &Checked<Semantic>| matches!(name, Checked::Valid(Semantic::Extras(_)));
+        primitive.attributes.retain(|name, _| !is_own(name));
     }
     for material in &mut root.materials {
         material.pbr_metallic_roughness = Default::default();
         (material.normal_texture, material.occlusion_texture, material.emissive_texture) = (None, None, None);
     }
-    let zero = gltf::json::serialize::to_value([0.0; 3]).ok();
+    let zero = json::serialize::to_value([0.0; 3]).ok();
     for accessor in &mut root.accessors {
         (accessor.min, accessor.max) = (zero.clone(), zero.clone());
     }
+    Some(root)
 }
 
 /// An accessor that a primitive names and the file lacks: the crate's validation looks positions up before it checks
@@ -154,8 +188,8 @@ fn missing_accessor(root: &Root) -> Option<usize> {
     named.find(|&index| index >= root.accessors.len())
 }
 
-/// The meshes of the default scene (else the first; else of all nodes without parent), each with its world transform.
-fn place_meshes<'a>(document: &'a Document, report: &mut Report) -> Vec<(gltf::Mesh<'a>, DMat4)> {
+/// The meshes of the default scene (else the first; else of all nodes without parent), each with its places.
+fn place_meshes<'a>(document: &'a Document, buffers: &[Vec<u8>], report: &mut Report) -> Vec<Placed<'a>> {
     let mut open: Vec<(gltf::Node, DMat4)> = match document.default_scene().or_else(|| document.scenes().next()) {
         Some(scene) => scene.nodes().map(|node| (node, DMat4::IDENTITY)).collect(),
         None => {
@@ -170,6 +204,7 @@ fn place_meshes<'a>(document: &'a Document, report: &mut Report) -> Vec<(gltf::M
     open.reverse();
     let mut seen = vec![false; document.nodes().len()];
     let mut placed = Vec::new();
+    let mut drawn = 0;
     while let Some((node, parent)) = open.pop() {
         if std::mem::replace(&mut seen[node.index()], true) {
             report.error("mesh-syntax", format!("node {} has two parents, or is in itself", node.index()));
@@ -181,7 +216,13 @@ fn place_meshes<'a>(document: &'a Document, report: &mut Report) -> Vec<(gltf::M
             report.error("mesh-not-finite", format!("node {} has a transform that is not finite", node.index()));
             continue;
         }
-        placed.extend(node.mesh().map(|mesh| (mesh, world)));
+        match Placed::read(document, &node, world, buffers, &mut drawn) {
+            Ok(mesh) => placed.extend(mesh),
+            Err(problem) => {
+                report.add(*problem);
+                return Vec::new();
+            }
+        }
         let children: Vec<_> = node.children().map(|child| (child, world)).collect();
         open.extend(children.into_iter().rev());
     }
