@@ -7,6 +7,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 use chiaro::document::{Value, Values};
 use chiaro::frame::{EvalSample, LightOverride, SetupLook};
+use chiaro::interp::{Precision, Value as Number};
 use glam::{DMat3, DQuat, DVec3, DVec4};
 use serde_json::json;
 use support::badf::{self, Mode, angle, f32_of, held, mirrored};
@@ -288,6 +289,55 @@ fn alpha_of_parameters_out_of_order() {
 fn alpha_of_parameters_wired_per_fragment() {
     let cases: Vec<_> = grid(&[0.0, 0.4, 1.3], 0.2);
     check_alpha("alpha, prepare in the fragment, f' >= .2", 4e-6, &profile_look_per_fragment(), &cases, true);
+}
+
+/// Angles near 0, in the middle and near pi, as f32 holds them; the last is the f32 next to pi.
+fn far_and_wide() -> Vec<f64> {
+    let powers = || (1..=13).map(|i| 10_f64.powf(-0.5 * f64::from(i)));
+    let near_pi = [5, 2, 1, 0].map(|i| f64::from(f32::from_bits((PI as f32).to_bits() - i)));
+    let small = powers().filter(|x| *x > 1e-4);
+    let all = small.chain([0.5, 1.0, 1.5, 1.6, 2.0, 2.5]).chain(powers().map(|x| PI - x));
+    all.map(f32_of).chain(near_pi).collect()
+}
+
+/// alpha of an angle with a profile's parameters, by the library's functions in the f32 of the CPU.
+fn in_f32(u: f64, [offset, falloff, cutoff]: [f64; 3]) -> f64 {
+    let module = &chiaro::library::Library::built_in().nodes["profile"].module;
+    let call = |function: &str, arguments: &[Number]| {
+        let program = module.program(function).unwrap_or_else(|problem| panic!("{problem}"));
+        program.call(arguments, Precision::F32).unwrap_or_else(|problem| panic!("{problem}"))
+    };
+    let shape = call("profile_shape", &[offset, falloff, cutoff].map(Number::Float));
+    let half = Number::Struct(vec![Number::Float((0.5 * u).sin()), Number::Float((0.5 * u).cos())]);
+    call("profile_point", &[half, shape]).as_f64().expect("a number")
+}
+
+#[test]
+fn alpha_of_parameters_wired_near_0_and_near_pi() {
+    let issue = [0.0, f32_of(3.14159), f32_of(3.1415927)];
+    assert!((badf::alpha(2.5, 0.0, issue) - 0.315_322_4).abs() < 1e-7, "cos(1.25)");
+    let mut cases = vec![(2.5, 0.0, issue)];
+    for tau in [0.0, 1e-5, 3e-3] {
+        for c in far_and_wide() {
+            for f in far_and_wide() {
+                let [_, f, c] = [tau, f, c].map(f32_of);
+                // What is narrow beside its cut-off has tests of its own.
+                if tau + 0.05 * (c - tau) < f && f <= c {
+                    let parts = [0.1, 0.4, 0.7, 0.95, (f - tau) / (c - tau)];
+                    cases.extend(parts.map(|part| (tau + part * (c - tau), 0.0, [tau, f, c])));
+                }
+            }
+        }
+    }
+    // The slope at the cut-off is infinite there, and rounding of the angle shows.
+    cases.retain(|(u, _, _)| *u < 3.1);
+    let mut errors = Errors::new("alpha, prepare in f32 on the CPU, everywhere", 2e-5);
+    for &(u, _, parameters) in &cases {
+        let parameters = parameters.map(f32_of);
+        errors.note(in_f32(u, parameters), badf::alpha(u, 0.0, parameters), || format!("u {u} {parameters:?}"));
+    }
+    errors.finish();
+    check_alpha("alpha, prepare in the fragment, everywhere", 2e-5, &profile_look_per_fragment(), &cases, true);
 }
 
 #[test]
