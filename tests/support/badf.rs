@@ -109,9 +109,11 @@ impl Mode {
     }
 }
 
-/// A straight layer colour laid over a premultiplied backdrop.
+/// A straight layer colour laid over a premultiplied backdrop. Shares count from 0 to 1: opacity, alpha, and the tone
+/// where it is a mask.
 pub(crate) fn blend(mode: Mode, below: DVec4, color: DVec4, rho: f64, opacity: f64, clamped: bool) -> DVec4 {
-    let a = color.w * opacity;
+    let a = color.w.clamp(0.0, 1.0) * opacity.clamp(0.0, 1.0);
+    let rho = if matches!(mode, Mode::Alpha | Mode::Shade) { rho.clamp(0.0, 1.0) } else { rho };
     if a <= 0.0 {
         return below;
     }
@@ -130,7 +132,8 @@ pub(crate) fn blend(mode: Mode, below: DVec4, color: DVec4, rho: f64, opacity: f
 
 /// Straight to premultiplied.
 pub(crate) fn premultiplied(c: DVec4) -> DVec4 {
-    (c.truncate() * c.w).extend(c.w)
+    let share = c.w.clamp(0.0, 1.0);
+    (c.truncate() * share).extend(share)
 }
 
 /// Premultiplied to straight; light over nothing is kept.
