@@ -8,6 +8,7 @@ import chiaro::curvature;
 /// @param kappa "Curvature" from=kappa : In 1/viewport-height, convex positive.
 /// @param slope "Slope" default=0.05 : How fast flat becomes convex; 0 is 0.5 everywhere.
 /// @return convexity "Convexity" : From 0 (concave) to 1 (convex).
+/// @unit
 /// @bypass 0.5 when slope = 0 : its slope is 0, which is flat everywhere
 /// @error balanced 5e-7 : convexity
 /// @error fast 7e-4 : convexity

@@ -15,6 +15,7 @@ import chiaro::profile;
 /// @param cutoff "Cut-off" unit=rad default=pi/2 min=0 max=pi : Where the tone reaches 0 (c).
 /// @param shift "Warp" unit=rad default=0 : Moves the profile outward, as a Curvature warp gives it.
 /// @return tone "Tone" : From 0 to 1.
+/// @unit
 /// @preset "Lambert" offset=0 falloff=pi/2 cutoff=pi/2
 /// @preset "Half-Lambert" offset=0 falloff=pi/2 cutoff=pi
 /// @preset "Phong specular" offset=0 falloff=0.3 cutoff=pi/2

@@ -101,6 +101,21 @@ fn sin_cos_quarter(x: f32) -> vec2f {
     return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
+/// sin(x/2) and cos(x/2) for x in [0, pi], given `left`, which is pi - x: both keep their relative
+/// accuracy at both ends, because the smaller angle is halved and its cosine is the other's sine.
+fn sin_cos_half(x: f32, left: f32) -> vec2f {
+    let half = sin_cos_quarter(0.5 * min(x, left));
+    return select(half.yx, half, x <= left);
+}
+
+/// pi - x for x up to pi, with the digits of pi that an f32 does not hold; 0 where x is the f32 next to pi.
+fn left_to_pi(x: f32) -> f32 {
+    // pi in two parts. The first is an f32, so that f64 reads the same one; the maximum keeps compilers
+    // from making one constant of both.
+    let coarse = max(3.1415927410125732421875 - x, 0.0);
+    return max(coarse - 8.742278012618954e-8, 0.0);
+}
+
 /// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a quarter turn.
 fn sin_cos(x: f32) -> vec2f {
     let turns = round(x * 0.318309886183790672);

@@ -1,7 +1,7 @@
 //! The BADF model in f64, from the paper's formulas and math.md's decisions, with inverse trigonometry and powers: none
 //! of it has the form that the shaders use.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::{DVec3, DVec4};
 
@@ -47,8 +47,12 @@ pub(crate) fn alpha_by_the_letter(u: f64, shift: f64, parameters: [f64; 3]) -> f
 pub(crate) fn alpha(u: f64, shift: f64, parameters: [f64; 3]) -> f64 {
     limits(u, shift, parameters, |x, f, c| {
         let q = (0.5 * x).sin() / (0.5 * c).sin();
-        // 1 - cos c cos f = (1 - cos c) + cos c (1 - cos f).
-        let gamma = (2.0 * (0.5 * c).sin().powi(2) + c.cos() * 2.0 * (0.5 * f).sin().powi(2)) / f.sin().powi(2);
+        // 1 - cos c cos f = (1 - cos c) + cos c (1 - cos f), and near pi the same of what is left to
+        // it: a turn by pi changes the sign of both cosines.
+        let (c_near, f_near) = if c < FRAC_PI_2 { (c, f) } else { (PI - c, PI - f) };
+        let of_c = 2.0 * (0.5 * c_near).sin().powi(2);
+        let of_f = 2.0 * (0.5 * f_near).sin().powi(2);
+        let gamma = (of_c + c_near.cos() * of_f) / f_near.sin().powi(2);
         if q >= 1.0 { 0.0 } else { (gamma * (-q * q).ln_1p()).exp() }
     })
 }
@@ -105,9 +109,11 @@ impl Mode {
     }
 }
 
-/// A straight layer colour laid over a premultiplied backdrop.
+/// A straight layer colour laid over a premultiplied backdrop. Shares count from 0 to 1: opacity, alpha, and the tone
+/// where it is a mask.
 pub(crate) fn blend(mode: Mode, below: DVec4, color: DVec4, rho: f64, opacity: f64, clamped: bool) -> DVec4 {
-    let a = color.w * opacity;
+    let a = color.w.clamp(0.0, 1.0) * opacity.clamp(0.0, 1.0);
+    let rho = if matches!(mode, Mode::Alpha | Mode::Shade) { rho.clamp(0.0, 1.0) } else { rho };
     if a <= 0.0 {
         return below;
     }
@@ -126,7 +132,8 @@ pub(crate) fn blend(mode: Mode, below: DVec4, color: DVec4, rho: f64, opacity: f
 
 /// Straight to premultiplied.
 pub(crate) fn premultiplied(c: DVec4) -> DVec4 {
-    (c.truncate() * c.w).extend(c.w)
+    let share = c.w.clamp(0.0, 1.0);
+    (c.truncate() * share).extend(share)
 }
 
 /// Premultiplied to straight; light over nothing is kept.

@@ -6,6 +6,7 @@ mod directions_weights;
 mod geometry_import;
 mod geometry_models;
 mod geometry_shapes;
+mod geometry_tangents;
 mod hcbtf_bake;
 mod hcbtf_examples;
 mod hcbtf_file;

@@ -9,6 +9,7 @@ use crate::support::random::Random;
 use crate::support::report::Errors;
 use chiaro::document::{Value, Values};
 use chiaro::frame::{EvalSample, LightOverride, SetupLook};
+use chiaro::interp::{Precision, Value as Number};
 use glam::{DMat3, DQuat, DVec3, DVec4};
 use serde_json::json;
 
@@ -288,6 +289,55 @@ fn alpha_of_parameters_wired_per_fragment() {
     check_alpha("alpha, prepare in the fragment, f' >= .2", 4e-6, &profile_look_per_fragment(), &cases, true);
 }
 
+/// Angles near 0, in the middle and near pi, as f32 holds them; the last is the f32 next to pi.
+fn far_and_wide() -> Vec<f64> {
+    let powers = || (1..=13).map(|i| 10_f64.powf(-0.5 * f64::from(i)));
+    let near_pi = [5, 2, 1, 0].map(|i| f64::from(f32::from_bits((PI as f32).to_bits() - i)));
+    let small = powers().filter(|x| *x > 1e-4);
+    let all = small.chain([0.5, 1.0, 1.5, 1.6, 2.0, 2.5]).chain(powers().map(|x| PI - x));
+    all.map(f32_of).chain(near_pi).collect()
+}
+
+/// alpha of an angle with a profile's parameters, by the library's functions in the f32 of the CPU.
+fn in_f32(u: f64, [offset, falloff, cutoff]: [f64; 3]) -> f64 {
+    let module = &chiaro::library::Library::built_in().nodes["profile"].module;
+    let call = |function: &str, arguments: &[Number]| {
+        let program = module.program(function).unwrap_or_else(|problem| panic!("{problem}"));
+        program.call(arguments, Precision::F32).unwrap_or_else(|problem| panic!("{problem}"))
+    };
+    let shape = call("profile_shape", &[offset, falloff, cutoff].map(Number::Float));
+    let half = Number::Struct(vec![Number::Float((0.5 * u).sin()), Number::Float((0.5 * u).cos())]);
+    call("profile_point", &[half, shape]).as_f64().expect("a number")
+}
+
+#[test]
+fn alpha_of_parameters_wired_near_0_and_near_pi() {
+    let issue = [0.0, f32_of(3.14159), f32_of(3.1415927)];
+    assert!((badf::alpha(2.5, 0.0, issue) - 0.315_322_4).abs() < 1e-7, "cos(1.25)");
+    let mut cases = vec![(2.5, 0.0, issue)];
+    for tau in [0.0, 1e-5, 3e-3] {
+        for c in far_and_wide() {
+            for f in far_and_wide() {
+                let [_, f, c] = [tau, f, c].map(f32_of);
+                // What is narrow beside its cut-off has tests of its own.
+                if tau + 0.05 * (c - tau) < f && f <= c {
+                    let parts = [0.1, 0.4, 0.7, 0.95, (f - tau) / (c - tau)];
+                    cases.extend(parts.map(|part| (tau + part * (c - tau), 0.0, [tau, f, c])));
+                }
+            }
+        }
+    }
+    // The slope at the cut-off is infinite there, and rounding of the angle shows.
+    cases.retain(|(u, _, _)| *u < 3.1);
+    let mut errors = Errors::new("alpha, prepare in f32 on the CPU, everywhere", 2e-5);
+    for &(u, _, parameters) in &cases {
+        let parameters = parameters.map(f32_of);
+        errors.note(in_f32(u, parameters), badf::alpha(u, 0.0, parameters), || format!("u {u} {parameters:?}"));
+    }
+    errors.finish();
+    check_alpha("alpha, prepare in the fragment, everywhere", 2e-5, &profile_look_per_fragment(), &cases, true);
+}
+
 #[test]
 fn the_two_forms_of_the_truth_agree() {
     let mut errors = Errors::new("f64: eq. 5, 10, 11 to the letter against 1 - q^2", 1e-11);
@@ -491,6 +541,154 @@ fn the_blends() {
                 }
             }
             errors.finish();
+        }
+    }
+}
+
+/// A look of a base and a layer whose opacity, tone and alphas are wired from the surface, or exposed.
+fn look_of_shares(mode: Mode, is_wired: bool) -> SetupLook {
+    let mut json = json!({
+        "nodes": [
+            {"id": "base", "kind": "base", "values": {"color": [0.9, 0.5, 0.1, 1]}},
+            {"id": "color", "kind": "set_alpha", "values": {"color": [0.2, 0.4, 0.6, 1]}},
+            {"id": "blend", "kind": "blend", "values": {"mode": mode.word()}},
+            {"id": "output", "kind": "output"}
+        ],
+        "wires": [
+            {"from": "base", "to": "blend.below"},
+            {"from": "color", "to": "blend.color"},
+            {"from": "blend", "to": "output.color"}
+        ]
+    });
+    let ports = ["opacity", "tone", "alpha"].iter().zip(["blend.opacity", "blend.tone", "color.alpha"]);
+    if is_wired {
+        let more = [json!({"id": "place", "kind": "position"}), json!({"id": "parts", "kind": "separate_vector"})];
+        json["nodes"].as_array_mut().expect("nodes").extend(more);
+        let wires = json["wires"].as_array_mut().expect("wires");
+        wires.push(json!({"from": "place", "to": "parts.vector"}));
+        wires.extend(
+            ports.zip(["x", "y", "z"]).map(|((_, port), axis)| json!({"from": format!("parts.{axis}"), "to": port})),
+        );
+    } else {
+        json["exposed"] = ports.map(|(name, target)| json!({"name": name, "target": target})).collect();
+    }
+    look(&json)
+}
+
+/// An opacity, a mask or an alpha beyond 1 covers, and does not go on past the color.
+#[test]
+fn shares_count_from_0_to_1() {
+    let base = DVec4::new(0.9, 0.5, 0.1, 1.0);
+    let shares = [-40.0, -0.5, 0.0, 0.3, 1.0, 1.5, 2.0, 40.0];
+    let mut exposed = Vec::new();
+    for opacity in shares {
+        for tone in shares {
+            for alpha in shares {
+                let values = numbers(&[("opacity", opacity), ("tone", tone), ("alpha", alpha)]);
+                let position = DVec3::new(opacity, tone, alpha);
+                exposed.push(EvalSample { values, position, ..EvalSample::default() });
+            }
+        }
+    }
+    for mode in Mode::ALL {
+        for is_wired in [false, true] {
+            let mut samples = exposed.clone();
+            let look = look_of_shares(mode, is_wired);
+            if is_wired {
+                samples.iter_mut().for_each(|sample| sample.values.clear());
+            }
+            let mut errors = Errors::new(format!("shares, {}, wired {is_wired}", mode.word()), 4e-7);
+            let truth = support::eval::truth(&look, "blend.below", &samples);
+            for ((value, in_f64), sample) in eval(&look, "blend.below", &samples).iter().zip(truth).zip(&samples) {
+                let [opacity, tone, alpha] = sample.position.to_array();
+                let color = DVec4::new(0.2, 0.4, 0.6, alpha);
+                let wanted = badf::blend(mode, base, color, tone, opacity, true).to_array();
+                for k in 0..4 {
+                    errors.note(value[k], wanted[k], || format!("{:?}", sample.position));
+                    assert!((in_f64[k] - wanted[k]).abs() < 1e-12, "{mode:?} {:?}", sample.position);
+                }
+            }
+            errors.finish();
+        }
+    }
+    // The issue's numbers: they covered with (0, 0, 0.3).
+    let issue =
+        badf::blend(Mode::Alpha, DVec4::new(0.9, 0.9, 0.9, 1.0), DVec4::new(0.2, 0.4, 0.6, 1.0), 1.0, 2.0, true);
+    assert!(issue.distance(DVec4::new(0.2, 0.4, 0.6, 1.0)) < 1e-15);
+}
+
+/// A base's own alpha, and the share of convex and concave colors, count from 0 to 1 too.
+#[test]
+fn shares_of_bases_and_of_curvature_count_from_0_to_1() {
+    let look = look(&json!({
+        "exposed": [{"name": "share", "target": "share.value"}],
+        "nodes": [
+            {"id": "share", "kind": "number"},
+            {"id": "color", "kind": "set_alpha", "values": {"color": [0.2, 0.4, 0.6, 1]}},
+            {"id": "base", "kind": "base"},
+            {"id": "tint", "kind": "curvature_color", "values": {"convex": [0.2, 0.4, 0.6], "concave": [0.9, 0.5, 0.1]}},
+            {"id": "blend", "kind": "blend"},
+            {"id": "output", "kind": "output"}
+        ],
+        "wires": [
+            {"from": "share", "to": "color.alpha"},
+            {"from": "share", "to": "tint.convexity"},
+            {"from": "color", "to": "base.color"},
+            {"from": "base", "to": "blend.below"},
+            {"from": "tint", "to": "blend.color"},
+            {"from": "blend", "to": "output.color"}
+        ]
+    }));
+    for (share, bound) in [(-3.0, 0.0), (0.25, 0.25), (1.0, 1.0), (7.0, 1.0)] {
+        let sample = EvalSample { values: numbers(&[("share", share)]), ..EvalSample::default() };
+        let samples = [sample];
+        let expected = [
+            ("base.below", [0.2 * bound, 0.4 * bound, 0.6 * bound, bound]),
+            ("tint.color", [0.9 - 0.7 * bound, 0.5 - 0.1 * bound, 0.1 + 0.5 * bound, 1.0]),
+        ];
+        for (output, wanted) in expected {
+            let found = eval(&look, output, &samples)[0];
+            let far = found.iter().zip(wanted).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(far < 3e-7, "{output} {share}: {found:?} for {wanted:?}");
+        }
+    }
+}
+
+/// Nothing is emitted for shares that are known to be some.
+#[test]
+fn bounds_that_change_nothing_are_left_out() {
+    let text = |look: &SetupLook| {
+        let samples = [EvalSample::default()];
+        let library = chiaro::library::Library::built_in();
+        let batches = chiaro::frame::eval_batches(look, library, &samples, &options(""), &mut Default::default());
+        batches.unwrap_or_else(|problems| panic!("{problems:?}"))[0].shader.wgsl.clone()
+    };
+    let wired = text(&look_of_shares(Mode::Alpha, true));
+    assert_eq!(wired.matches("= unit_share(parts").count(), 2, "{wired}");
+    assert_eq!(wired.matches("= with_unit_alpha(color").count(), 1, "{wired}");
+    // The host bounds what is a uniform.
+    assert!(!text(&look_of_shares(Mode::Alpha, false)).contains("unit_"), "exposed");
+    for mode in Mode::ALL {
+        for (tier, kind) in
+            [("exact", "directional"), ("balanced", "directional"), ("fast", "directional"), ("exact", "point")]
+        {
+            let layered = look(&json!({
+                "tier": tier,
+                "lights": {"key": {"type": kind, "direction": [0, 0, 1]}},
+                "nodes": [
+                    {"id": "base", "kind": "base"},
+                    {"id": "layer", "kind": "light_layer", "values": {"light": "key", "blend": mode.word(),
+                        "slope": 0.1, "amount": 0.3, "convex": [0.2, 0.4, 0.6, 0.5], "concave": [0.9, 0.5, 0.1],
+                        "opacity": 0.75, "falloff": 0.5}},
+                    {"id": "output", "kind": "output"}
+                ],
+                "wires": [{"from": "base", "to": "layer.below"}, {"from": "layer", "to": "output.color"}]
+            }));
+            let text = text(&layered);
+            assert!(
+                !text.contains("unit_share") && !text.contains("with_unit_alpha"),
+                "{tier} {kind} {mode:?}\n{text}"
+            );
         }
     }
 }

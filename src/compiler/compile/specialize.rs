@@ -4,6 +4,7 @@
 //! steps of a host program, whose results the fragment reads from uniforms; the rest is emitted as WGSL. A value is
 //! made once: asking for the same operation on the same values again gives the same value.
 
+mod bounds;
 mod bypass;
 
 use std::collections::{HashMap, HashSet};
@@ -206,8 +207,9 @@ impl<'a> Builder<'a> {
     fn node(&mut self, index: usize) {
         let graph = self.graph;
         let node = &graph.nodes[index];
-        let inputs: Vec<Option<ValueId>> =
+        let mut inputs: Vec<Option<ValueId>> =
             node.inputs.iter().map(|input| input.as_ref().and_then(|input| self.input(index, node, input))).collect();
+        self.bound_inputs(index, node, &mut inputs);
         if let Some((value, reason, proof)) = self.bypass(index, node, &inputs) {
             self.outputs[index] = vec![value];
             self.remove(node, reason, proof);
@@ -259,7 +261,12 @@ impl<'a> Builder<'a> {
         };
         Some(match input.conversion {
             Conversion::None => value,
-            Conversion::Template(template) => self.convert(index, value, template, &input.ty),
+            Conversion::Template(template) => {
+                let has_alpha = matches!(self.values[value].ty, Type::Color | Type::Vec4);
+                let value =
+                    if has_alpha && input.ty == Type::Composite { self.bounded(index, "alpha", value) } else { value };
+                self.convert(index, value, template, &input.ty)
+            }
         })
     }
 
@@ -442,7 +449,8 @@ impl<'a> Builder<'a> {
             // Only a node that was reported lacks an argument, and then nothing is emitted.
             arguments.extend(argument);
         }
-        self.call_function(index, node, function, arguments, ty, None)
+        let function = Function { module: node.def.module.clone(), name: function.into() };
+        self.call_function(index, function, arguments, ty, None)
     }
 
     fn prepared(&mut self, index: usize, node: &TypedNode, inputs: &[Option<ValueId>]) -> Option<ValueId> {
@@ -450,23 +458,24 @@ impl<'a> Builder<'a> {
         let arguments =
             prepare.parameters.iter().filter_map(|(input, _)| inputs[*input].map(Argument::Value)).collect();
         let part = Some("shape".to_owned());
-        Some(self.call_function(index, node, &prepare.function, arguments, prepare.result.clone(), part))
+        let function = Function { module: node.def.module.clone(), name: prepare.function.as_str().into() };
+        Some(self.call_function(index, function, arguments, prepare.result.clone(), part))
     }
 
     fn call_function(
         &mut self,
         index: usize,
-        node: &TypedNode,
-        function: &str,
+        function: Function,
         arguments: Vec<Argument>,
         ty: Type,
         part: Option<String>,
     ) -> ValueId {
-        let name: Arc<str> = function.into();
-        let module = node.def.module.clone();
-        let mut rate = self.call_rate(&module, function, &arguments);
+        let graph = self.graph;
+        let node = &graph.nodes[index];
+        let Function { module, name } = function;
+        let mut rate = self.call_rate(&module, &name, &arguments);
         if rate == Rate::Constant && !self.options.unspecialized {
-            match self.fold(&module, function, &arguments) {
+            match self.fold(&module, &name, &arguments) {
                 Ok(Some(value)) => {
                     let made = self.values.len();
                     let id = self.constant(index, ty, value);
@@ -482,7 +491,7 @@ impl<'a> Builder<'a> {
         if self.options.unspecialized {
             rate = Rate::Fragment;
         }
-        let ranges = self.call_ranges(&module, function, &arguments);
+        let ranges = self.call_ranges(&module, &name, &arguments);
         if let Some(known) = self.only_value(ranges.as_ref(), &ty) {
             self.proved.insert(index);
             return self.constant(index, ty, known);

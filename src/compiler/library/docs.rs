@@ -13,6 +13,7 @@
 //! /// @return tone "Tone" : From 0 to 1.
 //! /// @preset "Lambert" offset=0 falloff=pi/2
 //! /// @bypass below when opacity = 0 : nothing is laid over what is below
+//! /// @bound tone when mode = alpha|shade
 //! /// @unit when clamped = 1
 //! /// @error fast 2e-3 : of the tone
 //! /// @source BADF eq. 5
@@ -22,9 +23,13 @@
 //! conditions compare an input with a number, with another input, with words of a choice (`mode = add|alpha`), or
 //! with `black` (first three numbers 0), `unit` (all numbers known to lie in [0, 1]) or `unit_alpha` (the fourth
 //! number, if there is one). Beside `=` there are `<=` and `>=`, against a number or another input: they hold where
-//! constants or ranges show that they hold at every fragment. `@unit` says when the result is known to lie in [0, 1].
+//! constants or ranges show that they hold at every fragment. `@unit` says when the result is known to lie in [0, 1],
+//! but for what a card's division may be off.
 //! A test holds that a bypassed node equals one that is not. An `@error` says how far a cheaper tier may be from the exact
 //! one; a test holds that too.
+//!
+//! A `@bound` names an input that is a share, with the choices for which it is one: the compiler keeps it within 0 and 1
+//! (of a color its alpha) before the node's functions see it, and does nothing where ranges show that it lies there.
 //!
 //! Numbers may be written with `pi` (`pi/2`, `-pi`, `2pi`), vectors with commas and no spaces, text in quotes. A help
 //! text may go on in following lines that are indented by two spaces or more.
@@ -32,7 +37,7 @@
 /// One `@word ...` line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tag {
-    /// `param`, `choice`, `return`, `preset`, `bypass`, `unit`, `error`, `source`.
+    /// `param`, `choice`, `return`, `preset`, `bypass`, `bound`, `unit`, `error`, `source`.
     pub word: String,
     /// What stands between the word and the colon, split at spaces; quoted texts are one piece without their quotes.
     pub pieces: Vec<Piece>,

@@ -260,6 +260,24 @@ mod tests {
     }
 
     #[test]
+    fn a_bound_names_a_share_and_the_choices_that_make_it_one() {
+        let node = |bound: &str| {
+            let text = format!(
+                "/// Probe\n///\n/// @choice mode default=add add=Add alpha=Alpha\n/// @bound {bound}\n\
+                 fn probe_add(share: f32, place: vec3f) -> f32 {{ return share; }}\n\
+                 fn probe_alpha(share: f32) -> f32 {{ return share; }}\n"
+            );
+            crate::library::read::load_node("nodes/probe.wgsl", &text, None)
+        };
+        assert_eq!(node("share").unwrap().bounds[0].conditions, []);
+        assert_eq!(node("share when mode = alpha").unwrap().bounds[0].conditions.len(), 1);
+        for wrong in ["", "other", "place", "share when share = 0", "share if mode = alpha"] {
+            let problems = node(wrong).unwrap_err();
+            assert!(problems[0].message.contains("@bound"), "{wrong}: {problems:?}");
+        }
+    }
+
+    #[test]
     fn copies_of_shipped_nodes_say_nothing_and_changed_ones_do() {
         let folder = tempfile::tempdir().unwrap();
         let (path, text) = NODES.iter().find(|(path, _)| path.ends_with("/profile.wgsl")).unwrap();

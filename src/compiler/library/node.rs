@@ -34,6 +34,8 @@ pub struct NodeDef {
     pub prepare: Option<Prepare>,
     /// When the node may be left out.
     pub bypasses: Vec<Bypass>,
+    /// Inputs that are kept within 0 and 1.
+    pub bounds: Vec<Bound>,
     /// When all numbers of the result lie in [0, 1]; `None` for never.
     pub unit_when: Option<Vec<Condition>>,
     /// How far its cheaper tiers may be from the exact one.
@@ -174,6 +176,16 @@ pub enum BypassResult {
     Input(usize),
     /// A number.
     Number(f64),
+}
+
+/// An input that is a share, such as an opacity or a mask: it is kept within 0 and 1 before the
+/// node's functions see it, of a color its alpha alone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bound {
+    /// The input.
+    pub input: usize,
+    /// The choices with which it is a share; all must hold.
+    pub conditions: Vec<Condition>,
 }
 
 /// One condition of a bypass.

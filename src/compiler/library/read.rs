@@ -7,8 +7,8 @@ use indexmap::IndexMap;
 use super::context::Context;
 use super::docs::{self, Docs, Piece, Tag};
 use super::node::{
-    Bypass, BypassResult, Condition, Fallback, Input, Limit, NodeDef, NodeModule, Output, Parameter, Prepare, Preset,
-    Special, Test, TierError, Variant,
+    Bound, Bypass, BypassResult, Condition, Fallback, Input, Limit, NodeDef, NodeModule, Output, Parameter, Prepare,
+    Preset, Special, Test, TierError, Variant,
 };
 use super::types::Type;
 use crate::diag::{Diagnostic, LineColumn};
@@ -133,6 +133,7 @@ impl Reader<'_> {
             variants: Vec::new(),
             prepare: None,
             bypasses: Vec::new(),
+            bounds: Vec::new(),
             unit_when: None,
             errors: Vec::new(),
             presets: Vec::new(),
@@ -409,6 +410,13 @@ impl Reader<'_> {
                         self.problem(head, "a `@bypass` is not of the form `input when other = value`".to_owned());
                     }
                 },
+                "bound" => match bound(node, tag) {
+                    Some(bound) => node.bounds.push(bound),
+                    None => {
+                        let form = "`input` or `input when choice = word`, with a float or color input";
+                        self.problem(head, format!("a `@bound` is not of the form {form}"));
+                    }
+                },
                 "unit" => {
                     node.unit_when = unit_conditions(node, tag);
                     if node.unit_when.is_none() {
@@ -424,7 +432,8 @@ impl Reader<'_> {
                 "param" | "choice" | "return" | "source" => {}
                 other => {
                     self.problem(head, format!("`@{other}` means nothing here")).hints.push(
-                        "the tags are @param, @choice, @return, @preset, @bypass, @unit, @error and @source".to_owned(),
+                        "the tags are @param, @choice, @return, @preset, @bypass, @bound, @unit, @error and @source"
+                            .to_owned(),
                     );
                 }
             }
@@ -568,9 +577,24 @@ fn words(tag: &Tag) -> Vec<&str> {
     tag.pieces.iter().map(|piece| if let Piece::Word(word) = piece { word.as_str() } else { "" }).collect()
 }
 
-/// `when` and conditions; always, where there is nothing.
+/// `tone when mode = alpha|shade`
+fn bound(node: &NodeDef, tag: &Tag) -> Option<Bound> {
+    let words = words(tag);
+    let (name, conditions) = words.split_first()?;
+    let input = node.input(name)?;
+    let conditions = conditions_after_when(node, conditions)?;
+    let is_choice = |condition: &Condition| matches!(condition.test, Test::Word(_));
+    let is_share = matches!(node.inputs[input].ty, Type::Float | Type::Color);
+    (is_share && conditions.iter().all(is_choice)).then_some(Bound { input, conditions })
+}
+
 fn unit_conditions(node: &NodeDef, tag: &Tag) -> Option<Vec<Condition>> {
-    match words(tag).as_slice() {
+    conditions_after_when(node, &words(tag))
+}
+
+/// `when` and conditions; always, where there is nothing.
+fn conditions_after_when(node: &NodeDef, words: &[&str]) -> Option<Vec<Condition>> {
+    match words {
         [] => Some(Vec::new()),
         ["when", rest @ ..] => rest.split(|word| *word == "and").map(|words| condition(node, words)).collect(),
         _ => None,

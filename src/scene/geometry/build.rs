@@ -2,13 +2,13 @@
 
 use std::collections::HashMap;
 
-use glam::{DVec2, DVec3};
+use glam::{DVec3, Vec3};
 
 use super::closed::is_solid;
 use super::mesh::{Mesh, Part};
 use super::normals::{make_missing, place, weld};
-use super::soup::{NONE, Soup};
-use super::tangents::{from_uvs, handedness};
+use super::soup::{Corner, NONE, Soup};
+use super::tangents::{self, CornerTangents};
 
 /// What was done on the way to the mesh, for the reader's notes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -29,29 +29,21 @@ pub(super) fn build(mut soup: Soup, crease_angle: f64) -> (Mesh, Made) {
     soup.normals = unit;
 
     let mut joiner = Joiner::new(&soup);
-    let sides: Vec<[i8; 3]> = soup.triangles.iter().map(|t| joiner.sides(t)).collect();
+    let made = tangents::of_corners(&soup, |corner| {
+        let [normal, uv] = joiner.same_normal_and_uv(corner);
+        [welded[corner.point as usize], normal, uv]
+    });
     let order = by_material(&soup);
-    // Triangles whose UVs span no area take whatever vertex their neighbours have, so those come first.
-    for with_uvs in [true, false] {
-        for &t in order.iter().filter(|&&t| (sides[t as usize] != [0; 3]) == with_uvs) {
-            joiner.add(t as usize, sides[t as usize]);
-        }
-    }
+    joiner.join(&order, &made);
     let Joiner { vertices, indices, .. } = joiner;
     let mut mesh = gather(&soup, &vertices);
+    mesh.tangents = vertex_tangents(&soup, &vertices, &made);
     mesh.has_normals = normals == 0;
     settle_sides(&mut soup, &welded);
     for &t in &order {
         extend_parts(&mut mesh, &soup, t as usize);
         mesh.indices.extend(indices[t as usize]);
     }
-    let sides: Vec<i8> = vertices.iter().map(|key| key.side).collect();
-    let given: Vec<[f32; 4]> = if soup.tangents.is_empty() {
-        Vec::new()
-    } else {
-        vertices.iter().map(|key| soup.tangents[key.point as usize]).collect()
-    };
-    mesh.tangents = from_uvs(&mesh, &sides, &given);
     (mesh, Made { degenerate, normals })
 }
 
@@ -133,8 +125,8 @@ struct Key {
     point: u32,
     normal: u32,
     uv: u32,
-    /// See [`handedness`]; 0 also where tangents are given.
-    side: i8,
+    /// Into [`CornerTangents::tangents`]; [`NONE`] also where the file has one.
+    tangent: u32,
 }
 
 /// Joins corners to vertices.
@@ -161,36 +153,53 @@ impl<'a> Joiner<'a> {
         }
     }
 
-    /// The handedness of each corner.
-    fn sides(&self, corners: &[super::soup::Corner; 3]) -> [i8; 3] {
-        let given = |point: u32| self.soup.tangents.get(point as usize).is_some_and(|t| t[3] != 0.0);
-        if corners.iter().any(|c| c.uv == NONE) || corners.iter().all(|c| given(c.point)) {
-            return [0; 3];
-        }
-        let positions = corners.map(|c| place(&self.soup.points, c.point));
-        let uvs = corners.map(|c| DVec2::from(self.soup.uvs[c.uv as usize].map(f64::from)));
-        corners.map(|c| handedness(positions, DVec3::from(self.soup.normals[c.normal as usize].map(f64::from)), uvs))
+    fn same_normal_and_uv(&self, corner: &Corner) -> [u32; 2] {
+        let uv = if corner.uv == NONE { NONE } else { self.same_uv[corner.uv as usize] };
+        [self.same_normal[corner.normal as usize], uv]
     }
 
-    fn add(&mut self, t: usize, sides: [i8; 3]) {
-        for (k, side) in sides.into_iter().enumerate() {
-            let corner = self.soup.triangles[t][k];
-            let key = Key {
-                point: corner.point,
-                normal: self.same_normal[corner.normal as usize],
-                uv: if corner.uv == NONE { NONE } else { self.same_uv[corner.uv as usize] },
-                side,
-            };
-            let candidates = if key.side == 0 { &[0, 1, -1][..] } else { &[key.side][..] };
-            let known = candidates.iter().find_map(|&side| self.known.get(&Key { side, ..key }).copied());
-            self.indices[t][k] = known.unwrap_or_else(|| {
-                let vertex = self.vertices.len() as u32;
-                self.known.insert(key, vertex);
-                self.vertices.push(key);
-                vertex
-            });
+    /// Gives every corner a vertex. Corners whose UVs say nothing of a tangent take whatever vertex their neighbours
+    /// have, so those come last.
+    fn join(&mut self, order: &[u32], made: &CornerTangents) {
+        let has_bare = made.of_corner.iter().flatten().any(|&tangent| tangent == NONE);
+        for is_bare in [false, true] {
+            for (t, k) in order.iter().flat_map(|&t| [0, 1, 2].map(|k| (t as usize, k))) {
+                let tangent = made.of_corner[t][k];
+                if (tangent == NONE) != is_bare {
+                    continue;
+                }
+                let corner = self.soup.triangles[t][k];
+                let [normal, uv] = self.same_normal_and_uv(&corner);
+                let key = Key { point: corner.point, normal, uv, tangent };
+                let vertex = self.vertex(key);
+                self.indices[t][k] = vertex;
+                if has_bare && !is_bare {
+                    self.known.entry(Key { tangent: NONE, ..key }).or_insert(vertex);
+                }
+            }
         }
     }
+
+    fn vertex(&mut self, key: Key) -> u32 {
+        *self.known.entry(key).or_insert_with(|| {
+            self.vertices.push(key);
+            self.vertices.len() as u32 - 1
+        })
+    }
+}
+
+/// The tangents of the vertices: the file's own, else what the UVs make, else level ones.
+fn vertex_tangents(soup: &Soup, vertices: &[Key], made: &CornerTangents) -> Vec<[f32; 4]> {
+    let tangent = |key: &Key| {
+        let normal = Vec3::from(soup.normals[key.normal as usize]);
+        if soup.has_tangent(key.point) {
+            let [x, y, z, w] = soup.tangents[key.point as usize];
+            return tangents::orthogonal(normal, Vec3::new(x, y, z), w.signum());
+        }
+        let made = made.tangents.get(key.tangent as usize).copied();
+        made.unwrap_or_else(|| tangents::orthogonal(normal, Vec3::ZERO, 1.0))
+    };
+    vertices.iter().map(tangent).collect()
 }
 
 /// The attributes of the vertices, all but the tangents.

@@ -56,6 +56,11 @@ pub(super) struct Soup {
 }
 
 impl Soup {
+    /// Whether the file has a tangent for a point.
+    pub(super) fn has_tangent(&self, point: u32) -> bool {
+        self.tangents.get(point as usize).is_some_and(|tangent| tangent[3] != 0.0)
+    }
+
     /// The index of the material of that name, made if there is none.
     pub(super) fn material(&mut self, name: &str) -> u32 {
         let known = self.materials.iter().position(|m| m.name == name);

@@ -262,6 +262,14 @@ impl Range {
         }
     }
 
+    /// Whether it lies between two others wherever it is a number; NaN has no place of its own.
+    pub(in crate::compile) fn is_number_within(self, low: f64, high: f64) -> bool {
+        match self {
+            Self::Float(x) => Floats { nan: false, ..x }.is_within(low, high),
+            other => other.bounds().is_some_and(|[least, most]| low <= least && most <= high),
+        }
+    }
+
     /// What is left of it where its numbers lie in [0, 1] for another reason.
     pub(in crate::compile) fn within_unit(self) -> Self {
         match self {

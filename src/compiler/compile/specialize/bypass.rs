@@ -48,7 +48,12 @@ impl Builder<'_> {
 
     /// Whether a node's result lies in [0, 1] by its own rule.
     pub(super) fn is_unit(&self, node: &TypedNode, inputs: &[Option<ValueId>]) -> bool {
-        node.def.unit_when.as_ref().is_some_and(|conditions| self.all_hold(node, inputs, conditions).is_some())
+        node.def.unit_when.as_ref().is_some_and(|conditions| self.are_met(node, inputs, conditions))
+    }
+
+    /// Whether all conditions hold, however that is shown.
+    pub(super) fn are_met(&self, node: &TypedNode, inputs: &[Option<ValueId>], conditions: &[Condition]) -> bool {
+        self.all_hold(node, inputs, conditions).is_some()
     }
 
     fn all_hold(&self, node: &TypedNode, inputs: &[Option<ValueId>], conditions: &[Condition]) -> Option<Shown> {
