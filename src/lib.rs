@@ -17,6 +17,7 @@ pub mod examples;
 pub mod figures;
 pub mod ids;
 pub mod milestones;
+pub mod threads;
 
 // Floor 1: WGSL sources, and the only caller of naga's front end and validator.
 pub mod wgsl;

@@ -20,7 +20,7 @@ use scan::Reference;
 /// has a time, a group that the library ships is a document, a drawing shows what the catalog knows, and a frame plan
 /// joins what the rest of floor 3 makes.
 const FLOORS: &[(&str, &[&str])] = &[
-    ("0", &["base64", "clock", "examples", "figures", "ids", "math"]),
+    ("0", &["base64", "clock", "examples", "figures", "ids", "math", "threads"]),
     ("0½", &["diag", "milestones"]),
     ("1", &["wgsl"]),
     ("2", &["document", "interp"]),
