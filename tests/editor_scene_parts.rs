@@ -178,6 +178,27 @@ fn a_scenes_lights_are_edited_as_a_looks_are() {
 }
 
 #[test]
+fn point_and_spot_lights_are_given_their_fall_off() {
+    let mut hand = Hand::new();
+    hand.tab("Lights");
+    assert!(!hand.has("Half distance"), "the sun does not fade");
+    let of_key = |hand: &Hand| hand.look().lights["key"].clone();
+    for kind in ["Point", "Spot"] {
+        hand.choose("Type", kind);
+        let half = hand.place_of(Role::SpinButton, "Half distance");
+        hand.type_over(half, "2.5");
+        let range = hand.place_of(Role::SpinButton, "Range");
+        hand.type_over(range, "7");
+        assert_eq!((of_key(&hand).half_distance, of_key(&hand).range), (2.5, 7.0));
+        assert!(hand.has("Keys of Half distance") && hand.has("Keys of Range"), "they can be keyed");
+        // What no document may hold is not set, and what is switched off says so.
+        hand.type_over(half, "-3");
+        hand.type_over(range, "off");
+        assert_eq!((of_key(&hand).half_distance, of_key(&hand).range), (0.0, 0.0));
+    }
+}
+
+#[test]
 fn the_list_of_meshes_shows_the_way_to_ones_own() {
     let home = Home::new();
     let mesh = home.file("own.obj");
