@@ -17,6 +17,7 @@ use crate::editor::fitting;
 use crate::editor::look_export::stem_of;
 use crate::editor::painting;
 use crate::editor::safety::Wish;
+use crate::editor::safety::crashes::DocumentOrigin;
 use crate::editor::session::Session;
 use crate::editor::shortcuts::{self, Action};
 use crate::editor::stage::Stage;
@@ -127,6 +128,12 @@ impl App {
     fn apply_to_safety(&mut self, wish: Wish) {
         if wish == Wish::OpenAnother {
             self.dialogs.ask(Purpose::Open, self.session.path());
+        }
+        if wish == Wish::ReadAgain
+            && let Some(path) = self.safety.interrupted()
+        {
+            self.session.crashes.trust(&DocumentOrigin::of_file(&path));
+            return self.open(&path);
         }
         let painting = self.painting_number();
         self.message = self.safety.apply(wish, &mut self.session);

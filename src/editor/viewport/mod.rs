@@ -352,7 +352,7 @@ impl Viewport {
         if factor != 1.0 && !is_held {
             session.view.dolly(factor);
         }
-        if ui.ctx().egui_wants_keyboard_input() {
+        if shortcuts::is_keyboard_taken(ui.ctx()) {
             return;
         }
         if fitting.is_on() {
