@@ -1,11 +1,13 @@
-//! How threads begin that compile, draw or run looks. A look may be deep, and the compilers of drivers recurse over it:
-//! they get room for that.
+//! How threads begin that compile, draw or run looks. A look may be deep, and the compilers of
+//! drivers recurse over it: they get room for that.
 
 use std::thread::Builder;
 
-/// Bytes of stack of a thread that works on looks. Pages that are never touched cost addresses and no memory.
+/// Bytes of stack of a thread that works on looks. Pages that are never touched cost addresses and
+/// no memory.
 ///
-/// Measured: a chain of 5,000 nodes takes the compiler of software Vulkan beyond the 2 MiB that threads have by themselves.
+/// Measured: a chain of 5,000 nodes takes the compiler of software Vulkan beyond the 2 MiB that
+/// threads have by themselves.
 pub const STACK: usize = 64 << 20;
 
 /// A thread of this name, about to be started, with room for looks.
@@ -13,13 +15,15 @@ pub fn builder(name: &str) -> Builder {
     Builder::new().name(name.to_owned()).stack_size(STACK)
 }
 
-/// Gives the threads of rayon's pool as much room. To be called before anything is spread over the pool.
+/// Gives the threads of rayon's pool as much room. To be called before anything is spread over the
+/// pool.
 pub fn prepare_pool() {
     // A pool that is there already stays as it is.
     let _ = rayon::ThreadPoolBuilder::new().stack_size(STACK).build_global();
 }
 
-/// Does work on a thread with room for looks, and waits for it; on this one where the system has none to give.
+/// Does work on a thread with room for looks, and waits for it; on this one where the system has
+/// none to give.
 #[expect(clippy::disallowed_methods, reason = "one of the places that start threads: the program's own main work")]
 pub fn with_room<T: Send>(work: impl Fn() -> T + Sync) -> T {
     let done = std::thread::scope(|scope| {

@@ -637,6 +637,9 @@ fn crash_shots() {
     save(&mut hand, "crash-held");
     hand.tab("Lights");
     hand.press("Try again");
+    let light = hand.place("Light key shines").left_center();
+    hand.click(light - vec2(14.0, 0.0));
+    hand.settle();
     hand.choose("Type", "Spot");
     save(&mut hand, "light-fall-off");
 }

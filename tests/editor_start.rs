@@ -618,8 +618,7 @@ fn what_the_last_program_ended_over_is_drawn_by_hand_alone() {
         assert!(hand.app().session().baked().is_none() && hand.app().session().live().is_none());
         assert!(says(&hand, "a.json is open without being drawn: Chiaro ended while"));
         press(&mut hand, "Try again");
-        assert!(compiles(&hand) && hand.app().session().baked().is_some());
-        assert!(!says(&hand, "without being drawn"));
+        assert!(hand.app().session().baked().is_some() && !says(&hand, "without being drawn"));
         drop(hand);
         let hand = home.window(None);
         assert!(has(&hand, "Open the look a"), "it was drawn, and is as any other");
@@ -660,7 +659,7 @@ fn what_the_last_program_ended_over_while_reading_is_not_read() {
     assert!(hand.app().session().path().is_none());
     press(&mut hand, "Try again");
     assert_eq!(hand.app().session().path(), Some(path.as_path()));
-    assert!(compiles(&hand) && !says(&hand, "was not opened"));
+    assert!(hand.app().session().baked().is_some() && !says(&hand, "was not opened"));
 }
 
 #[test]

@@ -1,5 +1,5 @@
-//! The fields of a light that artists, keys, scenes and exported shaders set: one table, from which the file format, the
-//! checks, the window and the exports take what they say of a field.
+//! The fields of a light that artists, keys, scenes and exported shaders set: one table, from which
+//! the file format, the checks, the window and the exports take what they say of a field.
 
 use super::shape::{self, Kind};
 use super::{Light, LightKind, Value};
@@ -162,7 +162,8 @@ impl LightField {
         if self.quantity() == LightQuantity::Angle { "rad" } else { "" }
     }
 
-    /// The least and the greatest number that the format allows; `None` of what is no single number.
+    /// The least and the greatest number that the format allows; `None` of what is no single
+    /// number.
     pub fn range(self) -> Option<[f64; 2]> {
         match &shape::LIGHT.field(self.name())?.1.kind {
             Kind::Number(bounds) => Some([bounds.min, bounds.max]),

@@ -178,7 +178,8 @@ pub(crate) struct Picture {
     late: u32,
     /// The size that was asked for last, before it was made coarser.
     size: [u32; 2],
-    /// Lives while the GPU is at something that it never drew before: the compilers of drivers may be at work as well.
+    /// Lives while the GPU is at something that it never drew before: the compilers of drivers may
+    /// be at work as well.
     unfinished: Weak<CrashMark>,
     /// How many pictures were asked for.
     pub(crate) wishes: u64,
@@ -191,8 +192,8 @@ pub(crate) struct Picture {
 }
 
 impl Picture {
-    /// A picture on the window's device. `wake` is called from another thread when there is a new one; what goes on is
-    /// noted in `crashes`.
+    /// A picture on the window's device. `wake` is called from another thread when there is a new
+    /// one; what goes on is noted in `crashes`.
     pub(crate) fn new(state: RenderState, crashes: CrashLog, wake: impl Fn() + Send + 'static) -> Self {
         let gpu = Gpu::new(state.device.clone(), state.queue.clone(), state.adapter.get_info());
         // Lights are edited: a look is not compiled anew when one goes out.
@@ -389,7 +390,8 @@ impl Artist {
         }
     }
 
-    /// Keeps a mark until the GPU has done everything that was handed to it. Some drivers compile only then.
+    /// Keeps a mark until the GPU has done everything that was handed to it. Some drivers compile
+    /// only then.
     fn hand_to_gpu(&self, going: CrashMark) -> Weak<CrashMark> {
         let going = Arc::new(going);
         let unfinished = Arc::downgrade(&going);

@@ -436,8 +436,9 @@ fn owner_id() -> egui::Id {
     egui::Id::unique("owner of the keyboard")
 }
 
-/// Remembers whose the keys of this frame are; to be called before anything of it is shown. A field or a dialog that one
-/// of these keys closes would leave the others, typed as fast, to whatever lies below.
+/// Remembers whose the keys of this frame are; to be called before anything of it is shown. A field
+/// or a dialog that one of these keys closes would leave the others, typed as fast, to whatever
+/// lies below.
 pub(crate) fn begin_frame(ctx: &egui::Context) {
     let owner = if ctx.memory(|memory| memory.top_modal_layer().is_some()) {
         KeyboardOwner::Dialog

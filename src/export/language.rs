@@ -18,7 +18,8 @@ pub struct Language {
     pub short_label: &'static str,
     /// What reads it, where its name does not say so; may be empty.
     pub api: &'static str,
-    /// The files of a look that are text, for who copies one of them; none where the window copies it in another way.
+    /// The files of a look that are text, for who copies one of them; none where the window copies
+    /// it in another way.
     pub texts: &'static [TextFile],
     /// The program, none of ours, that accepts every golden output; `None` where there is none, and files say so.
     pub verified_by: Option<&'static str>,

@@ -20,8 +20,8 @@ mod node;
 mod read;
 mod types;
 
-/// The categories that have a colour of their own, in the order of palettes and of tables. The folder that a node's file
-/// lies in is its category, and a project's folders may be any others.
+/// The categories that have a colour of their own, in the order of palettes and of tables. The
+/// folder that a node's file lies in is its category, and a project's folders may be any others.
 pub const CATEGORIES: [&str; 14] = [
     "layer",
     "light",

@@ -97,8 +97,8 @@ impl App {
         self.safety.look();
     }
 
-    /// Notes that a file is being read, until what is returned is dropped. `None` where the last program ended over that,
-    /// which is told.
+    /// Notes that a file is being read, until what is returned is dropped. `None` where the last
+    /// program ended over that, which is told.
     pub(super) fn begin_to_read(&mut self, path: &Path) -> Option<CrashMark> {
         let crashes = self.session.crashes.clone();
         if crashes.suspect_in(path).is_some_and(|suspect| suspect.step == Step::Read) {

@@ -33,7 +33,8 @@ pub(crate) struct Panels {
 }
 
 impl Panels {
-    /// `wake` is called from another thread when there is a new small picture; what goes on is noted in `crashes`.
+    /// `wake` is called from another thread when there is a new small picture; what goes on is
+    /// noted in `crashes`.
     pub(crate) fn new(gpu: Option<Gpu>, crashes: CrashLog, wake: impl Fn() + Send + 'static) -> Self {
         Self {
             layers: layers::Layers::default(),

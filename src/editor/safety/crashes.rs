@@ -1,10 +1,12 @@
-//! What was being read, compiled or drawn when a program ended without saying goodbye: the next one does not do that again
-//! by itself, and starts.
+//! What was being read, compiled or drawn when a program ended without saying goodbye: the next one
+//! does not do that again by itself, and starts.
 //!
-//! Every running window has a file in the user's state folder. Before a document is read, compiled or drawn for the first
-//! time a line in the file says so, and another one after it; a file that says nothing is empty. The file is locked, and
-//! the lock is the system's own: it ends with the program, however that ends. So what a file without a lock has begun and
-//! not ended was interrupted. Nothing is forced onto the disk: only the program ends in a crash of its own, not the system.
+//! Every running window has a file in the user's state folder. Before a document is read, compiled
+//! or drawn for the first time a line in the file says so, and another one after it; a file that
+//! says nothing is empty. The file is locked, and the lock is the system's own: it ends with the
+//! program, however that ends. So what a file without a lock has begun and not ended was
+//! interrupted. Nothing is forced onto the disk: only the program ends in a crash of its own, not
+//! the system.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
@@ -22,8 +24,8 @@ use crate::editor::paths::absolute;
 const ENDING: &str = "running";
 /// As much of a file is read.
 const MOST_BYTES: u64 = 1 << 20;
-/// An empty file that nobody holds may have been made just now, by a window that is about to lock it; after so long it
-/// was not.
+/// An empty file that nobody holds may have been made just now, by a window that is about to lock
+/// it; after so long it was not.
 const OLD: Duration = Duration::from_secs(60 * 60);
 
 /// What is done to a document. What comes later needs what comes before.
@@ -203,7 +205,8 @@ impl CrashLog {
         !self.lock().suspects.is_empty()
     }
 
-    /// What was interrupted of a document, of several the earliest step; nothing if its file was changed since.
+    /// What was interrupted of a document, of several the earliest step; nothing if its file was
+    /// changed since.
     pub(crate) fn suspect(&self, document: &DocumentOrigin) -> Option<Suspect> {
         let state = self.lock();
         let found = state.suspects.iter().filter(|suspect| suspect.document.is(document));
@@ -240,7 +243,8 @@ impl CrashLog {
 }
 
 impl State {
-    /// This window's own file, made where there is none yet. Where that fails, nothing is kept: the window works without.
+    /// This window's own file, made where there is none yet. Where that fails, nothing is kept: the
+    /// window works without.
     fn own(&mut self) -> Option<&mut File> {
         let folder = self.folder.as_ref()?;
         if self.own.is_none() {
@@ -250,8 +254,9 @@ impl State {
             let file =
                 builder.prefix("window-").suffix(&ending).rand_bytes(10).append(true).tempfile_in(folder).ok()?;
             let (file, path) = file.keep().ok()?;
-            // Where there are no locks, another window takes what this one is at for interrupted, and asks.
-            let _ = file.try_lock();
+            // A window that just looks whether somebody holds it lets go at once. Where there are
+            // no locks, another window takes what this one is at for interrupted, and asks.
+            let _ = file.lock();
             self.own = Some((path, file));
         }
         self.own.as_mut().map(|(_, file)| file)
@@ -277,7 +282,8 @@ impl Drop for State {
     }
 }
 
-/// Something that goes on with a document, until it is dropped; in a thread that panics it never ends.
+/// Something that goes on with a document, until it is dropped; in a thread that panics it never
+/// ends.
 #[derive(Debug)]
 #[must_use = "dropped, it says that what was begun has ended"]
 pub(crate) struct CrashMark {

@@ -120,7 +120,8 @@ impl Safety {
         self.unopened = Some(Unopened::new(path, problems, session));
     }
 
-    /// Tells that a file is not read, because the last program ended over that, until another one is opened.
+    /// Tells that a file is not read, because the last program ended over that, until another one
+    /// is opened.
     pub(crate) fn was_interrupted(&mut self, path: &Path, session: &Session) {
         self.unopened = Some(Unopened::interrupted(path, session));
     }
@@ -151,7 +152,8 @@ impl Safety {
         look.or(painting)
     }
 
-    /// Whether the last program ended over what is offered, or over the scene around it: only a hand goes on with that.
+    /// Whether the last program ended over what is offered, or over the scene around it: only a
+    /// hand goes on with that.
     fn is_suspect(&self, number: usize, session: &Session) -> bool {
         let offer = self.offers.get(number);
         let files = offer.into_iter().flat_map(|offer| offer.path.iter().chain(&offer.beside));

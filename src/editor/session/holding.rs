@@ -1,4 +1,5 @@
-//! A document over which the last program ended is neither compiled nor drawn until somebody says so.
+//! A document over which the last program ended is neither compiled nor drawn until somebody says
+//! so.
 
 use std::path::PathBuf;
 
@@ -10,7 +11,8 @@ use crate::editor::stage::Stage;
 /// What is held back.
 #[derive(Default)]
 pub(super) struct Holding {
-    /// For which document, in which scene, and after how many changes of what is suspected it was looked.
+    /// For which document, in which scene, and after how many changes of what is suspected it was
+    /// looked.
     looked_for: Option<(u64, Option<PathBuf>, u64)>,
     suspect: Option<Suspect>,
 }

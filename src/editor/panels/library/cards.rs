@@ -114,7 +114,8 @@ impl Card {
         (0..count()).filter_map(card).collect()
     }
 
-    /// What a file holds. That it is read is noted in `crashes`, and nothing is read over which the last program ended.
+    /// What a file holds. That it is read is noted in `crashes`, and nothing is read over which the
+    /// last program ended.
     pub(in super::super) fn of_file(path: &Path, side: f32, crashes: &CrashLog) -> Self {
         let origin = Origin::File(path.to_owned());
         if crashes.suspect_in(path).is_some_and(|suspect| suspect.step == Step::Read) {
@@ -304,7 +305,7 @@ fn say(ui: &Ui, picture: Rect, text: &str) {
 /// A sign in place of a picture over which the last program ended.
 fn held_back(ui: &Ui, picture: Rect, step: Step) {
     let colors = theme::of(ui);
-    let (center, side) = (picture.center() - vec2(0.0, 14.0), 15.0);
+    let (center, side) = (picture.center() - vec2(0.0, 14.0), 18.0);
     let corner = |turn: f32| center + side * eframe::egui::Vec2::angled(turn - std::f32::consts::FRAC_PI_2);
     let third = std::f32::consts::TAU / 3.0;
     let triangle = [0.0, third, 2.0 * third].map(corner).to_vec();

@@ -127,8 +127,8 @@ pub(crate) struct Thumbs {
 }
 
 impl Thumbs {
-    /// `wake` is called from another thread when there is a new one; what goes on is noted in `crashes`. Without a GPU
-    /// there are none.
+    /// `wake` is called from another thread when there is a new one; what goes on is noted in
+    /// `crashes`. Without a GPU there are none.
     pub(crate) fn new(gpu: Option<Gpu>, crashes: CrashLog, wake: impl Fn() + Send + 'static) -> Self {
         let start = |gpu: Gpu| {
             let mut artist = Artist {
@@ -214,8 +214,8 @@ impl Thumbs {
         }
     }
 
-    /// Asks for a picture of a look of the document `origin`, `side` pixels wide, if nothing else is being drawn; the
-    /// thread wakes the window when it is there.
+    /// Asks for a picture of a look of the document `origin`, `side` pixels wide, if nothing else
+    /// is being drawn; the thread wakes the window when it is there.
     pub(crate) fn ask(
         &self,
         key: u64,
