@@ -6,7 +6,7 @@
 use chiaro_compiler::{catalog, compile, document, files, library};
 use chiaro_language::{clock, diag, figures, ids, interp, milestones};
 use chiaro_reference as reference;
-use chiaro_scene::frame;
+use chiaro_scene::{frame, threads};
 
 #[cfg(feature = "gpu")]
 mod accuracy;
@@ -141,6 +141,7 @@ pub enum Outcome {
 /// Reads the command line and does what it says, but for the editor, which `main` opens.
 pub fn run() -> Outcome {
     milestones::reached("program");
+    threads::prepare_pool();
     let command = match Arguments::parse() {
         Arguments { command: Some(Command::Edit { files, mesh }), .. } => return Outcome::Edit { files, mesh },
         Arguments { command: Some(command), .. } => command,
@@ -148,8 +149,13 @@ pub fn run() -> Outcome {
         Arguments { file, .. } => return Outcome::Edit { files: file.into_iter().collect(), mesh: None },
     };
     interrupt::clean_up_on_interrupt();
+    threads::with_room(|| carry_out(&command))
+}
+
+/// Does what a subcommand says.
+fn carry_out(command: &Command) -> Outcome {
     let output = Output::new();
-    let result = match &command {
+    let result = match command {
         Command::Edit { .. } => Ok(()),
         Command::New(arguments) => new::run(arguments, &output),
         Command::Check(arguments) => match check::run(arguments, &output) {

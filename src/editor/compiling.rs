@@ -2,8 +2,10 @@
 //! folded, for a look at rest and for the code panel).
 
 use std::collections::HashSet;
+use std::path::PathBuf;
 use std::sync::Arc;
 
+use super::safety::crashes::{CrashLog, DocumentOrigin, Step};
 use super::wire::ShownWire;
 use super::worker::Worker;
 use crate::compile::{CompiledShader, Live, Options, TypedGraph, check, compile_typed};
@@ -35,6 +37,10 @@ pub(crate) struct Request {
     pub(crate) solo: u64,
     /// Which look is shown in place of the open one.
     pub(crate) preview: u64,
+    /// What people call the document.
+    pub(crate) name: String,
+    /// Its file, if it has one.
+    pub(crate) path: Option<PathBuf>,
 }
 
 /// What became of a request.
@@ -58,9 +64,11 @@ pub(crate) struct Shaders {
 /// A thread that compiles looks.
 pub(crate) type Compiler = Worker<Request, Answer>;
 
-/// Starts it.
-pub(crate) fn start(wake: impl Fn() + Send + 'static) -> Compiler {
-    Worker::new("compile", wake, |request| {
+/// Starts it. What goes on is noted in `crashes`.
+pub(crate) fn start(wake: impl Fn() + Send + 'static, crashes: CrashLog) -> Compiler {
+    Worker::new("compile", wake, move |request: Request| {
+        let origin = || DocumentOrigin::new(&request.name, request.path.as_deref(), &request.look);
+        let _going = crashes.begin(Step::Compile, origin);
         let result = compile(&request);
         Answer { request, result }
     })

@@ -8,7 +8,7 @@ use chiaro_laboratory::{accuracy, fit};
 use chiaro_language::{clock, diag, figures, ids, interp, milestones};
 use chiaro_reference as reference;
 use chiaro_render as render;
-use chiaro_scene::{directions, drawing, export, frame, geometry, hcbtf};
+use chiaro_scene::{directions, drawing, export, frame, geometry, hcbtf, threads};
 
 mod app;
 pub mod canvas;

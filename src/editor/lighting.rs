@@ -9,8 +9,8 @@ use super::keying::KeyedBy;
 use super::reading::light_name;
 use super::session::Session;
 use super::stage::Wish;
-use crate::document::{Edit, Light, Look, SceneEdit, Target, Value};
-use crate::frame::{light_field, set_light_field};
+use crate::document::{Edit, Light, LightField, Look, SceneEdit, Target, Value};
+use crate::frame::set_light_field;
 use crate::ids::{LightId, make_slug};
 
 /// Whose a light is.
@@ -90,12 +90,12 @@ impl<'s> Lamp<'s> {
         if self.owner == Owner::Scene {
             return shown;
         }
-        for field in Target::LIGHT_FIELDS {
-            let target = self.target(field);
+        for field in LightField::ALL {
+            let target = self.target(field.name());
             if session.keyed_by(&target) != KeyedBy::Nothing
                 && let Some(value) = session.value_at(&target)
             {
-                set_light_field(&mut shown, field, &value);
+                set_light_field(&mut shown, field.name(), &value);
             }
         }
         shown
@@ -111,10 +111,10 @@ impl<'s> Lamp<'s> {
         if self.owner == Owner::Scene {
             return self.set(new.clone());
         }
-        let differs = |field: &&str| light_field(old, field) != light_field(new, field);
-        let fields: Vec<&str> = Target::LIGHT_FIELDS.into_iter().filter(differs).collect();
+        let differs = |field: &LightField| field.get(old) != field.get(new);
+        let fields: Vec<LightField> = LightField::ALL.into_iter().filter(differs).collect();
         if (new.kind, new.space) == (old.kind, old.space) && !fields.is_empty() {
-            let values = fields.iter().filter_map(|field| Some((self.target(field), light_field(new, field)?)));
+            let values = fields.iter().map(|field| (self.target(field.name()), field.get(new)));
             return Change::Look(session.set_all_at(values));
         }
         self.set(Light { kind: new.kind, space: new.space, ..self.light.clone() })

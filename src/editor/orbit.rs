@@ -89,11 +89,15 @@ impl Kept {
         let turns = [self.upright, self.illumination].map(|turn| DQuat::from_array(turn).length());
         let numbers = [self.yaw, self.pitch, self.distance, self.fov];
         let all = numbers.into_iter().chain(self.target).chain(self.backdrop.into_iter().flatten());
+        let is_seen = match self.projection {
+            Projection::Perspective => Camera::holds_fov(self.fov),
+            // The field of view stands for a height at a distance, whatever that is.
+            Projection::Orthographic => self.fov > 0.0 && self.fov < PI,
+        };
         all.chain(turns).all(f64::is_finite)
             && turns.iter().all(|length| *length > 1e-6)
             && self.distance > 0.0
-            && (0.0..PI).contains(&self.fov)
-            && self.fov > 0.0
+            && is_seen
     }
 }
 
@@ -169,7 +173,8 @@ impl Orbit {
             target: self.target.to_array(),
             up: (self.upright * DVec3::Y).to_array(),
             projection: self.projection,
-            fov: self.fov,
+            // A parallel view from far away stands for a field of view that no camera has.
+            fov: self.fov.clamp(Camera::FOV[0], Camera::FOV[1]),
             height: self.height(),
             aspect: self.placed_for,
         }
@@ -198,7 +203,7 @@ impl Orbit {
         self.projection = camera.projection;
         self.placed_for = camera.aspect;
         self.fov = match camera.projection {
-            Projection::Perspective => camera.fov.clamp(0.01, 3.1),
+            Projection::Perspective => camera.fov.clamp(Camera::FOV[0], Camera::FOV[1]),
             Projection::Orthographic => 2.0 * (0.5 * camera.height.max(1e-6) / self.distance).atan(),
         };
         let to_turntable = self.upright.inverse();
@@ -359,6 +364,7 @@ mod tests {
             }
         }
         cameras.push(Camera { projection: Projection::Orthographic, height: 5.4, eye: [0.0, 0.0, 12.0], ..cameras[0] });
+        cameras.extend(Camera::FOV.map(|fov| Camera { fov, ..cameras[1] }));
         cameras.push(Camera { aspect: 2.0, ..cameras[1] });
         cameras.push(Camera { aspect: 2.0, ..cameras[cameras.len() - 2] });
         for camera in cameras {

@@ -2,13 +2,14 @@
 //! slow GPU nor a shader being built holds up a hand. The newest wish wins; what was drawn last stays until then.
 
 use std::path::PathBuf;
-use std::sync::Arc;
+use std::sync::{Arc, Weak};
 use std::time::Duration;
 
 use eframe::egui::TextureId;
 use eframe::egui_wgpu::RenderState;
 
 use super::orbit::Orbit;
+use super::safety::crashes::{CrashLog, CrashMark, DocumentOrigin, Step};
 use super::session::{Session, Showing};
 use super::still::Still;
 use super::worker::Worker;
@@ -54,6 +55,8 @@ struct Wish {
     size: [u32; 2],
     /// Whether its effects are to be told.
     tells_effects: bool,
+    /// The name and the file of what it is of, where that is drawn for the first time.
+    first_of: Option<(String, Option<PathBuf>)>,
 }
 
 /// What a picture was wished for: the same again needs no new one.
@@ -75,6 +78,8 @@ struct Drawn {
     ready: Option<Ready>,
     problems: Vec<Diagnostic>,
     effects: Option<Vec<Effect>>,
+    /// Lives until the GPU has done what was handed to it, where that was for the first time.
+    unfinished: Option<Weak<CrashMark>>,
 }
 
 /// What takes long to make: a shader's pipelines, and what a mesh is on the GPU.
@@ -173,6 +178,9 @@ pub(crate) struct Picture {
     late: u32,
     /// The size that was asked for last, before it was made coarser.
     size: [u32; 2],
+    /// Lives while the GPU is at something that it never drew before: the compilers of drivers may
+    /// be at work as well.
+    unfinished: Weak<CrashMark>,
     /// How many pictures were asked for.
     pub(crate) wishes: u64,
     /// What keeps the picture from being drawn, or was odd about it.
@@ -184,12 +192,14 @@ pub(crate) struct Picture {
 }
 
 impl Picture {
-    /// A picture on the window's device. `wake` is called from another thread when there is a new one.
-    pub(crate) fn new(state: RenderState, wake: impl Fn() + Send + 'static) -> Self {
+    /// A picture on the window's device. `wake` is called from another thread when there is a new
+    /// one; what goes on is noted in `crashes`.
+    pub(crate) fn new(state: RenderState, crashes: CrashLog, wake: impl Fn() + Send + 'static) -> Self {
         let gpu = Gpu::new(state.device.clone(), state.queue.clone(), state.adapter.get_info());
         // Lights are edited: a look is not compiled anew when one goes out.
         let planner = Planner::default().culling(Cull::Objects);
-        let mut artist = Artist { renderer: Renderer::new(gpu.clone()), planner, provided: None, library: None };
+        let renderer = Renderer::new(gpu.clone());
+        let mut artist = Artist { renderer, planner, provided: None, library: None, crashes };
         let worker = Worker::new("picture", wake, move |wish| artist.draw(&wish));
         Self {
             state,
@@ -204,6 +214,7 @@ impl Picture {
             patience: HURRY,
             late: 0,
             size: [0; 2],
+            unfinished: Weak::new(),
             wishes: 0,
             problems: Vec::new(),
             tells_effects: false,
@@ -255,6 +266,7 @@ impl Picture {
             }
             self.ready = drawn.ready.or(self.ready.take());
             self.problems = drawn.problems;
+            self.unfinished = drawn.unfinished.unwrap_or_else(|| self.unfinished.clone());
             if let Some(effects) = drawn.effects {
                 self.effects = Arc::new(effects);
             }
@@ -281,8 +293,9 @@ impl Picture {
             let wanted = Ready::of(&showing, &still);
             let is_ready = self.ready.as_ref().is_some_and(|ready| ready.is(&wanted));
             self.is_quick = is_ready && (self.is_quick || !self.worker.is_busy());
-            let wish = Wish { subject: Subject::of(session), showing, still, size, tells_effects: self.tells_effects };
-            self.worker.request(|_| wish);
+            let first_of = (!is_ready).then(|| session.shown_file());
+            let (subject, tells_effects) = (Subject::of(session), self.tells_effects);
+            self.worker.request(|_| Wish { subject, showing, still, size, tells_effects, first_of });
             return true;
         }
         false
@@ -296,6 +309,15 @@ impl Picture {
     /// Whether one is being made.
     pub(crate) fn is_busy(&self) -> bool {
         self.worker.is_busy()
+    }
+
+    /// Whether the GPU is at something that it never drew before; asks, and does not wait.
+    pub(crate) fn is_unfinished(&self) -> bool {
+        if self.unfinished.strong_count() > 0 {
+            // A device that is lost calls back as well.
+            let _ = self.state.device.poll(wgpu::PollType::Poll);
+        }
+        self.unfinished.strong_count() > 0
     }
 
     /// Whether there is one.
@@ -323,6 +345,9 @@ impl Picture {
     /// Waits for it.
     pub(crate) fn wait(&self) {
         self.worker.wait();
+        if self.unfinished.strong_count() > 0 {
+            let _ = self.state.device.poll(wgpu::PollType::wait_indefinitely());
+        }
     }
 
     fn show(&mut self, view: &wgpu::TextureView) {
@@ -343,19 +368,35 @@ struct Artist {
     provided: Option<(Arc<CompiledShader>, Arc<Look>)>,
     /// The nodes that the planner compiled with.
     library: Option<Arc<Library>>,
+    crashes: CrashLog,
 }
 
 impl Artist {
     fn draw(&mut self, wish: &Wish) -> Drawn {
         let subject = wish.subject.clone();
-        match self.try_draw(wish) {
+        let going = wish.first_of.as_ref().map(|(name, path)| {
+            let origin = || DocumentOrigin::new(name, path.as_deref(), &wish.showing.look);
+            self.crashes.begin(Step::Draw, origin)
+        });
+        let drawn = self.try_draw(wish);
+        let unfinished = going.map(|going| self.hand_to_gpu(going));
+        match drawn {
             Ok(effects) => {
                 let problems = std::mem::take(&mut self.planner.warnings);
                 let ready = Some(Ready::of(&wish.showing, &wish.still));
-                Drawn { subject, texture: self.renderer.picture_view(), ready, problems, effects }
+                Drawn { subject, texture: self.renderer.picture_view(), ready, problems, effects, unfinished }
             }
-            Err(problems) => Drawn { subject, texture: None, ready: None, problems, effects: None },
+            Err(problems) => Drawn { subject, texture: None, ready: None, problems, effects: None, unfinished },
         }
+    }
+
+    /// Keeps a mark until the GPU has done everything that was handed to it. Some drivers compile
+    /// only then.
+    fn hand_to_gpu(&self, going: CrashMark) -> Weak<CrashMark> {
+        let going = Arc::new(going);
+        let unfinished = Arc::downgrade(&going);
+        self.renderer.gpu().queue.on_submitted_work_done(move || drop(going));
+        unfinished
     }
 
     /// Draws, and tells the effects where they are wanted and the look is at rest: of a look that is being edited

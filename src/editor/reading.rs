@@ -61,7 +61,7 @@ impl<'a> Reading<'a> {
                 let kind = self.catalog.of(self.node_at(node)?)?;
                 kind.inputs.get(kind.input(port.as_str())?).cloned()
             }
-            Target::Light { field, .. } => Some(field_port(field)),
+            Target::Light { .. } => target.light_field().map(field_port),
         }
     }
 

@@ -116,7 +116,7 @@ fn rows(place: Place) -> impl Iterator<Item = (String, &'static str)> {
         Action::GoTo(1) => Some(("1 … 9".to_owned(), "Go to a bookmark")),
         Action::Remember(1) => Some(("Ctrl+1 … 9".to_owned(), "Bookmark this view")),
         Action::GoTo(_) | Action::Remember(_) => None,
-        _ => Some((row.text(), row.label)),
+        _ => Some((row.text(), &*row.label)),
     })
 }
 
@@ -211,7 +211,7 @@ fn show_entry(ui: &mut Ui, entry: &Entry, is_current: bool) -> bool {
 /// Commands, and once there is a query nodes.
 fn entries(session: &Session, query: &str) -> Vec<Entry> {
     let command = |row: &Shortcut| Entry {
-        label: row.label.to_owned(),
+        label: row.label.to_string(),
         aside: row.text(),
         name: format!("Command: {}", row.label),
         command: Command::Act(row.action),

@@ -1,12 +1,15 @@
 //! Every key of the window in one table: what it does, what it is called, where it works. The canvas takes its keys from
 //! here, and the sheet of shortcuts, menus and the command palette list what is here.
 
+use std::borrow::Cow;
+use std::sync::LazyLock;
+
 use eframe::egui;
 use eframe::egui::{Key, Modifiers};
 
 use super::fitting;
 use super::painting::{Kind, Preset};
-use crate::export;
+use crate::export::{self, TextFile};
 use crate::hcbtf::exchange::Form;
 
 /// Where a key works.
@@ -157,16 +160,17 @@ impl Way {
 }
 
 /// A row of the table.
+#[derive(Clone)]
 pub(crate) struct Shortcut {
     pub(crate) action: Action,
-    pub(crate) label: &'static str,
+    pub(crate) label: Cow<'static, str>,
     /// Any of them will do; the first is told.
     pub(crate) keys: &'static [(Modifiers, Key)],
     pub(crate) place: Place,
 }
 
 const fn row(action: Action, label: &'static str, keys: &'static [(Modifiers, Key)], place: Place) -> Shortcut {
-    Shortcut { action, label, keys, place }
+    Shortcut { action, label: Cow::Borrowed(label), keys, place }
 }
 
 const NONE: Modifiers = Modifiers::NONE;
@@ -180,8 +184,31 @@ use Place::{Graph, Painting, Window};
 use Way::{Down, Left, Right, Up};
 
 /// All of them. What needs more modifiers stands before what needs fewer, as the first that fits takes a key.
+pub(crate) static ALL: LazyLock<Vec<Shortcut>> = LazyLock::new(|| {
+    let fixed = |rows: &'static [Shortcut]| rows.iter().cloned();
+    fixed(BEFORE_LANGUAGES).chain(language_rows()).chain(fixed(AFTER_LANGUAGES)).collect()
+});
+
+/// What copies and exports the look in each language.
+fn language_rows() -> impl Iterator<Item = Shortcut> {
+    let without_key = |action, label| Shortcut { action, label: Cow::Owned(label), keys: &[], place: Window };
+    let copies = export::LANGUAGES.into_iter().flat_map(move |language| {
+        language.texts.iter().map(move |TextFile { ending, content }| {
+            let label = format!("Copy the {content} as {}", language.short_label);
+            without_key(A::CopyShader(language.slug, ending), label)
+        })
+    });
+    let all = row(A::Export(export::ALL), "Export to all languages...", &[(CTRL_SHIFT, Key::E)], Window);
+    let exports = export::LANGUAGES.into_iter().map(move |language| {
+        let api = if language.api.is_empty() { String::new() } else { format!(", for {}", language.api) };
+        without_key(A::Export(language.slug), format!("Export to {}{api}...", language.short_label))
+    });
+    copies.chain([all]).chain(exports)
+}
+
+/// The rows that stand before those of the languages.
 #[rustfmt::skip]
-pub(crate) static ALL: &[Shortcut] = &[
+static BEFORE_LANGUAGES: &[Shortcut] = &[
     row(A::New, "New look", &[(CTRL, Key::N)], Window),
     row(A::Open, "Open a look", &[(CTRL, Key::O)], Window),
     row(A::SaveAs, "Save under another name", &[(CTRL_SHIFT, Key::S)], Window),
@@ -193,22 +220,11 @@ pub(crate) static ALL: &[Shortcut] = &[
     row(A::Tour, "Take the tour", &[], Window),
     row(A::CopyPicture, "Copy the picture as an image", &[(CTRL_SHIFT, Key::I)], Window),
     row(A::CopyWgsl, "Copy the shader as WGSL", &[(CTRL_SHIFT, Key::W)], Window),
-    row(A::CopyShader("glsl-es300", ".es300.frag"), "Copy the fragment shader as GLSL ES 3.00", &[], Window),
-    row(A::CopyShader("glsl-es300", ".es300.vert"), "Copy the vertex shader as GLSL ES 3.00", &[], Window),
-    row(A::CopyShader("glsl-330", ".330.frag"), "Copy the fragment shader as GLSL 3.30", &[], Window),
-    row(A::CopyShader("glsl-330", ".330.vert"), "Copy the vertex shader as GLSL 3.30", &[], Window),
-    row(A::CopyShader("glsl-450", ".450.frag"), "Copy the fragment shader as GLSL 4.50", &[], Window),
-    row(A::CopyShader("glsl-450", ".450.vert"), "Copy the vertex shader as GLSL 4.50", &[], Window),
-    row(A::CopyShader("hlsl", ".hlsl"), "Copy the shader as HLSL", &[], Window),
-    row(A::CopyShader("msl", ".metal"), "Copy the shader as Metal Shading Language", &[], Window),
-    row(A::Export(export::ALL), "Export to all languages...", &[(CTRL_SHIFT, Key::E)], Window),
-    row(A::Export("wgsl"), "Export to WGSL, for WebGPU...", &[], Window),
-    row(A::Export("glsl-es300"), "Export to GLSL ES 3.00, for WebGL 2...", &[], Window),
-    row(A::Export("glsl-330"), "Export to GLSL 3.30, for OpenGL...", &[], Window),
-    row(A::Export("glsl-450"), "Export to GLSL 4.50, for Vulkan...", &[], Window),
-    row(A::Export("hlsl"), "Export to HLSL, for Direct3D 12...", &[], Window),
-    row(A::Export("msl"), "Export to Metal Shading Language...", &[], Window),
-    row(A::Export("spirv"), "Export to SPIR-V, for Vulkan...", &[], Window),
+];
+
+/// The rows that follow those of the languages.
+#[rustfmt::skip]
+static AFTER_LANGUAGES: &[Shortcut] = &[
     row(A::ExportPicture, "Export the picture as PNG...", &[], Window),
     row(A::Commands, "Find a command or a node", &[(CTRL, Key::P), (CTRL, Key::F)], Window),
     row(A::Shortcuts, "Show all shortcuts", &[(NONE, Key::Questionmark), (SHIFT, Key::Questionmark), (NONE, Key::F1)], Window),
@@ -404,6 +420,50 @@ pub(crate) fn pressed(ui: &egui::Ui, place: Place) -> Vec<Action> {
     rows.filter(|row| row.keys.iter().any(|&key| take(ui, key))).map(|row| row.action).collect()
 }
 
+/// Whose the keys of a frame are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum KeyboardOwner {
+    /// The window's, and whatever lies under the pointer.
+    #[default]
+    Window,
+    /// A text field's; keys of [`Place::Window`] still work.
+    Field,
+    /// A dialog's, all of them.
+    Dialog,
+}
+
+fn owner_id() -> egui::Id {
+    egui::Id::unique("owner of the keyboard")
+}
+
+/// Remembers whose the keys of this frame are; to be called before anything of it is shown. A field
+/// or a dialog that one of these keys closes would leave the others, typed as fast, to whatever
+/// lies below.
+pub(crate) fn begin_frame(ctx: &egui::Context) {
+    let owner = if ctx.memory(|memory| memory.top_modal_layer().is_some()) {
+        KeyboardOwner::Dialog
+    } else if ctx.egui_wants_keyboard_input() {
+        KeyboardOwner::Field
+    } else {
+        KeyboardOwner::Window
+    };
+    ctx.data_mut(|data| data.insert_temp(owner_id(), owner));
+}
+
+fn owner(ctx: &egui::Context) -> KeyboardOwner {
+    ctx.data(|data| data.get_temp(owner_id())).unwrap_or_default()
+}
+
+/// Whether the keys are those of a text field or a dialog, now or when the frame began.
+pub(crate) fn is_keyboard_taken(ctx: &egui::Context) -> bool {
+    owner(ctx) != KeyboardOwner::Window || ctx.egui_wants_keyboard_input()
+}
+
+/// Whether all keys are those of a dialog.
+pub(crate) fn is_dialog_open(ctx: &egui::Context) -> bool {
+    owner(ctx) == KeyboardOwner::Dialog
+}
+
 /// Takes a key with just these modifiers, which egui's own way would not ask for: to it Shift+D is D too.
 pub(crate) fn take(ui: &egui::Ui, (wanted, wanted_key): (Modifiers, Key)) -> bool {
     ui.input_mut(|input| {
@@ -442,6 +502,9 @@ mod tests {
             let row = of(A::Export(language.slug)).unwrap_or_else(|| panic!("{}", language.slug));
             let name = language.label.trim_end_matches(|c: char| c.is_ascii_digit() || ".- ".contains(c));
             assert!(row.label.contains(name.split(',').next().unwrap()), "{} for {}", row.label, language.label);
+            // A row says of no API that the language's own note denies it.
+            let denied = language.note.split_once("not for ").map(|(_, rest)| rest.split([':', ',']).next().unwrap());
+            assert!(denied.is_none_or(|api| !row.label.contains(api)), "{}", row.label);
             let copies = |row: &Shortcut| matches!(row.action, A::CopyShader(slug, _) if slug == language.slug);
             let is_copied = language.slug == "wgsl" || ALL.iter().any(copies);
             assert_eq!(is_copied, language.slug != "spirv", "{}", language.slug);

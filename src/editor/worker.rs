@@ -4,6 +4,8 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
+use crate::threads;
+
 struct State<Q, A> {
     waiting: Option<Q>,
     is_busy: bool,
@@ -129,12 +131,26 @@ fn next<Q, A>(shared: &Shared<Q, A>) -> Option<Q> {
 /// Starts a thread; `None` where the system has none to give.
 #[expect(clippy::disallowed_methods, reason = "the one place of the window that starts threads")]
 pub(crate) fn start(name: &str, work: impl FnOnce() + Send + 'static) -> Option<JoinHandle<()>> {
-    std::thread::Builder::new().name(name.to_owned()).spawn(work).ok()
+    threads::builder(name).spawn(work).ok()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Uses 20 MB of stack, as drivers do for long shaders.
+    fn deep(left: u32) -> u32 {
+        let room = std::hint::black_box([1_u8; 1024]);
+        if left == 0 { 0 } else { deep(left - 1) + u32::from(room[left as usize % room.len()]) }
+    }
+
+    #[test]
+    fn work_has_room() {
+        let worker = Worker::new("test", || {}, deep);
+        worker.request(|_| 20_000);
+        worker.wait();
+        assert_eq!(worker.answers(), [20_000]);
+    }
 
     #[test]
     fn the_newest_request_is_answered() {

@@ -21,7 +21,7 @@
 
 use chiaro_compiler::{document, library};
 use chiaro_language::{diag, ids, interp, wgsl};
-use chiaro_scene::{frame, hcbtf};
+use chiaro_scene::{frame, hcbtf, threads};
 
 mod clip;
 mod coverage;

@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use super::options::Control;
 use crate::diag::Diagnostic;
+use crate::threads;
 
 /// Runs `job` for each number below `count`, on up to `threads` threads, each with a state of its own; gives the
 /// results by number.
@@ -44,7 +45,7 @@ pub(super) fn run<S, T: Send>(
     std::thread::scope(|scope| {
         for _ in 0..helpers {
             // Where no more threads can be had, those that there are do the work.
-            let _ = std::thread::Builder::new().name("reference".to_owned()).spawn_scoped(scope, work);
+            let _ = threads::builder("reference").spawn_scoped(scope, work);
         }
         work();
     });

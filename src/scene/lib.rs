@@ -15,3 +15,4 @@ pub mod export;
 pub mod frame;
 pub mod geometry;
 pub mod hcbtf;
+pub mod threads;

@@ -21,7 +21,7 @@ use scan::Reference;
 const CRATES: &[(&str, &[&[&str]])] = &[
     ("language", &[&["clock", "figures", "ids"], &["diag", "milestones"], &["wgsl"], &["interp"]]),
     ("compiler", &[&["examples"], &["files"], &["document"], &["library"], &["catalog", "compile"]]),
-    ("scene", &[&["directions", "geometry", "hcbtf"], &["drawing", "frame"], &["export"]]),
+    ("scene", &[&["directions", "geometry", "hcbtf", "threads"], &["drawing", "frame"], &["export"]]),
     ("reference", &[]),
     ("render", &[]),
     ("laboratory", &[&["accuracy", "fit"], &["gallery"]]),

@@ -153,6 +153,7 @@ fn a_scenes_lights_are_edited_as_a_looks_are() {
     let steps: Vec<String> = hand.app().session().steps().map(str::to_owned).collect();
     assert_eq!(steps, ["change the light key"; 5]);
     // One order of undo, for the look's light too.
+    hand.bring(Role::SpinButton, "Intensity of back");
     let field = hand.place_of(Role::SpinButton, "Intensity of back");
     hand.type_over(field, "3");
     hand.undo();
@@ -172,6 +173,31 @@ fn a_scenes_lights_are_edited_as_a_looks_are() {
     drop(hand);
     let hand = home.window();
     assert!(scene(&hand).lights.is_empty() && hand.app().session().is_dirty(), "from the journal");
+}
+
+#[test]
+fn point_and_spot_lights_are_given_their_fall_off() {
+    let mut hand = Hand::new();
+    hand.tab("Lights");
+    assert!(!hand.has("Half distance"), "the sun does not fade");
+    let of_key = |hand: &Hand| hand.look().lights["key"].clone();
+    let set = |hand: &mut Hand, field: &str, text: &str| {
+        hand.bring(Role::SpinButton, field);
+        let place = hand.place_of(Role::SpinButton, field);
+        hand.type_over(place, text);
+    };
+    for kind in ["Point", "Spot"] {
+        hand.bring(Role::ComboBox, "Type");
+        hand.choose("Type", kind);
+        set(&mut hand, "Half distance", "2.5");
+        set(&mut hand, "Range", "7");
+        assert_eq!((of_key(&hand).half_distance, of_key(&hand).range), (2.5, 7.0));
+        assert!(hand.has("Keys of Half distance") && hand.has("Keys of Range"), "they can be keyed");
+        // What no document may hold is not set, and what is switched off says so.
+        set(&mut hand, "Half distance", "-3");
+        set(&mut hand, "Range", "off");
+        assert_eq!((of_key(&hand).half_distance, of_key(&hand).range), (0.0, 0.0));
+    }
 }
 
 #[test]

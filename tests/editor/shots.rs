@@ -599,3 +599,44 @@ fn keyed_by_a_height_shots() {
     hand.app_mut().session_mut().select(vec!["painting".into()]);
     save(&mut hand, "long-names");
 }
+
+/// What the last program ended over: its tile on the start page, and the window that it is opened in.
+#[test]
+#[ignore = "writes pictures to be looked at"]
+fn crash_shots() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("chain.json");
+    std::fs::copy("examples/looks/figure1-layers.json", &path).unwrap();
+    let state = folder.path().join("state");
+    std::fs::create_dir_all(state.join("running")).unwrap();
+    let document = serde_json::json!({"name": "chain.json", "path": path});
+    let line = serde_json::json!({"begin": {"number": 0, "step": "draw", "document": document}});
+    std::fs::write(state.join("running/window-gone.running"), line.to_string()).unwrap();
+    let places = chiaro::editor::Places { state, config: folder.path().join("config") };
+    let (file, other) = (path.clone(), folder.path().join("other.json"));
+    std::fs::copy("examples/looks/figure4-both.json", &other).unwrap();
+    let mut setup = default_wgpu_setup();
+    if let WgpuSetup::CreateNew(setup) = &mut setup {
+        setup.device_descriptor = Arc::new(device_descriptor);
+    }
+    let gpu = create_render_state(setup, eframe::egui_wgpu::RendererOptions::PREDICTABLE);
+    let builder =
+        Harness::builder().with_size(vec2(1600.0, 960.0)).renderer(WgpuTestRenderer::from_render_state(gpu.clone()));
+    let mut hand = Hand::with_builder(builder, move |ctx| {
+        let mut app = App::new(ctx, Some(gpu.clone())).without_dialogs();
+        app.keep_in(places.clone(), ctx);
+        app.change_settings(|settings| [&other, &file].into_iter().for_each(|path| settings.opened(path)));
+        app.begin();
+        app
+    });
+    save(&mut hand, "crash-start");
+    hand.app_mut().open(&path);
+    save(&mut hand, "crash-held");
+    hand.tab("Lights");
+    hand.press("Try again");
+    let light = hand.place("Light key shines").left_center();
+    hand.click(light - vec2(14.0, 0.0));
+    hand.settle();
+    hand.choose("Type", "Spot");
+    save(&mut hand, "light-fall-off");
+}

@@ -559,6 +559,180 @@ fn paths_are_asked_for_in_the_window_where_there_is_no_dialog() {
 }
 
 #[test]
+fn keys_typed_in_a_dialog_are_the_dialogs_alone() {
+    let home = Home::new();
+    let path = home.file("toonsnx.json");
+    let mut hand = Hand::with(|ctx| App::new(ctx, None).with_path_fields());
+    hand.app_mut().session_mut().select(vec!["diffuse".into()]);
+    hand.settle();
+    let look = hand.look().clone();
+    press(&mut hand, "Save as");
+    let field = hand.harness.get_by_role_and_label(Role::TextInput, "Path").rect().center();
+    hand.click(field);
+    hand.key_with(Modifiers::COMMAND, Key::A);
+    // A quick hand in a slow window: all of it in one frame, letters as keys and as text.
+    let key = |key| Event::Key { key, physical_key: None, pressed: true, repeat: false, modifiers: Modifiers::NONE };
+    let events = &mut hand.harness.input_mut().events;
+    events.push(Event::Text(path.to_str().unwrap().to_owned()));
+    events.extend([Key::N, Key::X, Key::Enter, Key::Delete].map(key));
+    hand.settle();
+    assert!(path.is_file() && !has(&hand, "Save here"), "it is saved");
+    assert_eq!(hand.look().graph.nodes, look.graph.nodes, "nothing of it reached the graph");
+    // What is typed after that is the graph's again.
+    hand.key(Key::X);
+    assert!(!hand.look().graph.nodes.contains_key("diffuse"));
+}
+
+/// Notes that a program ended over a file, as one leaves it.
+fn leave_interrupted(home: &Home, step: &str, path: &Path) {
+    let document = serde_json::json!({"name": path.file_name().unwrap().to_str(), "path": path});
+    let line = serde_json::json!({"begin": {"number": 0, "step": step, "document": document}});
+    let folder = home.file("state/running");
+    fs::create_dir_all(&folder).unwrap();
+    fs::write(folder.join("window-gone.running"), format!("{line}\n")).unwrap();
+}
+
+/// A look of the user's that was open once.
+fn opened_once(home: &Home) -> PathBuf {
+    let path = home.file("a.json");
+    fs::write(&path, r#"{"name": "A", "nodes": [{"kind": "base"}, {"kind": "output"}]}"#).unwrap();
+    drop(home.window(Some(&path)));
+    path
+}
+
+#[test]
+fn what_the_last_program_ended_over_is_drawn_by_hand_alone() {
+    let home = Home::new();
+    let path = opened_once(&home);
+    for step in ["draw", "compile"] {
+        leave_interrupted(&home, step, &path);
+        // Whoever only looks at the start page changes nothing.
+        drop(home.window(None));
+        let mut hand = home.window(None);
+        assert!(hand.app().shows_start_page());
+        press(&mut hand, "Open the look a, which was not drawn");
+        assert_eq!(hand.app().session().path(), Some(path.as_path()));
+        assert!(hand.app().session().baked().is_none() && hand.app().session().live().is_none());
+        assert!(says(&hand, "a.json is open without being drawn: Chiaro ended while"));
+        press(&mut hand, "Try again");
+        assert!(hand.app().session().baked().is_some() && !says(&hand, "without being drawn"));
+        drop(hand);
+        let hand = home.window(None);
+        assert!(has(&hand, "Open the look a"), "it was drawn, and is as any other");
+    }
+}
+
+#[test]
+fn what_is_held_back_can_be_mended() {
+    let home = Home::new();
+    let path = opened_once(&home);
+    leave_interrupted(&home, "draw", &path);
+    let mut hand = home.window(Some(&path));
+    assert!(says(&hand, "a.json is open without being drawn"));
+    // Another document is drawn meanwhile, and this one is still held back after it.
+    hand.key_with(Modifiers::COMMAND, Key::N);
+    hand.settle();
+    assert!(compiles(&hand) && !says(&hand, "without being drawn"));
+    hand.app_mut().open(&path);
+    hand.settle();
+    assert!(hand.app().session().baked().is_none());
+    let removed = hand
+        .app_mut()
+        .session_mut()
+        .apply(chiaro::document::Edit::RemoveNode { graph: chiaro::document::GraphId::Look, id: "base".into() }, None);
+    assert!(removed.is_ok(), "it can be mended while it is not drawn");
+    hand.settle();
+    assert!(hand.app().session().baked().is_none());
+}
+
+#[test]
+fn what_the_last_program_ended_over_while_reading_is_not_read() {
+    let home = Home::new();
+    let path = opened_once(&home);
+    leave_interrupted(&home, "read", &path);
+    let mut hand = home.window(None);
+    press(&mut hand, "Open the look a, which was not read");
+    assert!(says(&hand, "a.json was not opened: Chiaro ended while reading it the last time"));
+    assert!(hand.app().session().path().is_none());
+    press(&mut hand, "Try again");
+    assert_eq!(hand.app().session().path(), Some(path.as_path()));
+    assert!(hand.app().session().baked().is_some() && !says(&hand, "was not opened"));
+}
+
+#[test]
+fn work_on_what_the_last_program_ended_over_is_not_gone_on_with_by_itself() {
+    let home = Home::new();
+    let path = opened_once(&home);
+    let mut hand = home.window(Some(&path));
+    hand.add("add", eframe::egui::pos2(40.0, 320.0));
+    hand.settle();
+    hand.app().session().wait_for_journal();
+    drop(hand);
+    leave_interrupted(&home, "draw", &path);
+    let mut hand = home.window(None);
+    assert!(hand.app().shows_start_page() && hand.app().session().path().is_none());
+    press(&mut hand, "Restore it");
+    assert_eq!((hand.app().session().path(), hand.look().graph.nodes.len()), (Some(path.as_path()), 3));
+    assert!(says(&hand, "a.json is open without being drawn"));
+}
+
+/// A folder for a window that is to be killed in it: this program is started again with that.
+const KILLED: &str = "CHIARO_KILLED_WINDOW";
+
+/// Opens a look that takes long to compile, in a window that is killed.
+#[test]
+fn killed_window() {
+    let Some(folder) = std::env::var_os(KILLED).map(PathBuf::from) else { return };
+    let places = Places { state: folder.join("state"), config: folder.join("config") };
+    Hand::with(move |ctx| {
+        let mut app = App::new(ctx, None).with_path_fields();
+        app.keep_in(places.clone(), ctx);
+        app.open(&folder.join("chain.json"));
+        app
+    });
+}
+
+/// A chain of so many additions.
+fn chain(length: usize) -> String {
+    let node = |index: usize| serde_json::json!({"id": format!("n{index}"), "kind": "add", "values": {"b": 0.001}});
+    let mut nodes: Vec<_> = (0..length).map(node).collect();
+    let wire = |index: usize| serde_json::json!({"from": format!("n{}", index - 1), "to": format!("n{index}.a")});
+    let mut wires: Vec<_> = (1..length).map(wire).collect();
+    nodes.push(serde_json::json!({"id": "output", "kind": "output"}));
+    wires.push(serde_json::json!({"from": format!("n{}", length - 1), "to": "output.color"}));
+    serde_json::json!({"nodes": nodes, "wires": wires}).to_string()
+}
+
+#[test]
+fn a_window_that_is_killed_while_it_compiles_is_remembered_by_the_next_one() {
+    let home = Home::new();
+    let path = home.file("chain.json");
+    fs::write(&path, chain(4000)).unwrap();
+    let mut child = std::process::Command::new(std::env::current_exe().unwrap())
+        .args(["--exact", "killed_window", "--test-threads=1"])
+        .env(KILLED, home.0.path())
+        .stdout(std::process::Stdio::null())
+        .spawn()
+        .unwrap();
+    let compiles = || {
+        let files = fs::read_dir(home.file("state/running")).into_iter().flatten().flatten();
+        let texts = files.filter_map(|file| fs::read_to_string(file.path()).ok());
+        texts
+            .flat_map(|text| text.lines().map(str::to_owned).collect::<Vec<_>>())
+            .any(|line| line.contains("chain.json") && line.contains("\"compile\""))
+    };
+    while !compiles() {
+        assert!(child.try_wait().unwrap().is_none(), "it works until it is killed");
+        std::thread::yield_now();
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let hand = home.window(None);
+    assert!(hand.app().shows_start_page());
+    assert!(has(&hand, "Open the look chain, which was not drawn"), "it was opened last");
+}
+
+#[test]
 fn the_shader_is_copied_as_wgsl() {
     let mut hand = Hand::new();
     let wgsl = copied_by_keys(&mut hand).expect("the shader is in the clipboard");

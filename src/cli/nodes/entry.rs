@@ -2,7 +2,8 @@
 
 use crate::document::{Tier, Value};
 use crate::library::{
-    CUSTOM_CODE, CUSTOM_KIND, Fallback, GroupDef, Input, Library, NodeDef, Output, Preset, Special, TierError, Type,
+    CATEGORIES, CUSTOM_CODE, CUSTOM_KIND, Fallback, GroupDef, Input, Library, NodeDef, Output, Preset, Special,
+    TierError, Type,
 };
 
 /// One kind of node.
@@ -37,11 +38,7 @@ impl Entry {
     }
 }
 
-/// The order of the categories in tables: as a look is built, then a project's own.
-const CATEGORIES: [&str; 10] =
-    ["layer", "light", "curvature", "geometry", "input", "color", "texture", "vector", "math", "utility"];
-
-/// Everything that the library offers, by category.
+/// Everything that the library offers, by category: those of [`CATEGORIES`] in their order, then others by name.
 pub(super) fn entries(library: &Library) -> Vec<Entry> {
     let groups = library.groups.values().map(|group| of_group(group, library));
     let mut entries: Vec<Entry> = groups.chain(library.nodes.values().map(|def| of_node(def))).collect();
@@ -185,6 +182,14 @@ mod tests {
         assert_eq!(value_text(&Value::Vector(vec![0.1, 1.0, 0.25]), ""), "[0.1, 1, 0.25]");
         assert_eq!(number(1e-6), "1e-6");
         assert_eq!(json_text(&Value::Bool(true)), "true");
+    }
+
+    #[test]
+    fn categories_come_in_the_palettes_order_and_others_after_them() {
+        let entries = entries(Library::built_in());
+        let mut found: Vec<&str> = entries.iter().map(|entry| entry.category.as_str()).collect();
+        found.dedup();
+        assert_eq!(found, [CATEGORIES.as_slice(), &["utility"]].concat());
     }
 
     #[test]

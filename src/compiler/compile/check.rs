@@ -10,7 +10,7 @@ use super::drivers::{self, TypedDriver};
 use super::flatten::{FlatGraph, FlatInput, FlatNode, GroupOutputs, Param, ParamId, flatten};
 use super::value::{describe, expected, typed_value};
 use crate::diag::{Diagnostic, Severity, bounded, has_errors};
-use crate::document::{ColorSpace, Exposed, Light, Look, Target, Tier, Value};
+use crate::document::{ColorSpace, Exposed, Light, LightField, Look, Target, Tier, Value};
 use crate::ids::{LightId, NodeId, NodePath, PortName};
 use crate::library::{Context, Conversion, Fallback, Input, Library, NodeDef, Parameter, Special, Type, Variant};
 
@@ -385,18 +385,14 @@ fn check_targets(
     }
 }
 
-/// The fields of a light that keys and exposed parameters may set.
-pub(super) const LIGHT_FIELDS: [&str; 9] =
-    ["direction", "position", "aim", "color", "intensity", "inner", "outer", "half_distance", "range"];
-
 fn light_target_problem(look: &Look, light: &LightId, field: &str) -> Option<Diagnostic> {
     if !look.lights.contains_key(light) {
         let problem = Diagnostic::error("unknown-light", format!("there is no light `{light}`"));
         return Some(problem.suggest(light.as_str(), look.lights.keys().map(AsRef::as_ref)));
     }
-    (!LIGHT_FIELDS.contains(&field)).then(|| {
+    LightField::named(field).is_none().then(|| {
         Diagnostic::error("unknown-target", format!("a light has no field `{field}` that can be set"))
-            .suggest(field, LIGHT_FIELDS)
+            .suggest(field, LightField::names())
     })
 }
 

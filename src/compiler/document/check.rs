@@ -5,7 +5,7 @@
 use std::collections::{HashMap, HashSet};
 use std::hash::Hash;
 
-use super::{Camera, Definition, Endpoint, Graph, Light, Look, OutputPort, Scene, Target, Wire};
+use super::{Camera, Definition, Endpoint, Graph, Light, LightField, Look, OutputPort, Scene, Target, Wire};
 use crate::diag::{Diagnostic, MAX_PROBLEMS, more_problems};
 use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, LightId, NodeId, NodePath};
 
@@ -252,9 +252,9 @@ impl Check {
                 if !look.lights.contains_key(light) {
                     let problem = Diagnostic::error("unknown-light", format!("there is no light `{light}`"));
                     self.unknown(path, problem, light.as_str(), look.lights.keys().map(LightId::as_str));
-                } else if !Target::LIGHT_FIELDS.contains(&field.as_str()) {
+                } else if LightField::named(field).is_none() {
                     let problem = Diagnostic::error("bad-target", format!("a light has no `{field}` that can be set"));
-                    self.unknown(path, problem, field, Target::LIGHT_FIELDS.into_iter());
+                    self.unknown(path, problem, field, LightField::names());
                 }
             }
             Target::Input { node, .. } => self.node_at(look, node, path),

@@ -3,6 +3,7 @@
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
+use super::LightField;
 use super::value::{Interpolation, Value, Values};
 use crate::ids::{DefinitionId, FrameId, LightId, NodeId, NodePath, NoteId, ObjectId, PortName};
 
@@ -365,7 +366,7 @@ pub enum Target {
         /// Its input.
         port: PortName,
     },
-    /// `direction`, `position`, `aim`, `color`, `intensity`, `inner`, `outer`, `half_distance` or `range` of a light.
+    /// A [`LightField`] of a light.
     Light {
         /// The light.
         light: LightId,
@@ -397,9 +398,13 @@ impl<'de> Deserialize<'de> for Target {
 }
 
 impl Target {
-    /// The fields of a light that a target may name.
-    pub const LIGHT_FIELDS: [&str; 9] =
-        ["direction", "position", "aim", "color", "intensity", "inner", "outer", "half_distance", "range"];
+    /// The field of a light that a target names; `None` of an input, or where there is no such field.
+    pub fn light_field(&self) -> Option<LightField> {
+        match self {
+            Self::Light { field, .. } => LightField::named(field),
+            Self::Input { .. } => None,
+        }
+    }
 
     /// Reads what [`Display`](std::fmt::Display) writes; `None` where there is no `.`.
     pub fn parse(text: &str) -> Option<Self> {

@@ -13,6 +13,7 @@ mod hcbtf;
 mod image;
 pub mod journal;
 mod json;
+mod light_field;
 mod look;
 mod packed;
 mod problems;
@@ -35,6 +36,7 @@ pub use hcbtf::{
     Placement, Relief, Rule, RuleAbout, StrokeGround, StrokeHighlight, StrokeShadow, StrokeShape, StrokeTones, Strokes,
     Tile, relief,
 };
+pub use light_field::{LightField, LightQuantity};
 pub use look::*;
 pub use read::Document;
 pub use scene::*;

@@ -120,6 +120,14 @@ pub struct Camera {
 }
 
 impl Camera {
+    /// The least and the greatest vertical field of view, in radians: of files, of views and of command lines alike.
+    pub const FOV: [f64; 2] = [0.001, std::f64::consts::PI - 0.01];
+
+    /// Whether a vertical field of view, in radians, can be looked through.
+    pub fn holds_fov(fov: f64) -> bool {
+        (Self::FOV[0]..=Self::FOV[1]).contains(&fov)
+    }
+
     /// How many times as high the view is in a picture whose width is `aspect` times its height.
     pub fn widening(&self, aspect: f64) -> f64 {
         if self.aspect > 0.0 { (self.aspect / aspect.max(1e-6)).max(1.0) } else { 1.0 }

@@ -21,6 +21,25 @@ mod node;
 mod read;
 mod types;
 
+/// The categories that have a colour of their own, in the order of palettes and of tables. The
+/// folder that a node's file lies in is its category, and a project's folders may be any others.
+pub const CATEGORIES: [&str; 14] = [
+    "layer",
+    "light",
+    "curvature",
+    "geometry",
+    "color",
+    "vector",
+    "math",
+    "input",
+    "highlight",
+    "material",
+    "texture",
+    "shape",
+    "marks",
+    "screen",
+];
+
 pub use context::{Context, LightField, Rate, SMOOTH_LEVELS};
 pub use embedded::NODES;
 pub use group::{CUSTOM_CODE, CUSTOM_KIND, GroupPorts};

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::document::{LightField, LightQuantity};
+
 /// The type of a port.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Type {
@@ -46,6 +48,15 @@ pub enum Type {
 }
 
 impl Type {
+    /// The type of a light's field.
+    pub fn of_light_field(field: LightField) -> Self {
+        match field.quantity() {
+            LightQuantity::Direction | LightQuantity::Position => Self::Vec3,
+            LightQuantity::Color => Self::Color,
+            LightQuantity::Factor | LightQuantity::Angle | LightQuantity::Distance => Self::Float,
+        }
+    }
+
     /// The type that a signature's text names; any other name is a struct of the file.
     pub fn from_wgsl(text: &str) -> Self {
         match text {

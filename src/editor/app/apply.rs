@@ -18,6 +18,7 @@ use crate::hcbtf::exchange::Form;
 use crate::look_export::stem_of;
 use crate::painting;
 use crate::safety::Wish;
+use crate::safety::crashes::DocumentOrigin;
 use crate::session::Session;
 use crate::shortcuts::{self, Action};
 use crate::stage::Stage;
@@ -127,6 +128,12 @@ impl App {
     fn apply_to_safety(&mut self, wish: Wish) {
         if wish == Wish::OpenAnother {
             self.dialogs.ask(Purpose::Open, self.session.path());
+        }
+        if wish == Wish::ReadAgain
+            && let Some(path) = self.safety.interrupted()
+        {
+            self.session.crashes.trust(&DocumentOrigin::of_file(&path));
+            return self.open(&path);
         }
         let painting = self.painting_number();
         self.message = self.safety.apply(wish, &mut self.session);

@@ -226,8 +226,8 @@ fn menu_with(
         first(ui, commands);
         for row in actions.iter().filter_map(|action| shortcuts::of(*action)) {
             let why = why(row.action);
-            let button = ui.add_enabled(why.is_none(), egui::Button::new(row.label).shortcut_text(row.text()));
-            button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::MenuItem, why.is_none(), row.label));
+            let button = ui.add_enabled(why.is_none(), egui::Button::new(&*row.label).shortcut_text(row.text()));
+            button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::MenuItem, why.is_none(), &*row.label));
             if button.on_disabled_hover_text(why.unwrap_or_default()).clicked() {
                 commands.push(Command::Act(row.action));
                 ui.close();

@@ -16,6 +16,7 @@ use crate::examples;
 use crate::frame::UNSAVED_HCBTF;
 use crate::painting::{Import, Work, look};
 use crate::panels::{library, problems};
+use crate::safety::crashes::{CrashMark, DocumentOrigin, Step};
 use crate::stage::{Stage, Wanted};
 
 /// What would lose unsaved changes.
@@ -82,6 +83,7 @@ impl App {
     }
 
     fn open_alone(&mut self, path: &Path) {
+        let Some(_going) = self.begin_to_read(path) else { return };
         self.safety.put_aside(&self.session);
         if let Some(told) = self.safety.reopen(path, &mut self.session) {
             self.message = Some(told).filter(|told| !told.is_empty());
@@ -93,6 +95,17 @@ impl App {
             self.safety.opened(path);
         }
         self.safety.look();
+    }
+
+    /// Notes that a file is being read, until what is returned is dropped. `None` where the last
+    /// program ended over that, which is told.
+    pub(super) fn begin_to_read(&mut self, path: &Path) -> Option<CrashMark> {
+        let crashes = self.session.crashes.clone();
+        if crashes.suspect_in(path).is_some_and(|suspect| suspect.step == Step::Read) {
+            self.safety.was_interrupted(path, &self.session);
+            return None;
+        }
+        Some(crashes.begin(Step::Read, || DocumentOrigin::of_file(path)))
     }
 
     /// Saves to a file and tells where that fails.

@@ -50,6 +50,8 @@ use crate::milestones;
 use files::Pending;
 use welcome::StartPage;
 
+/// How often the GPU is asked whether it has done what it never drew before.
+const UNFINISHED: Duration = Duration::from_millis(30);
 /// The height of the status bar, in points.
 const STATUS: f32 = 38.0;
 
@@ -105,14 +107,17 @@ impl App {
             move || ctx.request_repaint()
         };
         let library = Arc::new(Library::built_in().clone());
-        let picture = render_state.map(|state| Picture::new(state, waker()));
+        let session = Session::new(library, waker());
+        let crashes = || session.crashes.clone();
+        let picture = render_state.map(|state| Picture::new(state, crashes(), waker()));
         let wipe = Wipe::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         let viewport = Viewport::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         let cost = Cost::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         let device = picture.as_ref().map_or_else(Device::guaranteed, |picture| picture.gpu().holds());
-        let panels = Panels::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
+        let gpu = picture.as_ref().map(|picture| picture.gpu().clone());
+        let panels = Panels::new(gpu, crashes(), waker());
         Self {
-            session: Session::new(library, waker()),
+            session,
             canvas: Canvas::default(),
             viewport,
             code: Code::default(),
@@ -370,6 +375,7 @@ impl App {
 
     /// Shows the window for one frame.
     pub fn show(&mut self, ui: &mut Ui) {
+        shortcuts::begin_frame(ui.ctx());
         if ui.input(|input| input.pointer.any_pressed()) {
             self.presses += 1;
         }
@@ -464,6 +470,9 @@ impl App {
         });
         self.session.awaits_first_picture = self.awaits_first_picture();
         self.panels.update(ui, &self.session);
+        if self.picture.as_ref().is_some_and(Picture::is_unfinished) {
+            ui.ctx().request_repaint_after(UNFINISHED);
+        }
         if let Some(picture) = &mut self.picture {
             picture.tells_effects = self.dock.shows(dock::Panel::Effects);
         }
@@ -522,7 +531,7 @@ impl App {
                     self.objects = Some(ui.max_rect());
                 }
                 if other == dock::Panel::Library {
-                    self.panels.know_recent(self.safety.recent());
+                    self.panels.know_recent(self.safety.recent(), &self.session.crashes);
                 }
                 self.panels.show(ui, other, &self.session)
             }
@@ -555,14 +564,15 @@ impl App {
     }
 
     fn shortcuts(&self, ui: &Ui, commands: &mut Vec<Command>) {
-        let is_typing = ui.ctx().egui_wants_keyboard_input();
+        let is_typing = shortcuts::is_keyboard_taken(ui.ctx());
         // A field that is being typed in has an undo of its own, and question marks.
         let is_text = |action| matches!(action, Action::Undo | Action::Redo | Action::Shortcuts);
         // The other keys of the picture work over it alone, where it takes them itself.
         let is_here =
             |row: &&Shortcut| row.place == Place::Window || matches!(row.action, Action::Probe | Action::PaintLight);
         for row in shortcuts::ALL.iter().filter(is_here) {
-            if row.place == Place::Picture && (is_typing || self.start.is_some() || self.painting.has_pointer())
+            if shortcuts::is_dialog_open(ui.ctx())
+                || row.place == Place::Picture && (is_typing || self.start.is_some() || self.painting.has_pointer())
                 || is_typing && is_text(row.action)
             {
                 continue;
@@ -605,5 +615,6 @@ impl eframe::App for App {
 
     fn on_exit(&mut self) {
         self.session.close_journal(true);
+        self.session.crashes.close();
     }
 }

@@ -98,6 +98,7 @@ impl App {
 
     /// Opens an HCBTF, in a look of its own where the open one does not show it; tells where that fails.
     pub(super) fn open_painting(&mut self, path: &Path, keeps_look: bool) {
+        let Some(_going) = self.begin_to_read(path) else { return };
         match Work::open(path) {
             Ok(work) => {
                 let stays = keeps_look || self.session.shows_painting(path);

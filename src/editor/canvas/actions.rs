@@ -23,7 +23,7 @@ impl Canvas {
         if self.palette.is_some() || self.editing.is_some() {
             return;
         }
-        let is_typing = ui.ctx().egui_wants_keyboard_input();
+        let is_typing = shortcuts::is_keyboard_taken(ui.ctx());
         if !is_typing {
             // What is open over the window, such as a colour's picker, is closed by this key before anything else is.
             let is_free = !egui::Popup::is_any_open(ui.ctx());

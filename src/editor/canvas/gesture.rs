@@ -7,6 +7,7 @@ use eframe::egui::{Key, Modifiers, PointerButton, Pos2, Response, Ui, Vec2};
 
 use super::super::command::Command;
 use super::super::session::Session;
+use super::super::shortcuts;
 use super::super::theme::{NODE_WIDTH, ROW_HEIGHT, TITLE_HEIGHT};
 use super::inplace::Item;
 use super::palette::{Loose, Outcome, Palette};
@@ -259,7 +260,7 @@ impl Canvas {
         let is_here = ui.input(|input| input.pointer.hover_pos()).is_some_and(|at| self.view.screen.contains(at));
         self.wants_search = is_here
             && self.palette.is_none()
-            && !ui.ctx().egui_wants_keyboard_input()
+            && !shortcuts::is_keyboard_taken(ui.ctx())
             && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Tab));
         if self.wants_search {
             ui.memory_mut(|memory| memory.move_focus(egui::FocusDirection::None));

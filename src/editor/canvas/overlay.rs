@@ -275,9 +275,9 @@ fn rows(ui: &mut Ui, blocks: &[&[Action]]) -> Option<Action> {
             ui.separator();
         }
         for row in block.iter().filter_map(|action| shortcuts::of(*action)) {
-            let button = egui::Button::new(row.label).shortcut_text(row.text());
+            let button = egui::Button::new(&*row.label).shortcut_text(row.text());
             let response = ui.add(button);
-            response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, row.label));
+            response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, &*row.label));
             if response.clicked() {
                 chosen = Some(row.action);
                 ui.close();

@@ -10,6 +10,7 @@ use std::sync::Arc;
 
 use eframe::egui::{Color32, ColorImage, Context, Pos2, Rect, TextureHandle, TextureOptions, Ui, pos2, vec2};
 
+use super::super::safety::crashes::{DocumentOrigin, Step};
 use super::super::session::Session;
 use super::super::theme::{NODE_WIDTH, TITLE_HEIGHT};
 use super::super::values::number_text;
@@ -58,6 +59,8 @@ struct Request {
     folder: PathBuf,
     root: (NodePath, PortName),
     samples: Arc<Vec<EvalSample>>,
+    /// What the picture is of: its name and its file.
+    file: (String, Option<PathBuf>),
 }
 
 struct Answer {
@@ -105,7 +108,7 @@ impl Previews {
             self.seen = Some((state, now));
         }
         let rested = now - self.seen.map_or(now, |(_, since)| since);
-        if self.waits || session.awaits_first_picture {
+        if self.waits || session.awaits_first_picture || session.held().is_some() {
             return;
         }
         if session.graph().nodes.len() > MAX_NODES || session.look().graph.nodes.len() > MAX_NODES {
@@ -130,11 +133,21 @@ impl Previews {
             library: session.library.clone(),
             folder: session.path().and_then(|path| path.parent()).map(PathBuf::from).unwrap_or_default(),
             root,
+            file: session.shown_file(),
             samples: self.samples.get_or_insert_with(|| Arc::new(ball())).clone(),
         };
         let worker = self.worker.get_or_insert_with(|| {
-            let (ctx, mut assets) = (ctx.clone(), Assets::default());
-            Worker::new("previews", move || ctx.request_repaint(), move |request| evaluate(request, &mut assets))
+            let (ctx, crashes, mut assets) = (ctx.clone(), session.crashes.clone(), Assets::default());
+            Worker::new(
+                "previews",
+                move || ctx.request_repaint(),
+                move |request: Request| {
+                    let (name, path) = &request.file;
+                    let _going =
+                        crashes.begin(Step::Draw, || DocumentOrigin::new(name, path.as_deref(), &request.look));
+                    evaluate(request, &mut assets)
+                },
+            )
         });
         worker.request(|_| request);
         self.waits = true;
@@ -158,7 +171,7 @@ fn ball() -> Vec<EvalSample> {
 }
 
 fn evaluate(request: Request, assets: &mut Assets) -> Answer {
-    let Request { key, look, source, library, folder, root, samples } = request;
+    let Request { key, look, source, library, folder, root, samples, file: _ } = request;
     let setup = SetupLook { look: (*look).clone(), source, folder };
     let options = Options { root: Some(root), ..Options::default() };
     let evaluated = eval_batches(&setup, &library, &samples, &options, assets).ok().and_then(|batches| {

@@ -18,7 +18,9 @@ use super::catalog::Port;
 use super::orbit::Orbit;
 use super::session::Session;
 use super::still::Stamp;
-use crate::document::{DirectionKeys, KeyDirection, Light, LightKind, Node, Object, Scene, Target, Value, Values};
+use crate::document::{
+    DirectionKeys, KeyDirection, Light, LightField, LightKind, Node, Object, Scene, Target, Value, Values,
+};
 use crate::frame::{KeyedValues, Moment, Rig, Wires};
 use crate::ids::{LightId, NodeId, NodePath, ObjectId, PortName};
 use crate::library::Type;
@@ -255,22 +257,18 @@ pub(crate) fn changes_in_time(ty: &Type) -> bool {
 }
 
 /// A field of a light as if it were a port.
-pub(crate) fn field_port(field: &str) -> Port {
-    let (label, ty, unit) = match field {
-        "direction" => ("Direction", Type::Vec3, ""),
-        "position" => ("Position", Type::Vec3, ""),
-        "aim" => ("Aim", Type::Vec3, ""),
-        "color" => ("Color", Type::Color, ""),
-        "intensity" => ("Intensity", Type::Float, ""),
-        "inner" => ("Full cone", Type::Float, "rad"),
-        "outer" => ("Whole cone", Type::Float, "rad"),
-        "half_distance" => ("Half distance", Type::Float, ""),
-        _ => ("Range", Type::Float, ""),
-    };
-    let is_float = ty == Type::Float;
-    let range = if unit == "rad" { [Some(0.0), Some(std::f64::consts::FRAC_PI_2)] } else { [Some(0.0), None] };
-    let [min, max] = if is_float { range } else { [None, None] };
-    Port { label: label.into(), ty, unit: unit.to_owned(), min, max, ..Port::named(field) }
+pub(crate) fn field_port(field: LightField) -> Port {
+    let range = field.range();
+    // What bounds lengths and factors in files is no end of a slider.
+    let max = range.filter(|_| !field.unit().is_empty()).map(|[_, max]| max);
+    Port {
+        label: field.label().into(),
+        ty: Type::of_light_field(field),
+        unit: field.unit().to_owned(),
+        min: range.map(|[min, _]| min),
+        max,
+        ..Port::named(field.name())
+    }
 }
 
 /// The targets that the keys of a set change, each once, in the order in which they first come.

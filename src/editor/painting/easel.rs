@@ -226,7 +226,7 @@ impl Easel {
 
     /// What the keys over it ask for.
     pub(super) fn keys(&self, ui: &Ui) -> Vec<shortcuts::Action> {
-        let is_free = self.has_pointer && !ui.ctx().egui_wants_keyboard_input() && self.going.is_none();
+        let is_free = self.has_pointer && !shortcuts::is_keyboard_taken(ui.ctx()) && self.going.is_none();
         if is_free { shortcuts::pressed(ui, Place::Painting) } else { Vec::new() }
     }
 }

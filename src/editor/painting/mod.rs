@@ -50,7 +50,7 @@ use super::command::Command;
 use super::dock::{self, Panel};
 use super::panels::problems::sentence;
 use super::session::Session;
-use super::shortcuts::{Action, Way};
+use super::shortcuts::{self, Action, Way};
 use super::theme;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf, HcbtfEdit, Storage};
@@ -333,7 +333,7 @@ impl Painting {
         if let Some(work) = session.painting() {
             self.options(ui, session, work, out);
         }
-        let is_free = self.easel.has_pointer() && !ui.ctx().egui_wants_keyboard_input();
+        let is_free = self.easel.has_pointer() && !shortcuts::is_keyboard_taken(ui.ctx());
         let before = session.painting().map(Work::before);
         let held = (is_free && ui.input(|input| input.key_down(Key::V))).then_some(before).flatten();
         out.extend(self.easel.show(ui, session, &mut self.tools, self.peek.or(held)));

@@ -16,6 +16,7 @@ use eframe::egui::Ui;
 
 use super::command::Command;
 use super::dock::Panel;
+use super::safety::crashes::CrashLog;
 use super::session::Session;
 use crate::render::Gpu;
 use thumbs::Thumbs;
@@ -32,8 +33,9 @@ pub(crate) struct Panels {
 }
 
 impl Panels {
-    /// `wake` is called from another thread when there is a new small picture.
-    pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Send + 'static) -> Self {
+    /// `wake` is called from another thread when there is a new small picture; what goes on is
+    /// noted in `crashes`.
+    pub(crate) fn new(gpu: Option<Gpu>, crashes: CrashLog, wake: impl Fn() + Send + 'static) -> Self {
         Self {
             layers: layers::Layers::default(),
             lights: lights::Lights::default(),
@@ -41,7 +43,7 @@ impl Panels {
             history: history::History::default(),
             library: library::Library::default(),
             start: start::Start::default(),
-            thumbs: Thumbs::new(gpu, wake),
+            thumbs: Thumbs::new(gpu, crashes, wake),
         }
     }
 
@@ -65,7 +67,7 @@ impl Panels {
         session: &Session,
         recent: impl Iterator<Item = (&'p std::path::PathBuf, bool)>,
     ) -> Vec<Command> {
-        self.start.know_recent(recent);
+        self.start.know_recent(recent, &session.crashes);
         self.start.show(ui, session, &self.thumbs)
     }
 
@@ -75,8 +77,12 @@ impl Panels {
     }
 
     /// Learns which files were opened before, with whether each is still there.
-    pub(crate) fn know_recent<'p>(&mut self, files: impl Iterator<Item = (&'p std::path::PathBuf, bool)>) {
-        self.library.know_recent(files);
+    pub(crate) fn know_recent<'p>(
+        &mut self,
+        files: impl Iterator<Item = (&'p std::path::PathBuf, bool)>,
+        crashes: &CrashLog,
+    ) {
+        self.library.know_recent(files, crashes);
     }
 
     /// What is due once a frame, whichever are seen.

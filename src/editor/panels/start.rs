@@ -10,6 +10,7 @@ use eframe::egui::{
 };
 
 use super::super::command::Command;
+use super::super::safety::crashes::CrashLog;
 use super::super::session::Session;
 use super::super::shortcuts::{self, Action};
 use super::super::theme;
@@ -40,6 +41,8 @@ const MOST_RECENT: usize = 12;
 pub(super) struct Start {
     examples: Vec<Card>,
     recent: Vec<Recent>,
+    /// How often what is held back of them had changed when they were read.
+    crashes: u64,
     logo: Option<TextureHandle>,
     /// Whether it was seen in the last frame; each time it comes it begins at its top.
     is_seen: bool,
@@ -85,9 +88,10 @@ const TILES: [Tile; 4] = [
 
 impl Start {
     /// Learns what was opened before. Files are read when that changes.
-    pub(super) fn know_recent<'p>(&mut self, files: impl Iterator<Item = (&'p PathBuf, bool)>) {
+    pub(super) fn know_recent<'p>(&mut self, files: impl Iterator<Item = (&'p PathBuf, bool)>, crashes: &CrashLog) {
         let now: Vec<(&PathBuf, bool)> = files.take(MOST_RECENT).collect();
-        let is_same = now.len() == self.recent.len()
+        let is_same = std::mem::replace(&mut self.crashes, crashes.changes()) == crashes.changes()
+            && now.len() == self.recent.len()
             && now
                 .iter()
                 .zip(&self.recent)
@@ -95,7 +99,7 @@ impl Start {
         if !is_same {
             let card = |(path, is_there): (&PathBuf, bool)| Recent {
                 path: path.clone(),
-                card: is_there.then(|| Card::of_file(path, SIDE)),
+                card: is_there.then(|| Card::of_file(path, SIDE, crashes)),
             };
             self.recent = now.into_iter().map(card).collect();
         }

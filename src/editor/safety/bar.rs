@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use eframe::egui;
 use eframe::egui::{Panel, RichText, Ui};
 
+use super::crashes::Suspect;
 use super::disk::{Conflict, PaintingConflict};
 use super::offers::Offer;
 use super::{Safety, Wish};
@@ -25,6 +26,7 @@ impl Safety {
         let painting = self.disk.painting_conflict.filter(|_| session.painting().is_some());
         self.unopened = self.unopened.take().filter(|unopened| unopened.is_new(session));
         let is_any = self.unopened.is_some()
+            || session.held().is_some()
             || self.disk.conflict.is_some()
             || self.disk.scene_conflict.is_some()
             || painting.is_some();
@@ -38,8 +40,14 @@ impl Safety {
                 row(ui, Tone::Warning, &unopened.text, |ui| {
                     ask(ui, "Understood", "Hides this", Wish::HideUnopened, &mut wishes);
                     ask(ui, "Open another file", "Asks for a file", Wish::OpenAnother, &mut wishes);
+                    if unopened.interrupted.is_some() {
+                        ask(ui, "Try again", "Reads it all the same", Wish::ReadAgain, &mut wishes);
+                    }
                 });
                 ui.add(egui::Label::new(RichText::new(&unopened.help).weak()).wrap());
+            }
+            if let Some(suspect) = session.held() {
+                held(ui, suspect, &mut wishes);
             }
             if let Some(problem) = problem {
                 let hint = problem.hints.join("\n");
@@ -123,6 +131,16 @@ impl Safety {
         menu.response.on_hover_text("Looks, scenes and paintings that were open, the newest first");
         wanted
     }
+}
+
+/// What is open is not drawn, because the last program ended over it.
+fn held(ui: &mut Ui, suspect: &Suspect, wishes: &mut Vec<Wish>) {
+    let (name, doing) = (&suspect.document.name, suspect.step.doing());
+    let text = format!("{name} is open without being drawn: Chiaro ended while {doing} it the last time");
+    row(ui, Tone::Warning, &text, |ui| {
+        let help = "Compiles and draws it as ever. If Chiaro ends over it again, the next start asks again";
+        ask(ui, "Try again", help, Wish::TryAgain, wishes);
+    });
 }
 
 fn of_painting(ui: &mut Ui, conflict: PaintingConflict, name: &str, wishes: &mut Vec<Wish>) {

@@ -3,6 +3,7 @@
 //! middle of the work.
 
 mod bar;
+pub(crate) mod crashes;
 mod disk;
 pub(crate) mod keeper;
 mod offers;
@@ -58,6 +59,10 @@ pub(crate) enum Wish {
     HideUnopened,
     /// Asks for another file in its place.
     OpenAnother,
+    /// Reads the file all the same over which the last program ended.
+    ReadAgain,
+    /// Compiles and draws what is open all the same, over which the last program ended.
+    TryAgain,
 }
 
 /// What looks after a window's work.
@@ -98,6 +103,7 @@ impl Safety {
     /// Keeps journals and settings here from now on, and looks for what was left behind.
     pub(crate) fn keep_in(&mut self, places: Places, session: &mut Session, wake: impl Fn() + Send + Sync + 'static) {
         session.keep_in(&places.journals(), wake);
+        session.crashes.keep_in(&places.running());
         self.settings = Settings::load(&places.settings());
         if let Some(mesh) = &self.settings.mesh
             && (mesh.starts_with(SHAPE_PREFIX) || Path::new(mesh).exists())
@@ -112,6 +118,17 @@ impl Safety {
     /// Tells that a file could not be opened, until another one is.
     pub(crate) fn could_not_open(&mut self, path: &Path, problems: &[Diagnostic], session: &Session) {
         self.unopened = Some(Unopened::new(path, problems, session));
+    }
+
+    /// Tells that a file is not read, because the last program ended over that, until another one
+    /// is opened.
+    pub(crate) fn was_interrupted(&mut self, path: &Path, session: &Session) {
+        self.unopened = Some(Unopened::interrupted(path, session));
+    }
+
+    /// The file that is not read for that.
+    pub(crate) fn interrupted(&mut self) -> Option<PathBuf> {
+        self.unopened.take().and_then(|unopened| unopened.interrupted)
     }
 
     /// Which file could not be opened, why, and where it was looked for.
@@ -130,14 +147,26 @@ impl Safety {
     /// with unasked: what it was at may be what broke it.
     pub(crate) fn resume(&mut self, session: &mut Session) -> Option<String> {
         let look = self.resume_look(session);
-        let painting = self.offers.closed_painting().map(|number| self.take_back(number, session));
+        let painting = self.offers.closed_painting().filter(|number| !self.is_suspect(*number, session));
+        let painting = painting.map(|number| self.take_back(number, session));
         look.or(painting)
+    }
+
+    /// Whether the last program ended over what is offered, or over the scene around it: only a
+    /// hand goes on with that.
+    fn is_suspect(&self, number: usize, session: &Session) -> bool {
+        let offer = self.offers.get(number);
+        let files = offer.into_iter().flat_map(|offer| offer.path.iter().chain(&offer.beside));
+        files.into_iter().any(|path| session.crashes.suspect_in(path).is_some())
     }
 
     fn resume_look(&mut self, session: &mut Session) -> Option<String> {
         let number = self.offers.closed()?;
         // What a scene was closed with comes back by the scene.
         let number = self.offers.scene_closed_with(number).unwrap_or(number);
+        if self.is_suspect(number, session) {
+            return None;
+        }
         let told = self.take_back(number, session);
         session.look_as_kept(true);
         Some(told)
@@ -352,7 +381,8 @@ impl Safety {
                     return Some("Saving what is painted will write the file as it is here".to_owned());
                 }
             }
-            Wish::HideUnopened | Wish::OpenAnother => self.unopened = None,
+            Wish::HideUnopened | Wish::OpenAnother | Wish::ReadAgain => self.unopened = None,
+            Wish::TryAgain => session.try_again(),
             Wish::Hide => {
                 self.is_problem_read = session.keeping_problem().is_some();
                 self.disk.forget_gone();

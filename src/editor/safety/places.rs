@@ -46,6 +46,11 @@ impl Places {
         self.state.join("journals")
     }
 
+    /// Where running windows say what they are at.
+    pub fn running(&self) -> PathBuf {
+        self.state.join("running")
+    }
+
     /// The settings.
     pub fn settings(&self) -> PathBuf {
         self.config.join("settings.json")

@@ -1,6 +1,6 @@
 //! The note of a file that could not be opened: which, why, and what to do.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::diag::{Diagnostic, LineColumn};
 use crate::paths::absolute;
@@ -12,6 +12,8 @@ pub(super) struct Unopened {
     pub(super) text: String,
     /// Where it was looked for, and what to do.
     pub(super) help: String,
+    /// Its path, where it was not even tried, as the last program ended over that.
+    pub(super) interrupted: Option<PathBuf>,
     /// What was open meanwhile: the note goes with that.
     open: (u64, Option<u64>),
 }
@@ -30,6 +32,18 @@ impl Unopened {
         Self {
             text: format!("{name} could not be opened: {why}{at}"),
             help: format!("{}{help}", whole.display()),
+            interrupted: None,
+            open: Self::open(session),
+        }
+    }
+
+    /// A file that is not read by itself.
+    pub(super) fn interrupted(path: &Path, session: &Session) -> Self {
+        let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
+        Self {
+            text: format!("{name} was not opened: Chiaro ended while reading it the last time"),
+            help: format!("{}: save your other work, then try again", absolute(path).display()),
+            interrupted: Some(path.to_owned()),
             open: Self::open(session),
         }
     }

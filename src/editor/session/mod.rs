@@ -1,5 +1,6 @@
 //! One open look: the document and its past, the file, what is selected, and the shaders made of it.
 
+mod holding;
 pub(super) mod keeping;
 pub(super) mod kept;
 mod painting;
@@ -24,6 +25,7 @@ use super::fitting::Sketch;
 use super::orbit::Orbit;
 use super::painting::Work;
 use super::panels::solo::Solo;
+use super::safety::crashes::CrashLog;
 use super::stage::Stage;
 use super::wire::ShownWire;
 use crate::diag::Diagnostic;
@@ -76,6 +78,9 @@ pub struct Session {
     /// What is wrong with the project's own node files.
     library_problems: Vec<Diagnostic>,
     compiler: Compiler,
+    /// What goes on with documents, for the next window to know if this one ends over it.
+    pub(crate) crashes: CrashLog,
+    holding: holding::Holding,
     shaders: Shown,
     problems: Vec<Diagnostic>,
     /// What keeps the picture from being drawn, or was odd about it.
@@ -108,6 +113,7 @@ impl Session {
     pub fn new(library: Arc<Library>, wake: impl Fn() + Send + 'static) -> Self {
         let catalog = Catalog::new(&library);
         let source = Arc::new(Look::read(NEW_LOOK, "new look").source);
+        let crashes = CrashLog::default();
         let mut session = Self {
             kept: Kept::new(History::new(Look::default())),
             stage: None,
@@ -131,7 +137,9 @@ impl Session {
             keyed: Default::default(),
             load_problems: Vec::new(),
             library_problems: Vec::new(),
-            compiler: compiling::start(wake),
+            compiler: compiling::start(wake, crashes.clone()),
+            crashes,
+            holding: holding::Holding::default(),
             shaders: Shown::default(),
             problems: Vec::new(),
             picture_problems: Vec::new(),

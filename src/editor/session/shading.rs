@@ -93,6 +93,10 @@ impl Session {
         for answer in self.compiler.answers() {
             self.take(answer);
         }
+        self.hold_suspect();
+        if self.held().is_some() {
+            return None;
+        }
         let revision = self.kept.history.revision();
         if self.shaders.seen_revision != revision {
             self.shaders.seen_revision = revision;
@@ -137,6 +141,8 @@ impl Session {
             only_baked,
             solo: self.solo_number,
             preview: self.preview_number,
+            name: self.name(),
+            path: self.path.clone(),
         };
         // What waited for both must not be lost to a wish for less.
         self.compiler.request(|waiting| Request {

@@ -352,7 +352,7 @@ impl Viewport {
         if factor != 1.0 && !is_held {
             session.view.dolly(factor);
         }
-        if ui.ctx().egui_wants_keyboard_input() {
+        if shortcuts::is_keyboard_taken(ui.ctx()) {
             return;
         }
         if fitting.is_on() {
@@ -550,8 +550,11 @@ fn show_picture(ui: &Ui, rect: Rect, session: &mut Session, picture: &mut Pictur
             ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
             let font = egui::FontId::proportional(theme::TEXT_SIZE);
             let is_broken = !picture.problems.is_empty() || crate::diag::has_errors(session.problems());
-            let text =
-                if is_broken { "No picture: Problems says what is to be mended" } else { "Making the first picture" };
+            let text = match session.held() {
+                Some(_) => "Not drawn until you press Try again above",
+                None if is_broken => "No picture: Problems says what is to be mended",
+                None => "Making the first picture",
+            };
             ui.painter().text(rect.center(), egui::Align2::CENTER_CENTER, text, font, theme::of(ui).dim);
         }
     }

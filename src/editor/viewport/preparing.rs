@@ -49,6 +49,9 @@ impl Preparing {
         match awaited {
             Some(Awaited::Shader) => sign(ui, rect, strength, true, &text, "building its shader"),
             Some(Awaited::Picture) => sign(ui, rect, strength, true, &text, "reading meshes and paintings, drawing"),
+            Some(Awaited::Mended) if session.held().is_some() => {
+                sign(ui, rect, 1.0, false, "Not drawn", "until you press Try again above");
+            }
             Some(Awaited::Mended) => {
                 sign(ui, rect, 1.0, false, "No picture yet", "until what is listed below is mended");
             }

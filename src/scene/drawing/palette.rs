@@ -1,6 +1,6 @@
 //! Colours of graphs, dark and light: 0xrrggbb, as they are shown.
 
-use crate::library::Type;
+use crate::library::{CATEGORIES, Type};
 
 /// One set of colours.
 #[derive(Debug)]
@@ -22,6 +22,7 @@ pub struct Palette {
     /// A note that has no colour of its own.
     pub note: u32,
     types: Types,
+    /// In the order of [`CATEGORIES`]; what is none of them comes last.
     categories: [u32; CATEGORIES.len() + 1],
 }
 
@@ -38,24 +39,6 @@ struct Types {
     curve: u32,
     other: u32,
 }
-
-/// In the order of [`Palette::categories`]; what is none of them comes last.
-const CATEGORIES: [&str; 14] = [
-    "layer",
-    "light",
-    "curvature",
-    "geometry",
-    "color",
-    "vector",
-    "math",
-    "input",
-    "highlight",
-    "material",
-    "texture",
-    "shape",
-    "marks",
-    "screen",
-];
 
 impl Palette {
     /// The colour of a type's sockets and wires.

@@ -7,9 +7,9 @@ use serde_json::{Value, json};
 
 use super::modules::Modules;
 use crate::compile::{HostStep, ParamId, TypedGraph, TypedNode, TypedSource};
-use crate::document::{Definition, InterfacePort, Light, Look, Target};
+use crate::document::{Definition, InterfacePort, Light, LightField, Look, Target};
 use crate::ids::{LightId, NodePath, PortName};
-use crate::library::{Context, Input, Library};
+use crate::library::{Context, Input, Library, Type};
 
 /// A value that may be set from outside, or that keys move.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -167,20 +167,19 @@ fn interface_port<'a>(
 
 fn light_field(look: &Look, light: &LightId, field: &str) -> Parameter {
     let document = look.lights.get(light).map_or(Value::Null, |light| json!(light));
-    let is_angle = matches!(field, "inner" | "outer");
-    let (ty, min) = match field {
-        "direction" | "position" | "aim" => ("vec3", None),
-        "color" => ("color", None),
-        _ => ("float", Some(0.0)),
-    };
+    let known = LightField::named(field);
+    let ty = known.map_or(Type::Float, Type::of_light_field);
+    let range = known.and_then(LightField::range);
+    let unit = known.map(LightField::unit).unwrap_or_default();
     Parameter {
         label: field.replace('_', " "),
         target: format!("lights.{light}.{field}"),
-        ty: ty.to_owned(),
+        ty: ty.to_string(),
         default: document.get(field).cloned().unwrap_or_default(),
-        min,
-        max: is_angle.then_some(std::f64::consts::PI),
-        unit: if is_angle { "rad".to_owned() } else { String::new() },
+        min: range.map(|[min, _]| min),
+        // What bounds lengths and factors in files is no end of a slider.
+        max: range.filter(|_| !unit.is_empty()).map(|[_, max]| max),
+        unit: unit.to_owned(),
         ..Parameter::default()
     }
 }

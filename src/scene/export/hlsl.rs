@@ -9,7 +9,7 @@ use serde_json::json;
 use super::File;
 use super::header::list;
 use super::language::{
-    ClipSpace, Language, LanguageBinding, LanguageEntryPoint, LanguageFile, LanguageModule, Request, Written,
+    ClipSpace, Language, LanguageBinding, LanguageEntryPoint, LanguageFile, LanguageModule, Request, TextFile, Written,
 };
 use super::modules::ShaderModule;
 use super::reflect::{Bound, Kind};
@@ -17,6 +17,9 @@ use super::reflect::{Bound, Kind};
 pub(super) const LANGUAGE: Language = Language {
     slug: "hlsl",
     label: "HLSL, shader model 5.1",
+    short_label: "HLSL",
+    api: "Direct3D 12",
+    texts: &[TextFile { ending: ".hlsl", content: "shader" }],
     verified_by: None,
     clip_space: ClipSpace::WEBGPU,
     note: "Unverified: written by naga, seen by no HLSL compiler. Attributes have the semantic LOC followed by their location. Matrices are declared row_major, each row holding a column of the uniform's bytes.",

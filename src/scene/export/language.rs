@@ -14,6 +14,13 @@ pub struct Language {
     pub slug: &'static str,
     /// What people call it.
     pub label: &'static str,
+    /// What menus call it: without a version where there is but one.
+    pub short_label: &'static str,
+    /// What reads it, where its name does not say so; may be empty.
+    pub api: &'static str,
+    /// The files of a look that are text, for who copies one of them; none where the window copies
+    /// it in another way.
+    pub texts: &'static [TextFile],
     /// The program, none of ours, that accepts every golden output; `None` where there is none, and files say so.
     pub verified_by: Option<&'static str>,
     /// What its API expects of positions.
@@ -22,6 +29,26 @@ pub struct Language {
     pub note: &'static str,
     pub(super) write: fn(&Request<'_>) -> Result<Written, String>,
 }
+
+/// A file of every exported look that is text.
+#[derive(Debug)]
+pub struct TextFile {
+    /// What its name ends with.
+    pub ending: &'static str,
+    /// What it holds: `shader`, or one stage of it.
+    pub content: &'static str,
+}
+
+/// A file for each stage, as GLSL has them: how the names end after that of the version.
+macro_rules! stages {
+    ($version:literal) => {
+        &[
+            $crate::export::language::TextFile { ending: concat!(".", $version, ".frag"), content: "fragment shader" },
+            $crate::export::language::TextFile { ending: concat!(".", $version, ".vert"), content: "vertex shader" },
+        ]
+    };
+}
+pub(super) use stages;
 
 /// What an API expects of the positions that a vertex shader gives, and how it counts the rows of images. Exported
 /// shaders convert nothing: `clip_from_world` is the host's.

@@ -35,7 +35,7 @@ use crate::document::Look;
 use crate::library::Library;
 
 pub use files::{in_the_way, write};
-pub use language::Language;
+pub use language::{Language, TextFile};
 pub use spirv::spirv_words;
 
 /// Every language, in the order of the issue.

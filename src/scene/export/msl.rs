@@ -6,7 +6,7 @@ use serde_json::json;
 use super::File;
 use super::header::list;
 use super::language::{
-    ClipSpace, Language, LanguageBinding, LanguageEntryPoint, LanguageFile, LanguageModule, Request, Written,
+    ClipSpace, Language, LanguageBinding, LanguageEntryPoint, LanguageFile, LanguageModule, Request, TextFile, Written,
 };
 use super::modules::ShaderModule;
 use super::reflect::{Bound, Kind};
@@ -14,6 +14,9 @@ use super::reflect::{Bound, Kind};
 pub(super) const LANGUAGE: Language = Language {
     slug: "msl",
     label: "Metal Shading Language 2.0",
+    short_label: "Metal Shading Language",
+    api: "",
+    texts: &[TextFile { ending: ".metal", content: "shader" }],
     verified_by: None,
     clip_space: ClipSpace::WEBGPU,
     note: "Unverified: written by naga, seen by no Metal compiler. Attributes are [[attribute(location)]] of the stage input; give vertex buffers indices after those of the uniform buffers.",

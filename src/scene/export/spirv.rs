@@ -11,6 +11,9 @@ use super::language::{
 pub(super) const LANGUAGE: Language = Language {
     slug: "spirv",
     label: "SPIR-V 1.3",
+    short_label: "SPIR-V",
+    api: "Vulkan",
+    texts: &[],
     verified_by: Some("spirv-val"),
     clip_space: ClipSpace::VULKAN,
     note: "Names are kept for reflection (OpName).",

@@ -8,8 +8,18 @@ use super::language::{
     ClipSpace, Language, LanguageBinding, LanguageFile, LanguageModule, Request, Written, entry_points,
 };
 
-pub(super) const LANGUAGE: Language =
-    Language { slug: "wgsl", label: "WGSL", verified_by: Some("Tint"), clip_space: ClipSpace::WEBGPU, note: "", write };
+pub(super) const LANGUAGE: Language = Language {
+    slug: "wgsl",
+    label: "WGSL",
+    short_label: "WGSL",
+    api: "WebGPU",
+    // The window copies the shader as it is shown, without exposed parameters.
+    texts: &[],
+    verified_by: Some("Tint"),
+    clip_space: ClipSpace::WEBGPU,
+    note: "",
+    write,
+};
 
 fn write(request: &Request<'_>) -> Result<Written, String> {
     let module = request.module;

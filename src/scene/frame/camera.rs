@@ -45,7 +45,9 @@ impl View {
         let (projection, is_perspective, view_height) = match camera.projection {
             Projection::Perspective => {
                 let near = (distance - reach).max(far * 1e-3);
-                let fov = widened(camera.fov.clamp(0.01, 3.1), widening);
+                // Documents keep this range; whoever makes a camera otherwise gets the nearest that can be drawn.
+                let fov = camera.fov.clamp(Camera::FOV[0], Camera::FOV[1]);
+                let fov = widened(fov, widening);
                 (perspective(fov, aspect, near, far.max(near * 1.001)), true, 2.0 * (0.5 * fov).tan())
             }
             Projection::Orthographic => {
@@ -116,9 +118,9 @@ impl View {
     }
 }
 
-/// A vertical field of view in radians, so many times as high at every depth.
+/// A vertical field of view in radians, so many times as high at every depth, as far as a camera can see.
 pub fn widened(fov: f64, widening: f64) -> f64 {
-    (2.0 * ((0.5 * fov).tan() * widening).atan()).min(3.1)
+    (2.0 * ((0.5 * fov).tan() * widening).atan()).min(Camera::FOV[1])
 }
 
 /// Clip from camera axes with the vertical field of view `fov` in radians; depth 0 at `near`, 1 at `far`.
@@ -194,6 +196,17 @@ mod tests {
             let any = Camera { aspect: 0.0, ..camera };
             assert_eq!(side(&camera, [400, 200]), side(&any, [400, 200]));
             assert_eq!(side(&camera, [300, 200]), side(&any, [300, 200]));
+        }
+    }
+
+    #[test]
+    fn every_field_of_view_of_the_format_is_drawn_as_it_is() {
+        for fov in [Camera::FOV[0], 0.004, 0.5, 3.12, Camera::FOV[1]] {
+            let camera = Camera { fov, ..Camera::default() };
+            let view = View::new(&camera, [100, 100], DVec3::ZERO, 1.0);
+            let height = 2.0 * (0.5 * fov).tan();
+            assert!((view.view_height / height - 1.0).abs() < 1e-12, "{fov}");
+            assert!(view.clip_from_world.is_finite());
         }
     }
 

@@ -21,7 +21,8 @@ pub struct Misplaced {
 pub fn place_camera(camera: &mut Camera, text: &str) -> Result<(), Misplaced> {
     let bad = |part: &str| Misplaced {
         found: part.to_owned(),
-        wanted: "eye=X,Y,Z, target=X,Y,Z, up=X,Y,Z, orbit=YAW,PITCH, distance=D, ortho=HEIGHT or fov=DEGREES, joined by `;`",
+        wanted: "eye=X,Y,Z, target=X,Y,Z, up=X,Y,Z, orbit=YAW,PITCH, distance=D, ortho=HEIGHT or fov=DEGREES \
+                 from 0.06 to 179.4, joined by `;`",
     };
     for part in text.split(';').map(str::trim).filter(|part| !part.is_empty()) {
         let (key, value) = part.split_once('=').ok_or_else(|| bad(part))?;
@@ -46,7 +47,7 @@ pub fn place_camera(camera: &mut Camera, text: &str) -> Result<(), Misplaced> {
                 // Who says how much is seen means it for the picture at hand.
                 (camera.height, camera.aspect) = (height, 0.0);
             }
-            ("fov", &[degrees]) if degrees > 0.0 && degrees < 180.0 => {
+            ("fov", &[degrees]) if Camera::holds_fov(degrees.to_radians()) => {
                 camera.projection = Projection::Perspective;
                 (camera.fov, camera.aspect) = (degrees.to_radians(), 0.0);
             }
@@ -78,4 +79,24 @@ pub fn turn_lights(scene: &mut Scene, text: &str) -> Result<(), Misplaced> {
 
 fn numbers(text: &str) -> Option<Vec<f64>> {
     text.split(',').map(|part| part.trim().parse::<f64>().ok().filter(|x| x.is_finite())).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_field_of_view_that_no_camera_has_is_told() {
+        for degrees in ["0.05", "179.5", "0", "-3"] {
+            let mut camera = Camera::default();
+            let text = format!("fov={degrees}");
+            let wrong = place_camera(&mut camera, &text).unwrap_err();
+            assert!(wrong.found == text && wrong.wanted.contains("from 0.06 to 179.4"), "{wrong:?}");
+        }
+        for degrees in [0.06, 30.0, 179.4_f64] {
+            let mut camera = Camera::default();
+            place_camera(&mut camera, &format!("fov={degrees}")).unwrap();
+            assert_eq!(camera.fov, degrees.to_radians());
+        }
+    }
 }

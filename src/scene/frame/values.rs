@@ -2,7 +2,7 @@
 
 use crate::compile::{Live, TypedGraph, TypedSource, typed_value};
 use crate::diag::Diagnostic;
-use crate::document::{Look, Target, Value};
+use crate::document::{LightField, Look, Target, Value};
 use crate::library::Type;
 
 /// As alive as `live`, and at least so that values which are set by name are seen.
@@ -18,8 +18,7 @@ pub fn check_exposed_value(look: &Look, typed: &TypedGraph, name: &str, value: &
     let (node, port) = match target {
         Target::Input { node, port } => (node, port),
         Target::Light { field, .. } => {
-            let ty = if matches!(field.as_str(), "direction" | "position" | "aim") { Type::Vec3 } else { Type::Float };
-            let ty = if field == "color" { Type::Color } else { ty };
+            let ty = Type::of_light_field(LightField::named(field)?);
             return typed_value(value, &ty).err().map(wrong);
         }
     };

@@ -2,9 +2,9 @@
 
 use chiaro::document::{
     Bookmark, Camera, ColorSpace, Curve, Definition, DirectionKey, DirectionKeys, Endpoint, Exposed, Frame, Graph,
-    InterfacePort, Interpolation, KeyDirection, KeyScheme, Light, LightKind, LightSpace, Look, Node, Note, Object,
-    Projection, Ramp, RampStop, Scene, Target, Tier, TimeKey, TimeKeys, TimeRange, Transform, Unknown, Value, Values,
-    Wire,
+    InterfacePort, Interpolation, KeyDirection, KeyScheme, Light, LightField, LightKind, LightSpace, Look, Node, Note,
+    Object, Projection, Ramp, RampStop, Scene, Target, Tier, TimeKey, TimeKeys, TimeRange, Transform, Unknown, Value,
+    Values, Wire,
 };
 use chiaro::ids::{LightId, NodeId, NodePath, PortName};
 use serde_json::json;
@@ -297,7 +297,7 @@ impl Random {
         if self.chance(3) {
             let lights: Vec<&LightId> = look.lights.keys().collect();
             let light = (*self.pick(&lights)?).clone();
-            return Some(Target::Light { light, field: self.choose(&Target::LIGHT_FIELDS).to_owned() });
+            return Some(Target::Light { light, field: self.choose(&LightField::ALL).name().to_owned() });
         }
         let mut graph = &look.graph;
         let mut path: Option<NodePath> = None;

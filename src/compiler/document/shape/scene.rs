@@ -1,7 +1,5 @@
 //! The fields of a scene.
 
-use std::f64::consts::PI;
-
 use super::Default::{Json, Required, Words};
 use super::Kind::{
     Backdrop, Bool, Direction, List, Looks, Map, Number, Numbers, Object, Rotation, Slug, Text, Value, Word,
@@ -9,7 +7,7 @@ use super::Kind::{
 use super::look::LIGHT;
 use super::{Bounds, FAR, Field, LINE, Shape, field};
 use crate::document::word::Word as _;
-use crate::document::{Projection, VERSION as CURRENT};
+use crate::document::{Camera, Projection, VERSION as CURRENT};
 
 pub(super) const VERSION: Field =
     field("version", Number(Bounds::whole(1.0, CURRENT as f64)), Json("1"), "The version of the format.");
@@ -112,7 +110,7 @@ pub(in crate::document) static CAMERA: Shape = Shape {
         field("projection", Word(Projection::WORDS), Json("\"perspective\""), "How depth becomes smaller."),
         field(
             "fov",
-            Number(Bounds::new(0.001, PI - 0.01)),
+            Number(Bounds::new(Camera::FOV[0], Camera::FOV[1])),
             Json("0.5"),
             "Perspective: the vertical field of view, in radians.",
         ),

@@ -8,7 +8,8 @@ use super::super::super::inspector::value;
 use super::super::super::keying::{has_between, targets_of};
 use super::super::super::{dock, theme};
 use super::Shown;
-use crate::document::Target;
+use crate::document::{LightField, Target};
+use crate::library::Type;
 
 /// Shows the table.
 pub(super) fn show(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
@@ -119,9 +120,11 @@ fn add_value(ui: &mut Ui, shown: &Shown<'_>, known: &[Target], out: &mut Vec<Com
             if session.selection.is_empty() {
                 dock::hint(ui, "Select a node to key its values.");
             }
-            for light in session.look().lights.keys() {
-                for field in ["color", "intensity"] {
-                    let target = Target::Light { light: light.clone(), field: field.to_owned() };
+            for (id, light) in &session.look().lights {
+                // Where a light is, or shines from, is no value of a table; the diamond beside it keys it.
+                let is_cell = |field: &LightField| Type::of_light_field(*field) != Type::Vec3;
+                for field in LightField::of(light.kind).filter(is_cell) {
+                    let target = Target::Light { light: id.clone(), field: field.name().to_owned() };
                     let is_new = !known.contains(&target);
                     entry(ui, shown, &target, is_new, out);
                 }

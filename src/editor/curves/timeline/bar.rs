@@ -9,7 +9,7 @@ use super::super::super::keying::changes_in_time;
 use super::super::super::session::Session;
 use super::super::super::{dock, theme, values};
 use super::Timeline;
-use crate::document::{Edit, Interpolation, Target};
+use crate::document::{Edit, Interpolation, LightField, Target};
 
 const RATES: [f64; 7] = [8.0, 12.0, 15.0, 24.0, 25.0, 30.0, 60.0];
 
@@ -93,9 +93,9 @@ fn add_value(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
             if session.selection.is_empty() {
                 dock::hint(ui, "Select a node to key its values.");
             }
-            for light in session.look().lights.keys() {
-                for field in ["direction", "color", "intensity"] {
-                    entry(ui, session, &Target::Light { light: light.clone(), field: field.to_owned() }, out);
+            for (id, light) in &session.look().lights {
+                for field in LightField::of(light.kind).map(|field| field.name().to_owned()) {
+                    entry(ui, session, &Target::Light { light: id.clone(), field }, out);
                 }
             }
         });

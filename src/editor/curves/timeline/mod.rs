@@ -15,6 +15,7 @@ use eframe::egui::{Key, Modifiers, Rect, ScrollArea, Sense, Stroke, Ui, pos2, ve
 use super::super::command::Command;
 use super::super::dock;
 use super::super::session::Session;
+use super::super::shortcuts;
 use super::super::theme;
 use crate::document::TimeRange;
 use axis::Axis;
@@ -143,7 +144,7 @@ impl Timeline {
         let rows = Rect::from_min_max(pos2(lane.left(), top), pos2(lane.right(), panel.bottom()));
         self.navigate(ui, panel, axis, rows);
         playhead(ui, session, axis, rows);
-        let is_over = ui.rect_contains_pointer(panel) && !ui.ctx().egui_wants_keyboard_input();
+        let is_over = ui.rect_contains_pointer(panel) && !shortcuts::is_keyboard_taken(ui.ctx());
         if is_over && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Space)) {
             self.toggle(ui, session);
         }

@@ -326,7 +326,7 @@ impl Layers {
             thumbs.look_again(ui);
         }
         // One at a time: while one is being drawn, there is no use in preparing the next.
-        if !is_known && thumbs.rests() && !thumbs.is_busy() {
+        if !is_known && thumbs.rests() && !thumbs.is_busy() && session.held().is_none() {
             let look = picture::of(session.look(), id, mode);
             let lifts = mode.is_some_and(|mode| mode == "add" || mode.is_empty());
             let shot = if lifts { Shot::Lifted } else { Shot::Near };
@@ -335,7 +335,8 @@ impl Layers {
             let shown = seen.and_then(|seen| seen.shown);
             self.pictures.insert(id.clone(), Seen { of: now, key, shown });
             if !thumbs.is_done(key) {
-                thumbs.ask(key, Arc::new(look), session.folder(), session, shot, side);
+                let what = (Arc::new(look), session.folder());
+                thumbs.ask(key, || session.shown_origin(), what, session, shot, side);
             }
         }
         let seen = self.pictures.get_mut(id)?;

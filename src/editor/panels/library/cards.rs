@@ -12,6 +12,7 @@ use eframe::egui::{
 use super::super::super::command::Command;
 use super::super::super::dialogs::PAINTING;
 use super::super::super::dock::cell;
+use super::super::super::safety::crashes::{CrashLog, DocumentOrigin, Step, Suspect};
 use super::super::super::session::Session;
 use super::super::super::theme;
 use super::super::thumbs::{Shot, Thumbs, key_of, key_of_scene};
@@ -37,6 +38,8 @@ enum Content {
     Painting(Box<Painting>),
     /// Opening it tells why.
     Unreadable,
+    /// The last program ended while reading it; opening it tells so, and asks.
+    HeldBack,
 }
 
 /// An HCBTF, as its file shows itself.
@@ -111,9 +114,14 @@ impl Card {
         (0..count()).filter_map(card).collect()
     }
 
-    /// What a file holds.
-    pub(in super::super) fn of_file(path: &Path, side: f32) -> Self {
+    /// What a file holds. That it is read is noted in `crashes`, and nothing is read over which the
+    /// last program ended.
+    pub(in super::super) fn of_file(path: &Path, side: f32, crashes: &CrashLog) -> Self {
         let origin = Origin::File(path.to_owned());
+        if crashes.suspect_in(path).is_some_and(|suspect| suspect.step == Step::Read) {
+            return Self { origin, name: name_of(path), content: Content::HeldBack, key: 0, side };
+        }
+        let _going = crashes.begin(Step::Read, || DocumentOrigin::of_file(path));
         if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(PAINTING)) {
             let content =
                 cover(path).map_or(Content::Unreadable, |cover| Content::Painting(Box::new(Painting::of(cover))));
@@ -128,6 +136,14 @@ impl Card {
             _ => (Content::Unreadable, 0),
         };
         Self { origin, name: name_of(path), content, key, side }
+    }
+
+    /// Its file; an example has none.
+    fn path(&self) -> Option<&Path> {
+        match &self.origin {
+            Origin::File(path) => Some(path),
+            Origin::Example(..) => None,
+        }
     }
 
     /// Whether it could be read.
@@ -150,7 +166,11 @@ impl Card {
             Content::Painting(_) => "painting",
             _ => "look",
         };
-        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Open the {what} {}", self.name)));
+        let suspect = self.suspect(&session.crashes);
+        let state =
+            suspect.as_ref().map_or_else(String::new, |suspect| format!(", which was {}", undone(suspect.step)));
+        let label = format!("Open the {what} {}{state}", self.name);
+        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, label.clone()));
         if response.gained_focus() {
             response.scroll_to_me(None);
         }
@@ -160,7 +180,10 @@ impl Card {
         row_ground(ui, rect.expand(2.0), &response, false);
         let picture = picture_of(rect, side);
         ui.painter().rect_filled(picture, 3.0, theme::of(ui).canvas);
+        let held = suspect.as_ref().map(|suspect| suspect.step);
+        let held = if matches!(self.content, Content::HeldBack) { Some(Step::Read) } else { held };
         match (&self.content, thumbs.known(self.key)) {
+            _ if held.is_some() => held_back(ui, picture, held.unwrap_or(Step::Read)),
             (Content::Unreadable, _) => say(ui, picture, "cannot be read"),
             (Content::Painting(painting), _) => {
                 painting.show(ui, picture.shrink(1.0));
@@ -195,13 +218,34 @@ impl Card {
                     Content::Painting(painting) => format!("\n{}", painting.about),
                     _ => String::new(),
                 };
-                (format!("Opens {}{about}", path.display()), Command::Open(Some(path.clone())))
+                let help = match suspect {
+                    Some(Suspect { step: Step::Read, .. }) => "Chiaro ended while reading this file the last time",
+                    Some(_) => "Chiaro ended while drawing this file the last time: it is opened without being drawn",
+                    None => "",
+                };
+                let help = format!("Opens {}{about}\n{help}", path.display());
+                (help.trim_end().to_owned(), Command::Open(Some(path.clone())))
             }
         };
         if response.clicked() {
             out.push(command);
         }
         response.on_hover_text(help)
+    }
+
+    /// Over what of it the last program ended.
+    fn suspect(&self, crashes: &CrashLog) -> Option<Suspect> {
+        if crashes.is_any() { crashes.suspect(&self.document()?) } else { None }
+    }
+
+    /// The document as crashes are remembered of it.
+    fn document(&self) -> Option<DocumentOrigin> {
+        match (&self.content, &self.origin) {
+            (Content::Painting(_) | Content::Unreadable, _) => None,
+            (_, Origin::File(path)) => Some(DocumentOrigin::of_file(path)),
+            (Content::Look(look), Origin::Example(..)) => Some(DocumentOrigin::new(&self.name, None, look)),
+            (_, Origin::Example(_, path)) => Some(DocumentOrigin::of_file(path)),
+        }
     }
 
     /// Asks for its picture.
@@ -212,12 +256,13 @@ impl Card {
                     Origin::File(path) => path.parent().map(Path::to_path_buf).unwrap_or_default(),
                     Origin::Example(..) => PathBuf::new(),
                 };
-                thumbs.ask(self.key, look.clone(), folder, session, Shot::Whole, self.side);
+                let document = || DocumentOrigin::new(&self.name, self.path(), look);
+                thumbs.ask(self.key, document, (look.clone(), folder), session, Shot::Whole, self.side);
             }
             (Content::Scene, Origin::File(path) | Origin::Example(_, path)) => {
                 thumbs.ask_for_scene(self.key, path, self.side);
             }
-            (Content::Painting(_) | Content::Unreadable, _) => {}
+            (Content::Painting(_) | Content::Unreadable | Content::HeldBack, _) => {}
         }
     }
 }
@@ -255,6 +300,24 @@ fn picture_of(card: Rect, side: f32) -> Rect {
 fn say(ui: &Ui, picture: Rect, text: &str) {
     let font = FontId::proportional(theme::SMALL_TEXT);
     ui.painter().text(picture.center(), Align2::CENTER_CENTER, text, font, theme::of(ui).dim);
+}
+
+/// A sign in place of a picture over which the last program ended.
+fn held_back(ui: &Ui, picture: Rect, step: Step) {
+    let colors = theme::of(ui);
+    let (center, side) = (picture.center() - vec2(0.0, 14.0), 18.0);
+    let corner = |turn: f32| center + side * eframe::egui::Vec2::angled(turn - std::f32::consts::FRAC_PI_2);
+    let third = std::f32::consts::TAU / 3.0;
+    let triangle = [0.0, third, 2.0 * third].map(corner).to_vec();
+    ui.painter().add(eframe::egui::Shape::closed_line(triangle, Stroke::new(1.5, colors.warning)));
+    let bold = FontId::proportional(theme::TEXT_SIZE);
+    ui.painter().text(center + vec2(0.0, 1.0), Align2::CENTER_CENTER, "!", bold, colors.warning);
+    say(ui, picture.translate(vec2(0.0, 12.0)), undone(step));
+}
+
+/// What is not done by itself with a document over which the last program ended.
+fn undone(step: Step) -> &'static str {
+    if step == Step::Read { "not read" } else { "not drawn" }
 }
 
 /// Words over a picture, in its lower left corner.

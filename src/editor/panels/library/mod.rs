@@ -12,6 +12,7 @@ use eframe::egui::{Rect, Role, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
 
 use super::super::command::Command;
 use super::super::dock::hint;
+use super::super::safety::crashes::CrashLog;
 use super::super::session::Session;
 use super::thumbs::Thumbs;
 use cards::Card;
@@ -34,9 +35,9 @@ pub(crate) struct Library {
     shows_looks: bool,
     query: String,
     looks: Vec<Card>,
-    /// What was opened before, and which files that is.
+    /// What was opened before; which files that is, and after how many changes of what is held back of them.
     recent: Vec<Card>,
-    recent_of: Vec<PathBuf>,
+    recent_of: (Vec<PathBuf>, u64),
 }
 
 impl Library {
@@ -55,15 +56,17 @@ impl Library {
     }
 
     /// Learns what was opened before. Files are read when that changes, which is when one is opened or saved.
-    pub(crate) fn know_recent<'p>(&mut self, files: impl Iterator<Item = (&'p PathBuf, bool)>) {
+    pub(crate) fn know_recent<'p>(&mut self, files: impl Iterator<Item = (&'p PathBuf, bool)>, crashes: &CrashLog) {
         if !self.shows_looks {
             return;
         }
         let there: Vec<PathBuf> = files.filter(|(_, is_there)| *is_there).map(|(path, _)| path.clone()).collect();
-        if self.recent_of != there {
-            self.recent = there.iter().take(MOST_RECENT).map(|path| Card::of_file(path, SIDE)).collect();
+        let now = (there, crashes.changes());
+        if self.recent_of != now {
+            let (there, _) = &now;
+            self.recent = there.iter().take(MOST_RECENT).map(|path| Card::of_file(path, SIDE, crashes)).collect();
             self.recent.retain(Card::is_readable);
-            self.recent_of = there;
+            self.recent_of = now;
         }
     }
 

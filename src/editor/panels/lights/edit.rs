@@ -1,4 +1,4 @@
-//! What a light is: type, frame, direction on a small ball, colour, intensity.
+//! What a light is: type, frame, and the fields that lights of its type have.
 
 use eframe::egui;
 use eframe::egui::{ComboBox, DragValue, Id, Pos2, Role, Sense, Slider, Stroke, Ui, WidgetInfo, vec2};
@@ -7,13 +7,17 @@ use super::super::super::command::Command;
 use super::super::super::inspector::color;
 use super::super::super::inspector::marks::Marked;
 use super::super::super::inspector::row::{self, labelled};
-use super::super::super::keying::field_port;
 use super::super::super::lighting::{Lamp, Owner};
 use super::super::super::session::Session;
 use super::super::super::theme;
-use crate::document::{Light, LightKind, LightSpace};
+use crate::document::{ColorSpace, Light, LightField, LightKind, LightSpace};
+use crate::library::Type;
 
 const BALL: f32 = 84.0;
+/// The narrowest cone that a hand makes, in radians: one of no width is no light.
+const LEAST_CONE: f64 = 1e-3;
+/// What a distance of 0 says.
+const OFF: &str = "Off";
 
 /// Everything of a light that can be set but its name.
 pub(crate) fn edit(ui: &mut Ui, session: &Session, lamp: &Lamp<'_>, out: &mut Vec<Command>) {
@@ -23,71 +27,95 @@ pub(crate) fn edit(ui: &mut Ui, session: &Session, lamp: &Lamp<'_>, out: &mut Ve
         let mut new = light.clone();
         let mut hand = None;
         let mut asked = Vec::new();
-        let mut field = |ui: &mut Ui, label: &str, help: &str, name: &str, add: &mut dyn FnMut(&mut Ui, Id)| {
-            let port = field_port(name);
-            // Keys and parameters are the look's, and so are the marks of them.
-            let is_own = lamp.owner == Owner::Look;
-            let marked = Marked { session, target: lamp.target(name), ty: &port.ty, label, reset: None };
-            let marked = Some(marked).filter(|_| is_own);
-            let text = eframe::egui::RichText::new(label).color(theme::of(ui).text);
-            let help = format!("{help}\n{}", marked.as_ref().map(Marked::help).unwrap_or_default());
-            row::marked(ui, text, help.trim_end(), marked.as_ref(), &mut asked, |ui, label, _| add(ui, label));
-        };
         labelled(ui, "Type", "Directional lights are as far away as the sun", |ui, label| {
             hand = hand.or(kind(ui, label, &mut new));
         });
         labelled(ui, "Frame", "What its direction turns with", |ui, label| {
             hand = hand.or(space(ui, label, &mut new));
         });
-        if new.kind == LightKind::Directional {
-            field(
-                ui,
-                "Direction",
-                "Toward the light. The middle is toward you, the inner ring sideways, the rim behind.",
-                "direction",
-                &mut |ui, label| {
-                    hand = hand.or(ball(ui, &mut new.direction));
-                    ui.vertical(|ui| hand = hand.or(xyz(ui, label, &mut new.direction)));
-                },
-            );
-        } else {
-            field(ui, "Position", "In scene units", "position", &mut |ui, label| {
-                hand = hand.or(xyz(ui, label, &mut new.position));
+        for field in LightField::of(new.kind) {
+            // Keys and parameters are the look's, and so are the marks of them.
+            let is_own = lamp.owner == Owner::Look;
+            let ty = Type::of_light_field(field);
+            let (target, label) = (lamp.target(field.name()), field.label());
+            let marked = is_own.then_some(Marked { session, target, ty: &ty, label, reset: None });
+            let text = egui::RichText::new(label).color(theme::of(ui).text);
+            let help = marked.as_ref().map(Marked::help).unwrap_or_default();
+            let help = format!("{}\n{help}", field.help());
+            row::marked(ui, text, help.trim_end(), marked.as_ref(), &mut asked, |ui, label, _| {
+                hand = hand.or(value(ui, label, field, &mut new, session.look().color_space));
             });
         }
-        if new.kind == LightKind::Spot {
-            field(ui, "Aim", "From the light outward", "aim", &mut |ui, label| {
-                hand = hand.or(xyz(ui, label, &mut new.aim));
-            });
-            field(ui, "Full cone", "Half-angle of full light", "inner", &mut |ui, label| {
-                let outer = new.outer;
-                hand = hand.or(angle(ui, label, &mut new.inner, outer));
-            });
-            field(ui, "Whole cone", "Half-angle at which nothing is left", "outer", &mut |ui, label| {
-                hand = hand.or(angle(ui, label, &mut new.outer, std::f64::consts::FRAC_PI_2));
-                new.inner = new.inner.min(new.outer);
-            });
-        }
-        field(ui, "Color", "Of the light", "color", &mut |ui, label| {
-            let [r, g, b] = new.color;
-            if let Some((id, [r, g, b, _])) = color::edit(ui, label, [r, g, b, 1.0], session.look().color_space, false)
-            {
-                new.color = [r, g, b];
-                hand = Some(id);
-            }
-        });
-        field(ui, "Intensity", "A factor on the color", "intensity", &mut |ui, label| {
-            ui.spacing_mut().slider_width = (ui.available_width() - 66.0).max(40.0);
-            let slider = Slider::new(&mut new.intensity, 0.0..=4.0).clamping(egui::SliderClamping::Never);
-            let response = ui.add(slider.max_decimals(3)).labelled_by(label);
-            new.intensity = if new.intensity.is_finite() { new.intensity.max(0.0) } else { 1.0 };
-            hand = hand.or(response.changed().then_some(response.id));
-        });
         out.append(&mut asked);
         if let Some(hand) = hand.filter(|_| new != *light) {
             out.push(lamp.changed(session, light, &new).held(hand));
         }
     });
+}
+
+/// Edits one field; who changed it.
+fn value(ui: &mut Ui, label: Id, field: LightField, light: &mut Light, space: ColorSpace) -> Option<Id> {
+    match field {
+        LightField::Direction => {
+            let on_ball = ball(ui, &mut light.direction);
+            let typed = ui.vertical(|ui| xyz(ui, label, &mut light.direction)).inner;
+            on_ball.or(typed)
+        }
+        LightField::Position => xyz(ui, label, &mut light.position),
+        LightField::Aim => xyz(ui, label, &mut light.aim),
+        LightField::Inner => angle(ui, label, &mut light.inner, light.outer),
+        LightField::Outer => {
+            let most = field.range().map_or(std::f64::consts::PI, |[_, most]| most);
+            let hand = angle(ui, label, &mut light.outer, most);
+            if hand.is_some() {
+                light.outer = light.outer.max(LEAST_CONE);
+                light.inner = light.inner.min(light.outer);
+            }
+            hand
+        }
+        LightField::Color => {
+            let [r, g, b] = light.color;
+            let (id, [r, g, b, _]) = color::edit(ui, label, [r, g, b, 1.0], space, false)?;
+            light.color = [r, g, b];
+            Some(id)
+        }
+        LightField::Intensity => {
+            ui.spacing_mut().slider_width = (ui.available_width() - 66.0).max(40.0);
+            let slider = Slider::new(&mut light.intensity, 0.0..=4.0);
+            let slider = slider.clamping(egui::SliderClamping::Never).max_decimals(3);
+            let response = ui.add(slider).labelled_by(label);
+            let is_number = light.intensity.is_finite();
+            light.intensity = if is_number { light.intensity.max(0.0) } else { 1.0 };
+            response.changed().then_some(response.id)
+        }
+        LightField::HalfDistance => distance(ui, label, field, &mut light.half_distance),
+        LightField::Range => distance(ui, label, field, &mut light.range),
+    }
+}
+
+/// A length in scene units, of which 0 says that there is no such bound.
+fn distance(ui: &mut Ui, label: Id, field: LightField, length: &mut f64) -> Option<Id> {
+    let [least, most] = field.range().unwrap_or([0.0, f64::MAX]);
+    let mut new = *length;
+    let drag = DragValue::new(&mut new)
+        .range(least..=most)
+        .clamp_existing_to_range(false)
+        .speed(0.02)
+        .max_decimals(3)
+        .custom_formatter(|length, decimals| match length {
+            0.0 => OFF.to_owned(),
+            _ => egui::emath::format_with_decimals_in_range(length, decimals),
+        })
+        .custom_parser(|text| match text.trim() {
+            text if text.eq_ignore_ascii_case(OFF) => Some(0.0),
+            text => text.parse().ok(),
+        });
+    let response = ui.add_sized([66.0, ui.spacing().interact_size.y], drag).labelled_by(label);
+    let is_changed = response.changed() && new.is_finite();
+    if is_changed {
+        *length = new;
+    }
+    is_changed.then_some(response.id)
 }
 
 fn kind(ui: &mut Ui, label: Id, light: &mut Light) -> Option<Id> {

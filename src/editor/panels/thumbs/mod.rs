@@ -13,6 +13,7 @@ use glam::DVec3;
 use eframe::egui::{self, ColorImage, TextureHandle, TextureId, Ui};
 
 use super::super::orbit::Orbit;
+use super::super::safety::crashes::{CrashLog, DocumentOrigin, Step};
 use super::super::session::Session;
 use super::super::still::{Reused, Still};
 use super::super::worker::Worker;
@@ -94,6 +95,8 @@ impl Stand {
 
 struct Job {
     key: u64,
+    /// The document that it is of.
+    origin: DocumentOrigin,
     subject: Subject,
     side: u32,
 }
@@ -124,14 +127,18 @@ pub(crate) struct Thumbs {
 }
 
 impl Thumbs {
-    /// `wake` is called from another thread when there is a new one. Without a GPU there are none.
-    pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Send + 'static) -> Self {
+    /// `wake` is called from another thread when there is a new one; what goes on is noted in
+    /// `crashes`. Without a GPU there are none.
+    pub(crate) fn new(gpu: Option<Gpu>, crashes: CrashLog, wake: impl Fn() + Send + 'static) -> Self {
         let start = |gpu: Gpu| {
             let mut artist = Artist {
                 renderer: Renderer::new(gpu),
                 planner: Reused::new(|assets| Planner::new(assets).culling(Cull::Objects)),
             };
-            Worker::new("thumbs", wake, move |job: Job| Done { key: job.key, image: artist.draw(&job) })
+            Worker::new("thumbs", wake, move |job: Job| {
+                let _going = crashes.begin(Step::Draw, || job.origin.clone());
+                Done { key: job.key, image: artist.draw(&job) }
+            })
         };
         Self {
             worker: gpu.map(start),
@@ -207,9 +214,18 @@ impl Thumbs {
         }
     }
 
-    /// Asks for a picture of a look, `side` pixels wide, if nothing else is being drawn; the thread wakes the window when it is there.
-    pub(crate) fn ask(&self, key: u64, look: Arc<Look>, folder: PathBuf, session: &Session, shot: Shot, side: f32) {
-        self.request(key, side, || {
+    /// Asks for a picture of a look of the document `origin`, `side` pixels wide, if nothing else
+    /// is being drawn; the thread wakes the window when it is there.
+    pub(crate) fn ask(
+        &self,
+        key: u64,
+        origin: impl FnOnce() -> DocumentOrigin,
+        (look, folder): (Arc<Look>, PathBuf),
+        session: &Session,
+        shot: Shot,
+        side: f32,
+    ) {
+        self.request(key, origin, side, || {
             let (distance, height) = shot.distance_and_height();
             let orbit = match Stand::of(session) {
                 // The creature's own face is nearer than any mesh's middle.
@@ -228,14 +244,14 @@ impl Thumbs {
 
     /// The same of the scene in a file, as its own camera sees it.
     pub(crate) fn ask_for_scene(&self, key: u64, path: &Path, side: f32) {
-        self.request(key, side, || Subject::Scene(path.to_owned()));
+        self.request(key, || DocumentOrigin::of_file(path), side, || Subject::Scene(path.to_owned()));
     }
 
-    fn request(&self, key: u64, side: f32, subject: impl FnOnce() -> Subject) {
+    fn request(&self, key: u64, origin: impl FnOnce() -> DocumentOrigin, side: f32, subject: impl FnOnce() -> Subject) {
         let Some(worker) = self.worker.as_ref().filter(|worker| self.rests && !worker.is_busy()) else { return };
         let side = (side.round() as u32).clamp(8, MAX_SIDE);
-        let subject = subject();
-        worker.request(|_| Job { key, subject, side });
+        let (origin, subject) = (origin(), subject());
+        worker.request(|_| Job { key, origin, subject, side });
     }
 }
 

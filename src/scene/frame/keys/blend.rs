@@ -5,11 +5,11 @@ use std::collections::HashMap;
 use glam::DVec3;
 
 use crate::directions::{blend_direction, blend_number};
-use crate::document::{DirectionKeys, Target, Value};
+use crate::document::{DirectionKeys, LightQuantity, Target, Value};
 
 /// Whether a target is a direction, and so is turned where numbers are blended.
 pub fn is_direction(target: &Target) -> bool {
-    matches!(target, Target::Light { field, .. } if field == "direction" || field == "aim")
+    target.light_field().is_some_and(|field| field.quantity() == LightQuantity::Direction)
 }
 
 /// The weighted sum of numbers, vectors or colours; `None` where they are of different shapes, or words.
