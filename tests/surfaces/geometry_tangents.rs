@@ -1,12 +1,11 @@
 //! Tangents are MikkTSpace's own to the bit, and a normal map baked in its frames comes back.
 
-
 use std::fmt::Write as _;
 
+use crate::support::random::Random;
 use bevy_mikktspace::{Geometry, TangentSpace, generate_tangents};
 use chiaro::geometry::{Mesh, SHAPES, import, no_siblings, shape};
 use glam::{DVec2, DVec3, Vec3, Vec4};
-use crate::support::random::Random;
 
 /// A mesh as the other implementation, which follows the reference to the byte, reads it.
 struct Other<'m> {
@@ -265,11 +264,11 @@ fn off_by_frame(mesh: &Mesh, tangents: &[Option<[f32; 4]>], at: DVec2) -> f64 {
 #[cfg(feature = "gpu")]
 #[test]
 fn a_baked_normal_map_brings_its_normals_back() {
+    use crate::support::eval::{draw, look, scene};
     use chiaro::compile::Live;
     use chiaro::document::{Camera, Projection, Scene};
     use chiaro::library::Library;
     use serde_json::json;
-    use crate::support::eval::{draw, look, scene};
 
     // Every corner is written anew, as many exporters do, so that only welding finds what is one vertex.
     let mesh = read(&obj(&waves(48, |x, y| [x.abs(), 0.5 + 0.4 * y + 0.1 * x.abs()]), false));

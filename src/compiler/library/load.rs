@@ -163,18 +163,17 @@ fn kind_taken(kind: &str, file: &str) -> Diagnostic {
 
 /// The files of a project's own nodes, and the folders that they lie in.
 #[derive(Debug, Default)]
-pub(crate) struct NodeFiles {
+pub struct NodeFiles {
     /// Files whose names end in `.wgsl` or `.json`, sorted.
-    pub(crate) files: Vec<PathBuf>,
+    pub files: Vec<PathBuf>,
     /// The folder itself and those in it.
-    #[cfg_attr(not(feature = "editor"), expect(dead_code, reason = "the window watches them"))]
-    pub(crate) folders: Vec<PathBuf>,
+    pub folders: Vec<PathBuf>,
     /// Whether there is more than is looked at.
     is_cut: bool,
 }
 
 /// Finds a project's own nodes.
-pub(crate) fn node_files(folder: &Path) -> NodeFiles {
+pub fn node_files(folder: &Path) -> NodeFiles {
     let walked = files::walk(folder, MAX_DEPTH, &|_| true);
     let is_node = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "wgsl" || ending == "json");
     let mut files: Vec<PathBuf> = walked.files.into_iter().filter(is_node).collect();

@@ -43,8 +43,7 @@ pub const CATEGORIES: [&str; 14] = [
 pub use context::{Context, LightField, Rate, SMOOTH_LEVELS};
 pub use embedded::NODES;
 pub use group::{CUSTOM_CODE, CUSTOM_KIND, GroupPorts};
-#[cfg(feature = "editor")]
-pub(crate) use load::node_files;
+pub use load::node_files;
 pub use load::{GroupDef, Library};
 pub use node::{
     Bypass, BypassResult, Condition, Fallback, Input, Limit, NodeDef, NodeModule, Output, Parameter, Prepare, Preset,

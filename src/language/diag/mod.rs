@@ -208,10 +208,10 @@ pub fn has_errors(diagnostics: &[Diagnostic]) -> bool {
 }
 
 /// As many errors, and as many warnings, as are told of one document; the rest is counted.
-pub(crate) const MAX_PROBLEMS: usize = 1000;
+pub const MAX_PROBLEMS: usize = 1000;
 
 /// The first [`MAX_PROBLEMS`] errors and the first [`MAX_PROBLEMS`] others, with how many more there are.
-pub(crate) fn bounded(mut problems: Vec<Diagnostic>) -> Vec<Diagnostic> {
+pub fn bounded(mut problems: Vec<Diagnostic>) -> Vec<Diagnostic> {
     let (all, mut errors, mut others) = (problems.len(), 0, 0);
     problems.retain(|problem| {
         let count = if problem.is_error() { &mut errors } else { &mut others };
@@ -225,7 +225,7 @@ pub(crate) fn bounded(mut problems: Vec<Diagnostic>) -> Vec<Diagnostic> {
 }
 
 /// Tells how many problems are not told.
-pub(crate) fn more_problems(count: usize) -> Diagnostic {
+pub fn more_problems(count: usize) -> Diagnostic {
     Diagnostic::note("more-problems", format!("there are {count} more problems, which are not listed"))
 }
 
