@@ -8,6 +8,7 @@ mod assets;
 mod camera;
 mod cost;
 mod effects;
+mod handover;
 mod keys;
 mod picture;
 mod place;
@@ -29,6 +30,7 @@ pub use camera::View;
 pub(crate) use camera::widened;
 pub use cost::{EffectCost, attribute_bytes};
 pub use effects::{Effect, EffectKind, EffectState, effects};
+pub use handover::{MAX_DEPTH, SHORTEN, too_deep};
 pub use keys::{
     KeyedValues, Moment, ObjectValues, ParamTable, Rig, Wires, at_time, driver_value, is_direction, light_field,
     set_light_field, structural_look,
