@@ -1,5 +1,6 @@
-//! The code of custom nodes and of a project's node files: what is beyond a bound or cannot run in a look is refused with
-//! its place, before anything overflows, and every loop ends alike wherever it runs.
+//! The code of custom nodes and of a project's node files: what is beyond a bound or cannot run in
+//! a look is refused with its place, before anything overflows, and every loop ends alike wherever
+//! it runs.
 
 mod support;
 

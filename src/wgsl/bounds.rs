@@ -1,8 +1,9 @@
 //! Bounds of the code that people write, counted in its tokens before naga sees it.
 //!
-//! naga lowers expressions and chains of `else` by recursion, and takes a time that grows with the square of a
-//! function's length. Tokens tell enough of both: every operator, bracket and member of an expression can make its
-//! tree deeper by one, so their number bounds the depth without a grammar.
+//! naga lowers expressions and chains of `else` by recursion, and takes a time that grows with the
+//! square of a function's length. Tokens tell enough of both: every operator, bracket and member of
+//! an expression can make its tree deeper by one, so their number bounds the depth without a
+//! grammar.
 
 use std::ops::Range;
 
@@ -17,10 +18,11 @@ pub const MAX_DECLARATIONS: usize = 500;
 pub const MAX_STATEMENTS: usize = 2_000;
 /// The most operators, brackets and members within one expression.
 ///
-/// naga needs 2 MiB of stack, the least that any thread of ours has, for a sum of somewhat more than 4,000 terms, and
-/// the same for as many minus signs (measured on x86-64, optimized).
+/// naga needs 2 MiB of stack, the least that any thread of ours has, for a sum of somewhat more
+/// than 4,000 terms, and the same for as many minus signs (measured on x86-64, optimized).
 pub const MAX_OPERATORS: usize = 1_000;
-/// The most `else` and `case` of one function. naga needs 2 MiB of stack for a chain of 1,000 to 2,000 `else if`.
+/// The most `else` and `case` of one function. naga needs 2 MiB of stack for a chain of 1,000 to
+/// 2,000 `else if`.
 pub const MAX_BRANCHES: usize = 256;
 
 /// Everything about `source` that is beyond a bound, with its place.
@@ -46,7 +48,8 @@ struct Level {
     operators: usize,
     /// The most operators between two commas.
     most: usize,
-    /// `<` that no `>` has closed since the last comma: the comma may part the arguments of a type, not expressions.
+    /// `<` that no `>` has closed since the last comma: the comma may part the arguments of a type,
+    /// not expressions.
     angles: usize,
     is_block: bool,
 }
@@ -91,7 +94,8 @@ impl Counter<'_> {
             "fn" | "struct" | "const" | "var" | "alias" | "override" if self.levels.len() == 1 => {
                 self.declaration(&token.span);
             }
-            // `&&`, `||`, `<<` and `>>` are one operator each, and an operator with `=` is the operator.
+            // `&&`, `||`, `<<` and `>>` are one operator each, and an operator with `=` is the
+            // operator.
             "&" | "|" | "<" | ">" if before.is_some_and(|before| self.follows(before, token, text)) => {
                 self.angle(text);
             }

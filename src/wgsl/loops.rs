@@ -1,11 +1,13 @@
 //! Every loop of code that people write ends.
 //!
-//! A GPU that loops forever hangs the whole machine, and Mesa's software Vulkan ends the loops of a shader after 65,535
-//! rounds in all, without a word. So a loop whose end cannot be seen is given a counter, in the text itself: the shader,
-//! every export, the interpreter and the reference then agree about the last round.
+//! A GPU that loops forever hangs the whole machine, and Mesa's software Vulkan ends the loops of a
+//! shader after 65,535 rounds in all, without a word. So a loop whose end cannot be seen is given a
+//! counter, in the text itself: the shader, every export, the interpreter and the reference then
+//! agree about the last round.
 //!
-//! The end of a `for` is seen where it counts whole numbers that stand in the code, and its body leaves the counted
-//! variable alone. The counter of a function counts the rounds of all its other loops together, nested ones included:
+//! The end of a `for` is seen where it counts whole numbers that stand in the code, and its body
+//! leaves the counted variable alone. The counter of a function counts the rounds of all its other
+//! loops together, nested ones included:
 //!
 //! ```wgsl
 //! fn escape(x: f32) -> f32 {
@@ -29,8 +31,8 @@ use super::validate::WgslError;
 
 /// The most rounds of all loops of one call of a function whose end cannot be seen.
 ///
-/// Even where eight or sixteen fragments loop in step, each as long as the longest, one such call stays within what
-/// software Vulkan runs.
+/// Even where eight or sixteen fragments loop in step, each as long as the longest, one such call
+/// stays within what software Vulkan runs.
 pub const MAX_ROUNDS: u64 = 4096;
 /// The most rounds of one call of a function, with those of what it calls in them.
 pub const MAX_CALL_ROUNDS: u64 = 1 << 20;
@@ -78,8 +80,9 @@ pub fn bound_loops(source: &str) -> BoundedLoops {
         let total = rounds.of(index);
         if total > MAX_CALL_ROUNDS {
             let message = format!(
-                "the loops of `{}` may take {total} rounds, one within the other and in what they call, and one call at most {MAX_CALL_ROUNDS}: \
-                 write inner ones as `for` with whole numbers in place of variables",
+                "the loops of `{}` may take {total} rounds, one within the other and in what they call, \
+                 and one call at most {MAX_CALL_ROUNDS}: write inner ones as `for` with whole numbers in \
+                 place of variables",
                 function.name
             );
             bounded.beyond.push(WgslError { message, span: Some(function.span.clone()) });
@@ -204,7 +207,8 @@ impl<'a> Code<'a> {
         texts.iter().enumerate().all(|(offset, text)| self.text(from + offset) == *text)
     }
 
-    /// The constants outside functions that are whole numbers, and whose names mean nothing else anywhere.
+    /// The constants outside functions that are whole numbers, and whose names mean nothing else
+    /// anywhere.
     fn whole_constants(&self) -> HashMap<&'a str, Whole> {
         let mut declared: HashMap<&str, usize> = HashMap::new();
         for index in 1..self.tokens.len() {
@@ -267,7 +271,8 @@ impl<'a> Code<'a> {
         let span = self.tokens.get(named).map_or(0..0, |token| token.span.clone());
         let mut function =
             FunctionLoops { name: name.to_owned(), span, body: end_of(open), loops: Vec::new(), calls: Vec::new() };
-        // The loop that each open brace begins, if it is a loop's, and the one that the next brace will begin.
+        // The loop that each open brace begins, if it is a loop's, and the one that the next brace
+        // will begin.
         let mut braces: Vec<Option<usize>> = Vec::new();
         let mut next: Option<usize> = None;
         for index in open..tokens.end {
@@ -306,7 +311,8 @@ impl<'a> Code<'a> {
         !self.scan.imports.is_empty() && LIBRARY_FUNCTIONS.contains(word)
     }
 
-    /// As many rounds as the head of a `for` says, if it says so; `body` begins with the brace of its body.
+    /// As many rounds as the head of a `for` says, if it says so; `body` begins with the brace of
+    /// its body.
     fn rounds(&self, keyword: usize, body: Range<usize>) -> Option<u64> {
         if !self.is(keyword, &["for", "(", "var"]) {
             return None;
@@ -358,7 +364,8 @@ impl<'a> Code<'a> {
         }
     }
 
-    /// Whether a block, which begins at a brace, may change a variable: by assigning to it, or through a pointer.
+    /// Whether a block, which begins at a brace, may change a variable: by assigning to it, or
+    /// through a pointer.
     fn changes(&self, name: &str, block: Range<usize>) -> bool {
         let mut depth = 0usize;
         for index in block {
@@ -414,7 +421,8 @@ impl<'a> Code<'a> {
         text
     }
 
-    /// What goes before a statement that is inserted after a brace: a line of its own where others have theirs.
+    /// What goes before a statement that is inserted after a brace: a line of its own where others
+    /// have theirs.
     fn indentation(&self, brace: usize) -> String {
         let rest = &self.source[brace..];
         let after = rest.trim_start_matches([' ', '\t', '\r']);

@@ -1,7 +1,9 @@
-//! What the code of a node may hold: functions that a look calls, structs, constants and small variables.
+//! What the code of a node may hold: functions that a look calls, structs, constants and small
+//! variables.
 //!
-//! A node has no bindings, no pipeline constants and no workgroup of its own, so resources, overrides, entry points and
-//! barriers have no meaning in it; and drivers keep variables in registers, so variables are small.
+//! A node has no bindings, no pipeline constants and no workgroup of its own, so resources,
+//! overrides, entry points and barriers have no meaning in it; and drivers keep variables in
+//! registers, so variables are small.
 
 use std::ops::Range;
 
@@ -12,17 +14,19 @@ use super::validate::{Valid, WgslError};
 
 /// The most bytes of all variables of a node's code, private ones included.
 ///
-/// Mesa's software Vulkan keeps arrays in registers and compiles them in quadratic time: 2 KiB in 1 s, 4 KiB in 6 s,
-/// 8 KiB in 29 s.
+/// Mesa's software Vulkan keeps arrays in registers and compiles them in quadratic time: 2 KiB in 1
+/// s, 4 KiB in 6 s, 8 KiB in 29 s.
 pub const MAX_VARIABLE_BYTES: u64 = 2048;
-/// The most bytes of a type, and of all arrays that one function takes elements of by a number that varies.
+/// The most bytes of a type, and of all arrays that one function takes elements of by a number that
+/// varies.
 ///
-/// naga copies an array that is no variable into one for that. 512 vectors of 4 floats take software Vulkan 2 s.
+/// naga copies an array that is no variable into one for that. 512 vectors of 4 floats take
+/// software Vulkan 2 s.
 pub const MAX_TABLE_BYTES: u64 = 8192;
 /// The most elements of such an array; 1,024 floats take software Vulkan 7 s.
 pub const MAX_TABLE_LENGTH: u64 = 512;
-/// The most operations of one function, those of what it calls included. Functions that call one another twice double
-/// them. 16,000 take software Vulkan 40 s.
+/// The most operations of one function, those of what it calls included. Functions that call one
+/// another twice double them. 16,000 take software Vulkan 40 s.
 pub const MAX_CODE_OPERATIONS: u64 = 10_000;
 
 /// Everything that the part `own` of a module's text must not hold, with its place.
@@ -51,7 +55,8 @@ impl<'a> Refusals<'a> {
         self.told.push(WgslError { message, span: span.to_range() });
     }
 
-    /// Whether a declaration stands in the node's own code; what is imported was written by whoever writes Chiaro.
+    /// Whether a declaration stands in the node's own code; what is imported was written by whoever
+    /// writes Chiaro.
     fn is_own(&self, span: naga::Span) -> bool {
         span.to_range().is_none_or(|span| self.own.start <= span.start)
     }
@@ -60,7 +65,8 @@ impl<'a> Refusals<'a> {
         for (handle, found) in self.module().overrides.iter() {
             let name = found.name.as_deref().unwrap_or_default();
             let message = format!(
-                "no pipeline gives the override `{name}` a value: write `const {name} = ...;`, or make it a parameter"
+                "no pipeline gives the override `{name}` a value: write `const {name} = ...;`, or make it \
+                 a parameter"
             );
             self.tell(self.module().overrides.get_span(handle), message);
         }
@@ -81,7 +87,8 @@ impl<'a> Refusals<'a> {
             }
             let instead = match variable.space {
                 AddressSpace::Handle => {
-                    "take an image as a parameter, with its sampler after it: `image: texture_2d<f32>, image_sampler: sampler`"
+                    "take an image as a parameter, with its sampler after it: \
+                     `image: texture_2d<f32>, image_sampler: sampler`"
                 }
                 AddressSpace::Uniform => "take the value as a parameter",
                 _ => "`const` and `var<private>` are what there is outside functions",
@@ -104,7 +111,8 @@ impl<'a> Refusals<'a> {
         let is_told = self.told.iter().any(|error| error.message.contains("variables of this code"));
         if bytes > MAX_VARIABLE_BYTES && !is_told {
             let message = format!(
-                "with `{name}` the variables of this code take {bytes} bytes, and at most {MAX_VARIABLE_BYTES} are compiled in good time: use shorter arrays"
+                "with `{name}` the variables of this code take {bytes} bytes, and at most \
+                 {MAX_VARIABLE_BYTES} are compiled in good time: use shorter arrays"
             );
             self.tell(span, message);
         }
@@ -155,7 +163,8 @@ impl<'a> Refusals<'a> {
             let count = operations.of_function(self.module(), &name);
             if count > MAX_CODE_OPERATIONS {
                 let message = format!(
-                    "`{name}` asks for {count} operations, with those of what it calls, and at most {MAX_CODE_OPERATIONS} are compiled in good time"
+                    "`{name}` asks for {count} operations, with those of what it calls, and at most \
+                     {MAX_CODE_OPERATIONS} are compiled in good time"
                 );
                 self.tell(span, message);
                 // Whatever calls it has at least as many.
@@ -178,14 +187,16 @@ impl<'a> Refusals<'a> {
             let span = function.expressions.get_span(access);
             if length > MAX_TABLE_LENGTH {
                 let message = format!(
-                    "an array has {length} elements, and one that is looked up in has at most {MAX_TABLE_LENGTH}"
+                    "an array has {length} elements, and one that is looked up in has at most \
+                     {MAX_TABLE_LENGTH}"
                 );
                 self.tell(span, message);
                 return;
             }
             if bytes > MAX_TABLE_BYTES {
                 let message = format!(
-                    "the arrays that are looked up in here take {bytes} bytes, and in one function at most {MAX_TABLE_BYTES}: look each up once, in a function of its own"
+                    "the arrays that are looked up in here take {bytes} bytes, and in one function at most \
+                     {MAX_TABLE_BYTES}: look each up once, in a function of its own"
                 );
                 self.tell(span, message);
                 return;
