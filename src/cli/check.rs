@@ -13,7 +13,7 @@ use crate::diag::{Diagnostic, Severity, has_errors};
 use crate::document::{Document, Loaded, Look, Scene, Value};
 use crate::figures::count;
 use crate::files;
-use crate::frame::{Assets, Rig, missing_uvs, scene_setup};
+use crate::frame::{Assets, Rig, SHORTEN, missing_uvs, scene_setup, too_deep};
 use crate::library::{Library, Type};
 use chiaro_scene::hcbtf::LayerOptions;
 
@@ -151,7 +151,11 @@ impl Checker<'_> {
                 missing_images(&typed, folder, &mut self.assets, &mut found);
                 let options = Options { live: Live::Exposed, ..Options::default() };
                 match compile_typed(&typed, &options, warnings) {
-                    Ok(compiled) => found.extend(compiled.warnings),
+                    Ok(compiled) => {
+                        let too_deep = too_deep(&compiled);
+                        found.extend(compiled.warnings);
+                        found.extend(too_deep.map(|message| Diagnostic::warning("deep-shader", message).hint(SHORTEN)));
+                    }
                     Err(problems) => found.extend(problems),
                 }
             }

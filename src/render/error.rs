@@ -1,6 +1,7 @@
 //! What a GPU cannot do, told so that the user can go on.
 
 use crate::diag::Diagnostic;
+use crate::frame::SHORTEN;
 
 /// Why something was not drawn.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -33,6 +34,12 @@ pub enum RenderError {
         /// How large it may be.
         limit: u64,
     },
+    /// The shader is more than a driver's compiler is handed.
+    #[error("{message}")]
+    TooDeep {
+        /// How deep the shader is, and how deep it may be.
+        message: String,
+    },
     /// A mistake of ours.
     #[error("the GPU refused our work: {message}")]
     Refused {
@@ -51,6 +58,7 @@ impl From<RenderError> for Diagnostic {
             RenderError::Lost { .. } => ("gpu-lost", "nothing of the document is lost: save it and start again"),
             RenderError::OutOfMemory { .. } => ("gpu-memory", "use a smaller picture, smaller images or fewer samples"),
             RenderError::TooLarge { .. } => ("gpu-limit", "use a smaller one"),
+            RenderError::TooDeep { .. } => ("deep-shader", SHORTEN),
             RenderError::Refused { .. } => ("gpu-refused", "this is a mistake in Chiaro: please report the look"),
         };
         Self::error(code, error.to_string()).hint(hint)

@@ -42,7 +42,7 @@ impl Renderer {
         count: usize,
     ) -> Result<Vec<[f32; 4]>, RenderError> {
         let guard = self.gpu.guard();
-        let pipeline = self.pipelines.get(&self.gpu, &batch.shader, 1, Sides { both: true, is_mirrored: false });
+        let pipeline = self.pipelines.get(&self.gpu, &batch.shader, 1, Sides { both: true, is_mirrored: false })?;
         let group = self.bind_samples(batch, bytes, &pipeline)?;
         let rows = (count as u32).div_ceil(SAMPLES_PER_ROW);
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;

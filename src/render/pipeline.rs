@@ -2,9 +2,11 @@
 
 use std::collections::HashMap;
 
+use super::error::RenderError;
 use super::gpu::Gpu;
 use super::target::{DEPTH, NORMALS, NUMBER};
 use crate::compile::{Attribute, BindingKind, CompiledShader, Stage};
+use crate::frame::too_deep;
 
 /// As many pipelines are kept as an editing session comes back to.
 const MOST: usize = 64;
@@ -40,12 +42,24 @@ pub(super) struct Pipelines {
 
 impl Pipelines {
     /// The pipeline of a look's module.
-    pub(super) fn get(&mut self, gpu: &Gpu, shader: &CompiledShader, samples: u32, sides: Sides) -> LookPipeline {
+    ///
+    /// # Errors
+    /// That the module is too deep for a driver's compiler.
+    pub(super) fn get(
+        &mut self,
+        gpu: &Gpu,
+        shader: &CompiledShader,
+        samples: u32,
+        sides: Sides,
+    ) -> Result<LookPipeline, RenderError> {
         self.clock += 1;
         let key = Key { wgsl: shader.wgsl.clone(), samples, sides };
         if let Some((pipeline, used)) = self.known.get_mut(&key) {
             *used = self.clock;
-            return pipeline.clone();
+            return Ok(pipeline.clone());
+        }
+        if let Some(message) = too_deep(shader) {
+            return Err(RenderError::TooDeep { message });
         }
         if self.known.len() >= MOST {
             let oldest = self.known.iter().min_by_key(|(_, (_, used))| *used).map(|(key, _)| key.clone());
@@ -53,7 +67,7 @@ impl Pipelines {
         }
         let made = make(gpu, shader, samples, sides);
         self.known.insert(key, (made.clone(), self.clock));
-        made
+        Ok(made)
     }
 }
 

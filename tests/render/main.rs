@@ -4,6 +4,7 @@ mod effects;
 mod grouping;
 mod long_graphs;
 mod mute;
+mod node_code;
 mod probe;
 mod property_looks;
 mod prune;

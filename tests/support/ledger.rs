@@ -187,7 +187,7 @@ impl Ledger {
         let mut hasher = SipHasher13::new();
         hasher.write(self.commit.as_bytes());
         hasher.write(case.as_bytes());
-        hasher.finish128().h1 % TURNS == 0
+        hasher.finish128().h1.is_multiple_of(TURNS)
     }
 
     /// What a proof of a case came to: its figure, or what is wrong.

@@ -1,4 +1,5 @@
 //! Tangents are MikkTSpace's own to the bit, and a normal map baked in its frames comes back.
+#![allow(clippy::print_stdout, reason = "figures are worth reading when a bound is missed")]
 
 use std::fmt::Write as _;
 

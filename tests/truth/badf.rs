@@ -598,7 +598,7 @@ fn shares_count_from_0_to_1() {
                 samples.iter_mut().for_each(|sample| sample.values.clear());
             }
             let mut errors = Errors::new(format!("shares, {}, wired {is_wired}", mode.word()), 4e-7);
-            let truth = support::eval::truth(&look, "blend.below", &samples);
+            let truth = crate::support::eval::truth(&look, "blend.below", &samples);
             for ((value, in_f64), sample) in eval(&look, "blend.below", &samples).iter().zip(truth).zip(&samples) {
                 let [opacity, tone, alpha] = sample.position.to_array();
                 let color = DVec4::new(0.2, 0.4, 0.6, alpha);

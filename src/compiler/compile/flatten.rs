@@ -409,6 +409,11 @@ impl<'a> Flattener<'a> {
         let code = (node.kind == CUSTOM_KIND).then_some(CUSTOM_CODE);
         let known: Vec<&str> = def.visible_inputs().map(|input| input.name.as_str()).chain(code).collect();
         self.unknown_values(node, &path, &known);
+        let is_custom = code.is_some();
+        self.problems.extend(def.notes.iter().cloned().map(|note| {
+            // The code of a custom node has no file; that of others is told of once, however many nodes there are.
+            if is_custom { note.node(path.clone()).port(CUSTOM_CODE.into()) } else { note }
+        }));
         let index = self.flat.nodes.len();
         self.flat.by_path.insert(path.clone(), index);
         let tier = node.tier.unwrap_or(self.scopes[scope].tier);

@@ -238,7 +238,7 @@ mod tests {
         let names: Vec<String> = LightField::names().map(|name| format!("`{name}`")).collect();
         let (last, first) = names.split_last().unwrap();
         let told = format!("a field of a light: {} or {last}.", first.join(", "));
-        assert!(include_str!("../../docs/format.md").contains(&told), "docs/format.md is to say: {told}");
+        assert!(include_str!("../../../docs/format.md").contains(&told), "docs/format.md is to say: {told}");
         let told = ["name", "type", "space"];
         let of_files = shape::LIGHT.fields.iter().map(|field| field.name).filter(|name| !told.contains(name));
         let (mut of_files, mut of_table): (Vec<_>, Vec<_>) = (of_files.collect(), LightField::names().collect());

@@ -42,6 +42,8 @@ pub struct NodeDef {
     pub errors: Vec<TierError>,
     /// Named settings.
     pub presets: Vec<Preset>,
+    /// What there is to say of its code where nothing is wrong: loops that a counter ends.
+    pub notes: Vec<Diagnostic>,
     /// What the compiler must know it by.
     pub special: Special,
     /// The WGSL that its functions stand in.

@@ -32,12 +32,13 @@ pub(super) fn load_module(sources: &[Source<'_>]) -> Result<NodeModule, Vec<Diag
             let scan = wgsl::scan(&linked.text);
             Ok(NodeModule::new(linked, scan, valid))
         }
-        Err(error) => Err(vec![refused(&linked, &error)]),
+        Err(error) => Err(vec![place(&linked, "invalid-wgsl", &error)]),
     }
 }
 
-fn refused(linked: &Linked, error: &wgsl::WgslError) -> Diagnostic {
-    let mut problem = Diagnostic::error("invalid-wgsl", error.message.clone());
+/// An error in linked text, with the file and the line.
+fn place(linked: &Linked, code: &'static str, error: &wgsl::WgslError) -> Diagnostic {
+    let mut problem = Diagnostic::error(code, error.message.clone());
     let place = error.span.as_ref().and_then(|span| linked.locate(span.start));
     if let (Some((file, at)), Some(span)) = (place, &error.span) {
         problem = problem.in_file(file).at(at);
@@ -55,12 +56,63 @@ fn refused(linked: &Linked, error: &wgsl::WgslError) -> Diagnostic {
 /// is no file: the place is the node's, in the look.
 pub fn load_node(file: &str, text: &str, kind: Option<&str>) -> Result<NodeDef, Vec<Diagnostic>> {
     let source = Source { name: file, text };
-    let node = load_module(&[source]).and_then(|module| read_node(&source, &Arc::new(module), kind));
-    node.map_err(|mut problems| {
+    let node = load_own_module(&source).and_then(|(module, notes)| {
+        let node = read_node(&source, &Arc::new(module), kind)?;
+        Ok(NodeDef { notes, ..node })
+    });
+    let in_code = |mut problems: Vec<Diagnostic>| {
         let of_code = |problem: &&mut Diagnostic| kind.is_some() && problem.place.file.as_deref() == Some(file);
         problems.iter_mut().filter(of_code).for_each(tell_place_in_code);
         problems
-    })
+    };
+    match node {
+        Ok(mut node) => {
+            node.notes = in_code(node.notes);
+            Ok(node)
+        }
+        Err(problems) => Err(in_code(problems)),
+    }
+}
+
+/// The module of code that a person wrote: within bounds before naga sees it, with nothing in it that a look cannot
+/// run, and with an end to every loop. With it what there is to say of its loops.
+fn load_own_module(source: &Source<'_>) -> Result<(NodeModule, Vec<Diagnostic>), Vec<Diagnostic>> {
+    let in_source = |code: &'static str, error: &wgsl::WgslError| {
+        let problem = Diagnostic::error(code, error.message.clone()).in_file(source.name);
+        let start = error.span.as_ref().map(|span| span.start);
+        start.map_or(problem.clone(), |start| problem.at(LineColumn::of(source.text, start)))
+    };
+    let beyond = wgsl::beyond_bounds(source.text);
+    if !beyond.is_empty() {
+        return Err(beyond.iter().map(|error| in_source("code-bound", error)).collect());
+    }
+    let module = load_module(std::slice::from_ref(source))?;
+    let own = module.linked.last_source();
+    let refusals = wgsl::refusals(&module.valid, &own);
+    if !refusals.is_empty() {
+        return Err(refusals.iter().map(|error| place(&module.linked, "code-not-allowed", error)).collect());
+    }
+    let loops = wgsl::bound_loops(source.text);
+    if !loops.beyond.is_empty() {
+        return Err(loops.beyond.iter().map(|error| in_source("code-bound", error)).collect());
+    }
+    if loops.counted.is_empty() {
+        return Ok((module, Vec::new()));
+    }
+    let notes = loops.counted.iter().map(|found| counted_loop(source, found)).collect();
+    Ok((load_module(&[Source { text: &loops.text, ..*source }])?, notes))
+}
+
+fn counted_loop(source: &Source<'_>, found: &wgsl::CountedLoop) -> Diagnostic {
+    let most = wgsl::MAX_ROUNDS;
+    let message = match found.rounds {
+        Some(rounds) => format!("this loop would take {rounds} rounds, and ends after {most}"),
+        None => format!("the end of this loop cannot be seen: it ends after {most} rounds at the latest"),
+    };
+    Diagnostic::note("counted-loop", message)
+        .in_file(source.name)
+        .at(LineColumn::of(source.text, found.span.start))
+        .hint("a `for` that counts whole numbers is left as it is: `for (var i = 0; i < 64; i++)`")
 }
 
 fn tell_place_in_code(problem: &mut Diagnostic) {
@@ -137,6 +189,7 @@ impl Reader<'_> {
             unit_when: None,
             errors: Vec::new(),
             presets: Vec::new(),
+            notes: Vec::new(),
             special: match (custom, stem) {
                 (None, "output") => Special::Output,
                 (None, "light") => Special::Light,

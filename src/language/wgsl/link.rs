@@ -41,6 +41,11 @@ impl Linked {
         Some((&part.name, LineColumn::of(text, offset.saturating_sub(part.span.start))))
     }
 
+    /// The bytes that came from the last source, which nothing imports.
+    pub fn last_source(&self) -> Range<usize> {
+        self.parts.last().map_or(0..0, |part| part.span.clone())
+    }
+
     fn push(&mut self, source: &Source<'_>, scan: &Scan) {
         let start = self.text.len();
         let mut at = 0;

@@ -6,15 +6,25 @@
 
 use crate::diag::Diagnostic;
 
+mod bounds;
+mod depth;
 mod embedded;
 mod link;
+mod loops;
 mod operations;
+mod permitted;
 mod scan;
 mod validate;
 
+pub use bounds::{MAX_BRANCHES, MAX_CODE_BYTES, MAX_DECLARATIONS, MAX_OPERATORS, MAX_STATEMENTS, beyond_bounds};
+pub use depth::depth_of_entry_points;
+#[cfg(test)]
+pub(crate) use embedded::shipped_nodes;
 pub use embedded::{PASSES, SHADER_LIBRARY};
 pub use link::{Linked, Source, link};
+pub use loops::{BoundedLoops, CountedLoop, MAX_CALL_ROUNDS, MAX_ROUNDS, bound_loops};
 pub use operations::Operations;
+pub use permitted::{MAX_CODE_OPERATIONS, MAX_TABLE_BYTES, MAX_TABLE_LENGTH, MAX_VARIABLE_BYTES, refusals};
 pub use scan::{Declaration, DeclarationKind, Field, Import, Scan, identifiers, rename_identifiers, scan};
 pub use validate::{Valid, WgslError, parse, validate};
 

@@ -34,7 +34,8 @@ impl Operations {
 
     /// The operations of a module's entry points.
     pub fn of_entry_points(&self, module: &Module) -> u64 {
-        module.entry_points.iter().map(|entry| self.within(&entry.function)).sum()
+        let counts = module.entry_points.iter().map(|entry| self.within(&entry.function));
+        counts.fold(0, u64::saturating_add)
     }
 
     /// Gives every stretch of the source that an operation of a function or entry point was written in, with the
@@ -52,7 +53,9 @@ impl Operations {
     }
 
     fn within(&self, function: &Function) -> u64 {
-        function.expressions.iter().map(|(_, expression)| self.of_expression(expression)).sum()
+        // Functions that call others twice, and these again, soon ask for more than a number holds.
+        let counts = function.expressions.iter().map(|(_, expression)| self.of_expression(expression));
+        counts.fold(0, u64::saturating_add)
     }
 
     fn called(&self, function: Handle<Function>) -> u64 {

@@ -73,7 +73,7 @@ pub struct Scan {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum TokenKind {
+pub(super) enum TokenKind {
     Word,
     Number,
     Symbol,
@@ -82,13 +82,13 @@ enum TokenKind {
 }
 
 #[derive(Clone, Debug)]
-struct Token {
-    kind: TokenKind,
-    span: Range<usize>,
+pub(super) struct Token {
+    pub(super) kind: TokenKind,
+    pub(super) span: Range<usize>,
 }
 
 /// Splits `source` into tokens; comments other than docs are dropped.
-fn tokenize(source: &str) -> Vec<Token> {
+pub(super) fn tokenize(source: &str) -> Vec<Token> {
     let bytes = source.as_bytes();
     let mut tokens = Vec::with_capacity(bytes.len() / 4);
     let mut at = 0;

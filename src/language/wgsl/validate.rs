@@ -13,13 +13,13 @@ pub struct Valid {
     pub info: ModuleInfo,
 }
 
-/// Why naga refuses a text.
+/// Why a text is refused, by naga or before it.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{message}")]
 pub struct WgslError {
-    /// What is wrong, in naga's words.
+    /// What is wrong, in naga's words where it is naga that refuses.
     pub message: String,
-    /// The bytes it speaks of, where naga says.
+    /// The bytes that the message speaks of, where they are known.
     pub span: Option<Range<usize>>,
 }
 

@@ -87,7 +87,7 @@ impl Renderer {
         samples: u32,
     ) -> Result<Bound, RenderError> {
         let sides = Sides { both: draw.two_sided, is_mirrored: draw.is_mirrored };
-        let pipeline = self.pipelines.get(&self.gpu, shader, samples, sides);
+        let pipeline = self.pipelines.get(&self.gpu, shader, samples, sides)?;
         self.meshes.prepare(&self.gpu, &draw.mesh, &pipeline.attributes);
         let object = self.uniform(&draw.object_uniform.bytes);
         let look = draw.look_uniforms.get(&stage).map(|uniform| &uniform.bytes);

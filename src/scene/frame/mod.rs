@@ -9,6 +9,7 @@ mod camera;
 mod content;
 mod cost;
 mod effects;
+mod handover;
 mod keys;
 mod picture;
 mod place;
@@ -28,6 +29,7 @@ pub use assets::{Assets, Change, Image, MAX_IMAGE_SIDE, Overlay, SHAPE_PREFIX, U
 pub use camera::{View, widened};
 pub use cost::{EffectCost, attribute_bytes};
 pub use effects::{Effect, EffectKind, EffectState, effects};
+pub use handover::{MAX_DEPTH, SHORTEN, too_deep};
 pub use keys::{
     KeyedValues, Moment, ObjectValues, ParamTable, Rig, Wires, at_time, driver_value, is_direction, light_field,
     set_light_field, structural_look,

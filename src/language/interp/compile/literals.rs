@@ -92,22 +92,7 @@ fn end_of_call(text: &str) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::wgsl::{PASSES, SHADER_LIBRARY, Source, link, parse};
-
-    /// The nodes, which a crate above this one carries: their paths and texts.
-    fn shipped_nodes() -> Vec<(String, String)> {
-        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../nodes");
-        let mut nodes = Vec::new();
-        for category in std::fs::read_dir(root).unwrap() {
-            for file in std::fs::read_dir(category.unwrap().path()).unwrap() {
-                let path = file.unwrap().path();
-                if path.extension().is_some_and(|extension| extension == "wgsl") {
-                    nodes.push((path.display().to_string(), std::fs::read_to_string(&path).unwrap()));
-                }
-            }
-        }
-        nodes
-    }
+    use crate::wgsl::{PASSES, SHADER_LIBRARY, Source, link, parse, shipped_nodes};
 
     /// Every f32 literal of a source: its place, what naga made of it, and what is read again.
     fn literals(source: &str) -> Vec<(String, f32, Option<f64>)> {
