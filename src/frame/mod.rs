@@ -9,6 +9,7 @@ mod camera;
 mod cost;
 mod effects;
 mod keys;
+mod nearest;
 mod picture;
 mod place;
 mod plan;
