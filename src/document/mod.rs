@@ -14,6 +14,7 @@ mod image;
 pub mod journal;
 mod json;
 mod look;
+mod outputs;
 mod packed;
 mod problems;
 mod read;
@@ -36,12 +37,13 @@ pub use hcbtf::{
     Tile, relief,
 };
 pub use look::*;
+pub use outputs::{FileSet, OutputKind, Outputs, remove_abandoned, remove_unfinished};
 pub use read::Document;
 pub use scene::*;
 pub use shape::{field_tables, look_schema, scene_schema};
 pub use source::{Loaded, SourceMap};
 pub use storage::Storage;
-pub use store::{read_text, remove_abandoned, remove_unfinished, write_atomic};
+pub use store::{read_text, write_atomic};
 pub use structure::{GraphId, InnerNode};
 pub use value::*;
 
