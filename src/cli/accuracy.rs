@@ -3,9 +3,12 @@
 use std::path::PathBuf;
 
 use super::output::Output;
+use super::target::{OutputPath, outputs};
 use crate::diag::Diagnostic;
 use crate::library::Library;
 use chiaro_laboratory::accuracy::Progress;
+use chiaro_laboratory::accuracy::Progress;
+use chiaro_laboratory::accuracy::sweep::{AccuracyReport, Effort, LookEffort, StabilityEffort, Survey, search, survey};
 use chiaro_laboratory::accuracy::sweep::{Effort, LookEffort, StabilityEffort, Survey, search, survey};
 
 const EXAMPLES: &str = "\
@@ -22,7 +25,7 @@ The truth is the exact tier in f64, fed with what the GPU holds. Exit code 1 whe
 pub(super) struct Arguments {
     /// The document to write; its plots go into a folder of its name beside it
     #[arg(short, long)]
-    output: Option<PathBuf>,
+    output: Option<OutputPath>,
     /// Only these kinds of nodes, and no looks
     #[arg(short, long, num_args = 1..)]
     nodes: Vec<String>,
@@ -38,7 +41,10 @@ pub(super) struct Arguments {
     large: bool,
     /// A folder to write the worst inputs into, which a test then holds
     #[arg(long)]
-    worst: Option<PathBuf>,
+    worst: Option<OutputPath>,
+    /// Replace files that Chiaro did not write
+    #[arg(long)]
+    force: bool,
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
@@ -47,6 +53,14 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let library = Library::built_in();
     check_nodes(&arguments.nodes, library)?;
+    let mut outputs = outputs(arguments.force, [&arguments.looks]);
+    let one = |problem| vec![problem];
+    if let Some(path) = &arguments.output {
+        AccuracyReport::check(path.as_ref(), &outputs).map_err(one)?;
+    }
+    if let Some(folder) = &arguments.worst {
+        search::check(folder.as_ref(), library, &outputs).map_err(one)?;
+    }
     let quick = arguments.quick;
     let wanted = Survey {
         nodes: arguments.nodes.clone(),
@@ -65,11 +79,13 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let report = report.map_err(Vec::<Diagnostic>::from)?;
     let command = command_of(arguments);
     if let Some(path) = &arguments.output {
-        report.write(path, &command)?;
+        let path = path.as_ref();
+        report.write(path, &command, &mut outputs)?;
         output.message(&format!("{}: {} cases, {} looks", path.display(), report.nodes.len(), report.looks.len()));
     }
     if let Some(folder) = &arguments.worst {
-        search::write(folder, &report.worst)?;
+        let folder = folder.as_ref();
+        search::write(folder, &report.worst, &mut outputs)?;
         output.message(&format!("{}: {} worst inputs", folder.display(), report.worst.len()));
     }
     if arguments.json {
@@ -97,7 +113,7 @@ fn command_of(arguments: &Arguments) -> String {
         command += &format!(" --nodes {}", arguments.nodes.join(" "));
     }
     if let Some(path) = &arguments.output {
-        command += &format!(" -o {}", path.display());
+        command += &format!(" -o {}", path.as_ref().display());
     }
     command
 }

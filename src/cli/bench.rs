@@ -1,14 +1,17 @@
 //! `chiaro bench`: what a look costs and how far it is from the truth, whole and node by node.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::open::{check_nodes_folder, library_for};
 use super::output::Output;
 use super::render::{Size, parse_samples, parse_time};
+use super::target::{OutputPath, outputs, reads_all};
 use crate::diag::Diagnostic;
-use crate::document::write_atomic;
+use crate::document::{OutputKind, Outputs};
 use crate::frame::{Assets, PlanOptions, open};
 use chiaro_laboratory::accuracy::error::VISIBLE;
+use chiaro_laboratory::accuracy::error::VISIBLE;
+use chiaro_laboratory::accuracy::{BenchOptions, Measure, MeasuredNodes, Progress, Report, Subject, bench, plot};
 use chiaro_laboratory::accuracy::{BenchOptions, Measure, MeasuredNodes, Progress, Report, Subject, bench, plot};
 use chiaro_render::{Gpu, Renderer, block_on};
 
@@ -54,10 +57,13 @@ pub(super) struct Arguments {
     measure: Measure,
     /// An SVG to write: error against time, with the front that nothing beats
     #[arg(short, long)]
-    plot: Option<PathBuf>,
+    plot: Option<OutputPath>,
     /// A folder of a project's own nodes; `nodes/` beside the document is found without it
     #[arg(long)]
     nodes: Option<PathBuf>,
+    /// Replace an SVG that Chiaro did not draw
+    #[arg(long)]
+    force: bool,
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
@@ -65,9 +71,17 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     check_nodes_folder(arguments.nodes.as_deref())?;
+    let read =
+        [Some(arguments.document.as_path()), arguments.mesh.as_deref().map(Path::new), arguments.nodes.as_deref()];
+    let mut outputs = outputs(arguments.force, read.into_iter().flatten());
+    if let Some(path) = &arguments.plot {
+        outputs.check(path.as_ref(), OutputKind::DRAWING).map_err(|problem| vec![problem])?;
+    }
     let library = library_for(&arguments.document, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);
-    let (setup, warnings) = open(&arguments.document, arguments.mesh.as_deref(), &mut Assets::default())?;
+    let mut assets = Assets::default();
+    let (setup, warnings) = open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?;
+    reads_all(&mut outputs, &arguments.document, &setup, &assets);
     output.diagnostics(&warnings);
     let gpu = block_on(Gpu::headless()).map_err(|error| vec![error.into()])?;
     let mut renderer = Renderer::new(gpu);
@@ -86,8 +100,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let report = report?;
     if let Some(path) = &arguments.plot {
         let title = setup.looks.first().map_or("", |look| look.look.name.as_str());
-        write_plot(path, &report, title, arguments.measure)?;
-        output.message(&format!("{}: error against time", path.display()));
+        write_plot(path.as_ref(), &report, title, arguments.measure, &mut outputs).map_err(|problem| vec![problem])?;
+        output.message(&format!("{}: error against time", path.as_ref().display()));
     }
     if arguments.json {
         output.json(&serde_json::json!(report));
@@ -98,7 +112,13 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     Ok(())
 }
 
-fn write_plot(path: &std::path::Path, report: &Report, title: &str, measure: Measure) -> Result<(), Vec<Diagnostic>> {
+fn write_plot(
+    path: &Path,
+    report: &Report,
+    title: &str,
+    measure: Measure,
+    outputs: &mut Outputs,
+) -> Result<(), Diagnostic> {
     let svg = plot::svg(report, |subject| *subject == Subject::Whole, title, measure);
-    write_atomic(path, svg.as_bytes()).map_err(|problem| vec![*problem])
+    outputs.write(path, OutputKind::DRAWING, svg.as_bytes())
 }

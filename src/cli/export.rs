@@ -6,6 +6,7 @@ use serde_json::json;
 
 use super::open::{check_nodes_folder, library_for, open_look};
 use super::output::Output;
+use super::target::{OutputPath, outputs};
 use crate::diag::Diagnostic;
 use chiaro_scene::export;
 
@@ -31,10 +32,13 @@ pub(super) struct Arguments {
     to: Vec<String>,
     /// The folder for the files; made where there is none
     #[arg(short, long)]
-    output: Option<PathBuf>,
+    output: Option<OutputPath>,
     /// A folder of a project's own nodes; `nodes/` beside the look is found without it
     #[arg(long)]
     nodes: Option<PathBuf>,
+    /// Replace files that no export has written
+    #[arg(long, requires = "output")]
+    force: bool,
     /// List the files as JSON
     #[arg(long, requires = "output")]
     json: bool,
@@ -46,7 +50,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         let problem = Diagnostic::error("bad-argument", "only WGSL is printed; other languages are files");
         return Err(vec![problem.hint("name a folder for them: -o shaders/")]);
     }
-    if let Some(folder) = &arguments.output {
+    let folder = arguments.output.as_ref().map(AsRef::as_ref);
+    if let Some(folder) = folder {
         check_folder(folder).map_err(|problem| vec![problem])?;
     }
     check_nodes_folder(arguments.nodes.as_deref())?;
@@ -60,7 +65,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let stem = arguments.look.file_stem().map_or_else(|| "look".to_owned(), |stem| stem.to_string_lossy().into_owned());
     let exported = export::export(&setup.look, &library, &stem, &languages, &setup.folder).map_err(located)?;
     output.diagnostics(&located(exported.warnings));
-    let Some(folder) = &arguments.output else {
+    let Some(folder) = folder else {
         let own = format!("{stem}.wgsl");
         let shown = exported.files.iter().find(|file| file.name == own);
         output.result(String::from_utf8_lossy(shown.map_or(&[][..], |file| &file.bytes)).trim_end());
@@ -71,7 +76,9 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         }
         return Ok(());
     };
-    let files = export::write(&exported.files, folder, Some(&arguments.look))?;
+    let read = [Some(&arguments.look), arguments.nodes.as_ref()].into_iter().flatten();
+    let mut outputs = outputs(arguments.force, read);
+    let files = export::write(&exported.files, folder, &mut outputs)?;
     let files: Vec<String> = files.iter().map(|path| path.display().to_string()).collect();
     if arguments.json {
         let unverified = languages.iter().filter(|language| language.verified_by.is_none());

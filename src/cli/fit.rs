@@ -6,12 +6,14 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use clap::ValueEnum;
 use serde_json::json;
 
-use super::open::{check_nodes_folder, check_replaced, library_for, not_a_look};
+use super::open::{check_nodes_folder, library_for, not_a_look};
 use super::output::Output;
 use super::render::{adjust_camera, check_target, parse_time, turn_lights};
+use super::target::{OutputPath, check_document, outputs};
 use crate::diag::Diagnostic;
-use crate::document::{Document, Look, write_atomic};
+use crate::document::{Document, Look, OutputKind, Outputs};
 use crate::frame::{Assets, DEFAULT_MESH, Setup, SetupLook, default_setup, image_bytes, open};
+use chiaro_laboratory::fit::{FitOptions, Fitted, Keep, Report, Target, fit_layers, fit_look, picture_of};
 use chiaro_laboratory::fit::{FitOptions, Fitted, Keep, Report, Target, fit_layers, fit_look, picture_of};
 use chiaro_scene::hcbtf::Progress;
 
@@ -65,13 +67,13 @@ pub(super) struct Arguments {
     time: f64,
     /// Where the fitted look goes, in place of the look itself
     #[arg(short, long, required_unless_present_any = ["look", "dry_run"])]
-    output: Option<PathBuf>,
-    /// Replace another look that is there
+    output: Option<OutputPath>,
+    /// Replace another look that is there, or a picture that Chiaro did not make
     #[arg(long)]
     force: bool,
     /// A PNG of where it misses: black where it does not, over red to white where by a tenth and more
     #[arg(long)]
-    misses: Option<PathBuf>,
+    misses: Option<OutputPath>,
     /// Tell what would come of it, and write no look
     #[arg(long)]
     dry_run: bool,
@@ -99,11 +101,7 @@ enum Kept {
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let one = |problem: Diagnostic| vec![problem];
     check_nodes_folder(arguments.nodes.as_deref())?;
-    if let Some(path) = &arguments.misses {
-        check_target(path).map_err(one)?;
-    }
-    let written = arguments.output.as_deref().filter(|_| !arguments.dry_run);
-    check_replaced(written, arguments.look.as_deref(), arguments.force).map_err(one)?;
+    let mut outputs = planned(arguments).map_err(one)?;
     let beside = arguments.look.as_deref().unwrap_or(Path::new(""));
     let library = library_for(beside, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);
@@ -143,9 +141,10 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     output.diagnostics(&fitted.report.warnings(arguments.layers.is_some()));
     if let Some(path) = &arguments.misses {
         let png = picture_of(target.size, &fitted.misses).to_png().map_err(one)?;
-        write_atomic(path, &png).map_err(|problem| one(*problem))?;
+        outputs.add(path.as_ref(), OutputKind::PICTURE, &png).map_err(one)?;
     }
-    let written = (!arguments.dry_run).then(|| write(arguments, &fitted)).transpose()?;
+    let written = (!arguments.dry_run).then(|| add(arguments, &fitted, &mut outputs)).transpose()?;
+    outputs.commit().map_err(one)?;
     if arguments.json {
         let file = written.map(|path| path.display().to_string());
         output.json(&json!({ "file": file, "report": fitted.report }));
@@ -184,13 +183,28 @@ const NOTHING: &str = r##"{"chiaro": "look", "version": 1,
     "nodes": [{"id": "base", "kind": "base", "values": {"color": "#808080"}}, {"id": "output", "kind": "output"}],
     "wires": [{"from": "base.below", "to": "output.color"}]}"##;
 
-fn write(arguments: &Arguments, fitted: &Fitted) -> Result<PathBuf, Vec<Diagnostic>> {
-    let path = arguments.output.as_ref().or(arguments.look.as_ref()).cloned().unwrap_or_default();
+/// What is written, refused where it would take the place of what is read or of another document. The look itself is
+/// changed, unless there is a place for it.
+fn planned(arguments: &Arguments) -> Result<Outputs, Diagnostic> {
+    let read = [Some(arguments.target.as_path()), arguments.mesh.as_deref().map(Path::new), arguments.nodes.as_deref()];
+    let mut outputs = outputs(arguments.force, read.into_iter().flatten());
+    arguments.look.iter().for_each(|look| outputs.changes(look));
+    if let Some(path) = arguments.misses.as_ref().map(AsRef::as_ref) {
+        check_target(path)?;
+        outputs.check(path, OutputKind::PICTURE)?;
+    }
+    check_document(&outputs, arguments.output.as_ref().filter(|_| !arguments.dry_run))?;
+    Ok(outputs)
+}
+
+fn add(arguments: &Arguments, fitted: &Fitted, outputs: &mut Outputs) -> Result<PathBuf, Vec<Diagnostic>> {
+    let output = arguments.output.as_ref().map(|path| path.as_ref().to_path_buf());
+    let path = output.or_else(|| arguments.look.clone()).unwrap_or_default();
     let text = match &arguments.look {
         Some(look) => fitted.look.to_text_like(&Look::load(look).source),
         None => fitted.look.to_text(),
     };
-    write_atomic(&path, text.as_bytes()).map_err(|problem| vec![*problem])?;
+    outputs.add(&path, OutputKind::DOCUMENT, text.as_bytes()).map_err(|problem| vec![problem])?;
     Ok(path)
 }
 

@@ -5,9 +5,10 @@ use std::path::{Path, PathBuf};
 use super::open::{check_nodes_folder, library_for};
 use super::output::{Output, once};
 use super::render::{Size, parse_samples};
+use super::target::{OutputPath, outputs};
 use crate::diag::{Diagnostic, has_errors};
 use chiaro_laboratory::accuracy::Progress;
-use chiaro_laboratory::gallery::{Options, build, list};
+use chiaro_laboratory::gallery::{Options, build, check, list};
 use chiaro_render::{Gpu, block_on};
 
 const EXAMPLES: &str = "\
@@ -31,7 +32,7 @@ pub(super) struct Arguments {
     documents: Vec<PathBuf>,
     /// The folder to write the pages into
     #[arg(short, long)]
-    output: PathBuf,
+    output: OutputPath,
     /// Width and height of the pictures in pixels
     #[arg(short, long, default_value = "720x480")]
     size: Size,
@@ -50,6 +51,9 @@ pub(super) struct Arguments {
     /// Where the nodes' documentation lies from the pages, to link them: a path or an address
     #[arg(long)]
     link_nodes: Option<String>,
+    /// Replace files that Chiaro did not write, but for another page
+    #[arg(long)]
+    force: bool,
 }
 
 fn parse_rounds(text: &str) -> Result<u32, String> {
@@ -60,6 +64,12 @@ fn parse_rounds(text: &str) -> Result<u32, String> {
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     check_nodes_folder(arguments.nodes.as_deref())?;
     let list = if arguments.documents.is_empty() { list::examples()? } else { list::list(&arguments.documents)? };
+    let folder = arguments.output.as_ref();
+    let shown = list.sections.iter().flat_map(|section| &section.shown);
+    let mut outputs = outputs(arguments.force, shown.map(|shown| &shown.file));
+    let own = arguments.mesh.as_deref().map(Path::new).into_iter().chain(arguments.nodes.as_deref());
+    own.chain(arguments.documents.iter().map(PathBuf::as_path)).for_each(|path| outputs.reads(path));
+    check(&list, folder, &outputs)?;
     let gpu = block_on(Gpu::headless()).map_err(|error| vec![error.into()])?;
     let options = Options {
         size: arguments.size.0,
@@ -73,11 +83,11 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         output.progress("drawing", done, total);
         true
     };
-    let made = build(&list, &arguments.output, &gpu, &find, &options, &mut Progress::new(&mut told));
+    let made = build(&list, folder, &mut outputs, &gpu, &find, &options, &mut Progress::new(&mut told));
     output.end_progress();
     let made = made?;
     let problems = once(made.problems);
-    let page = arguments.output.join("index.html");
+    let page = folder.join("index.html");
     let plural = if made.pages == 1 { "page" } else { "pages" };
     if made.pages > 0 {
         output.message(&format!("{}: {} {plural}", page.display(), made.pages));

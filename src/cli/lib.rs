@@ -32,6 +32,7 @@ mod render;
 #[cfg(feature = "gpu")]
 mod samples;
 mod scene;
+mod target;
 mod tier;
 #[cfg(feature = "gpu")]
 mod tune;
@@ -42,7 +43,11 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{CommandFactory as _, Parser, Subcommand};
 
+use crate::diag::Diagnostic;
+use crate::milestones;
 use output::Output;
+
+pub use target::OutputPath;
 
 /// Draw with light: stylized shading as a graph, compiled to one readable WGSL shader.
 #[derive(Debug, Parser)]
@@ -63,7 +68,8 @@ Examples:
   chiaro check examples/
   chiaro export rim.json --to glsl-450 -o shaders/
 
-Results go to standard output, messages to standard error.
+Results go to standard output, messages to standard error. What a command reads is never written over, and files that
+Chiaro did not make are replaced with --force only.
 Exit codes: 0 done; 1 something in a document, an asset or the GPU is at fault (a message says what);
 2 the command line is wrong; 130 ended by Ctrl-C, with no file half written.";
 
@@ -138,58 +144,83 @@ pub enum Outcome {
     },
 }
 
+/// All that the command line takes.
+pub fn command() -> clap::Command {
+    Arguments::command()
+}
+
 /// Reads the command line and does what it says, but for the editor, which `main` opens.
 pub fn run() -> Outcome {
     milestones::reached("program");
     threads::prepare_pool();
-    let command = match Arguments::parse() {
+    let output = Output::new();
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) if error.use_stderr() => error.exit(),
+        // Help, or the version: a result like any other.
+        Err(help) => {
+            output.help(&help);
+            return Outcome::Done(finished(Ok(()), &output));
+        }
+    };
+    let command = match arguments {
         Arguments { command: Some(Command::Edit { files, mesh }), .. } => return Outcome::Edit { files, mesh },
         Arguments { command: Some(command), .. } => command,
         Arguments { file: Some(word), .. } if is_mistyped(&word) => unknown_subcommand(&word).exit(),
         Arguments { file, .. } => return Outcome::Edit { files: file.into_iter().collect(), mesh: None },
     };
     interrupt::clean_up_on_interrupt();
-    threads::with_room(|| carry_out(&command))
+    threads::with_room(|| carry_out(&command, &output))
 }
 
 /// Does what a subcommand says.
-fn carry_out(command: &Command) -> Outcome {
-    let output = Output::new();
+fn carry_out(command: &Command, output: &Output) -> Outcome {
     let result = match command {
         Command::Edit { .. } => Ok(()),
-        Command::New(arguments) => new::run(arguments, &output),
-        Command::Check(arguments) => match check::run(arguments, &output) {
+        Command::New(arguments) => new::run(arguments, output),
+        Command::Check(arguments) => match check::run(arguments, output) {
             // Its problems are told: they are the result.
-            Ok(true) => return Outcome::Done(ExitCode::FAILURE),
+            Ok(true) => Err(Vec::new()),
             found => found.map(drop),
         },
-        Command::Explain(arguments) => explain::run(arguments, &output),
-        Command::Nodes(arguments) => nodes::run(arguments, &output),
-        Command::Render(arguments) => render::run(arguments, &output),
+        Command::Explain(arguments) => explain::run(arguments, output),
+        Command::Nodes(arguments) => nodes::run(arguments, output),
+        Command::Render(arguments) => render::run(arguments, output),
         #[cfg(feature = "gpu")]
-        Command::Eval(arguments) => eval::run(arguments, &output),
+        Command::Eval(arguments) => eval::run(arguments, output),
         #[cfg(feature = "gpu")]
-        Command::Bench(arguments) => bench::run(arguments, &output),
+        Command::Bench(arguments) => bench::run(arguments, output),
         #[cfg(feature = "gpu")]
-        Command::Tune(arguments) => tune::run(arguments, &output),
-        Command::Fit(arguments) => fit::run(arguments, &output),
-        Command::Probe(arguments) => probe::run(arguments, &output),
+        Command::Tune(arguments) => tune::run(arguments, output),
+        Command::Fit(arguments) => fit::run(arguments, output),
+        Command::Probe(arguments) => probe::run(arguments, output),
         #[cfg(feature = "gpu")]
-        Command::Accuracy(arguments) => accuracy::run(arguments, &output),
+        Command::Accuracy(arguments) => accuracy::run(arguments, output),
         #[cfg(feature = "gpu")]
-        Command::Gallery(arguments) => gallery::run(arguments, &output),
-        Command::Export(arguments) => export::run(arguments, &output),
-        Command::Hcbtf(arguments) => hcbtf::run(arguments, &output),
-        Command::Desktop(arguments) => desktop::run(arguments, &output),
+        Command::Gallery(arguments) => gallery::run(arguments, output),
+        Command::Export(arguments) => export::run(arguments, output),
+        Command::Hcbtf(arguments) => hcbtf::run(arguments, output),
+        Command::Desktop(arguments) => desktop::run(arguments, output),
     };
-    Outcome::Done(match result {
+    Outcome::Done(finished(result, output))
+}
+
+/// Tells what went wrong, a result that could not be printed included.
+fn finished(result: Result<(), Vec<Diagnostic>>, output: &Output) -> ExitCode {
+    let mut code = match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(problems) => {
             output.diagnostics(&problems);
-            let is_usage = problems.iter().all(|problem| USAGE.contains(&problem.code));
-            if is_usage { ExitCode::from(2) } else { ExitCode::FAILURE }
+            let is_usage = |problem: &Diagnostic| USAGE.contains(&problem.code);
+            let is_all_usage = !problems.is_empty() && problems.iter().all(is_usage);
+            if is_all_usage { ExitCode::from(2) } else { ExitCode::FAILURE }
         }
-    })
+    };
+    if let Err(problem) = output.finish() {
+        output.diagnostics(&[problem]);
+        code = ExitCode::FAILURE;
+    }
+    code
 }
 
 /// Whether a word that is no subcommand was meant as one: it is no file, and looks like none.

@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 use clap::ValueEnum;
 
 use super::output::Output;
+use super::target::OutputPath;
 use crate::diag::Diagnostic;
-use crate::document::write_atomic;
+use crate::document::{OutputKind, Outputs};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -19,7 +20,7 @@ Examples:
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
     /// The name of the look; also the file's, with `.json`
-    name: PathBuf,
+    name: OutputPath,
     /// What to begin with
     #[arg(long, value_enum, default_value_t = Template::Layers)]
     template: Template,
@@ -44,17 +45,20 @@ const MINIMAL: &str = include_str!("templates/minimal.json");
 const SCENE: &str = include_str!("templates/scene.json");
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
-    let files = files(&arguments.name, arguments.template).map_err(|problem| vec![problem])?;
+    let files = files(arguments.name.as_ref(), arguments.template).map_err(|problem| vec![problem])?;
     // All or none: a scene without its look would be no start.
-    let taken = files.iter().filter(|(path, _)| !arguments.force && path.exists());
-    let taken: Vec<Diagnostic> = taken.map(|(path, _)| super::open::taken(path)).collect();
+    let mut outputs = Outputs::new(arguments.force);
+    let check = |(path, _): &(PathBuf, String)| outputs.check(path, OutputKind::DOCUMENT).err();
+    let taken: Vec<Diagnostic> = files.iter().filter_map(check).collect();
     if !taken.is_empty() {
         return Err(taken);
     }
-    for (path, text) in &files {
-        write_atomic(path, text.as_bytes()).map_err(|problem| vec![*problem])?;
-        output.result(&path.display().to_string());
+    // What a scene wears is there before it.
+    for (path, text) in files.iter().rev() {
+        outputs.add(path, OutputKind::DOCUMENT, text.as_bytes()).map_err(|problem| vec![problem])?;
     }
+    outputs.commit().map_err(|problem| vec![problem])?;
+    files.iter().for_each(|(path, _)| output.result(&path.display().to_string()));
     let (document, _) = &files[0];
     let name = quoted(document);
     let stem = quoted(&document.with_extension(""));

@@ -29,21 +29,6 @@ pub(super) fn check_nodes_folder(nodes: Option<&Path>) -> Result<(), Vec<Diagnos
     }
 }
 
-/// A file is there already, and nobody said `--force`. What people work on, looks, scenes, HCBTFs and what is exported to be
-/// painted on, is never replaced unasked; pictures, shaders and pages, which are made anew from it, are.
-pub(super) fn taken(path: &Path) -> Diagnostic {
-    Diagnostic::error("file-exists", "this file is there already")
-        .in_file(path.display().to_string())
-        .hint("choose another name, or replace it with --force")
-}
-
-/// Refuses to write over another look than the one that is worked on.
-pub(super) fn check_replaced(written: Option<&Path>, own: Option<&Path>, force: bool) -> Result<(), Diagnostic> {
-    let Some(written) = written.filter(|path| !force && path.exists()) else { return Ok(()) };
-    let place = |path: &Path| std::fs::canonicalize(path).ok();
-    if own.is_some_and(|own| place(own) == place(written)) { Ok(()) } else { Err(taken(written)) }
-}
-
 /// As many looks of a scene are named.
 const NAMED: usize = 6;
 

@@ -1,25 +1,61 @@
 //! What is printed, in one place: results to standard output, everything else to standard error.
 
 use std::collections::HashSet;
-use std::io::{IsTerminal as _, Write as _};
+use std::io::{self, IsTerminal as _, Write as _};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use serde_json::Value as Json;
 
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, reason};
 
 /// Where results and messages go.
 #[derive(Debug, Default)]
-pub(super) struct Output {}
+pub(super) struct Output {
+    /// Why a result could not be written; nothing is written after that.
+    failed: Mutex<Option<io::Error>>,
+}
 
 impl Output {
     pub(super) fn new() -> Self {
-        Self {}
+        Self::default()
     }
 
-    /// A result. A reader that has gone away ends the program quietly, as it does other tools.
+    /// A result. What keeps it from being written is told by [`finish`](Self::finish).
     pub(super) fn result(&self, text: &str) {
-        let mut out = std::io::stdout().lock();
-        let _ = writeln!(out, "{text}");
+        self.write(|out| writeln!(out, "{text}"));
+    }
+
+    /// What the argument parser has to say, in colours where a terminal shows them.
+    pub(super) fn help(&self, help: &clap::Error) {
+        *self.failed() = help.print().err();
+    }
+
+    /// Sees that every result has been written, at the end of the program.
+    ///
+    /// # Errors
+    /// `cannot-print`: a disk is full, or whatever else took no more. A reader that has gone away is no error, as with other
+    /// tools.
+    pub(super) fn finish(&self) -> Result<(), Diagnostic> {
+        self.write(|out| out.flush());
+        match self.failed().take() {
+            Some(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+                let message = format!("the result could not be written to standard output: {}", reason(&error));
+                let problem = Diagnostic::error("cannot-print", message);
+                Err(problem.hint("what was written is not whole: make room, or write to another place"))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn failed(&self) -> MutexGuard<'_, Option<io::Error>> {
+        self.failed.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn write(&self, write: impl FnOnce(&mut io::StdoutLock<'_>) -> io::Result<()>) {
+        let mut failed = self.failed();
+        if failed.is_none() {
+            *failed = write(&mut io::stdout().lock()).err();
+        }
     }
 
     /// A result as JSON.

@@ -8,11 +8,12 @@ use serde_json::json;
 use super::open::{check_nodes_folder, library_for};
 use super::output::{Output, once};
 use super::scene::check_values;
+use super::target::{OutputPath, outputs, reads_all};
 use super::tier;
 use crate::clock::Clock;
 use crate::compile::Live;
 use crate::diag::Diagnostic;
-use crate::document::{Camera, Scene, Tier, parse_hex, write_atomic};
+use crate::document::{Camera, OutputKind, Scene, Tier, parse_hex};
 use crate::frame::{self, Assets, FramePlan, PassKind, Picture, PlanOptions, Planner, open};
 use crate::interp::Precision;
 use crate::milestones;
@@ -37,7 +38,7 @@ pub(super) struct Arguments {
     document: PathBuf,
     /// The PNG to write
     #[arg(short, long)]
-    output: PathBuf,
+    output: OutputPath,
     /// A mesh (OBJ, PLY, STL, glTF, GLB) or an own shape (shape:creature) in place of the document's; one that lies on
     /// its back wants --z-up
     #[arg(short, long)]
@@ -79,6 +80,9 @@ pub(super) struct Arguments {
     /// Draw as while the look is edited: every value is a uniform, and nothing is folded
     #[arg(long)]
     live: bool,
+    /// Replace a file that Chiaro did not render
+    #[arg(long)]
+    force: bool,
     /// Print what was done as JSON: size, seconds, adapter, passes that ran, warnings
     #[arg(long)]
     json: bool,
@@ -115,7 +119,12 @@ pub(super) fn parse_samples(text: &str) -> Result<u32, String> {
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let one = |problem: Diagnostic| vec![problem];
     check_nodes_folder(arguments.nodes.as_deref())?;
-    check_target(&arguments.output).map_err(one)?;
+    let target = arguments.output.as_ref();
+    check_target(target).map_err(one)?;
+    let read =
+        [Some(arguments.document.as_path()), arguments.mesh.as_deref().map(Path::new), arguments.nodes.as_deref()];
+    let mut outputs = outputs(arguments.force, read.into_iter().flatten());
+    outputs.check(target, OutputKind::PICTURE).map_err(one)?;
     let clock = Clock::start();
     let mut library = library_for(&arguments.document, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);
@@ -142,9 +151,10 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     output.diagnostics(&of_device);
     warnings.extend(of_device);
     let png = picture.to_png().map_err(one)?;
-    write_atomic(&arguments.output, &png).map_err(|problem| one(*problem))?;
+    reads_all(&mut outputs, &arguments.document, &setup, &planner.assets);
+    outputs.write(target, OutputKind::PICTURE, &png).map_err(one)?;
     let [width, height] = picture.size;
-    let file = arguments.output.display().to_string();
+    let file = target.display().to_string();
     if arguments.json {
         output.json(&json!({
             "file": file, "width": width, "height": height, "samples": arguments.samples, "time": arguments.time,

@@ -2,11 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use super::open::{check_nodes_folder, check_replaced, library_for};
+use super::open::{check_nodes_folder, library_for};
 use super::output::Output;
 use super::render::Size;
+use super::target::{OutputPath, check_document, outputs};
 use crate::diag::Diagnostic;
-use crate::document::{Document, Look, write_atomic};
+use crate::document::{Document, Look, OutputKind, Outputs};
 use crate::frame::{Assets, PlanOptions, Setup, open};
 use chiaro_laboratory::accuracy::report::tier_word;
 use chiaro_laboratory::accuracy::tune::{Goal, TuneOptions, Tuned, is_beaten, tune};
@@ -59,7 +60,7 @@ pub(super) struct Arguments {
     rounds: u32,
     /// Where the tuned look goes, in place of the look itself
     #[arg(short, long)]
-    output: Option<PathBuf>,
+    output: Option<OutputPath>,
     /// Replace another look that is there
     #[arg(long)]
     force: bool,
@@ -91,8 +92,10 @@ fn parse_milliseconds(text: &str) -> Result<f64, String> {
 }
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
-    let written = arguments.output.as_deref().filter(|_| !arguments.dry_run);
-    check_replaced(written, Some(&arguments.look), arguments.force).map_err(|problem| vec![problem])?;
+    let mut outputs = outputs(arguments.force, arguments.mesh.iter().map(Path::new).chain(arguments.nodes.as_deref()));
+    outputs.changes(&arguments.look);
+    let written = arguments.output.as_ref().filter(|_| !arguments.dry_run);
+    check_document(&outputs, written).map_err(|problem| vec![problem])?;
     check_nodes_folder(arguments.nodes.as_deref())?;
     let library = library_for(&arguments.look, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);
@@ -118,8 +121,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     output.end_progress();
     let tuned = tuned?;
     if !arguments.dry_run {
-        let target = arguments.output.as_deref().unwrap_or(&arguments.look);
-        write(arguments, &tuned, target)?;
+        let target = arguments.output.as_ref().map_or(arguments.look.as_path(), AsRef::as_ref);
+        write(arguments, &tuned, target, &mut outputs)?;
         output.message(&format!("{}: written with its tiers and the report", target.display()));
     }
     if arguments.json {
@@ -184,14 +187,15 @@ fn setups(arguments: &Arguments, output: &Output) -> Result<Vec<Setup>, Vec<Diag
 }
 
 /// Writes the look with the tiers that were chosen and the report of how.
-fn write(arguments: &Arguments, tuned: &Tuned, target: &Path) -> Result<(), Vec<Diagnostic>> {
+fn write(arguments: &Arguments, tuned: &Tuned, target: &Path, outputs: &mut Outputs) -> Result<(), Vec<Diagnostic>> {
     let loaded = Look::load(&arguments.look);
     let Some(mut look) = loaded.value else { return Err(loaded.diagnostics) };
     for (node, tier) in tuned.tiers() {
         Variant::set_tier(&mut look, node, tier);
     }
     look.tuned = tuned.summary();
-    write_atomic(target, look.to_text_like(&loaded.source).as_bytes()).map_err(|problem| vec![*problem])
+    let text = look.to_text_like(&loaded.source);
+    outputs.write(target, OutputKind::DOCUMENT, text.as_bytes()).map_err(|problem| vec![problem])
 }
 
 /// The report as people read it.

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::session::Session;
 use super::worker::Worker;
 use crate::diag::Diagnostic;
-use crate::document::Look;
+use crate::document::{Look, Outputs};
 use crate::export::{self, Export};
 use crate::library::Library;
 
@@ -136,9 +136,11 @@ fn run(job: &Job) -> Done {
 /// Writes the files. Where they would take a document's place they go into a folder of their own, rather than nowhere:
 /// whoever takes the look's own folder, where dialogs begin, has made no mistake.
 fn write(exported: &Export, folder: &Path, job: &Job) -> Result<String, Vec<Diagnostic>> {
-    let is_free = export::in_the_way(&exported.files, folder, job.path.as_deref()).is_none();
+    let mut outputs = Outputs::new(false);
+    job.path.iter().for_each(|path| outputs.reads(path));
+    let is_free = export::in_the_way(&exported.files, folder, &outputs).is_none();
     let folder = if is_free { folder.to_owned() } else { folder.join(own_folder(&job.stem)) };
-    let written = export::write(&exported.files, &folder, job.path.as_deref())?;
+    let written = export::write(&exported.files, &folder, &mut outputs)?;
     let count = match written.len() {
         1 => "1 file".to_owned(),
         count => format!("{count} files"),

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use chiaro::accuracy::Progress;
 use chiaro::diag::{Diagnostic, has_errors};
+use chiaro::document::Outputs;
 use chiaro::gallery::nodes::{SIDE, draw_nodes, write_nodes};
 use chiaro::gallery::{List, Made, Options, build, list};
 use chiaro::library::Library;
@@ -27,7 +28,7 @@ fn options(side: u32, rounds: usize) -> Options {
 fn make(list: &List, folder: &Path, options: &Options) -> Result<Made, Vec<Diagnostic>> {
     let mut untold = |_, _| true;
     let library = |_: &Path| Library::built_in().clone();
-    build(list, folder, &gpu(), &library, options, &mut Progress::new(&mut untold))
+    build(list, folder, &mut Outputs::new(false), &gpu(), &library, options, &mut Progress::new(&mut untold))
 }
 
 /// What a page's attributes of a name lead to.
@@ -136,7 +137,8 @@ fn the_pictures_of_nodes_are_those_of_now() {
     let folder = root().join("docs/nodes");
     if std::env::var_os("CHIARO_BLESS").is_some() {
         let mut untold = |_, _| true;
-        write_nodes(Library::built_in(), &folder, &gpu(), &mut Progress::new(&mut untold)).unwrap();
+        let mut outputs = Outputs::new(false);
+        write_nodes(Library::built_in(), &folder, &gpu(), &mut outputs, &mut Progress::new(&mut untold)).unwrap();
     }
     let mut files = HashSet::new();
     let mut far = Vec::new();

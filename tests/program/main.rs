@@ -5,5 +5,6 @@ mod cli;
 mod desktop;
 mod fit;
 mod gallery;
+mod outputs;
 #[path = "../support/mod.rs"]
 mod support;

@@ -10,7 +10,9 @@ use crate::support::eval::{renderer, told};
 use chiaro::compile::Live;
 use chiaro::diag::Severity;
 use chiaro::frame::{Assets, PlanOptions, Planner, open};
+use chiaro::interp::Precision;
 use chiaro::library::Library;
+use chiaro::reference::{self, Control, Modules, execute};
 use chiaro::render::{Picture, block_on};
 use glam::{DVec3, DVec4};
 use image::{Rgba, RgbaImage};
@@ -70,6 +72,27 @@ impl Folder {
             .unwrap_or_else(|problems| panic!("{}", told(&problems)));
         assert!(planner.warnings.is_empty(), "{}", told(&planner.warnings));
         block_on(renderer().picture(&plan)).unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    /// The scene as the GPU draws it baked and while it is edited, and as the reference does.
+    fn draw_everywhere(&self, scene: &Json) -> [Picture; 3] {
+        self.json("scene.json", scene);
+        let mut assets = Assets::default();
+        let (setup, _) = open(&self.path().join("scene.json"), None, &mut assets)
+            .unwrap_or_else(|problems| panic!("{}", told(&problems)));
+        let options = PlanOptions { size: [SIDE; 2], samples: 1, time: 0.0 };
+        let plan = |mut planner: Planner, live: &Live| {
+            let plan = planner.plan(&setup, Library::built_in(), live, &options);
+            plan.unwrap_or_else(|problems| panic!("{}", told(&problems)))
+        };
+        let [baked, edited] = [Live::Keyed, Live::All].map(|live| {
+            let plan = plan(Planner::new(assets.clone()), &live);
+            block_on(renderer().picture(&plan)).unwrap_or_else(|error| panic!("{error}"))
+        });
+        let truth = plan(Planner::for_truth(assets.clone()), &Live::All);
+        let modules = Modules::new(&truth, Precision::F64).unwrap_or_else(|problem| panic!("{problem}"));
+        let drawn = execute(&truth, &modules, &reference::Options::default(), &Control::none());
+        [baked, edited, drawn.unwrap_or_else(|problem| panic!("{problem}")).to_picture()]
     }
 
     fn draw(&self, objects: &Json) -> Picture {
@@ -600,4 +623,116 @@ fn a_mirror_inside_a_file_is_as_one_in_the_scene() {
     let by_file = folder.draw(&json!([object("mirrored.gltf", "look.json")]));
     assert_mirrored(&by_scene, &by_file, [false, false]);
     assert!(by_file.pixel(SIDE / 2, SIDE / 2) != BACKDROP && by_file.pixel(SIDE / 2, 2) == BACKDROP);
+}
+
+/// Far beyond any distance that a GPU and the reference may differ by for their arithmetic alone.
+const APART: f32 = 1.5 / 255.0;
+
+#[track_caller]
+fn assert_alike(pictures: &[Picture; 3], what: &str) {
+    let [baked, edited, truth] = pictures;
+    for (x, y, expected) in pixels(truth) {
+        for (found, which) in [(baked, "baked"), (edited, "edited")] {
+            let found = found.pixel(x, y);
+            let far = found.iter().zip(expected).any(|(a, b)| (a - b).abs() > APART || a.is_nan());
+            assert!(!far, "{what}, {which}: {found:?} is not {expected:?} at {:?}", (x, y));
+        }
+    }
+}
+
+fn shaded_look(light: &Json) -> Json {
+    json!({
+        "lights": {"key": light},
+        "nodes": [
+            {"id": "base", "kind": "base", "values": {"color": [0.2, 0.1, 0.3, 1]}},
+            {"id": "body", "kind": "light_layer", "values": {"light": "key", "falloff": 1.2, "cutoff": 2.4,
+                "convex": [1, 0.8, 0.4], "concave": [1, 0.8, 0.4]}},
+            {"id": "output", "kind": "output"}
+        ],
+        "wires": [{"from": "base.below", "to": "body.below"}, {"from": "body", "to": "output.color"}]
+    })
+}
+
+fn shape_object(shape: &str) -> Json {
+    json!({"id": "shape", "mesh": shape, "looks": "look.json", "transform": {"fit": false}})
+}
+
+/// Every ray from an eye that is so near to a sphere, or within it, meets its surface: the far plane of what such an eye
+/// sees is the horizon, and that lies beyond the corners of the picture. So nothing of the backdrop may be seen, neither
+/// where the near plane of a scene of that size would cut a hole, nor through that hole.
+#[test]
+fn a_surface_right_before_the_eye_is_whole_and_the_same_everywhere() {
+    let folder = Folder::new();
+    folder.json("look.json", &shaded_look(&json!({"space": "world", "direction": [0.5, 0.8, 1]})));
+    let fov: f64 = 0.6;
+    for eye in [1.01, 1.002, 1.001, 1.0003, 1.0001, 0.9999, 0.999] {
+        let corner = (0.5 * fov).tan();
+        for x in [-corner, 0.0, corner] {
+            let ray = DVec3::new(x, corner, -1.0).normalize();
+            // The discriminant of |eye + t ray| = 1, and that the nearest meeting is before the eye, if that is outside.
+            let (half_b, c) = (ray.z * eye, eye * eye - 1.0);
+            assert!(half_b * half_b > c && (c < 0.0 || -half_b > 0.0), "a ray misses the sphere");
+        }
+        let pictures = folder.draw_everywhere(&json!({
+            "objects": [shape_object("shape:sphere")], "backdrop": [0.0, 0.0, 1.0, 1.0],
+            "camera": {"eye": [0, 0, eye], "target": [0, 0, 0], "fov": fov}
+        }));
+        for (x, y, found) in pictures.iter().flat_map(pixels) {
+            assert!(found[2] < 0.9, "the backdrop is seen at {:?} from {eye}", (x, y));
+        }
+        assert_alike(&pictures, &format!("from {eye}"));
+    }
+}
+
+/// What an Output's alpha cut-off of 0 does not cut has one side where its file says so, whether the value is folded or not.
+#[test]
+fn a_cutoff_of_nothing_shows_no_other_side() {
+    let folder = Folder::new();
+    write_square(&folder, "card.gltf", &json!({"doubleSided": false}));
+    let mut look = flat_look([1.0, 0.0, 0.5, 1.0]);
+    for (cutoff, is_seen) in [(0.0, false), (0.25, true)] {
+        look["nodes"][1]["values"] = json!({"cutoff": cutoff});
+        folder.json("paint.json", &look);
+        let mut card = object("card.gltf", "paint.json");
+        card["transform"]["rotate"] = json!({"axis": [0, 1, 0], "angle": std::f64::consts::PI});
+        let pictures = folder.draw_everywhere(&json!({
+            "objects": [card], "backdrop": BACKDROP, "camera": {"projection": "orthographic", "height": 2}
+        }));
+        let expected = if is_seen { [1.0, 0.0, 0.5, 1.0] } else { BACKDROP };
+        for (x, y, found) in pictures.iter().flat_map(pixels) {
+            assert_near(found, expected, NEAR, (x, y));
+        }
+    }
+}
+
+/// A distance that no f32 holds is none of nothing: to a GPU it would mean a light that never fades.
+#[test]
+fn distances_of_lights_that_no_f32_holds_mean_the_same_everywhere() {
+    let folder = Folder::new();
+    let picture = |half_distance: f64, range: f64, intensity: f64| {
+        folder.json(
+            "look.json",
+            &shaded_look(&json!({
+                "type": "point", "space": "world", "position": [1, 1, 3], "intensity": intensity,
+                "half_distance": half_distance, "range": range
+            })),
+        );
+        let pictures = folder.draw_everywhere(&json!({
+            "objects": [shape_object("shape:torus")], "backdrop": BACKDROP,
+            "camera": {"projection": "orthographic", "height": 2}
+        }));
+        assert_alike(&pictures, &format!("{half_distance}, {range}"));
+        pictures
+    };
+    let [dark, ..] = picture(0.0, 0.0, 0.0);
+    for tiny in [1e-300, 5e-324, 1e-40, 1.2e-38, 1e-20] {
+        for pictures in [picture(tiny, 0.0, 1.0), picture(0.0, tiny, 1.0)] {
+            for (x, y, found) in pictures.iter().flat_map(pixels) {
+                assert_near(found, dark.pixel(x, y), APART, (x, y));
+            }
+        }
+    }
+    let [lit, ..] = picture(0.0, 0.0, 1.0);
+    assert!(lit != dark, "without a distance the light is seen");
+    picture(2.0, 5.0, 1.0);
 }

@@ -4,12 +4,12 @@ use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 
-use super::{GRID_HELP, GridText, check_free, filled, open, telling, with_ending};
+use super::{GRID_HELP, GridText, check_free, filled, open, save, tell_painted, telling, with_ending};
 use crate::diag::Diagnostic;
-use crate::document::{Grid, Storage, write_atomic};
-use crate::open::taken;
+use crate::document::{Grid, OutputKind, Storage};
 use crate::output::Output;
-use chiaro_scene::hcbtf::{Which, exchange, write};
+use crate::target::{OutputPath, outputs};
+use chiaro_scene::hcbtf::{Which, exchange};
 
 /// How samples lie in other programs' files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -42,7 +42,7 @@ pub(super) struct ImportArguments {
     from: PathBuf,
     /// The .hcbtf file to write
     #[arg(short, long)]
-    output: PathBuf,
+    output: OutputPath,
     /// What it is [default: a folder is a folder, a PNG a sheet, a KTX2 file the texture of shaders]
     #[arg(long = "as", value_enum)]
     form: Option<Form>,
@@ -60,9 +60,10 @@ pub(super) struct ImportArguments {
 }
 
 pub(super) fn import(arguments: &ImportArguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
-    let path = with_ending(&arguments.output);
-    check_free(&path, arguments.force)?;
+    let path = with_ending(arguments.output.as_ref());
     let from = &arguments.from;
+    let outputs = outputs(arguments.force, [from]);
+    check_free(&path, &outputs)?;
     let form = arguments.form.map_or_else(|| exchange::Form::guessed(from), exchange::Form::from);
     let grid = arguments.grid.map(|grid| grid.0);
     // How large the images of a folder are they tell themselves.
@@ -80,10 +81,8 @@ pub(super) fn import(arguments: &ImportArguments, output: &Output) -> Result<(),
         return Err(vec![problem.hint("leave --grid out")]);
     }
     hcbtf.is_tiling &= !arguments.no_tiling;
-    let bytes = write(&hcbtf).map_err(|problem| vec![problem.in_file(path.display().to_string())])?;
-    write_atomic(&path, &bytes).map_err(|problem| vec![*problem])?;
-    output.result(&path.display().to_string());
-    output.message(&format!("{} of {} samples are painted", hcbtf.painted.len(), hcbtf.grid.sample_count()));
+    save(&hcbtf, &path, outputs, output)?;
+    tell_painted(&hcbtf, output);
     Ok(())
 }
 
@@ -97,7 +96,7 @@ pub(super) struct ExportArguments {
     to: Option<Form>,
     /// The PNG, the KTX2 file or the folder; a folder is made where there is none
     #[arg(short, long)]
-    output: PathBuf,
+    output: OutputPath,
     /// Contact sheets: texels between tiles
     #[arg(long, default_value_t = 0)]
     gap: u32,
@@ -114,7 +113,7 @@ pub(super) struct ExportArguments {
 }
 
 pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
-    let path = &arguments.output;
+    let path = arguments.output.as_ref();
     let form = written_form(path, arguments.to).map_err(|problem| vec![problem])?;
     if arguments.painted && matches!(form, Form::Sheet | Form::Ktx2) {
         let problem = Diagnostic::error("bad-argument", "--painted goes with --to folder and --to contact");
@@ -129,20 +128,20 @@ pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(),
         let message = format!("--{} goes with --to ktx2", storage.word());
         return Err(vec![Diagnostic::error("bad-argument", message)]);
     }
-    if let Some(found) = exchange::in_the_way(form.into(), path).first().filter(|_| !arguments.force) {
-        let mut problem = taken(found);
-        if form == Form::Folder {
-            problem.hints = vec!["choose another folder, or replace the export that is in it with --force".to_owned()];
+    let outputs = outputs(arguments.force, [&arguments.file]);
+    for found in exchange::in_the_way(form.into(), path) {
+        if let Err(mut problem) = outputs.check(&found, OutputKind::DOCUMENT) {
+            if form == Form::Folder {
+                problem.hints =
+                    vec!["choose another folder, or replace the export that is in it with --force".to_owned()];
+            }
+            return Err(vec![problem]);
         }
-        return Err(vec![problem]);
     }
     let hcbtf = open(&arguments.file, output)?;
     let filled = filled(&hcbtf, &arguments.file, output)?;
     let which = if arguments.painted { Which::Painted } else { Which::All };
     let manner = exchange::Manner { which, gap: arguments.gap, storage };
-    if form == Form::Folder {
-        exchange::clear_folder(path)?;
-    }
     let told = exchange::export(&filled, form.into(), manner, path, &telling("writing"));
     if form == Form::Folder || storage == Storage::Blocks {
         output.end_progress();

@@ -1,16 +1,18 @@
 //! `chiaro hcbtf synthesize` and `bake`: new tiles from a painted one, and a look as one.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::super::open::{check_nodes_folder, library_for, open_look};
 use super::super::render::Size;
-use super::{GRID_HELP, GridText, check_free, open, telling, with_ending};
+use super::{GRID_HELP, GridText, check_free, open, save, tell_painted, telling, with_ending};
 use crate::diag::Diagnostic;
-use crate::document::{Grid, Hcbtf, write_atomic};
+use crate::document::Grid;
 use crate::frame::{Assets, MAX_TILE_SAMPLES, moving_light, tile_assets};
 use crate::output::Output;
 use crate::reference::{BakedLook, TILE_SAMPLES, bake_look_sampled};
+use crate::target::{OutputPath, outputs};
+use chiaro_scene::hcbtf::{Synthesis, synthesize};
 use chiaro_scene::hcbtf::{Synthesis, synthesize, write};
 
 /// What `chiaro hcbtf synthesize` is given.
@@ -20,7 +22,7 @@ pub(super) struct SynthesizeArguments {
     file: PathBuf,
     /// The .hcbtf file to write
     #[arg(short, long)]
-    output: PathBuf,
+    output: OutputPath,
     /// Width and height of the new tile in texels [default: as the old one]
     #[arg(long)]
     size: Option<Size>,
@@ -36,15 +38,19 @@ pub(super) struct SynthesizeArguments {
 }
 
 pub(super) fn synthesized(arguments: &SynthesizeArguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
-    let path = with_ending(&arguments.output);
-    check_free(&path, arguments.force)?;
+    let path = with_ending(arguments.output.as_ref());
+    let outputs = outputs(arguments.force, [&arguments.file]);
+    check_free(&path, &outputs)?;
     let hcbtf = open(&arguments.file, output)?;
     let size = arguments.size.map_or(hcbtf.grid.size, |size| size.0);
     let how = Synthesis { size, seed: arguments.seed, patch: arguments.patch };
     let named = arguments.file.display().to_string();
     let made = synthesize(&hcbtf, &how, &telling("laying"));
     output.end_progress();
-    save(&made.map_err(|problem| vec![problem.in_file(named)])?, &path, output)
+    let made = made.map_err(|problem| vec![problem.in_file(named)])?;
+    save(&made, &path, outputs, output)?;
+    tell_painted(&made, output);
+    Ok(())
 }
 
 /// What `chiaro hcbtf bake` is given.
@@ -54,7 +60,7 @@ pub(super) struct BakeArguments {
     look: PathBuf,
     /// The .hcbtf file to write
     #[arg(short, long)]
-    output: PathBuf,
+    output: OutputPath,
     #[arg(long, help = format!("Texels, lights and views, as 32x32,6x10,6x10 [default: {GRID_HELP}]"))]
     grid: Option<GridText>,
     /// The light that goes around the tile [default: the first directional one]; the others stay
@@ -72,8 +78,9 @@ pub(super) struct BakeArguments {
 }
 
 pub(super) fn baked(arguments: &BakeArguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
-    let path = with_ending(&arguments.output);
-    check_free(&path, arguments.force)?;
+    let path = with_ending(arguments.output.as_ref());
+    let outputs = outputs(arguments.force, [Some(&arguments.look), arguments.nodes.as_ref()].into_iter().flatten());
+    check_free(&path, &outputs)?;
     check_nodes_folder(arguments.nodes.as_deref())?;
     let library = library_for(&arguments.look, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);
@@ -87,7 +94,8 @@ pub(super) fn baked(arguments: &BakeArguments, output: &Output) -> Result<(), Ve
     });
     output.end_progress();
     let BakedLook { hcbtf, halves_off } = made?;
-    save(&hcbtf, &path, output)?;
+    save(&hcbtf, &path, outputs, output)?;
+    tell_painted(&hcbtf, output);
     if let Some(off) = halves_off {
         let (samples, off) = (arguments.samples, 255.0 * off);
         output.message(&format!("{samples} samples a texel; half of them would be off by {off:.2} of 255 (rms)"));
@@ -99,12 +107,4 @@ fn parse_samples(text: &str) -> Result<u32, String> {
     let wrong = || format!("it is a power of 2 from 1 to {MAX_TILE_SAMPLES}");
     let is_good = |samples: &u32| samples.is_power_of_two() && *samples <= MAX_TILE_SAMPLES;
     text.parse().ok().filter(is_good).ok_or_else(wrong)
-}
-
-fn save(hcbtf: &Hcbtf, path: &Path, output: &Output) -> Result<(), Vec<Diagnostic>> {
-    let bytes = write(hcbtf).map_err(|problem| vec![problem.in_file(path.display().to_string())])?;
-    write_atomic(path, &bytes).map_err(|problem| vec![*problem])?;
-    output.result(&path.display().to_string());
-    output.message(&format!("{} of {} samples are painted", hcbtf.painted.len(), hcbtf.grid.sample_count()));
-    Ok(())
 }

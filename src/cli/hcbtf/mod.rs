@@ -12,11 +12,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use clap::Subcommand;
 
-use super::open::taken;
 use super::output::Output;
 use crate::diag::Diagnostic;
-use crate::document::{Directions, Grid, Hcbtf};
-use chiaro_scene::hcbtf::{Filled, Progress, fill::fill, load};
+use crate::document::{Directions, Grid, Hcbtf, OutputKind, Outputs};
+use chiaro_scene::hcbtf::{Filled, Progress, fill::fill, load, write};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -102,12 +101,22 @@ fn telling(what: &'static str) -> Progress {
     })
 }
 
-/// Refuses to replace a file, but with `--force`.
-fn check_free(path: &Path, force: bool) -> Result<(), Vec<Diagnostic>> {
-    if !force && path.exists() {
-        return Err(vec![taken(path)]);
-    }
+/// Refuses to replace a file, but with `--force`, and never what is read.
+fn check_free(path: &Path, outputs: &Outputs) -> Result<(), Vec<Diagnostic>> {
+    outputs.check(path, OutputKind::DOCUMENT).map_err(|problem| vec![problem])
+}
+
+/// Writes a document, and says so.
+fn save(hcbtf: &Hcbtf, path: &Path, mut outputs: Outputs, output: &Output) -> Result<(), Vec<Diagnostic>> {
+    let bytes = write(hcbtf).map_err(|problem| vec![problem.in_file(path.display().to_string())])?;
+    outputs.write(path, OutputKind::DOCUMENT, &bytes).map_err(|problem| vec![problem])?;
+    output.result(&path.display().to_string());
     Ok(())
+}
+
+/// Says how much of a document is painted.
+fn tell_painted(hcbtf: &Hcbtf, output: &Output) {
+    output.message(&format!("{} of {} samples are painted", hcbtf.painted.len(), hcbtf.grid.sample_count()));
 }
 
 /// The grid as the command line writes it: texels, lights and views.

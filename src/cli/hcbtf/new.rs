@@ -1,19 +1,18 @@
 //! `chiaro hcbtf new`: one to begin with.
 
-use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::{GRID_HELP, GridText, check_free, with_ending};
+use super::{GRID_HELP, GridText, check_free, save, with_ending};
 use crate::diag::Diagnostic;
-use crate::document::{Address, Grid, Hcbtf, Rule, Tile, parse_hex, write_atomic};
+use crate::document::{Address, Grid, Hcbtf, Outputs, Rule, Tile, parse_hex};
 use crate::output::Output;
-use chiaro_scene::hcbtf::write;
+use crate::target::OutputPath;
 
 /// What `chiaro hcbtf new` is given.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// The name of the file; `.hcbtf` is added where it is missing
-    name: PathBuf,
+    name: OutputPath,
     #[arg(long, help = format!("Texels, lights and views, as 32x32,6x10,6x10 [default: {GRID_HELP}]"))]
     grid: Option<GridText>,
     /// A colour that the sample at the normal is painted with, and that is copied everywhere and darkened as the light sinks
@@ -28,9 +27,10 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
-    let path = with_ending(&arguments.name);
+    let path = with_ending(arguments.name.as_ref());
     let color = arguments.color.as_deref().map(color).transpose()?;
-    check_free(&path, arguments.force)?;
+    let outputs = Outputs::new(arguments.force);
+    check_free(&path, &outputs)?;
     let mut hcbtf = Hcbtf::new(arguments.grid.map_or(Grid::THESIS, |grid| grid.0));
     hcbtf.is_tiling = !arguments.no_tiling;
     if let Some(color) = color {
@@ -38,10 +38,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         hcbtf.painted.insert(from, Arc::new(Tile::filled(hcbtf.grid.size, color)));
         hcbtf.rules = vec![Rule::Copy { from }, Rule::Lambert { shadow: [0; 3], amount: 1.0 }];
     }
-    let bytes = write(&hcbtf).map_err(|problem| vec![problem.in_file(path.display().to_string())])?;
-    write_atomic(&path, &bytes).map_err(|problem| vec![*problem])?;
-    output.result(&path.display().to_string());
-    Ok(())
+    save(&hcbtf, &path, outputs, output)
 }
 
 fn color(text: &str) -> Result<[u8; 4], Vec<Diagnostic>> {

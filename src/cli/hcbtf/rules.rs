@@ -6,8 +6,9 @@ use serde_json::json;
 
 use super::open;
 use crate::diag::Diagnostic;
-use crate::document::{Hcbtf, Rule, read_text, write_atomic};
+use crate::document::{Hcbtf, OutputKind, Rule, read_text};
 use crate::output::Output;
+use crate::target::outputs;
 use chiaro_scene::hcbtf::{read_rules, write};
 
 /// How wide help is written.
@@ -35,7 +36,9 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let rules = read_rules(&text, &hcbtf.grid, &name)?;
     let named = arguments.file.display().to_string();
     let bytes = write(&Hcbtf { rules, ..hcbtf }).map_err(|problem| vec![problem.in_file(named.clone())])?;
-    write_atomic(&arguments.file, &bytes).map_err(|problem| vec![*problem])?;
+    let mut outputs = outputs(false, [path]);
+    outputs.changes(&arguments.file);
+    outputs.write(&arguments.file, OutputKind::DOCUMENT, &bytes).map_err(|problem| vec![problem])?;
     output.result(&named);
     Ok(())
 }

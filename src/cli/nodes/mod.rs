@@ -8,12 +8,14 @@ mod text;
 use std::path::PathBuf;
 
 use super::output::Output;
+#[cfg(feature = "gpu")]
+use super::target::{OutputPath, outputs};
 use crate::diag::Diagnostic;
 use crate::library::Library;
 #[cfg(feature = "gpu")]
 use chiaro_laboratory::accuracy::Progress;
 #[cfg(feature = "gpu")]
-use chiaro_laboratory::gallery::nodes::write_nodes;
+use chiaro_laboratory::gallery::nodes::{check_nodes, write_nodes};
 #[cfg(feature = "gpu")]
 use chiaro_render::{Gpu, block_on};
 use entry::Entry;
@@ -46,7 +48,11 @@ pub(super) struct Arguments {
     /// Draw every node into a folder: the node itself as SVG, and what it gives on a sphere as PNG
     #[cfg(feature = "gpu")]
     #[arg(long, value_name = "FOLDER", conflicts_with_all = ["kind", "json", "markdown"])]
-    pictures: Option<PathBuf>,
+    pictures: Option<OutputPath>,
+    /// With --pictures: replace files that Chiaro did not draw
+    #[cfg(feature = "gpu")]
+    #[arg(long, requires = "pictures")]
+    force: bool,
 }
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
@@ -56,7 +62,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     };
     #[cfg(feature = "gpu")]
     if let Some(folder) = &arguments.pictures {
-        return draw(&library, folder, output);
+        return draw(&library, folder.as_ref(), arguments, output);
     }
     let entries = entry::entries(&library);
     if arguments.markdown {
@@ -75,13 +81,20 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
 }
 
 #[cfg(feature = "gpu")]
-fn draw(library: &Library, folder: &std::path::Path, output: &Output) -> Result<(), Vec<Diagnostic>> {
+fn draw(
+    library: &Library,
+    folder: &std::path::Path,
+    arguments: &Arguments,
+    output: &Output,
+) -> Result<(), Vec<Diagnostic>> {
+    let mut outputs = outputs(arguments.force, &arguments.nodes);
+    check_nodes(library, folder, &outputs).map_err(|problem| vec![problem])?;
     let gpu = block_on(Gpu::headless()).map_err(|error| vec![error.into()])?;
     let mut told = |done, total| {
         output.progress("drawing", done, total);
         true
     };
-    let drawn = write_nodes(library, folder, &gpu, &mut Progress::new(&mut told));
+    let drawn = write_nodes(library, folder, &gpu, &mut outputs, &mut Progress::new(&mut told));
     output.end_progress();
     drawn?;
     output.message(&format!("{}: pictures of every node", folder.display()));

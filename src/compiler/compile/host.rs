@@ -40,6 +40,10 @@ pub struct HostInputs<'a> {
 /// The greatest intensity: finite in f32, whatever a file says.
 pub const MAX_INTENSITY: f64 = 1e30;
 
+/// The least half distance and range above 0, in scene units. An f32 has a lesser one as 0 or as a denormal, which a GPU
+/// may take for 0; and 0 means no fading and no end, the opposite of what was written.
+pub const MIN_LIGHT_DISTANCE: f64 = 1e-30;
+
 /// A light in world space, ready for the shader.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LightValues {
@@ -59,7 +63,7 @@ pub struct LightValues {
     pub intensity: f64,
     /// Cosines of the inner and outer half-angles.
     pub cone: [f64; 2],
-    /// Half distance and range.
+    /// Half distance and range: 0, or [`MIN_LIGHT_DISTANCE`] and more.
     pub fading: [f64; 2],
     /// What it is.
     pub kind: LightKind,
@@ -87,7 +91,7 @@ impl LightValues {
             color: light.color.into(),
             intensity,
             cone: [light.inner.clamp(0.0, outer).cos(), outer.cos()],
-            fading: [light.half_distance, light.range],
+            fading: [light.half_distance, light.range].map(light_distance),
             kind: light.kind,
         }
     }
@@ -105,6 +109,11 @@ impl LightValues {
             LightField::Fading => interp::Value::vec(&self.fading),
         }
     }
+}
+
+/// A distance of a light as the f32 of a shader and the f64 of the reference both hold it; what is no number counts as 0.
+fn light_distance(distance: f64) -> f64 {
+    if distance > 0.0 { distance.clamp(MIN_LIGHT_DISTANCE, f64::from(f32::MAX)) } else { 0.0 }
 }
 
 /// One step; operands are indices of earlier steps.
@@ -382,6 +391,24 @@ mod tests {
                 assert_eq!(is_template, conversion_program(from, to).is_some(), "{from} to {to}");
             }
         }
+    }
+
+    #[test]
+    fn distances_of_lights_mean_the_same_in_f32_and_f64() {
+        let fading = |half_distance, range| {
+            let light = Light { half_distance, range, ..Light::default() };
+            LightValues::new(&light, DQuat::IDENTITY, DMat3::IDENTITY).fading
+        };
+        for tiny in [1e-300, f64::MIN_POSITIVE, 5e-324, 1e-40, f64::from(f32::MIN_POSITIVE)] {
+            for distance in [fading(tiny, 0.0)[0], fading(0.0, tiny)[1]] {
+                assert!((distance as f32).is_normal() && distance == MIN_LIGHT_DISTANCE, "{tiny}: {distance}");
+                // What `light_fading` divides by it stays a number in f32, across all that a scene may hold.
+                assert!((4e6_f32 / distance as f32).is_finite());
+            }
+        }
+        assert_eq!(fading(0.0, -1.0), [0.0; 2], "no fading and no end");
+        assert_eq!(fading(f64::NAN, 2.5), [0.0, 2.5]);
+        assert_eq!(fading(f64::INFINITY, 1e-30), [f64::from(f32::MAX), 1e-30]);
     }
 
     #[test]

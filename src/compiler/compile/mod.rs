@@ -17,20 +17,23 @@ mod removal;
 mod specialize;
 mod value;
 
-use std::collections::{BTreeSet, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
 use crate::diag::Diagnostic;
-use crate::document::Look;
+use crate::document::{Look, Value};
 use crate::ids::{LightId, NodePath, PortName};
-use crate::library::{Library, LightField};
+use crate::library::{Library, LightField, Special, Type};
 use crate::wgsl::{self, Valid};
 
 pub use check::{TypedGraph, TypedInput, TypedNode, TypedSource, check};
 pub use drivers::TypedDriver;
 pub use emit::{Attribute, Binding, BindingKind, ImageBinding, SAMPLES_PER_ROW, SpanMap};
 pub use flatten::{GroupOutputs, MAX_FLAT_NODES, Param, ParamId, can_be_muted};
-pub use host::{HostDriver, HostInputs, HostProgram, LightValues, MAX_INTENSITY, Uniform, UniformMember, push_numbers};
+pub use host::{
+    HostDriver, HostInputs, HostProgram, LightValues, MAX_INTENSITY, MIN_LIGHT_DISTANCE, Uniform, UniformMember,
+    push_numbers,
+};
 pub use host_source::{HostSource, HostStep};
 pub use layout::{Layout, StructLayout};
 pub use removal::{Proof, Removal};
@@ -125,10 +128,54 @@ pub struct CompiledShader {
     /// Which values are really uniforms: less than was asked for where the uniform would grow past
     /// [`MAX_UNIFORM_BYTES`].
     pub live: Live,
-    /// Whether the look cuts parts of the surface away, by its Output's alpha cut-off: what is behind is seen then.
-    pub cuts: bool,
+    /// What decides whether the look cuts parts of the surface away: what is behind is seen then.
+    pub cutoff: AlphaCutoff,
     /// The type of what the module shows.
     pub root_type: crate::library::Type,
+}
+
+impl CompiledShader {
+    /// Whether the look cuts parts of its surface away while inputs have these values in place of the document's: the
+    /// same for a module in which nothing was folded as for a baked one, so that the reference and the GPU draw the same
+    /// sides of a surface.
+    pub fn cuts(&self, params: &HashMap<ParamId, Value>) -> bool {
+        match self.cutoff {
+            AlphaCutoff::None => false,
+            AlphaCutoff::Wired => true,
+            AlphaCutoff::Param(id) => {
+                let value = params.get(&id).or_else(|| self.params.get(id)?.value.as_ref());
+                let number = value.and_then(|value| typed_value(value, &Type::Float).ok()?.as_f64());
+                number.is_some_and(|number| number > 0.0)
+            }
+        }
+    }
+}
+
+/// Where the alpha cut-off of a look's Output comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AlphaCutoff {
+    /// Nothing is cut away: the module shows no Output, or a material's mask decides.
+    None,
+    /// The value of an input.
+    Param(ParamId),
+    /// A wire, so that each place has its own.
+    Wired,
+}
+
+impl AlphaCutoff {
+    fn of(typed: &TypedGraph, stage: Stage) -> Self {
+        let output = &typed.nodes[typed.root.0];
+        if output.def.special != Special::Output || stage == Stage::Eval {
+            return Self::None;
+        }
+        let mut inputs = output.def.inputs.iter().zip(&output.inputs);
+        let cutoff = inputs.find(|(port, _)| port.name.as_str() == "cutoff").and_then(|(_, input)| input.as_ref());
+        match cutoff.map(|input| &input.source) {
+            None => Self::None,
+            Some(TypedSource::Param(id, _)) => Self::Param(*id),
+            Some(TypedSource::Wire { .. } | TypedSource::Context(_)) => Self::Wired,
+        }
+    }
 }
 
 /// Compiles a look.
@@ -181,7 +228,7 @@ pub fn compile_typed(
         warnings,
         live: options.live.clone(),
         // A material's mask says by itself whether its other side is to be drawn.
-        cuts: specialized.cutoff.is_some() && !options.cutout,
+        cutoff: if options.cutout { AlphaCutoff::None } else { AlphaCutoff::of(typed, options.stage) },
         root_type: emitted.root_type,
     })
 }

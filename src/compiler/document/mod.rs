@@ -15,6 +15,7 @@ pub mod journal;
 mod json;
 mod light_field;
 mod look;
+mod outputs;
 mod packed;
 mod problems;
 mod read;
@@ -38,12 +39,13 @@ pub use hcbtf::{
 };
 pub use light_field::{LightField, LightQuantity};
 pub use look::*;
+pub use outputs::{FileSet, OutputKind, Outputs, remove_abandoned, remove_unfinished};
 pub use read::Document;
 pub use scene::*;
 pub use shape::{field_tables, look_schema, scene_schema};
 pub use source::{Loaded, SourceMap};
 pub use storage::Storage;
-pub use store::{read_text, remove_abandoned, remove_unfinished, write_atomic};
+pub use store::{read_text, write_atomic};
 pub use structure::{GraphId, InnerNode};
 pub use value::*;
 

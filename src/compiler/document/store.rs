@@ -1,23 +1,13 @@
 //! Reading files with a bound, and writing them so that nobody ever sees half of one.
 
-use std::collections::BTreeSet;
-use std::fs::{self, File, Permissions};
-use std::io::{self, Write};
-use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
-use std::time::Duration;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
 
 use super::json::MAX_BYTES;
-use crate::clock;
+use super::outputs::FileSet;
 use crate::diag::{Diagnostic, LineColumn};
 use crate::files::{self, ReadError};
-
-/// What the names of temporary files begin and end with.
-const PREFIX: &str = ".chiaro-";
-const SUFFIX: &str = ".tmp";
-
-/// Files that are being written at this moment, under their temporary names.
-static UNFINISHED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
 /// Reads a text file of at most 64 MiB, or an [example](crate::examples).
 ///
@@ -87,157 +77,23 @@ fn is_painting(path: &Path, bytes: &[u8]) -> bool {
     bytes.starts_with(b"PK") && (is_called_so || bytes.get(30..43) == Some(b"manifest.json"))
 }
 
-/// Writes a file whole or not at all: into a temporary file in the same folder, which then takes the old one's name,
-/// permissions and, as far as the system lets us, owner and group. A link stays a link, and the file it leads to is
-/// replaced, or made where there is none. When this returns, the disk has the file and its name.
-///
-/// Not kept: other names of the same file (hard links), access lists, and extended attributes.
+/// Writes a file whole or not at all, as [`FileSet`] has it: into a temporary file in the same folder, which then takes the
+/// old one's name. When this returns, the disk has the file and its name.
 ///
 /// # Errors
 /// A diagnostic that names the file; the old file is then as it was.
 pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), Box<Diagnostic>> {
-    try_write(path, bytes).map_err(|error| {
-        let missing = path.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.exists());
-        let why = missing.map_or_else(|| reason(&error), |folder| format!("there is no folder `{}`", folder.display()));
-        let hint = match error.kind() {
-            io::ErrorKind::NotFound => "make the folder first, or choose another place",
-            io::ErrorKind::PermissionDenied => "you may not write here: choose another place",
-            io::ErrorKind::StorageFull => "the disk is full: make room and save again",
-            io::ErrorKind::ReadOnlyFilesystem => "the disk is read-only: choose another place",
-            _ => "choose another place",
-        };
-        let state = if path.exists() { "; the old file is as it was" } else { "" };
-        let message = format!("cannot write the file: {why}{state}");
-        Box::new(Diagnostic::error("cannot-write", message).in_file(path.display().to_string()).hint(hint))
-    })
-}
-
-/// Removes files that are half written, for a program that is about to end in the middle of its work (Ctrl-C).
-pub fn remove_unfinished() {
-    let mut unfinished = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner);
-    for path in std::mem::take(&mut *unfinished) {
-        // It may be gone by now, which is what is wanted.
-        let _ = fs::remove_file(path);
-    }
-}
-
-/// Why a write failed, without the name of the temporary file, which would tell nobody anything.
-fn reason(error: &io::Error) -> String {
-    let inner = error.get_ref().and_then(std::error::Error::source);
-    inner.map_or_else(|| error.to_string(), ToString::to_string)
-}
-
-fn try_write(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let target = follow_links(path);
-    let old = fs::metadata(&target).ok();
-    if let Some(old) = &old {
-        if old.is_dir() {
-            return Err(io::Error::new(io::ErrorKind::IsADirectory, "this is a folder"));
-        }
-        if old.permissions().readonly() {
-            return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is read-only"));
-        }
-    }
-    let folder = match target.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(PREFIX).suffix(SUFFIX);
-    if let Some(permissions) = new_file_permissions() {
-        builder.permissions(permissions);
-    }
-    let mut file = builder.tempfile_in(folder)?;
-    let _guard = Unfinished::new(file.path());
-    file.write_all(bytes)?;
-    if let Some(old) = old {
-        keep_owner_and_permissions(file.as_file(), &old)?;
-    }
-    file.as_file().sync_all()?;
-    file.persist(&target).map_err(|error| error.error)?;
-    // The new name is on the disk once the folder is. Not every system can do this, and the file itself is safe.
-    if let Ok(folder) = File::open(folder) {
-        let _ = folder.sync_all();
-    }
-    Ok(())
-}
-
-/// Where a path leads, so that a link goes on to lead to the file; also where there is no file yet.
-fn follow_links(path: &Path) -> PathBuf {
-    /// As many as Linux follows.
-    const MOST: usize = 40;
-    if let Ok(target) = fs::canonicalize(path) {
-        return target;
-    }
-    let mut target = path.to_owned();
-    for _ in 0..MOST {
-        let Ok(next) = fs::read_link(&target) else { break };
-        target = target.parent().map_or(next.clone(), |folder| folder.join(next));
-    }
-    target
-}
-
-/// Gives a file the owner, group and permissions of another. A group that cannot be kept gets no more than everybody has.
-#[cfg(unix)]
-fn keep_owner_and_permissions(file: &File, old: &fs::Metadata) -> io::Result<()> {
-    use std::os::unix::fs::{MetadataExt, PermissionsExt, fchown};
-    let new = file.metadata()?;
-    let mut mode = old.mode() & 0o7777;
-    if new.uid() != old.uid() {
-        // Only an administrator may give files away; who can write a file may still save it.
-        let _ = fchown(file, Some(old.uid()), None);
-    }
-    if new.gid() != old.gid() && fchown(file, None, Some(old.gid())).is_err() {
-        mode = mode & 0o707 | (mode & 0o007) << 3;
-    }
-    file.set_permissions(Permissions::from_mode(mode))
-}
-
-#[cfg(not(unix))]
-fn keep_owner_and_permissions(file: &File, old: &fs::Metadata) -> io::Result<()> {
-    file.set_permissions(old.permissions())
-}
-
-/// Removes what programs that were killed in the middle of a write have left in a folder, once it is a day old.
-pub fn remove_abandoned(folder: &Path) {
-    const OLD: Duration = Duration::from_secs(24 * 60 * 60);
-    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
-        let name = entry.file_name();
-        let is_ours = name.to_str().is_some_and(|name| name.starts_with(PREFIX) && name.ends_with(SUFFIX));
-        let modified = || entry.metadata().and_then(|data| data.modified()).ok();
-        if is_ours && modified().is_some_and(|modified| clock::age(modified) > OLD) {
-            // What cannot be removed does no harm.
-            let _ = fs::remove_file(entry.path());
-        }
-    }
-}
-
-/// What a new file is created with; the system's mask takes away from it.
-fn new_file_permissions() -> Option<Permissions> {
-    #[cfg(unix)]
-    return Some(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    #[cfg(not(unix))]
-    None
-}
-
-/// A file in [`UNFINISHED`] for as long as this lives.
-struct Unfinished(PathBuf);
-
-impl Unfinished {
-    fn new(path: &Path) -> Self {
-        UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner).insert(path.to_owned());
-        Self(path.to_owned())
-    }
-}
-
-impl Drop for Unfinished {
-    fn drop(&mut self) {
-        UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner).remove(&self.0);
-    }
+    let mut set = FileSet::default();
+    set.add(path, bytes)?;
+    set.commit()
 }
 
 #[cfg(test)]
 mod tests {
+    use std::fs::{self, Permissions};
+    use std::time::Duration;
+
+    use super::super::outputs::remove_abandoned;
     use super::*;
 
     fn names(folder: &Path) -> Vec<String> {
@@ -329,11 +185,16 @@ mod tests {
     fn what_was_abandoned_is_removed_once_it_is_old() {
         let folder = tempfile::tempdir().unwrap();
         let old = std::time::SystemTime::UNIX_EPOCH + Duration::from_secs(1_000_000_000);
+        let mut held = Vec::new();
         for (name, is_old) in [(".chiaro-a.tmp", true), (".chiaro-b.tmp", false), ("mine.tmp", true), ("a.json", true)]
         {
             let file = File::create(folder.path().join(name)).unwrap();
             if is_old {
                 file.set_modified(old).unwrap();
+            } else {
+                // As the program has it that still writes here.
+                file.try_lock().unwrap();
+                held.push(file);
             }
         }
         remove_abandoned(folder.path());

@@ -12,7 +12,7 @@ use super::super::still::Still;
 use super::super::worker::Worker;
 use crate::compile::Live;
 use crate::diag::Diagnostic;
-use crate::document::{Projection, write_atomic};
+use crate::document::{OutputKind, Outputs, Projection};
 use crate::frame::{Assets, Picture, PlanOptions, Planner};
 use crate::render::{Gpu, Renderer, block_on};
 
@@ -110,7 +110,10 @@ fn run(job: Job, drawer: Option<&mut Drawer>) -> Result<Done, Diagnostic> {
             let picture = drawer.draw(export, *still)?;
             match to {
                 Destination::File(path) => {
-                    write_atomic(&path, &picture.to_png()?).map_err(|problem| *problem)?;
+                    // The dialog has asked about what is there; but the picture must not take what it is made of.
+                    let mut outputs = Outputs::new(true);
+                    drawer.assets.files().for_each(|path| outputs.reads(path));
+                    outputs.write(&path, OutputKind::PICTURE, &picture.to_png()?)?;
                     Ok(Done::Saved(path))
                 }
                 Destination::Clipboard => {

@@ -16,7 +16,7 @@ use std::path::Path;
 use crate::accuracy::Progress;
 use crate::catalog::Catalog;
 use crate::diag::Diagnostic;
-use crate::document::write_atomic;
+use crate::document::{OutputKind, Outputs};
 use crate::files::{self, ReadError};
 use crate::ids::make_slug;
 use crate::library::Library;
@@ -54,22 +54,31 @@ pub struct Made {
 /// What a page says of its maker, by which it is known again.
 const GENERATOR: &str = "<meta name=\"generator\" content=\"Chiaro\">";
 
+/// A page.
+const PAGE: OutputKind<'static> = OutputKind { name: "a page of a gallery", is_own: &is_page, has_seal: false };
+
+fn is_page(bytes: &[u8]) -> bool {
+    String::from_utf8_lossy(bytes).contains(GENERATOR)
+}
+
 /// Writes a gallery into `folder`, which is made where there is none. `library_for` finds the nodes that a document may
-/// use. A document that cannot be shown is left out and told of.
+/// use. A document that cannot be shown is left out and told of. A page comes with its pictures, all at once.
 ///
 /// # Errors
-/// Where nothing can be written there, or a page of somebody else lies in the way, or `progress` stopped it: the pages
+/// Where nothing can be written there, or a file of somebody else lies in the way, or `progress` stopped it: the pages
 /// that are done stay.
 pub fn build(
     list: &List,
     folder: &Path,
+    outputs: &mut Outputs,
     gpu: &Gpu,
     library_for: &dyn Fn(&Path) -> Library,
     options: &Options,
     progress: &mut Progress<'_>,
 ) -> Result<Made, Vec<Diagnostic>> {
-    check_folder(folder)?;
-    let write = |name: &str, bytes: &[u8]| write_atomic(&folder.join(name), bytes).map_err(|problem| vec![*problem]);
+    check(list, folder, outputs)?;
+    make_folder(folder)?;
+    let one = |problem| vec![problem];
     let mut made = Made::default();
     let mut index = page::Index::new(list);
     let slugs = slugs(list);
@@ -87,12 +96,18 @@ pub fn build(
                 Ok((entry, warnings)) => {
                     made.problems.extend(warnings);
                     let mut catalog = Catalog::new(&library);
-                    write(&format!("{slug}.png"), &entry.png)?;
+                    let page = folder.join(format!("{slug}.html"));
+                    let is_picture = |bytes: &[u8]| is_picture(bytes, &page);
+                    let picture = OutputKind { is_own: &is_picture, ..OutputKind::PICTURE };
+                    outputs.add(&folder.join(format!("{slug}.png")), picture, &entry.png).map_err(one)?;
                     for (place, look) in entry.looks.iter().enumerate() {
                         catalog.sync(look, &library);
-                        write(&page::graph_file(slug, place), page::graph(look, &catalog).as_bytes())?;
+                        let (file, graph) = (page::graph_file(slug, place), page::graph(look, &catalog));
+                        outputs.add(&folder.join(file), OutputKind::DRAWING, graph.as_bytes()).map_err(one)?;
                     }
-                    write(&format!("{slug}.html"), page::entry(&entry, slug, list, options).as_bytes())?;
+                    let html = page::entry(&entry, slug, list, options);
+                    outputs.add(&page, PAGE, html.as_bytes()).map_err(one)?;
+                    outputs.commit().map_err(one)?;
                     index.entry(&entry, slug);
                     made.pages += 1;
                 }
@@ -109,8 +124,12 @@ pub fn build(
         }
     }
     if made.pages > 0 {
-        write("style.css", page::STYLE.as_bytes())?;
-        write("index.html", index.finish().as_bytes())?;
+        let index_page = folder.join("index.html");
+        let is_style = |bytes: &[u8]| is_style(bytes, &index_page);
+        let style = OutputKind { name: "the style of a gallery", is_own: &is_style, has_seal: false };
+        outputs.add(&folder.join("style.css"), style, page::STYLE.as_bytes()).map_err(one)?;
+        outputs.add(&index_page, PAGE, index.finish().as_bytes()).map_err(one)?;
+        outputs.commit().map_err(one)?;
     }
     Ok(made)
 }
@@ -128,19 +147,53 @@ fn slugs(list: &List) -> Vec<String> {
     all.map(slug).collect()
 }
 
-/// Makes the folder, and refuses one whose page is not a gallery of ours.
-fn check_folder(folder: &Path) -> Result<(), Vec<Diagnostic>> {
-    let at = |problem: Diagnostic| vec![problem.in_file(folder.display().to_string())];
-    std::fs::create_dir_all(folder)
-        .map_err(|error| at(Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"))))?;
-    let page = folder.join("index.html");
-    match files::read(&page, MAX_PAGE_BYTES) {
-        Err(ReadError::Io(_)) => Ok(()),
-        Ok(bytes) if String::from_utf8_lossy(&bytes).contains(GENERATOR) => Ok(()),
-        // Also what is too large to be a page of ours, or no file at all.
-        _ => {
-            let problem = Diagnostic::error("in-the-way", "its index.html is not a gallery of Chiaro");
-            Err(at(problem.hint("choose an empty folder with -o")))
-        }
+fn make_folder(folder: &Path) -> Result<(), Vec<Diagnostic>> {
+    std::fs::create_dir_all(folder).map_err(|error| {
+        let problem = Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
+        vec![problem.in_file(folder.display().to_string())]
+    })
+}
+
+/// Whether a gallery may be written into a folder, asked before anything is drawn. A page that is not ours stands for a
+/// folder that is not.
+///
+/// # Errors
+/// As [`Outputs::check`], and where `index.html` is somebody else's.
+pub fn check(list: &List, folder: &Path, outputs: &Outputs) -> Result<(), Vec<Diagnostic>> {
+    let one = |problem| vec![problem];
+    let index = folder.join("index.html");
+    let is_others = match files::read(&index, MAX_PAGE_BYTES) {
+        Err(ReadError::Io(_)) => false,
+        Ok(bytes) => !is_page(&bytes),
+        // What is too large to be a page of ours, or no file at all.
+        Err(_) => true,
+    };
+    if is_others {
+        let problem = Diagnostic::error("in-the-way", "its index.html is not a gallery of Chiaro");
+        return Err(vec![problem.in_file(folder.display().to_string()).hint("choose an empty folder with -o")]);
     }
+    outputs.check(&index, PAGE).map_err(one)?;
+    let is_style = |bytes: &[u8]| is_style(bytes, &index);
+    let style = OutputKind { name: "the style of a gallery", is_own: &is_style, has_seal: false };
+    outputs.check(&folder.join("style.css"), style).map_err(one)?;
+    for slug in slugs(list) {
+        let page = folder.join(format!("{slug}.html"));
+        let is_picture = |bytes: &[u8]| is_picture(bytes, &page);
+        let picture = OutputKind { is_own: &is_picture, ..OutputKind::PICTURE };
+        outputs.check(&page, PAGE).map_err(one)?;
+        outputs.check(&folder.join(format!("{slug}.png")), picture).map_err(one)?;
+        outputs.check(&folder.join(page::graph_file(&slug, 0)), OutputKind::DRAWING).map_err(one)?;
+    }
+    Ok(())
+}
+
+/// Whether a picture is ours: it says so itself, or a page of ours shows it.
+fn is_picture(bytes: &[u8], page: &Path) -> bool {
+    let is_shown = || files::read(page, MAX_PAGE_BYTES).is_ok_and(|page| is_page(&page));
+    (OutputKind::PICTURE.is_own)(bytes) || is_shown()
+}
+
+/// Whether a style is ours: it is as we write it, or lies beside a page of ours.
+fn is_style(bytes: &[u8], index: &Path) -> bool {
+    bytes == page::STYLE.as_bytes() || files::read(index, MAX_PAGE_BYTES).is_ok_and(|page| is_page(&page))
 }

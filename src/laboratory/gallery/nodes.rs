@@ -1,12 +1,12 @@
 //! Pictures of nodes, for their documentation: the node as the canvas draws it, and what it gives on a sphere.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::sample;
 use crate::accuracy::Progress;
 use crate::catalog::{CUSTOM_KIND, Catalog};
 use crate::diag::Diagnostic;
-use crate::document::write_atomic;
+use crate::document::{OutputKind, Outputs};
 use crate::drawing::node_svg;
 use crate::frame::Picture;
 use crate::library::Library;
@@ -52,26 +52,53 @@ pub fn draw_nodes(
     Ok(())
 }
 
-/// Writes `KIND.svg` and `KIND.png` of every kind into `folder`, which is made where there is none.
+/// Whether pictures of every kind may be written into `folder`, asked before they are drawn.
 ///
 /// # Errors
-/// As [`draw_nodes`], and where nothing can be written.
+/// As [`Outputs::check`].
+pub fn check_nodes(library: &Library, folder: &Path, outputs: &Outputs) -> Result<(), Diagnostic> {
+    let catalog = Catalog::new(library);
+    catalog.all().filter(|kind| kind.id != CUSTOM_KIND).try_for_each(|kind| {
+        let [svg, png] = files_of(folder, &kind.id);
+        outputs.check(&svg, OutputKind::DRAWING)?;
+        outputs.check(&png, OutputKind { is_own: &|bytes| is_picture(bytes, &svg), ..OutputKind::PICTURE })
+    })
+}
+
+/// Writes `KIND.svg` and `KIND.png` of every kind into `folder`, which is made where there is none; the two of a kind
+/// together.
+///
+/// # Errors
+/// As [`draw_nodes`], and where nothing can be written, or files of others are in the way.
 pub fn write_nodes(
     library: &Library,
     folder: &Path,
     gpu: &Gpu,
+    outputs: &mut Outputs,
     progress: &mut Progress<'_>,
 ) -> Result<(), Vec<Diagnostic>> {
     std::fs::create_dir_all(folder).map_err(|error| {
         let problem = Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
         vec![problem.in_file(folder.display().to_string())]
     })?;
-    let write = |name: String, bytes: &[u8]| write_atomic(&folder.join(name), bytes).map_err(|problem| *problem);
     draw_nodes(library, gpu, progress, &mut |node| {
-        write(format!("{}.svg", node.kind), node.svg.as_bytes())?;
-        match &node.picture {
-            Some(picture) => write(format!("{}.png", node.kind), &picture.to_png()?),
-            None => Ok(()),
+        let [svg, png] = files_of(folder, &node.kind);
+        if let Some(picture) = &node.picture {
+            let kind = OutputKind { is_own: &|bytes| is_picture(bytes, &svg), ..OutputKind::PICTURE };
+            outputs.add(&png, kind, &picture.to_png()?)?;
         }
+        outputs.add(&svg, OutputKind::DRAWING, node.svg.as_bytes())?;
+        outputs.commit()
     })
+}
+
+/// The drawing and the picture of a kind.
+fn files_of(folder: &Path, kind: &str) -> [PathBuf; 2] {
+    ["svg", "png"].map(|ending| folder.join(format!("{kind}.{ending}")))
+}
+
+/// Whether a picture is one that lies beside our drawing of the same kind.
+fn is_picture(bytes: &[u8], drawing: &Path) -> bool {
+    let is_drawing = || std::fs::read(drawing).is_ok_and(|svg| (OutputKind::DRAWING.is_own)(&svg));
+    (OutputKind::PICTURE.is_own)(bytes) || is_drawing()
 }

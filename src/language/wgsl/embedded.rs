@@ -4,7 +4,7 @@ include!(concat!(env!("OUT_DIR"), "/embedded.rs"));
 
 /// The nodes that Chiaro ships, which a crate above this one carries: their paths and texts.
 #[cfg(test)]
-pub(crate) fn shipped_nodes() -> Vec<(String, String)> {
+pub fn shipped_nodes() -> Vec<(String, String)> {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../nodes");
     let mut nodes = Vec::new();
     for category in std::fs::read_dir(root).unwrap() {

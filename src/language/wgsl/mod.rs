@@ -19,7 +19,7 @@ mod validate;
 pub use bounds::{MAX_BRANCHES, MAX_CODE_BYTES, MAX_DECLARATIONS, MAX_OPERATORS, MAX_STATEMENTS, beyond_bounds};
 pub use depth::depth_of_entry_points;
 #[cfg(test)]
-pub(crate) use embedded::shipped_nodes;
+pub use embedded::shipped_nodes;
 pub use embedded::{PASSES, SHADER_LIBRARY};
 pub use link::{Linked, Source, link};
 pub use loops::{BoundedLoops, CountedLoop, MAX_CALL_ROUNDS, MAX_ROUNDS, bound_loops};

@@ -6,46 +6,81 @@ use serde_json::Value;
 
 use super::File;
 use crate::diag::Diagnostic;
-use crate::document::{read_text, write_atomic};
+use crate::document::{OutputKind, Outputs, read_text};
 
-/// The file in `folder` that an export must not write over: the look itself, or any other JSON file in the place of the
-/// description that no export has written. `None` where nothing is in the way.
-pub fn in_the_way(files: &[File], folder: &Path, look: Option<&Path>) -> Option<PathBuf> {
-    let own = look.and_then(|look| std::fs::canonicalize(look).ok());
-    files.iter().map(|file| folder.join(&file.name)).find(|path| {
-        let is_own = own.is_some() && std::fs::canonicalize(path).ok() == own;
-        is_own || path.extension().is_some_and(|ending| ending == "json") && path.exists() && !is_description(path)
-    })
+/// The first file in `folder` that an export must not write over: what the export reads, or what no export has written.
+/// `None` where nothing is in the way.
+pub fn in_the_way(files: &[File], folder: &Path, outputs: &Outputs) -> Option<PathBuf> {
+    check(files, folder, outputs).err().and_then(|problem| problem.place.file).map(PathBuf::from)
 }
+
+/// Whether an export's files may be written into a folder.
+///
+/// # Errors
+/// As [`Outputs::check`], for the first that may not.
+fn check(files: &[File], folder: &Path, outputs: &Outputs) -> Result<(), Diagnostic> {
+    let earlier = Earlier::of(files, folder);
+    files.iter().try_for_each(|file| earlier.with_kind(file, |kind| outputs.check(&folder.join(&file.name), kind)))
+}
+
+/// What the descriptions of an earlier export in a folder say.
+struct Earlier(Vec<String>);
+
+impl Earlier {
+    fn of(files: &[File], folder: &Path) -> Self {
+        let descriptions = files.iter().map(|file| folder.join(&file.name)).filter(|path| is_description(path));
+        Self(descriptions.filter_map(|path| read_text(&path).ok()).collect())
+    }
+
+    /// Hands on what a file is. An earlier one is known by the comment that it begins with; what has no comments, by the
+    /// description that names it.
+    fn with_kind<T>(&self, file: &File, then: impl FnOnce(OutputKind<'_>) -> T) -> T {
+        let quoted = serde_json::Value::from(file.name.as_str()).to_string();
+        let is_description_file = file.name.ends_with(".json");
+        let is_own = |bytes: &[u8]| {
+            let text = String::from_utf8_lossy(&bytes[..bytes.len().min(HEAD)]);
+            let has_header = text.lines().take(10).any(|line| line.contains(": made by Chiaro "));
+            let is_named = || self.0.iter().any(|description| description.contains(&quoted));
+            if is_description_file { describes(bytes) } else { has_header || is_named() }
+        };
+        then(OutputKind { name: "a file of an export", is_own: &is_own, has_seal: false })
+    }
+}
+
+/// As much of a file, in bytes, is looked through for the comment at its beginning.
+const HEAD: usize = 4096;
 
 /// Whether a file is a description that an export wrote, so that the next one may take its place.
 fn is_description(path: &Path) -> bool {
-    let Ok(Value::Object(members)) = read_text(path).map_or(Ok(Value::Null), |text| serde_json::from_str(&text)) else {
-        return false;
-    };
+    path.extension().is_some_and(|ending| ending == "json")
+        && read_text(path).is_ok_and(|text| describes(text.as_bytes()))
+}
+
+fn describes(text: &[u8]) -> bool {
+    let Ok(Value::Object(members)) = serde_json::from_slice(text) else { return false };
     ["chiaro", "format", "passes", "modules", "languages"].iter().all(|name| members.contains_key(*name))
 }
 
-/// Writes every file into a folder, which is made where there is none; or none, where one of them would take the place
-/// of a document. Returns where they are, in the same order.
+/// Writes every file into a folder, which is made where there is none; or none, where one of them would take the place of
+/// what somebody made. All come at once, the description last. Returns where they are, in the order of `files`.
 ///
 /// # Errors
 /// What is in the way, or why a file cannot be written.
-pub fn write(files: &[File], folder: &Path, look: Option<&Path>) -> Result<Vec<PathBuf>, Vec<Diagnostic>> {
+pub fn write(files: &[File], folder: &Path, outputs: &mut Outputs) -> Result<Vec<PathBuf>, Vec<Diagnostic>> {
     if let Err(error) = std::fs::create_dir_all(folder) {
         let problem = Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
         return Err(vec![problem.in_file(folder.display().to_string()).hint("choose another folder")]);
     }
-    if let Some(path) = in_the_way(files, folder, look) {
-        let message = "the export's description would replace this file, which no export has written";
-        let problem = Diagnostic::error("would-overwrite", message);
-        return Err(vec![problem.in_file(path.display().to_string()).hint("choose another folder")]);
+    let one = |problem: Diagnostic| vec![problem];
+    check(files, folder, outputs).map_err(one)?;
+    let earlier = Earlier::of(files, folder);
+    let (last, first): (Vec<_>, Vec<_>) = files.iter().partition(|file| file.name.ends_with(".json"));
+    for file in first.into_iter().chain(last) {
+        let path = folder.join(&file.name);
+        earlier.with_kind(file, |kind| outputs.add(&path, kind, &file.bytes)).map_err(one)?;
     }
-    let paths: Vec<PathBuf> = files.iter().map(|file| folder.join(&file.name)).collect();
-    for (file, path) in files.iter().zip(&paths) {
-        write_atomic(path, &file.bytes).map_err(|problem| vec![*problem])?;
-    }
-    Ok(paths)
+    outputs.commit().map_err(one)?;
+    Ok(files.iter().map(|file| folder.join(&file.name)).collect())
 }
 
 #[cfg(test)]
@@ -57,20 +92,53 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let description =
             r#"{"look": "Rim", "chiaro": "1", "format": 1, "passes": [], "modules": [], "languages": {}}"#;
-        let files = [File::text("rim.wgsl".into(), "//".into()), File::text("rim.json".into(), description.into())];
+        let files = [File::text("rim.wgsl".into(), SHADER.into()), File::text("rim.json".into(), description.into())];
         let inner = folder.path().join("made/too");
         for _ in 0..2 {
-            let written = write(&files, &inner, None).unwrap();
+            let written = write(&files, &inner, &mut Outputs::new(false)).unwrap();
             assert_eq!(written, [inner.join("rim.wgsl"), inner.join("rim.json")], "an export may be repeated");
         }
         let path = folder.path().join("rim.json");
         for text in ["{\"nodes\": []}", "not JSON", "[]", "null"] {
             std::fs::write(&path, text).unwrap();
-            let problems = write(&files, folder.path(), Some(&path)).unwrap_err();
+            let mut own = Outputs::new(true);
+            own.reads(&path);
+            let problems = write(&files, folder.path(), &mut own).unwrap_err();
             assert_eq!(problems[0].code, "would-overwrite");
-            assert_eq!(write(&files, folder.path(), None).unwrap_err().len(), 1, "whoever's it is");
+            let nobodys = &mut Outputs::new(false);
+            assert_eq!(write(&files, folder.path(), nobodys).unwrap_err().len(), 1, "whoever's it is");
             assert_eq!(std::fs::read_to_string(&path).unwrap(), text);
             assert!(!folder.path().join("rim.wgsl").exists(), "all or nothing");
         }
+    }
+
+    const SHADER: &str = "// Rim: made by Chiaro 0.1.0, WGSL.\n";
+
+    #[test]
+    fn a_shader_that_somebody_wrote_is_not_written_over() {
+        let folder = tempfile::tempdir().unwrap();
+        let description =
+            r#"{"chiaro": "1", "format": 1, "passes": [], "modules": [{"file": "rim.spv"}], "languages": {}}"#;
+        let files = [
+            File::text("rim.wgsl".into(), SHADER.into()),
+            File { name: "rim.spv".into(), bytes: vec![3, 2, 35, 7] },
+            File::text("rim.json".into(), description.into()),
+        ];
+        let path = |name: &str| folder.path().join(name);
+        for name in ["rim.wgsl", "rim.spv"] {
+            std::fs::write(path(name), "fn mine() {}").unwrap();
+            let problems = write(&files, folder.path(), &mut Outputs::new(false)).unwrap_err();
+            assert_eq!(problems[0].code, "file-exists", "{problems:?}");
+            assert_eq!(in_the_way(&files, folder.path(), &Outputs::new(false)), Some(path(name)));
+            assert_eq!(std::fs::read_to_string(path(name)).unwrap(), "fn mine() {}");
+            assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1, "all or nothing");
+            std::fs::remove_file(path(name)).unwrap();
+        }
+        write(&files, folder.path(), &mut Outputs::new(false)).unwrap();
+        // Another version of Chiaro writes another text, and other words of SPIR-V: the description names them.
+        std::fs::write(path("rim.wgsl"), "// Rim: made by Chiaro 0.0.9, WGSL.\n").unwrap();
+        std::fs::write(path("rim.spv"), [3, 2, 35, 8]).unwrap();
+        write(&files, folder.path(), &mut Outputs::new(false)).unwrap();
+        assert_eq!(std::fs::read(path("rim.spv")).unwrap(), [3, 2, 35, 7]);
     }
 }

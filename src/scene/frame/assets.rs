@@ -223,6 +223,13 @@ impl Assets {
         Ok((value, imported.notes))
     }
 
+    /// Every file that was read: meshes, images and HCBTFs.
+    pub fn files(&self) -> impl Iterator<Item = &Path> {
+        let meshes = self.meshes.keys().filter(|name| !name.starts_with(SHAPE_PREFIX)).map(Path::new);
+        let images = self.images.keys().map(PathBuf::as_path);
+        meshes.chain(images).chain(self.hcbtfs.keys().map(|(path, _)| path.as_path()))
+    }
+
     fn shape(&mut self, name: &str) -> Result<Arc<Mesh>, Vec<Diagnostic>> {
         let key = format!("{SHAPE_PREFIX}{name}");
         if let Some(kept) = self.meshes.get(&key) {

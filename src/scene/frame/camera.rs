@@ -5,6 +5,12 @@ use glam::{DMat3, DMat4, DVec3, DVec4};
 use crate::compile::Uniform;
 use crate::document::{Camera, Projection};
 
+/// The near plane of a view with perspective, as a share of the far one: nearer costs depth, which is an f32, its steps far
+/// away.
+const NEAREST: f64 = 1e-3;
+/// The same where a surface is as near: beyond, the f32 of a vertex shader cannot tell on which side of the eye it lies.
+const LEAST_NEAREST: f64 = 1e-6;
+
 /// A camera resolved for one picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
@@ -44,7 +50,7 @@ impl View {
         let widening = camera.widening(aspect);
         let (projection, is_perspective, view_height) = match camera.projection {
             Projection::Perspective => {
-                let near = (distance - reach).max(far * 1e-3);
+                let near = (distance - reach).max(far * NEAREST);
                 // Documents keep this range; whoever makes a camera otherwise gets the nearest that can be drawn.
                 let fov = camera.fov.clamp(Camera::FOV[0], Camera::FOV[1]);
                 let fov = widened(fov, widening);
@@ -58,6 +64,31 @@ impl View {
         };
         let clip_from_world = projection * camera_from_world;
         Self { clip_from_world, camera_from_world, eye, backward, is_perspective, viewport, view_height }
+    }
+
+    /// How far from the eye a surface must be to be whole, in scene units: what is nearer may lie before the near plane,
+    /// in a corner of the picture first. 0 without perspective, where nothing does.
+    pub(super) fn least_distance(&self) -> f64 {
+        if self.is_perspective { self.distance(0.0) / self.corner_cosine() } else { 0.0 }
+    }
+
+    /// The same with the near plane before a surface that is so near the eye, in scene units. What is far away has a
+    /// coarser depth then, so the plane stays where it is as long as nothing is cut.
+    pub(super) fn with_surface_at(self, distance: Option<f64>) -> Self {
+        let Some(distance) = distance.filter(|distance| *distance < self.least_distance()) else { return self };
+        let (near, far) = (self.distance(0.0), self.distance(1.0));
+        let near = (0.5 * distance * self.corner_cosine()).clamp(far * LEAST_NEAREST, near);
+        let [width, height] = self.viewport.map(|side| f64::from(side.max(1)));
+        let fov = 2.0 * (0.5 * self.view_height).atan();
+        let clip_from_world = perspective(fov, width / height, near, far) * self.camera_from_world;
+        Self { clip_from_world, ..self }
+    }
+
+    /// The cosine between the line of sight and a corner of the picture.
+    fn corner_cosine(&self) -> f64 {
+        let [width, height] = self.viewport.map(|side| f64::from(side.max(1)));
+        let half = 0.5 * self.view_height;
+        1.0 / (1.0 + half * half * (1.0 + (width / height).powi(2))).sqrt()
     }
 
     /// The size of a pixel in scene units: at depth 1 for perspective, at every depth for parallel projection.
@@ -208,6 +239,25 @@ mod tests {
             assert!((view.view_height / height - 1.0).abs() < 1e-12, "{fov}");
             assert!(view.clip_from_world.is_finite());
         }
+    }
+
+    #[test]
+    fn a_surface_before_the_near_plane_draws_it_in_and_moves_nothing() {
+        let camera = Camera { eye: [0.0, 0.0, 1.001], ..Camera::default() };
+        let view = View::new(&camera, [200, 100], DVec3::ZERO, 1.0);
+        let near = view.distance(0.0);
+        assert!(near > 0.001 && view.least_distance() > near);
+        assert_eq!(view.with_surface_at(None), view);
+        assert_eq!(view.with_surface_at(Some(2.0 * view.least_distance())), view);
+        for distance in [1e-3, 1e-5, 0.0] {
+            let moved = view.with_surface_at(Some(distance));
+            let [was, is] = [view, moved].map(|view| view.clip_from_world * DVec4::new(0.3, -0.2, 0.9, 1.0));
+            assert!((was.x - is.x).abs().max((was.y - is.y).abs()) < 1e-12 && was.w == is.w, "{was} {is}");
+            assert!((moved.distance(1.0) - view.distance(1.0)).abs() < 1e-6);
+            assert!(moved.distance(0.0) < distance.max(2.1e-6), "{distance}");
+        }
+        let parallel = Camera { projection: Projection::Orthographic, ..camera };
+        assert_eq!(View::new(&parallel, [200, 100], DVec3::ZERO, 1.0).least_distance(), 0.0);
     }
 
     #[test]

@@ -11,6 +11,7 @@ mod cost;
 mod effects;
 mod handover;
 mod keys;
+mod nearest;
 mod picture;
 mod place;
 mod plan;

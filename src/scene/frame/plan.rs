@@ -14,6 +14,7 @@ use super::camera::{View, object_uniform};
 use super::cost::{self, EffectCost};
 use super::effects::EffectKind;
 use super::keys::{Moment, ParamTable, Rig, Wires, structural_look};
+use super::nearest::nearest_surface;
 use super::setup::{Setup, SetupLook, SetupObject};
 use super::uvs::{self, Lack};
 use super::values::live_for_values;
@@ -305,6 +306,7 @@ impl Planner {
         let placed = self.bounds.place(&setup.objects);
         let (center, radius) = bounds(&placed);
         let view = View::new(&setup.scene.camera, options.size, center, radius);
+        let view = view.with_surface_at(nearest_surface(&setup.objects, &placed, view.eye, view.least_distance()));
         let mut dropped = Vec::new();
         let seen = self.seen(setup, &placed, &view, &mut dropped);
         let mut problems = Vec::new();
@@ -532,7 +534,7 @@ impl Planner {
                 object_id: number as f64,
             };
             let mut look_uniforms = HashMap::new();
-            let mut decided = Vec::new();
+            let (mut decided, mut cuts) = (Vec::new(), false);
             for (stage, shader) in std::iter::once((Stage::Draw, &shaders.draw))
                 .chain(stages.iter().map(|(_, s)| (*s, &shaders.normals[s])))
             {
@@ -546,6 +548,7 @@ impl Planner {
                         values.params.entry(id).or_insert(value);
                     }
                 }
+                cuts |= shader.cuts(&values.params);
                 let inputs = HostInputs {
                     params: &values.params,
                     lights: &values.lights,
@@ -580,7 +583,7 @@ impl Planner {
                 images: drawn,
                 normals_images,
                 // From within, a solid is seen from behind, and so it is through what a look cuts away.
-                two_sided: part.two_sided || shaders.draw.cuts || view.eye.distance(center) < object.radius(),
+                two_sided: part.two_sided || cuts || view.eye.distance(center) < object.radius(),
                 is_mirrored: object.world_from_object.determinant() < 0.0,
                 distance: view.backward.dot(view.eye - center),
             });

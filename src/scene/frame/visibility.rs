@@ -33,7 +33,7 @@ pub enum Cull {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Placed {
     /// Of its mesh, object space.
-    bounds: Bounds,
+    pub(super) bounds: Bounds,
     /// The middle of the box, world space.
     pub(super) center: DVec3,
     /// Of a sphere around the middle, scene units.

@@ -7,7 +7,7 @@ use super::fill::{Filled, NotFilled, Which};
 use super::layers::{LayerOptions, from_layers, stored};
 use super::{Progress, contact, folder, ktx2, read_bytes, sheet};
 use crate::diag::Diagnostic;
-use crate::document::{Grid, Hcbtf, Storage, write_atomic};
+use crate::document::{FileSet, Grid, Hcbtf, Storage, write_atomic};
 use crate::figures::{bytes, count};
 
 /// How samples lie in other programs' files.
@@ -152,20 +152,6 @@ pub fn in_the_way(form: Form, path: &Path) -> Vec<PathBuf> {
     }
 }
 
-/// Takes away what a folder holds of an earlier export, so that none of its images are taken for those of the next.
-///
-/// # Errors
-/// The first file that cannot be removed.
-pub fn clear_folder(path: &Path) -> Result<(), Vec<Diagnostic>> {
-    let mut old = folder::exported(path).into_iter();
-    old.try_for_each(|path| std::fs::remove_file(&path).map_err(|error| cannot_remove(&path, &error)))
-}
-
-fn cannot_remove(path: &Path, error: &std::io::Error) -> Vec<Diagnostic> {
-    let problem = Diagnostic::error("cannot-write", format!("the file cannot be removed: {error}"));
-    vec![problem.in_file(path.display().to_string()).hint("choose another folder")]
-}
-
 /// A problem that comes alone.
 #[expect(clippy::boxed_local, reason = "it is handed to map_err, of results whose errors are boxed")]
 fn alone(problem: Box<Diagnostic>) -> Vec<Diagnostic> {
@@ -192,17 +178,15 @@ fn export_texture(
     Ok(said)
 }
 
+/// All of a folder comes at once, its listing last, and what it holds of an earlier export goes: none of those images are
+/// taken for those of this one.
 fn export_folder(filled: &Filled, which: Which, path: &Path, progress: &Progress) -> Result<String, Vec<Diagnostic>> {
     if let Err(error) = std::fs::create_dir_all(path) {
         let problem = Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
         return Err(vec![problem.in_file(path.display().to_string()).hint("choose another one")]);
     }
     let (name, listing) = folder::listing(filled, which).map_err(alone)?;
-    let listing_path = path.join(name);
-    // It is there once all of the images are: beside others it would lie.
-    if listing_path.exists() {
-        std::fs::remove_file(&listing_path).map_err(|error| cannot_remove(&listing_path, &error))?;
-    }
+    let mut set = FileSet::default();
     progress.begin(filled.grid().sample_count());
     let mut written = 0;
     for image in folder::export(filled, which) {
@@ -210,11 +194,13 @@ fn export_folder(filled: &Filled, which: Which, path: &Path, progress: &Progress
             return Err(vec![NotFilled::Stopped.into()]);
         }
         let (name, png) = image.map_err(alone)?;
-        write_atomic(&path.join(name), &png).map_err(alone)?;
+        set.add(&path.join(name), &png).map_err(alone)?;
         written += 1;
         progress.add(1);
     }
-    write_atomic(&listing_path, listing.as_bytes()).map_err(alone)?;
+    set.add(&path.join(name), listing.as_bytes()).map_err(alone)?;
+    folder::exported(path).into_iter().for_each(|old| set.remove(old));
+    set.commit().map_err(alone)?;
     Ok(format!("{}, and {name}, which tells the grid and the rules", count(written, "image")))
 }
 

@@ -121,13 +121,15 @@ pub(in crate::document) static LIGHT: Shape = Shape {
             "half_distance",
             Number(POSITIVE),
             Json("0"),
-            "Point and spot lights: the distance at which half the intensity is left, in scene units; 0 for no fading.",
+            "Point and spot lights: the distance at which half the intensity is left, in scene units; 0 for no fading, \
+             and 1e-30 for less than that.",
         ),
         field(
             "range",
             Number(POSITIVE),
             Json("0"),
-            "Point and spot lights: the distance beyond which nothing is left, in scene units; 0 for no end.",
+            "Point and spot lights: the distance beyond which nothing is left, in scene units; 0 for no end, and \
+             1e-30 for less than that.",
         ),
     ],
 };

@@ -12,7 +12,7 @@ use super::search::Worst;
 use super::stability::StabilityMeasured;
 use super::{pictures, plot, stability};
 use crate::diag::Diagnostic;
-use crate::document::{Tier, write_atomic};
+use crate::document::{OutputKind, Outputs, Tier};
 
 /// What a survey came to.
 #[derive(Clone, Debug, Default, Serialize)]
@@ -158,22 +158,32 @@ impl AccuracyReport {
         groups
     }
 
-    /// Writes the document to `path`, and the plots into the folder of its stem beside it.
+    /// Whether the document may be written to `path`, and the plots beside it, asked before the hours of measuring.
     ///
     /// # Errors
-    /// What the disk refuses.
-    pub fn write(&self, path: &Path, command: &str) -> Result<(), Vec<Diagnostic>> {
-        let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    /// As [`Outputs::check`].
+    pub fn check(path: &Path, outputs: &Outputs) -> Result<(), Diagnostic> {
+        outputs.check(path, REPORT)?;
+        let folder = path.with_file_name(stem_of(path));
+        PLOTS.iter().try_for_each(|name| outputs.check(&folder.join(name), OutputKind::DRAWING))
+    }
+
+    /// Writes the document to `path`, and the plots into the folder of its stem beside it; all together, the document last.
+    ///
+    /// # Errors
+    /// What the disk refuses, and what is in the way.
+    pub fn write(&self, path: &Path, command: &str, outputs: &mut Outputs) -> Result<(), Vec<Diagnostic>> {
+        let stem = stem_of(path);
         let folder = path.with_file_name(&stem);
         let told =
             |error: std::io::Error| vec![Diagnostic::error("write-failed", format!("{}: {error}", folder.display()))];
         std::fs::create_dir_all(&folder).map_err(told)?;
-        let write = |path: &Path, text: &str| write_atomic(path, text.as_bytes()).map_err(|problem| vec![*problem]);
-        write(path, &self.markdown(command, &stem))?;
+        let one = |problem| vec![problem];
         for (name, svg) in self.plots() {
-            write(&folder.join(name), &svg)?;
+            outputs.add(&folder.join(name), OutputKind::DRAWING, svg.as_bytes()).map_err(one)?;
         }
-        Ok(())
+        outputs.add(path, REPORT, self.markdown(command, &stem).as_bytes()).map_err(one)?;
+        outputs.commit().map_err(one)
     }
 
     fn plots(&self) -> Vec<(&'static str, String)> {
@@ -206,16 +216,28 @@ impl AccuracyReport {
         let parts = [("largest", "#35618f"), ("RMS", "#4f8f5b"), ("at edges", "#b9b4a9")];
         let kinds = [("smooth", "#35618f"), ("terminators and cartoon edges", "#c0583f"), ("silhouettes", "#b9b4a9")];
         let all = [
-            ("nodes.svg", plot::svg("Largest error of each node", "relative to the output's range", &nodes, &tiers)),
-            ("looks.svg", plot::svg("Error of each look", "of a channel", &looks, &parts)),
-            (
-                "stability.svg",
-                plot::svg("Flicker of each look", "change of a channel beside the truth's", &stability, &kinds),
-            ),
+            (PLOTS[0], plot::svg("Largest error of each node", "relative to the output's range", &nodes, &tiers)),
+            (PLOTS[1], plot::svg("Error of each look", "of a channel", &looks, &parts)),
+            (PLOTS[2], plot::svg("Flicker of each look", "change of a channel beside the truth's", &stability, &kinds)),
         ];
-        let is_empty = |name: &str| name != "nodes.svg" && self.looks.is_empty();
+        let is_empty = |name: &str| name != PLOTS[0] && self.looks.is_empty();
         all.into_iter().filter(|(name, _)| !is_empty(name)).collect()
     }
+}
+
+/// The names of the plots, of nodes, looks and their stability.
+const PLOTS: [&str; 3] = ["nodes.svg", "looks.svg", "stability.svg"];
+
+/// The document.
+const REPORT: OutputKind<'static> = OutputKind {
+    name: "a report of accuracy",
+    is_own: &|text| text.starts_with(b"# Accuracy\n\n<!-- Written by `chiaro accuracy"),
+    has_seal: false,
+};
+
+/// What the folder of a document's plots is called.
+fn stem_of(path: &Path) -> String {
+    path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default()
 }
 
 fn exceptions_part(text: &mut String) {

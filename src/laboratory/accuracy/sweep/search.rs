@@ -12,7 +12,8 @@ use super::random::Random;
 use super::slot::{Numbers, relate};
 use crate::accuracy::Stopped;
 use crate::diag::Diagnostic;
-use crate::document::{read_text, write_atomic};
+use crate::document::{OutputKind, Outputs, read_text};
+use crate::library::Library;
 
 /// How many are kept from round to round.
 const PARENTS: usize = 6;
@@ -134,11 +135,27 @@ impl Worst {
     }
 }
 
-/// Writes worst inputs, a file a node, one input a line.
+/// A file of worst inputs.
+const WORST: OutputKind<'static> = OutputKind {
+    name: "a list of worst inputs",
+    is_own: &|text| serde_json::from_slice::<Vec<Worst>>(text).is_ok(),
+    has_seal: false,
+};
+
+/// Whether worst inputs of every node may be written into a folder, asked before they are searched for.
 ///
 /// # Errors
-/// What the disk refuses.
-pub fn write(folder: &Path, all: &[Worst]) -> Result<(), Vec<Diagnostic>> {
+/// As [`Outputs::check`].
+pub fn check(folder: &Path, library: &Library, outputs: &Outputs) -> Result<(), Diagnostic> {
+    let mut kinds = library.nodes.keys();
+    kinds.try_for_each(|kind| outputs.check(&folder.join(format!("{kind}.json")), WORST))
+}
+
+/// Writes worst inputs, a file a node, one input a line; all together.
+///
+/// # Errors
+/// What the disk refuses, and what is in the way.
+pub fn write(folder: &Path, all: &[Worst], outputs: &mut Outputs) -> Result<(), Vec<Diagnostic>> {
     let mut by_node: std::collections::BTreeMap<&str, Vec<&Worst>> = std::collections::BTreeMap::new();
     for worst in all {
         by_node.entry(&worst.case.node).or_default().push(worst);
@@ -149,9 +166,9 @@ pub fn write(folder: &Path, all: &[Worst]) -> Result<(), Vec<Diagnostic>> {
     for (node, inputs) in by_node {
         let lines: Vec<String> = inputs.iter().map(|worst| serde_json::json!(worst).to_string()).collect();
         let text = format!("[\n{}\n]\n", lines.join(",\n"));
-        write_atomic(&folder.join(format!("{node}.json")), text.as_bytes()).map_err(|problem| vec![*problem])?;
+        outputs.add(&folder.join(format!("{node}.json")), WORST, text.as_bytes()).map_err(|problem| vec![problem])?;
     }
-    Ok(())
+    outputs.commit().map_err(|problem| vec![problem])
 }
 
 /// Reads a file of worst inputs.

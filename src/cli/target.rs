@@ -1,0 +1,47 @@
+//! What commands write, as the command line names it.
+
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+
+use crate::diag::Diagnostic;
+use crate::document::{OutputKind, Outputs};
+use crate::frame::{Assets, Setup};
+
+/// A file or a folder that a command writes. Every argument that names one is of this type, and is written through
+/// [`Outputs`] alone; tests/outputs.rs finds them by it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OutputPath(PathBuf);
+
+impl From<OsString> for OutputPath {
+    fn from(text: OsString) -> Self {
+        Self(text.into())
+    }
+}
+
+impl AsRef<Path> for OutputPath {
+    fn as_ref(&self) -> &Path {
+        &self.0
+    }
+}
+
+/// The outputs of a command that reads these files and folders; what is no path, such as `shape:knot`, is no matter.
+pub(super) fn outputs<P: AsRef<Path>>(is_forced: bool, inputs: impl IntoIterator<Item = P>) -> Outputs {
+    let mut outputs = Outputs::new(is_forced);
+    inputs.into_iter().for_each(|path| outputs.reads(path.as_ref()));
+    outputs
+}
+
+/// Adds what was opened with a document: the looks and meshes of a scene, and images.
+pub(super) fn reads_all(outputs: &mut Outputs, document: &Path, setup: &Setup, assets: &Assets) {
+    let folder = document.parent().unwrap_or(Path::new(""));
+    for object in setup.scene.objects.values() {
+        let named = object.looks.values().chain([&object.mesh]);
+        named.for_each(|name| outputs.reads(&folder.join(name)));
+    }
+    assets.files().for_each(|path| outputs.reads(path));
+}
+
+/// Refuses to write over another document than the one that is changed, and over what is read.
+pub(super) fn check_document(outputs: &Outputs, written: Option<&OutputPath>) -> Result<(), Diagnostic> {
+    written.map_or(Ok(()), |path| outputs.check(path.as_ref(), OutputKind::DOCUMENT))
+}

@@ -1,0 +1,119 @@
+//! What files that commands write are, and by what an earlier one is known again.
+
+use flate2::Crc;
+
+/// What a file is that a command writes.
+#[derive(Clone, Copy)]
+pub struct OutputKind<'a> {
+    /// What people read, such as "a picture"; empty where no earlier output can be known.
+    pub name: &'a str,
+    /// Whether bytes are those of an earlier output of this kind, as Chiaro wrote it. Such a file is replaced unasked.
+    pub is_own: &'a dyn Fn(&[u8]) -> bool,
+    /// Whether files of this kind are PNGs that are written with a [seal](sealed).
+    pub has_seal: bool,
+}
+
+impl OutputKind<'_> {
+    /// What people work on: a look, a scene, an HCBTF, or what is exported to be painted on. It is never replaced unasked.
+    pub const DOCUMENT: OutputKind<'static> = OutputKind { name: "", is_own: &|_| false, has_seal: false };
+    /// A picture that was rendered.
+    pub const PICTURE: OutputKind<'static> = OutputKind { name: "a picture", is_own: &is_sealed, has_seal: true };
+    /// A drawing of a graph or a plot, as SVG.
+    pub const DRAWING: OutputKind<'static> = OutputKind { name: "a drawing", is_own: &is_drawing, has_seal: false };
+
+    pub(super) fn is_document(&self) -> bool {
+        self.name.is_empty()
+    }
+}
+
+const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
+/// Where the header of a PNG ends: the signature, and one chunk of 13 bytes.
+const AFTER_HEADER: usize = 8 + 12 + 13;
+/// What a seal says before its number.
+const SEAL: &[u8] = b"tEXtSoftware\0Chiaro ";
+/// A chunk's length and its checksum, the words, and the number in hexadecimal.
+const SEAL_BYTES: usize = 4 + SEAL.len() + 8 + 4;
+
+/// A PNG with a seal: the program that made it, which a PNG may say, and a checksum of all the rest. A picture that was
+/// painted on since does not match it, even if the painting program keeps the text. Other bytes are left as they are.
+pub(super) fn sealed(png: &[u8]) -> Vec<u8> {
+    if !png.starts_with(SIGNATURE) || png.len() < AFTER_HEADER || is_sealed(png) {
+        return png.to_vec();
+    }
+    let (head, rest) = png.split_at(AFTER_HEADER);
+    let words = [SEAL, format!("{:08x}", checksum(&[head, rest])).as_bytes()].concat();
+    let length = (words.len() as u32 - 4).to_be_bytes();
+    [head, &length, &words, &checksum(&[&words]).to_be_bytes(), rest].concat()
+}
+
+/// Whether a PNG is as Chiaro wrote it.
+fn is_sealed(png: &[u8]) -> bool {
+    let Some((head, rest)) = png.split_at_checked(AFTER_HEADER) else { return false };
+    let Some((seal, rest)) = rest.split_at_checked(SEAL_BYTES) else { return false };
+    let number = seal[4..].strip_prefix(SEAL).and_then(|rest| std::str::from_utf8(rest.get(..8)?).ok());
+    let number = number.and_then(|digits| u32::from_str_radix(digits, 16).ok());
+    head.starts_with(SIGNATURE) && number == Some(checksum(&[head, rest]))
+}
+
+/// The checksum that PNGs have.
+fn checksum(parts: &[&[u8]]) -> u32 {
+    let mut crc = Crc::new();
+    parts.iter().for_each(|part| crc.update(part));
+    crc.sum()
+}
+
+/// Whether a text is an SVG as Chiaro writes its graphs and plots: other programs begin in other ways, and one that was
+/// edited in such a program begins as that has it.
+fn is_drawing(bytes: &[u8]) -> bool {
+    const BEGINS: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"";
+    const FACES: [&str; 2] =
+        ["font-family=\"system-ui, sans-serif\" font-size=\"", "font-family=\"sans-serif\" font-size=\""];
+    let head = String::from_utf8_lossy(&bytes[..bytes.len().min(400)]);
+    let line = head.lines().next().unwrap_or_default();
+    line.starts_with(BEGINS) && line.ends_with('>') && FACES.iter().any(|face| line.contains(face))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn png() -> Vec<u8> {
+        use image::ImageEncoder as _;
+        let mut bytes = Vec::new();
+        let encoder = image::codecs::png::PngEncoder::new(&mut bytes);
+        encoder.write_image(&[7; 4 * 6], 3, 2, image::ExtendedColorType::Rgba8).unwrap();
+        bytes
+    }
+
+    #[test]
+    fn a_sealed_picture_is_the_same_picture_and_known_until_it_is_changed() {
+        let plain = png();
+        assert!(!is_sealed(&plain));
+        let mut with_seal = sealed(&plain);
+        assert!(is_sealed(&with_seal) && sealed(&with_seal) == with_seal);
+        let read = |bytes: &[u8]| image::load_from_memory(bytes).unwrap().to_rgba8();
+        assert_eq!(read(&with_seal), read(&plain));
+        for cut in 0..with_seal.len() {
+            assert!(!is_sealed(&with_seal[..cut]), "{cut}");
+        }
+        // The text is kept, as by programs that keep what they do not know, and the picture is another one.
+        let last = with_seal.len() - 20;
+        with_seal[last] ^= 1;
+        assert!(!is_sealed(&with_seal));
+        for other in [&b""[..], b"no PNG at all", SIGNATURE] {
+            assert_eq!(sealed(other), other);
+        }
+    }
+
+    #[test]
+    fn drawings_of_other_programs_are_not_ours() {
+        for other in [
+            "",
+            "{\"chiaro\": \"look\"}",
+            "<?xml version=\"1.0\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 1 1\" font-family=\"sans-serif\"/>",
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 1 1\"></svg>",
+        ] {
+            assert!(!is_drawing(other.as_bytes()), "{other}");
+        }
+    }
+}

@@ -1,0 +1,446 @@
+//! Files on their way into a folder: each is written under a temporary name beside its place, and all of a set then take
+//! their names one after another.
+//!
+//! # Whose temporary files these are
+//! A set has one lock file in each folder, `.chiaro-RANDOM.tmp`, which its program holds locked while it lives; what the
+//! set writes there is called `.chiaro-RANDOM-NUMBER.tmp`. The system lets go of the lock when the program ends, however it
+//! ends, so whoever can lock such a file knows that its program is gone, and removes what is left of the set. Process
+//! numbers would not tell: they are used again, and differ between containers that share a folder.
+
+use std::collections::{BTreeSet, HashSet};
+use std::fs::{self, File, OpenOptions, Permissions, TryLockError};
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use tempfile::NamedTempFile;
+
+use crate::clock;
+use crate::diag::Diagnostic;
+
+/// What the names of temporary files begin and end with.
+const PREFIX: &str = ".chiaro-";
+const SUFFIX: &str = ".tmp";
+
+/// How often a lock file is made anew that another program took for one left behind before it was locked.
+const TRIES: u32 = 16;
+
+/// What is half written by this program.
+struct Unfinished {
+    /// Temporary files.
+    files: BTreeSet<PathBuf>,
+    /// Whether the program ends: from then on nothing is begun and nothing takes its name.
+    is_ending: bool,
+}
+
+static UNFINISHED: Mutex<Unfinished> = Mutex::new(Unfinished { files: BTreeSet::new(), is_ending: false });
+
+fn unfinished() -> MutexGuard<'static, Unfinished> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes files that are half written, for a program that is about to end in the middle of its work (Ctrl-C). A set whose
+/// files are just taking their names has taken them all when this returns.
+pub fn remove_unfinished() {
+    let mut unfinished = unfinished();
+    unfinished.is_ending = true;
+    for path in std::mem::take(&mut unfinished.files) {
+        // It may be gone by now, which is what is wanted.
+        let _ = fs::remove_file(path);
+    }
+}
+
+fn ending() -> io::Error {
+    io::Error::new(io::ErrorKind::Interrupted, "the program is ending")
+}
+
+/// Files that are seen together or not at all, as far as a file system has it: until [`commit`](Self::commit) there are
+/// temporary files only, and a set that is dropped before leaves nothing. Between two names that are taken only the end of
+/// the machine or of the program by force can come; the file that describes the others is added last, for it is seen last.
+#[derive(Debug, Default)]
+pub struct FileSet {
+    folders: Vec<Folder>,
+    files: Vec<StagedFile>,
+    /// What goes when the set comes.
+    removed: Vec<PathBuf>,
+}
+
+/// A folder that files of a set lie in.
+#[derive(Debug)]
+struct Folder {
+    path: PathBuf,
+    /// The lock file, locked as long as this lives where the file system has locks.
+    lock: NamedTempFile,
+    /// How many files of the set were begun here.
+    count: u32,
+}
+
+/// A file under its temporary name.
+#[derive(Debug)]
+struct StagedFile {
+    temporary: PathBuf,
+    target: PathBuf,
+    /// The path that was asked for, for messages.
+    named: PathBuf,
+}
+
+impl FileSet {
+    /// Writes a file under a temporary name in the folder that `path` leads to. It will take the old file's permissions and,
+    /// as far as the system lets us, its owner and group. A link stays a link, and the file that it leads to is replaced, or
+    /// made where there is none.
+    ///
+    /// Not kept: other names of the same file (hard links), access lists, and extended attributes.
+    ///
+    /// # Errors
+    /// A diagnostic that names the file.
+    pub fn add(&mut self, path: &Path, bytes: &[u8]) -> Result<(), Box<Diagnostic>> {
+        self.try_add(path, bytes).map_err(|error| cannot_write(path, &error))
+    }
+
+    /// Takes a file away when the set comes, unless the set has one of that name.
+    pub fn remove(&mut self, path: PathBuf) {
+        self.removed.push(path);
+    }
+
+    /// Lets every file take its name, in the order in which they were added. When this returns, the disk has the files
+    /// and their names.
+    ///
+    /// # Errors
+    /// A diagnostic that names the file that could not; files of the set that replace none are then gone again.
+    pub fn commit(mut self) -> Result<(), Box<Diagnostic>> {
+        for file in &self.files {
+            check_place(&file.target).map_err(|error| cannot_write(&file.named, &error))?;
+        }
+        self.take_names()?;
+        for folder in &self.folders {
+            // New names are on the disk once the folder is. Not every system can do this, and the files are safe.
+            if let Ok(folder) = File::open(&folder.path) {
+                let _ = folder.sync_all();
+            }
+        }
+        Ok(())
+    }
+
+    fn try_add(&mut self, path: &Path, bytes: &[u8]) -> io::Result<()> {
+        let target = follow_links(path);
+        let old = check_place(&target)?;
+        let folder = match target.parent() {
+            Some(folder) if !folder.as_os_str().is_empty() => folder,
+            _ => Path::new("."),
+        };
+        let known = self.folders.iter().position(|known| known.path == folder);
+        let index = match known {
+            Some(index) => index,
+            None => {
+                self.folders.push(Folder::new(folder)?);
+                self.folders.len() - 1
+            }
+        };
+        let (temporary, mut file) = self.folders[index].create()?;
+        self.files.push(StagedFile { temporary, target, named: path.to_owned() });
+        file.write_all(bytes)?;
+        if let Some(old) = old {
+            keep_owner_and_permissions(&file, &old)?;
+        }
+        file.sync_all()
+    }
+
+    fn take_names(&mut self) -> Result<(), Box<Diagnostic>> {
+        let mut unfinished = unfinished();
+        if let Some(file) = self.files.first().filter(|_| unfinished.is_ending) {
+            return Err(cannot_write(&file.named, &ending()));
+        }
+        let kept: HashSet<&Path> = self.files.iter().map(|file| file.target.as_path()).collect();
+        for path in self.removed.iter().filter(|path| !kept.contains(follow_links(path).as_path())) {
+            match fs::remove_file(path) {
+                Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(cannot_write(path, &error)),
+                _ => {}
+            }
+        }
+        let mut made: Vec<&Path> = Vec::new();
+        for (count, file) in self.files.iter().enumerate() {
+            let is_new = !file.target.exists();
+            if let Err(error) = fs::rename(&file.temporary, &file.target) {
+                made.iter().for_each(|path| drop(fs::remove_file(path)));
+                let problem = cannot_write(&file.named, &error);
+                self.files.drain(..count);
+                return Err(problem);
+            }
+            unfinished.files.remove(&file.temporary);
+            if is_new {
+                made.push(&file.target);
+            }
+        }
+        self.files.clear();
+        Ok(())
+    }
+}
+
+impl Drop for FileSet {
+    fn drop(&mut self) {
+        let mut unfinished = unfinished();
+        for file in &self.files {
+            unfinished.files.remove(&file.temporary);
+            let _ = fs::remove_file(&file.temporary);
+        }
+        // The lock goes last: whoever finds files without one takes them for left behind.
+        for folder in &self.folders {
+            unfinished.files.remove(folder.lock.path());
+        }
+    }
+}
+
+impl Folder {
+    fn new(path: &Path) -> io::Result<Self> {
+        remove_abandoned(path);
+        for _ in 0..TRIES {
+            let mut unfinished = unfinished();
+            if unfinished.is_ending {
+                return Err(ending());
+            }
+            let mut builder = tempfile::Builder::new();
+            let lock = builder.prefix(PREFIX).suffix(SUFFIX).tempfile_in(path)?;
+            match lock.as_file().try_lock() {
+                // It was held by whoever looks for what was left behind, and is as good as gone.
+                Err(TryLockError::WouldBlock) => {}
+                Ok(()) if !lock.path().exists() => {}
+                // A file system without locks does without: there, age tells what was left behind.
+                Ok(()) | Err(TryLockError::Error(_)) => {
+                    unfinished.files.insert(lock.path().to_owned());
+                    return Ok(Self { path: path.to_owned(), lock, count: 0 });
+                }
+            }
+        }
+        Err(io::Error::other("temporary files in this folder vanish as soon as they are made"))
+    }
+
+    /// Begins a file.
+    fn create(&mut self) -> io::Result<(PathBuf, File)> {
+        let lock = self.lock.path().to_string_lossy();
+        let temporary = PathBuf::from(format!("{}-{}{SUFFIX}", lock.trim_end_matches(SUFFIX), self.count));
+        self.count += 1;
+        let mut unfinished = unfinished();
+        if unfinished.is_ending {
+            return Err(ending());
+        }
+        // As any other program would make it here: the system's mask takes away from its permissions.
+        let file = OpenOptions::new().write(true).create_new(true).open(&temporary)?;
+        unfinished.files.insert(temporary.clone());
+        Ok((temporary, file))
+    }
+}
+
+/// What is at a place that a file is to be written to. Refuses a folder and what may not be written.
+fn check_place(target: &Path) -> io::Result<Option<fs::Metadata>> {
+    let Ok(old) = fs::metadata(target) else { return Ok(None) };
+    if old.is_dir() {
+        return Err(io::Error::new(io::ErrorKind::IsADirectory, "this is a folder"));
+    }
+    if old.permissions().readonly() {
+        return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is read-only"));
+    }
+    Ok(Some(old))
+}
+
+fn cannot_write(path: &Path, error: &io::Error) -> Box<Diagnostic> {
+    let missing = path.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.exists());
+    let why = missing.map_or_else(|| reason(error), |folder| format!("there is no folder `{}`", folder.display()));
+    let hint = match error.kind() {
+        io::ErrorKind::NotFound => "make the folder first, or choose another place",
+        io::ErrorKind::PermissionDenied => "you may not write here: choose another place",
+        io::ErrorKind::StorageFull => "the disk is full: make room and save again",
+        io::ErrorKind::ReadOnlyFilesystem => "the disk is read-only: choose another place",
+        _ => "choose another place",
+    };
+    let state = if path.exists() { "; the old file is as it was" } else { "" };
+    let message = format!("cannot write the file: {why}{state}");
+    Box::new(Diagnostic::error("cannot-write", message).in_file(path.display().to_string()).hint(hint))
+}
+
+/// Why a write failed, without the name of the temporary file, which would tell nobody anything.
+fn reason(error: &io::Error) -> String {
+    let inner = error.get_ref().and_then(std::error::Error::source);
+    inner.map_or_else(|| error.to_string(), ToString::to_string)
+}
+
+/// Where a path leads, so that a link goes on to lead to the file; also where there is no file yet.
+fn follow_links(path: &Path) -> PathBuf {
+    /// As many as Linux follows.
+    const MOST: usize = 40;
+    if let Ok(target) = fs::canonicalize(path) {
+        return target;
+    }
+    let mut target = path.to_owned();
+    for _ in 0..MOST {
+        let Ok(next) = fs::read_link(&target) else { break };
+        target = target.parent().map_or(next.clone(), |folder| folder.join(next));
+    }
+    target
+}
+
+/// Gives a file the owner, group and permissions of another. A group that cannot be kept gets no more than everybody has.
+#[cfg(unix)]
+fn keep_owner_and_permissions(file: &File, old: &fs::Metadata) -> io::Result<()> {
+    use std::os::unix::fs::{MetadataExt, PermissionsExt, fchown};
+    let new = file.metadata()?;
+    let mut mode = old.mode() & 0o7777;
+    if new.uid() != old.uid() {
+        // Only an administrator may give files away; who can write a file may still save it.
+        let _ = fchown(file, Some(old.uid()), None);
+    }
+    if new.gid() != old.gid() && fchown(file, None, Some(old.gid())).is_err() {
+        mode = mode & 0o707 | (mode & 0o007) << 3;
+    }
+    file.set_permissions(Permissions::from_mode(mode))
+}
+
+#[cfg(not(unix))]
+fn keep_owner_and_permissions(file: &File, old: &fs::Metadata) -> io::Result<()> {
+    file.set_permissions(old.permissions())
+}
+
+/// Removes what programs that are gone have left in a folder in the middle of a write.
+pub fn remove_abandoned(folder: &Path) {
+    let mut sets: BTreeSet<String> = BTreeSet::new();
+    let mut files: Vec<(String, PathBuf)> = Vec::new();
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        let name = entry.file_name();
+        let Some(own) = name.to_str().and_then(|name| name.strip_prefix(PREFIX)?.strip_suffix(SUFFIX)) else {
+            continue;
+        };
+        let set = own.split_once('-').map_or(own, |(set, _)| set);
+        sets.insert(set.to_owned());
+        if set != own {
+            files.push((set.to_owned(), entry.path()));
+        }
+    }
+    for set in sets {
+        let lock = folder.join(format!("{PREFIX}{set}{SUFFIX}"));
+        let of_set: Vec<&Path> = files.iter().filter(|(of, _)| *of == set).map(|(_, path)| path.as_path()).collect();
+        let newest = of_set.last().copied().unwrap_or(&lock);
+        if_abandoned(&lock, newest, || {
+            // What cannot be removed does no harm. The lock goes last, while it is held.
+            for path in of_set.iter().chain([&lock.as_path()]) {
+                let _ = fs::remove_file(path);
+            }
+        });
+    }
+}
+
+/// Calls `remove` where the program whose lock this is has gone, and holds the lock meanwhile, against others that look for
+/// what was left behind. `file` is one of the set.
+fn if_abandoned(lock: &Path, file: &Path, remove: impl FnOnce()) {
+    // Opened for writing, because some file systems lock no other.
+    match OpenOptions::new().read(true).write(true).open(lock) {
+        Ok(held) => match held.try_lock() {
+            Ok(()) => remove(),
+            Err(TryLockError::Error(_)) if is_old(file) => remove(),
+            Err(_) => {}
+        },
+        // A program removes its lock after all else.
+        Err(error) if error.kind() == io::ErrorKind::NotFound => remove(),
+        Err(_) => {}
+    }
+}
+
+/// Whether nobody can be at work on a file any more that no lock tells of.
+fn is_old(path: &Path) -> bool {
+    const OLD: Duration = Duration::from_secs(24 * 60 * 60);
+    let modified = fs::metadata(path).and_then(|data| data.modified());
+    modified.is_ok_and(|modified| clock::age(modified) > OLD)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(folder: &Path) -> Vec<String> {
+        let entries = fs::read_dir(folder).unwrap();
+        let mut names: Vec<String> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn a_set_is_seen_as_a_whole_or_not_at_all() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        fs::write(path("old.txt"), "before").unwrap();
+        fs::write(path("stale.txt"), "before").unwrap();
+        let stage = || {
+            let mut set = FileSet::default();
+            for name in ["new.txt", "old.txt", "index.txt"] {
+                set.add(&path(name), b"after").unwrap();
+            }
+            set.remove(path("stale.txt"));
+            set.remove(path("old.txt"));
+            set
+        };
+        let set = stage();
+        let seen = names(folder.path());
+        assert_eq!(seen.iter().filter(|name| !name.starts_with(PREFIX)).collect::<Vec<_>>(), ["old.txt", "stale.txt"]);
+        assert_eq!(fs::read_to_string(path("old.txt")).unwrap(), "before");
+        drop(set);
+        assert_eq!(names(folder.path()), ["old.txt", "stale.txt"], "nothing is left of what was not committed");
+        stage().commit().unwrap();
+        assert_eq!(names(folder.path()), ["index.txt", "new.txt", "old.txt"]);
+        assert_eq!(fs::read_to_string(path("old.txt")).unwrap(), "after");
+        assert!(unfinished().files.iter().all(|file| !file.starts_with(folder.path())));
+    }
+
+    #[test]
+    fn a_set_that_one_place_refuses_changes_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        let mut set = FileSet::default();
+        set.add(&path("a.txt"), b"a").unwrap();
+        set.add(&path("b.txt"), b"b").unwrap();
+        // Somebody makes a folder of that name meanwhile.
+        fs::create_dir(path("b.txt")).unwrap();
+        let problem = set.commit().unwrap_err();
+        assert!(problem.code == "cannot-write" && problem.message.contains("folder"), "{problem}");
+        assert_eq!(names(folder.path()), ["b.txt"]);
+    }
+
+    #[test]
+    fn what_a_living_program_writes_stays_and_the_rest_goes() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        let mut living = FileSet::default();
+        living.add(&path("living.txt"), b"alive").unwrap();
+        let beside: Vec<String> = names(folder.path());
+        assert_eq!(beside.len(), 2, "a lock and a file");
+        // Of a program that was killed, and of one that was killed while it ended.
+        for name in [".chiaro-dead.tmp", ".chiaro-dead-0.tmp", ".chiaro-dead-1.tmp", ".chiaro-gone-7.tmp"] {
+            fs::write(path(name), "half").unwrap();
+        }
+        let mut other = FileSet::default();
+        other.add(&path("other.txt"), b"other").unwrap();
+        let left = names(folder.path());
+        assert!(!left.iter().any(|name| name.contains("dead") || name.contains("gone")), "{left:?}");
+        assert!(beside.iter().all(|name| left.contains(name)), "{left:?}");
+        other.commit().unwrap();
+        living.commit().unwrap();
+        assert_eq!(names(folder.path()), ["living.txt", "other.txt"]);
+        assert_eq!(fs::read_to_string(path("living.txt")).unwrap(), "alive");
+    }
+
+    #[test]
+    fn many_writers_of_one_folder_leave_each_other_alone() {
+        use rayon::prelude::*;
+        let folder = tempfile::tempdir().unwrap();
+        (0..200u32).into_par_iter().for_each(|number| {
+            let mut set = FileSet::default();
+            for part in ["a", "b"] {
+                set.add(&folder.path().join(format!("{part}{}", number % 20)), part.as_bytes()).unwrap();
+            }
+            set.commit().unwrap();
+        });
+        let left = names(folder.path());
+        assert_eq!(left.len(), 40, "{left:?}");
+        for name in left {
+            assert_eq!(fs::read_to_string(folder.path().join(&name)).unwrap(), name[..1]);
+        }
+    }
+}
