@@ -166,6 +166,7 @@ fn a_scenes_lights_are_edited_as_a_looks_are() {
     assert!(hand.app_mut().save_scene_as(&home.file("two.json")));
     let saved = Scene::read(&fs::read_to_string(home.file("two.json")).unwrap(), "two").value.unwrap();
     assert_eq!(saved.lights, scene(&hand).lights);
+    hand.bring(Role::Button, "More of Sun of the scene");
     hand.press("More of Sun of the scene");
     hand.press("Remove light");
     assert!(scene(&hand).lights.is_empty() && !hand.has("Of the scene"));

@@ -595,7 +595,9 @@ fn leave_interrupted(home: &Home, step: &str, path: &Path) {
 /// A look of the user's that was open once.
 fn opened_once(home: &Home) -> PathBuf {
     let path = home.file("a.json");
-    fs::write(&path, r#"{"name": "A", "nodes": [{"kind": "base"}, {"kind": "output"}]}"#).unwrap();
+    let nodes = r#"[{"kind": "base"}, {"kind": "output"}]"#;
+    let wires = r#"[{"from": "base", "to": "output.color"}]"#;
+    fs::write(&path, format!(r#"{{"name": "A", "nodes": {nodes}, "wires": {wires}}}"#)).unwrap();
     drop(home.window(Some(&path)));
     path
 }
