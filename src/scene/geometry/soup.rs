@@ -1,6 +1,8 @@
 //! What a file says, before it becomes a [`super::Mesh`]: points, and triangles whose corners name a point, a normal
 //! and a UV separately, as OBJ does. Every other format is a special case of that.
 
+use std::collections::HashMap;
+
 use glam::DVec3;
 
 use super::normals::place;
@@ -53,6 +55,8 @@ pub(super) struct Soup {
     /// By triangle, into `materials`.
     pub material_of: Vec<u32>,
     pub materials: Vec<Material>,
+    /// The indices of `materials`, by name, sides and the bits of the cutoff.
+    pub known_materials: HashMap<(String, Option<bool>, Option<u32>), u32>,
 }
 
 impl Soup {
@@ -63,11 +67,18 @@ impl Soup {
 
     /// The index of the material of that name, made if there is none.
     pub(super) fn material(&mut self, name: &str) -> u32 {
-        let known = self.materials.iter().position(|m| m.name == name);
-        known.unwrap_or_else(|| {
-            self.materials.push(Material::named(name));
-            self.materials.len() - 1
-        }) as u32
+        self.same_material(Material::named(name))
+    }
+
+    /// The index of the same material, added if there is none. A file may have as many as triangles.
+    pub(super) fn same_material(&mut self, material: Material) -> u32 {
+        let cutoff = material.alpha_cutoff.map(f32::to_bits);
+        let next = self.materials.len() as u32;
+        let index = *self.known_materials.entry((material.name.clone(), material.two_sided, cutoff)).or_insert(next);
+        if index == next {
+            self.materials.push(material);
+        }
+        index
     }
 }
 

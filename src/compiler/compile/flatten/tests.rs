@@ -94,9 +94,9 @@ fn what_lies_behind_an_input_is_walked_to_once() {
     assert!(matches!(flat.nodes[output].inputs[0], FlatInput::Param(_)), "the open input of the first group");
     // A row of reroutes, and as many nodes that all hang on its end.
     let reroutes = (0..3000).map(|i| format!(r#"{{"id": "r{i}", "kind": "reroute"}}"#));
-    let sines = (0..3000).map(|i| format!(r#"{{"id": "s{i}", "kind": "sin"}}"#));
+    let sines = (0..3000).map(|i| format!(r#"{{"id": "s{i}", "kind": "sine"}}"#));
     let row = (1..3000).map(|i| format!(r#"{{"from": "r{}", "to": "r{i}.value"}}"#, i - 1));
-    let hanging = (0..3000).map(|i| format!(r#"{{"from": "r2999", "to": "s{i}.x"}}"#));
+    let hanging = (0..3000).map(|i| format!(r#"{{"from": "r2999", "to": "s{i}.angle"}}"#));
     let text = format!(
         r#"{{"nodes": [{}], "wires": [{}]}}"#,
         reroutes.chain(sines).collect::<Vec<_>>().join(","),
@@ -111,8 +111,8 @@ fn what_lies_behind_an_input_is_walked_to_once() {
 
 #[test]
 fn a_ring_is_gone_round_once_and_told_at_everything_that_it_feeds() {
-    let sines: Vec<String> = (0..500).map(|i| format!(r#"{{"id": "s{i}", "kind": "sin"}}"#)).collect();
-    let wires: Vec<String> = (0..500).map(|i| format!(r#"{{"from": "a", "to": "s{i}.x"}}"#)).collect();
+    let sines: Vec<String> = (0..500).map(|i| format!(r#"{{"id": "s{i}", "kind": "sine"}}"#)).collect();
+    let wires: Vec<String> = (0..500).map(|i| format!(r#"{{"from": "a", "to": "s{i}.angle"}}"#)).collect();
     let text = format!(
         r#"{{"nodes": [{{"id": "a", "kind": "reroute"}}, {{"id": "b", "kind": "reroute"}}, {}],
             "wires": [{{"from": "a", "to": "b.value"}}, {{"from": "b", "to": "a.value"}}, {}]}}"#,
@@ -141,7 +141,7 @@ fn names_in_groups_stay_short() {
     let text = nested(30, &["x"]).replace(r#""id": "x""#, &format!(r#""id": "x", "name": "{long}""#));
     let text = text.replace(
         r#""nodes": [], "wires": [{"from": "inputs.a", "to": "outputs.o"}]"#,
-        r#""nodes": [{"kind": "sin"}], "wires": []"#,
+        r#""nodes": [{"kind": "sine"}], "wires": []"#,
     );
     let (flat, _, _) = flattened(&look(&text));
     assert!(flat.nodes.len() == 2 && flat.nodes.iter().all(|node| node.name.len() <= MAX_NAME));

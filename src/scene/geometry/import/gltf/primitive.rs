@@ -95,12 +95,7 @@ fn material_of(primitive: &Primitive, soup: &mut Soup) -> u32 {
     };
     let cutoff = material.alpha_cutoff().unwrap_or(0.5);
     let alpha_cutoff = (material.alpha_mode() == AlphaMode::Mask).then_some(cutoff);
-    let wanted = Material { name, two_sided: Some(material.double_sided()), alpha_cutoff };
-    let known = soup.materials.iter().position(|m| *m == wanted);
-    known.unwrap_or_else(|| {
-        soup.materials.push(wanted);
-        soup.materials.len() - 1
-    }) as u32
+    soup.same_material(Material { name, two_sided: Some(material.double_sided()), alpha_cutoff })
 }
 
 /// All attributes are of equal length; checked before any is read.
