@@ -9,6 +9,7 @@ import chiaro::light;
 /// @param light "Light" wire : The layer's light.
 /// @param color "Color" default=1,1,1,1 : The layer's colour, straight.
 /// @param tone "Tone" default=1 : The layer's tone.
+/// @bound color
 fn light_apply(light: Light, color: Color, tone: f32) -> LitLayer {
     let split = light_split(light.intensity);
     return LitLayer(vec4f(color.xyz * light.color * split.y, color.w), tone * split.x);

@@ -21,6 +21,7 @@ struct Light {
 }
 
 const PI: f32 = 3.14159265358979323846;
+const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
 /// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of two. 0 below -149,
@@ -72,6 +73,31 @@ fn sin_cos_quarter(x: f32) -> vec2f {
     return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
+/// sin(x/2) and cos(x/2) for x in [0, pi], given `left`, which is pi - x: both keep their relative
+/// accuracy at both ends, because the smaller angle is halved and its cosine is the other's sine.
+fn sin_cos_half(x: f32, left: f32) -> vec2f {
+    let half = sin_cos_quarter(0.5 * min(x, left));
+    return select(half.yx, half, x <= left);
+}
+
+/// pi - x for x up to pi, with the digits of pi that an f32 does not hold; 0 where x is the f32 next to pi.
+fn left_to_pi(x: f32) -> f32 {
+    // pi in two parts. The first is an f32, so that f64 reads the same one; the maximum keeps compilers
+    // from making one constant of both.
+    let coarse = max(3.1415927410125732421875 - x, 0.0);
+    return max(coarse - 8.742278012618954e-8, 0.0);
+}
+
+/// A share within 0 and 1: an opacity, a mask. Beyond them a mix would go on past what is mixed.
+fn unit_share(share: f32) -> f32 {
+    return clamp(share, 0.0, 1.0);
+}
+
+/// A color whose alpha is a share.
+fn with_unit_alpha(color: Color) -> Color {
+    return vec4f(color.xyz, unit_share(color.w));
+}
+
 /// Straight to premultiplied.
 fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
@@ -118,8 +144,10 @@ const PROFILE_AMBIENT: u32 = 2u;
 /// within 1e-5 of pi is ambient: pi has no exact f32, and people write 3.14159.
 fn profile_shape(offset: f32, falloff: f32, cutoff: f32) -> ProfileShape {
     let tau = clamp(offset, 0.0, PI);
-    let c = clamp(cutoff, tau, PI) - tau;
-    let f = clamp(falloff, tau, tau + c) - tau;
+    let zero_at = clamp(cutoff, tau, PI);
+    let steep_at = clamp(falloff, tau, zero_at);
+    let c = zero_at - tau;
+    let f = steep_at - tau;
     let half_tau = sin_cos_quarter(0.5 * tau);
     var shape = ProfileShape(half_tau.y, half_tau.x, 0.0, 1.0, tau, 0.0, 0.0, PROFILE_STEP);
     if tau >= PI - 1e-5 {
@@ -133,21 +161,25 @@ fn profile_shape(offset: f32, falloff: f32, cutoff: f32) -> ProfileShape {
     }
     shape.kind = PROFILE_SOFT;
     shape.scale = 1.0 / sin_c;
-    shape.exponent = profile_exponent(f, c);
+    // What is left to pi is taken from the angles as they came: c and f have lost its digits.
+    shape.exponent = profile_exponent(f, c, left_to_pi(steep_at) + tau, left_to_pi(zero_at) + tau);
     return profile_edge(shape, c);
 }
 
-/// gamma(f, c) of BADF eq. 11 by half-angles: 1 exactly at f = c, also at the corner f = c = pi (D5).
-fn profile_exponent(f: f32, c: f32) -> f32 {
-    // sin((c + f) / 2) by the addition theorem: (c + f) / 2 may exceed a quarter turn.
-    let half_c = sin_cos_quarter(0.5 * c);
-    let half_f = sin_cos_quarter(0.5 * f);
-    let sum = half_c.x * half_f.y + half_c.y * half_f.x;
-    let difference = sin_cos_quarter(0.5 * (c - f)).x;
-    let sin_f = 2.0 * half_f.x * half_f.y;
-    if c - f <= 0.0 || sin_f <= 1e-7 * f {
+/// gamma(f, c) of BADF eq. 11 by half-angles: 1 exactly at f = c, also at the corner f = c = pi
+/// (D5). `f_left` and `c_left` are pi - f and pi - c, with digits of their own where they are small.
+fn profile_exponent(f: f32, c: f32, f_left: f32, c_left: f32) -> f32 {
+    let half_c = sin_cos_half(c, c_left);
+    let half_f = sin_cos_half(f, f_left);
+    // c - f, from the two of them that are small.
+    let apart = select(f_left - c_left, c - f, c < HALF_PI);
+    if apart <= 0.0 {
         return 1.0;
     }
+    // sin((c + f) / 2) by the addition theorem: (c + f) / 2 may exceed a quarter turn.
+    let sum = half_c.x * half_f.y + half_c.y * half_f.x;
+    let difference = sin_cos_quarter(0.5 * apart).x;
+    let sin_f = 2.0 * half_f.x * half_f.y;
     return (sum * sum + difference * difference) / (sin_f * sin_f);
 }
 

@@ -275,8 +275,17 @@ vec4 ramp_at(Ramp ramp, float x_5, float w_1) {
     return _e200;
 }
 
-vec4 premultiplied(vec4 color_1) {
-    return vec4((color_1.xyz * color_1.w), color_1.w);
+float unit_share(float share) {
+    return clamp(share, 0.0, 1.0);
+}
+
+vec4 with_unit_alpha(vec4 color_1) {
+    float _e3 = unit_share(color_1.w);
+    return vec4(color_1.xyz, _e3);
+}
+
+vec4 premultiplied(vec4 color_2) {
+    return vec4((color_2.xyz * color_2.w), color_2.w);
 }
 
 vec4 straight(vec4 composite) {
@@ -290,8 +299,8 @@ vec2 uv(vec2 uv_1) {
     return uv_1;
 }
 
-vec4 output_(vec4 color_2) {
-    vec4 _e1 = straight(color_2);
+vec4 output_(vec4 color_3) {
+    vec4 _e1 = straight(color_3);
     vec4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -311,9 +320,10 @@ vec4 shade(Surface surface_1) {
     vec2 _e2 = uv(surface_1.uv);
     VectorParts _e5 = separate_vector(vec3(_e2, 0.0));
     vec4 _e8 = ramp_plain(_e5.y, color_code);
-    vec4 _e9 = premultiplied(_e8);
-    vec4 _e10 = output_(_e9);
-    return _e10;
+    vec4 _e9 = with_unit_alpha(_e8);
+    vec4 _e10 = premultiplied(_e9);
+    vec4 _e11 = output_(_e10);
+    return _e11;
 }
 
 void main() {

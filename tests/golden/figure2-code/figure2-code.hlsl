@@ -388,9 +388,20 @@ float4 ramp_at(Ramp ramp, float x_5, float w_1)
     return _e200;
 }
 
-float4 premultiplied(float4 color_1)
+float unit_share(float share)
 {
-    return float4((color_1.xyz * color_1.w), color_1.w);
+    return clamp(share, 0.0, 1.0);
+}
+
+float4 with_unit_alpha(float4 color_1)
+{
+    const float _e3 = unit_share(color_1.w);
+    return float4(color_1.xyz, _e3);
+}
+
+float4 premultiplied(float4 color_2)
+{
+    return float4((color_2.xyz * color_2.w), color_2.w);
 }
 
 float4 straight(float4 composite)
@@ -406,9 +417,9 @@ float2 uv(float2 uv_1)
     return uv_1;
 }
 
-float4 output(float4 color_2)
+float4 output(float4 color_3)
 {
-    const float4 _e1 = straight(color_2);
+    const float4 _e1 = straight(color_3);
     const float4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -440,9 +451,10 @@ float4 shade(Surface surface_1)
     const float2 _e2 = uv(surface_1.uv);
     const VectorParts _e5 = separate_vector(float3(_e2, 0.0));
     const float4 _e8 = ramp_plain(_e5.y, color_code);
-    const float4 _e9 = premultiplied(_e8);
-    const float4 _e10 = output(_e9);
-    return _e10;
+    const float4 _e9 = with_unit_alpha(_e8);
+    const float4 _e10 = premultiplied(_e9);
+    const float4 _e11 = output(_e10);
+    return _e11;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)

@@ -398,10 +398,23 @@ Color ramp_at(
     return _e200;
 }
 
-Composite premultiplied(
+float unit_share(
+    float share
+) {
+    return metal::clamp(share, 0.0, 1.0);
+}
+
+Color with_unit_alpha(
     Color color_1
 ) {
-    return metal::float4(color_1.xyz * color_1.w, color_1.w);
+    float _e3 = unit_share(color_1.w);
+    return metal::float4(color_1.xyz, _e3);
+}
+
+Composite premultiplied(
+    Color color_2
+) {
+    return metal::float4(color_2.xyz * color_2.w, color_2.w);
 }
 
 Color straight(
@@ -420,9 +433,9 @@ metal::float2 uv(
 }
 
 Color output(
-    Composite color_2
+    Composite color_3
 ) {
-    Color _e1 = straight(color_2);
+    Color _e1 = straight(color_3);
     metal::float4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -449,9 +462,10 @@ metal::float4 shade(
     metal::float2 _e2 = uv(surface_1.uv);
     VectorParts _e5 = separate_vector(metal::float3(_e2, 0.0));
     Color _e8 = ramp_plain(_e5.y, color_code);
-    Composite _e9 = premultiplied(_e8);
-    Color _e10 = output(_e9);
-    return _e10;
+    Color _e9 = with_unit_alpha(_e8);
+    Composite _e10 = premultiplied(_e9);
+    Color _e11 = output(_e10);
+    return _e11;
 }
 
 struct vs_mainInput {

@@ -338,8 +338,17 @@ vec4 ramp_at(Ramp ramp, float x_6, float w_1) {
     return _e200;
 }
 
-vec4 premultiplied(vec4 color_1) {
-    return vec4((color_1.xyz * color_1.w), color_1.w);
+float unit_share(float share) {
+    return clamp(share, 0.0, 1.0);
+}
+
+vec4 with_unit_alpha(vec4 color_1) {
+    float _e3 = unit_share(color_1.w);
+    return vec4(color_1.xyz, _e3);
+}
+
+vec4 premultiplied(vec4 color_2) {
+    return vec4((color_2.xyz * color_2.w), color_2.w);
 }
 
 vec4 straight(vec4 composite) {
@@ -349,8 +358,8 @@ vec4 straight(vec4 composite) {
     return vec4((composite.xyz / vec3(composite.w)), composite.w);
 }
 
-vec4 output_(vec4 color_2) {
-    vec4 _e1 = straight(color_2);
+vec4 output_(vec4 color_3) {
+    vec4 _e1 = straight(color_3);
     vec4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -379,9 +388,10 @@ vec4 shade(Surface surface_1) {
     float _e6 = angle_radians(_e5);
     float _e8 = divide(_e6, 3.1415927);
     vec4 _e10 = ramp_plain(_e8, color_code);
-    vec4 _e11 = premultiplied(_e10);
-    vec4 _e12 = output_(_e11);
-    return _e12;
+    vec4 _e11 = with_unit_alpha(_e10);
+    vec4 _e12 = premultiplied(_e11);
+    vec4 _e13 = output_(_e12);
+    return _e13;
 }
 
 void main() {

@@ -442,9 +442,20 @@ float4 ramp_at(Ramp ramp, float x_6, float w_1)
     return _e200;
 }
 
-float4 premultiplied(float4 color_1)
+float unit_share(float share)
 {
-    return float4((color_1.xyz * color_1.w), color_1.w);
+    return clamp(share, 0.0, 1.0);
+}
+
+float4 with_unit_alpha(float4 color_1)
+{
+    const float _e3 = unit_share(color_1.w);
+    return float4(color_1.xyz, _e3);
+}
+
+float4 premultiplied(float4 color_2)
+{
+    return float4((color_2.xyz * color_2.w), color_2.w);
 }
 
 float4 straight(float4 composite)
@@ -455,9 +466,9 @@ float4 straight(float4 composite)
     return float4((composite.xyz / (composite.w).xxx), composite.w);
 }
 
-float4 output(float4 color_2)
+float4 output(float4 color_3)
 {
-    const float4 _e1 = straight(color_2);
+    const float4 _e1 = straight(color_3);
     const float4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -491,9 +502,10 @@ float4 shade(Surface surface_1)
     const float _e6 = angle_radians(_e5);
     const float _e8 = divide(_e6, 3.1415927);
     const float4 _e10 = ramp_plain(_e8, color_code);
-    const float4 _e11 = premultiplied(_e10);
-    const float4 _e12 = output(_e11);
-    return _e12;
+    const float4 _e11 = with_unit_alpha(_e10);
+    const float4 _e12 = premultiplied(_e11);
+    const float4 _e13 = output(_e12);
+    return _e13;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)

@@ -440,10 +440,23 @@ Color ramp_at(
     return _e200;
 }
 
-Composite premultiplied(
+float unit_share(
+    float share
+) {
+    return metal::clamp(share, 0.0, 1.0);
+}
+
+Color with_unit_alpha(
     Color color_1
 ) {
-    return metal::float4(color_1.xyz * color_1.w, color_1.w);
+    float _e3 = unit_share(color_1.w);
+    return metal::float4(color_1.xyz, _e3);
+}
+
+Composite premultiplied(
+    Color color_2
+) {
+    return metal::float4(color_2.xyz * color_2.w, color_2.w);
 }
 
 Color straight(
@@ -456,9 +469,9 @@ Color straight(
 }
 
 Color output(
-    Composite color_2
+    Composite color_3
 ) {
-    Color _e1 = straight(color_2);
+    Color _e1 = straight(color_3);
     metal::float4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -499,9 +512,10 @@ metal::float4 shade(
     float _e6 = angle_radians(_e5);
     float _e8 = divide(_e6, 3.1415927);
     Color _e10 = ramp_plain(_e8, color_code);
-    Composite _e11 = premultiplied(_e10);
-    Color _e12 = output(_e11);
-    return _e12;
+    Color _e11 = with_unit_alpha(_e10);
+    Composite _e12 = premultiplied(_e11);
+    Color _e13 = output(_e12);
+    return _e13;
 }
 
 struct vs_mainInput {

@@ -441,10 +441,23 @@ Color ramp_at(
     return _e200;
 }
 
-Composite premultiplied(
+float unit_share(
+    float share
+) {
+    return metal::clamp(share, 0.0, 1.0);
+}
+
+Color with_unit_alpha(
     Color color_1
 ) {
-    return metal::float4(color_1.xyz * color_1.w, color_1.w);
+    float _e3 = unit_share(color_1.w);
+    return metal::float4(color_1.xyz, _e3);
+}
+
+Composite premultiplied(
+    Color color_2
+) {
+    return metal::float4(color_2.xyz * color_2.w, color_2.w);
 }
 
 Color straight(
@@ -457,9 +470,9 @@ Color straight(
 }
 
 Color output(
-    Composite color_2
+    Composite color_3
 ) {
-    Color _e1 = straight(color_2);
+    Color _e1 = straight(color_3);
     metal::float4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -504,9 +517,10 @@ metal::float4 shade(
     float _e9 = angle_radians(_e8);
     float _e11 = divide(_e9, 3.1415927);
     Color _e13 = ramp_plain(_e11, color_code);
-    Composite _e14 = premultiplied(_e13);
-    Color _e15 = output(_e14);
-    return _e15;
+    Color _e14 = with_unit_alpha(_e13);
+    Composite _e15 = premultiplied(_e14);
+    Color _e16 = output(_e15);
+    return _e16;
 }
 
 struct vs_mainInput {

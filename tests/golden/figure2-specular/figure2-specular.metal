@@ -442,10 +442,23 @@ Color ramp_at(
     return _e200;
 }
 
-Composite premultiplied(
+float unit_share(
+    float share
+) {
+    return metal::clamp(share, 0.0, 1.0);
+}
+
+Color with_unit_alpha(
     Color color_1
 ) {
-    return metal::float4(color_1.xyz * color_1.w, color_1.w);
+    float _e3 = unit_share(color_1.w);
+    return metal::float4(color_1.xyz, _e3);
+}
+
+Composite premultiplied(
+    Color color_2
+) {
+    return metal::float4(color_2.xyz * color_2.w, color_2.w);
 }
 
 Color straight(
@@ -458,9 +471,9 @@ Color straight(
 }
 
 Color output(
-    Composite color_2
+    Composite color_3
 ) {
-    Color _e1 = straight(color_2);
+    Color _e1 = straight(color_3);
     metal::float4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -504,9 +517,10 @@ metal::float4 shade(
     float _e7 = angle_radians(_e6);
     float _e9 = divide(_e7, 3.1415927);
     Color _e11 = ramp_plain(_e9, color_code);
-    Composite _e12 = premultiplied(_e11);
-    Color _e13 = output(_e12);
-    return _e13;
+    Color _e12 = with_unit_alpha(_e11);
+    Composite _e13 = premultiplied(_e12);
+    Color _e14 = output(_e13);
+    return _e14;
 }
 
 struct vs_mainInput {

@@ -266,6 +266,16 @@ fn harmonic_slope(before: f32, span_before: f32, after: f32, span_after: f32) ->
     return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
+/// A share within 0 and 1: an opacity, a mask. Beyond them a mix would go on past what is mixed.
+fn unit_share(share: f32) -> f32 {
+    return clamp(share, 0.0, 1.0);
+}
+
+/// A color whose alpha is a share.
+fn with_unit_alpha(color: Color) -> Color {
+    return vec4f(color.xyz, unit_share(color.w));
+}
+
 /// Straight to premultiplied.
 fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
@@ -316,7 +326,8 @@ fn shade(surface: Surface) -> vec4f {
     let angle = parametrization_specular(look.key, surface.normal, surface.view);
     let angle_over_pi = divide(angle_radians(angle), 3.1415927);
     let color_code_2 = ramp_plain(angle_over_pi, color_code);
-    let output_2 = output(premultiplied(color_code_2));
+    let output_alpha = with_unit_alpha(color_code_2);
+    let output_2 = output(premultiplied(output_alpha));
     return output_2;
 }
 

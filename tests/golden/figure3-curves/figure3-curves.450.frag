@@ -219,6 +219,10 @@ float step_filtered(float x_10, float edge, float w_1) {
     return clamp((0.5 + _e13), 0.0, 1.0);
 }
 
+float unit_share(float share) {
+    return clamp(share, 0.0, 1.0);
+}
+
 vec4 straight(vec4 composite) {
     if ((composite.w <= 0.0)) {
         return composite;
@@ -360,47 +364,55 @@ vec4 shade(Surface surface_1) {
     float _e15 = threshold(_e12, -0.006, 0.0);
     float _e18 = threshold(_e12, 0.006, 0.0);
     float _e19 = subtract(_e15, _e18);
-    vec4 _e32 = blend_alpha(vec4(0.98, 0.965, 0.925, 1.0), vec4(0.24, 0.26, 0.3, 1.0), _e19, 1.0, true);
-    float _e39 = map_range(_e5.x, 0.08, 0.92, 0.0, 3.1415927, false);
-    float _e42 = threshold(_e39, -0.012, 0.0);
-    float _e45 = threshold(_e39, 0.012, 0.0);
-    float _e46 = subtract(_e42, _e45);
-    vec4 _e54 = blend_alpha(_e32, vec4(0.24, 0.26, 0.3, 1.0), _e46, 1.0, true);
-    float _e57 = threshold(_e39, 0.492, 0.0);
-    float _e60 = threshold(_e39, 0.508, 0.0);
-    float _e61 = subtract(_e57, _e60);
-    vec4 _e69 = blend_alpha(_e54, vec4(0.2, 0.38, 0.78, 1.0), _e61, 0.55, true);
-    float _e72 = threshold(_e39, 0.942, 0.0);
-    float _e75 = threshold(_e39, 0.958, 0.0);
-    float _e76 = subtract(_e72, _e75);
-    vec4 _e84 = blend_alpha(_e69, vec4(0.2, 0.38, 0.78, 1.0), _e76, 0.55, true);
-    float _e87 = threshold(_e39, 1.792, 0.0);
-    float _e90 = threshold(_e39, 1.808, 0.0);
-    float _e91 = subtract(_e87, _e90);
-    vec4 _e99 = blend_alpha(_e84, vec4(0.2, 0.38, 0.78, 1.0), _e91, 0.55, true);
-    Angle _e100 = angle_of(_e39);
-    float _e103 = profile(_e100, 0.0, lambert_shape);
-    float _e104 = subtract(_e12, _e103);
-    float _e107 = threshold(_e104, -0.012, 0.0);
-    float _e110 = threshold(_e104, 0.012, 0.0);
-    float _e111 = subtract(_e107, _e110);
-    vec4 _e119 = blend_alpha(_e99, vec4(0.8, 0.2, 0.17, 1.0), _e111, 1.0, true);
-    Angle _e120 = angle_of(_e39);
-    float _e123 = profile(_e120, 0.0, half_lambert_shape);
-    float _e124 = subtract(_e12, _e123);
-    float _e127 = threshold(_e124, -0.012, 0.0);
-    float _e130 = threshold(_e124, 0.012, 0.0);
-    float _e131 = subtract(_e127, _e130);
-    vec4 _e139 = blend_alpha(_e119, vec4(0.18, 0.55, 0.27, 1.0), _e131, 1.0, true);
-    Angle _e140 = angle_of(_e39);
-    float _e143 = profile(_e140, 0.0, custom_shape);
-    float _e144 = subtract(_e12, _e143);
-    float _e147 = threshold(_e144, -0.012, 0.0);
-    float _e150 = threshold(_e144, 0.012, 0.0);
-    float _e151 = subtract(_e147, _e150);
-    vec4 _e159 = blend_alpha(_e139, vec4(0.5, 0.31, 0.14, 1.0), _e151, 1.0, true);
-    vec4 _e160 = output_(_e159);
-    return _e160;
+    float _e20 = unit_share(_e19);
+    vec4 _e33 = blend_alpha(vec4(0.98, 0.965, 0.925, 1.0), vec4(0.24, 0.26, 0.3, 1.0), _e20, 1.0, true);
+    float _e40 = map_range(_e5.x, 0.08, 0.92, 0.0, 3.1415927, false);
+    float _e43 = threshold(_e40, -0.012, 0.0);
+    float _e46 = threshold(_e40, 0.012, 0.0);
+    float _e47 = subtract(_e43, _e46);
+    float _e48 = unit_share(_e47);
+    vec4 _e56 = blend_alpha(_e33, vec4(0.24, 0.26, 0.3, 1.0), _e48, 1.0, true);
+    float _e59 = threshold(_e40, 0.492, 0.0);
+    float _e62 = threshold(_e40, 0.508, 0.0);
+    float _e63 = subtract(_e59, _e62);
+    float _e64 = unit_share(_e63);
+    vec4 _e72 = blend_alpha(_e56, vec4(0.2, 0.38, 0.78, 1.0), _e64, 0.55, true);
+    float _e75 = threshold(_e40, 0.942, 0.0);
+    float _e78 = threshold(_e40, 0.958, 0.0);
+    float _e79 = subtract(_e75, _e78);
+    float _e80 = unit_share(_e79);
+    vec4 _e88 = blend_alpha(_e72, vec4(0.2, 0.38, 0.78, 1.0), _e80, 0.55, true);
+    float _e91 = threshold(_e40, 1.792, 0.0);
+    float _e94 = threshold(_e40, 1.808, 0.0);
+    float _e95 = subtract(_e91, _e94);
+    float _e96 = unit_share(_e95);
+    vec4 _e104 = blend_alpha(_e88, vec4(0.2, 0.38, 0.78, 1.0), _e96, 0.55, true);
+    Angle _e105 = angle_of(_e40);
+    float _e108 = profile(_e105, 0.0, lambert_shape);
+    float _e109 = subtract(_e12, _e108);
+    float _e112 = threshold(_e109, -0.012, 0.0);
+    float _e115 = threshold(_e109, 0.012, 0.0);
+    float _e116 = subtract(_e112, _e115);
+    float _e117 = unit_share(_e116);
+    vec4 _e125 = blend_alpha(_e104, vec4(0.8, 0.2, 0.17, 1.0), _e117, 1.0, true);
+    Angle _e126 = angle_of(_e40);
+    float _e129 = profile(_e126, 0.0, half_lambert_shape);
+    float _e130 = subtract(_e12, _e129);
+    float _e133 = threshold(_e130, -0.012, 0.0);
+    float _e136 = threshold(_e130, 0.012, 0.0);
+    float _e137 = subtract(_e133, _e136);
+    float _e138 = unit_share(_e137);
+    vec4 _e146 = blend_alpha(_e125, vec4(0.18, 0.55, 0.27, 1.0), _e138, 1.0, true);
+    Angle _e147 = angle_of(_e40);
+    float _e150 = profile(_e147, 0.0, custom_shape);
+    float _e151 = subtract(_e12, _e150);
+    float _e154 = threshold(_e151, -0.012, 0.0);
+    float _e157 = threshold(_e151, 0.012, 0.0);
+    float _e158 = subtract(_e154, _e157);
+    float _e159 = unit_share(_e158);
+    vec4 _e167 = blend_alpha(_e146, vec4(0.5, 0.31, 0.14, 1.0), _e159, 1.0, true);
+    vec4 _e168 = output_(_e167);
+    return _e168;
 }
 
 void main() {

@@ -236,6 +236,11 @@ fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
     return clamp(0.5 + bounded(d / w), 0.0, 1.0);
 }
 
+/// A share within 0 and 1: an opacity, a mask. Beyond them a mix would go on past what is mixed.
+fn unit_share(share: f32) -> f32 {
+    return clamp(share, 0.0, 1.0);
+}
+
 /// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
 /// transparency is not lost.
 fn straight(composite: Composite) -> Color {
@@ -410,42 +415,50 @@ fn shade(surface: Surface) -> vec4f {
     let angles_from = threshold(tone, -0.006, 0.0);
     let angles_to = threshold(tone, 0.006, 0.0);
     let angles_line = subtract(angles_from, angles_to);
-    let angles = blend_alpha(vec4f(0.98, 0.965, 0.925, 1.0), vec4f(0.24, 0.26, 0.3, 1.0), angles_line, 1.0, true);
+    let angles_tone = unit_share(angles_line);
+    let angles = blend_alpha(vec4f(0.98, 0.965, 0.925, 1.0), vec4f(0.24, 0.26, 0.3, 1.0), angles_tone, 1.0, true);
     let angle = map_range(place.x, 0.08, 0.92, 0.0, 3.1415927, false);
     let tones_from = threshold(angle, -0.012, 0.0);
     let tones_to = threshold(angle, 0.012, 0.0);
     let tones_line = subtract(tones_from, tones_to);
-    let tones = blend_alpha(angles, vec4f(0.24, 0.26, 0.3, 1.0), tones_line, 1.0, true);
+    let tones_tone = unit_share(tones_line);
+    let tones = blend_alpha(angles, vec4f(0.24, 0.26, 0.3, 1.0), tones_tone, 1.0, true);
     let offset_from = threshold(angle, 0.492, 0.0);
     let offset_to = threshold(angle, 0.508, 0.0);
     let offset_line = subtract(offset_from, offset_to);
-    let offset = blend_alpha(tones, vec4f(0.2, 0.38, 0.78, 1.0), offset_line, 0.55, true);
+    let offset_tone = unit_share(offset_line);
+    let offset = blend_alpha(tones, vec4f(0.2, 0.38, 0.78, 1.0), offset_tone, 0.55, true);
     let falloff_from = threshold(angle, 0.942, 0.0);
     let falloff_to = threshold(angle, 0.958, 0.0);
     let falloff_line = subtract(falloff_from, falloff_to);
-    let falloff = blend_alpha(offset, vec4f(0.2, 0.38, 0.78, 1.0), falloff_line, 0.55, true);
+    let falloff_tone = unit_share(falloff_line);
+    let falloff = blend_alpha(offset, vec4f(0.2, 0.38, 0.78, 1.0), falloff_tone, 0.55, true);
     let cutoff_from = threshold(angle, 1.792, 0.0);
     let cutoff_to = threshold(angle, 1.808, 0.0);
     let cutoff_line = subtract(cutoff_from, cutoff_to);
-    let cutoff = blend_alpha(falloff, vec4f(0.2, 0.38, 0.78, 1.0), cutoff_line, 0.55, true);
+    let cutoff_tone = unit_share(cutoff_line);
+    let cutoff = blend_alpha(falloff, vec4f(0.2, 0.38, 0.78, 1.0), cutoff_tone, 0.55, true);
     let lambert = profile(angle_of(angle), 0.0, lambert_shape);
     let lambert_off = subtract(tone, lambert);
     let lambert_from = threshold(lambert_off, -0.012, 0.0);
     let lambert_to = threshold(lambert_off, 0.012, 0.0);
     let lambert_line = subtract(lambert_from, lambert_to);
-    let lambert_2 = blend_alpha(cutoff, vec4f(0.8, 0.2, 0.17, 1.0), lambert_line, 1.0, true);
+    let lambert_tone = unit_share(lambert_line);
+    let lambert_2 = blend_alpha(cutoff, vec4f(0.8, 0.2, 0.17, 1.0), lambert_tone, 1.0, true);
     let half_lambert = profile(angle_of(angle), 0.0, half_lambert_shape);
     let half_lambert_off = subtract(tone, half_lambert);
     let half_lambert_from = threshold(half_lambert_off, -0.012, 0.0);
     let half_lambert_to = threshold(half_lambert_off, 0.012, 0.0);
     let half_lambert_line = subtract(half_lambert_from, half_lambert_to);
-    let half_lambert_2 = blend_alpha(lambert_2, vec4f(0.18, 0.55, 0.27, 1.0), half_lambert_line, 1.0, true);
+    let half_lambert_tone = unit_share(half_lambert_line);
+    let half_lambert_2 = blend_alpha(lambert_2, vec4f(0.18, 0.55, 0.27, 1.0), half_lambert_tone, 1.0, true);
     let custom = profile(angle_of(angle), 0.0, custom_shape);
     let custom_off = subtract(tone, custom);
     let custom_from = threshold(custom_off, -0.012, 0.0);
     let custom_to = threshold(custom_off, 0.012, 0.0);
     let custom_line = subtract(custom_from, custom_to);
-    let custom_2 = blend_alpha(half_lambert_2, vec4f(0.5, 0.31, 0.14, 1.0), custom_line, 1.0, true);
+    let custom_tone = unit_share(custom_line);
+    let custom_2 = blend_alpha(half_lambert_2, vec4f(0.5, 0.31, 0.14, 1.0), custom_tone, 1.0, true);
     let output_2 = output(custom_2);
     return output_2;
 }

@@ -227,6 +227,10 @@ float step_filtered(float x_8, float edge, float w_1) {
     return clamp((0.5 + _e13), 0.0, 1.0);
 }
 
+float unit_share(float share) {
+    return clamp(share, 0.0, 1.0);
+}
+
 vec4 straight(vec4 composite) {
     if ((composite.w <= 0.0)) {
         return composite;
@@ -382,23 +386,26 @@ vec4 shade(Surface surface_1) {
     float _e37 = threshold(_e34, -0.012, 0.0);
     float _e40 = threshold(_e34, 0.012, 0.0);
     float _e41 = subtract(_e37, _e40);
-    vec4 _e49 = blend_alpha(_e29, vec4(0.16, 0.36, 0.85, 1.0), _e41, 1.0, true);
-    float _e50 = angle_radians(_e5);
-    float _e53 = u_look.fall_off;
-    float _e54 = subtract(_e50, _e53);
-    float _e57 = threshold(_e54, -0.012, 0.0);
-    float _e60 = threshold(_e54, 0.012, 0.0);
-    float _e61 = subtract(_e57, _e60);
-    vec4 _e69 = blend_alpha(_e49, vec4(0.16, 0.36, 0.85, 1.0), _e61, 1.0, true);
-    float _e70 = angle_radians(_e5);
-    float _e73 = u_look.cut_off;
-    float _e74 = subtract(_e70, _e73);
-    float _e77 = threshold(_e74, -0.012, 0.0);
-    float _e80 = threshold(_e74, 0.012, 0.0);
-    float _e81 = subtract(_e77, _e80);
-    vec4 _e89 = blend_alpha(_e69, vec4(0.16, 0.36, 0.85, 1.0), _e81, 1.0, true);
-    vec4 _e90 = output_(_e89);
-    return _e90;
+    float _e42 = unit_share(_e41);
+    vec4 _e50 = blend_alpha(_e29, vec4(0.16, 0.36, 0.85, 1.0), _e42, 1.0, true);
+    float _e51 = angle_radians(_e5);
+    float _e54 = u_look.fall_off;
+    float _e55 = subtract(_e51, _e54);
+    float _e58 = threshold(_e55, -0.012, 0.0);
+    float _e61 = threshold(_e55, 0.012, 0.0);
+    float _e62 = subtract(_e58, _e61);
+    float _e63 = unit_share(_e62);
+    vec4 _e71 = blend_alpha(_e50, vec4(0.16, 0.36, 0.85, 1.0), _e63, 1.0, true);
+    float _e72 = angle_radians(_e5);
+    float _e75 = u_look.cut_off;
+    float _e76 = subtract(_e72, _e75);
+    float _e79 = threshold(_e76, -0.012, 0.0);
+    float _e82 = threshold(_e76, 0.012, 0.0);
+    float _e83 = subtract(_e79, _e82);
+    float _e84 = unit_share(_e83);
+    vec4 _e92 = blend_alpha(_e71, vec4(0.16, 0.36, 0.85, 1.0), _e84, 1.0, true);
+    vec4 _e93 = output_(_e92);
+    return _e93;
 }
 
 void main() {

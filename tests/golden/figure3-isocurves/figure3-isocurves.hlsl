@@ -309,6 +309,11 @@ float step_filtered(float x_8, float edge, float w_1)
     return clamp((0.5 + _e13), 0.0, 1.0);
 }
 
+float unit_share(float share)
+{
+    return clamp(share, 0.0, 1.0);
+}
+
 float4 straight(float4 composite)
 {
     if ((composite.w <= 0.0)) {
@@ -491,23 +496,26 @@ float4 shade(Surface surface_1)
     const float _e37 = threshold(_e34, -0.012, 0.0);
     const float _e40 = threshold(_e34, 0.012, 0.0);
     const float _e41 = subtract(_e37, _e40);
-    const float4 _e49 = blend_alpha(_e29, float4(0.16, 0.36, 0.85, 1.0), _e41, 1.0, true);
-    const float _e50 = angle_radians(_e5);
-    float _e53 = look.fall_off;
-    const float _e54 = subtract(_e50, _e53);
-    const float _e57 = threshold(_e54, -0.012, 0.0);
-    const float _e60 = threshold(_e54, 0.012, 0.0);
-    const float _e61 = subtract(_e57, _e60);
-    const float4 _e69 = blend_alpha(_e49, float4(0.16, 0.36, 0.85, 1.0), _e61, 1.0, true);
-    const float _e70 = angle_radians(_e5);
-    float _e73 = look.cut_off;
-    const float _e74 = subtract(_e70, _e73);
-    const float _e77 = threshold(_e74, -0.012, 0.0);
-    const float _e80 = threshold(_e74, 0.012, 0.0);
-    const float _e81 = subtract(_e77, _e80);
-    const float4 _e89 = blend_alpha(_e69, float4(0.16, 0.36, 0.85, 1.0), _e81, 1.0, true);
-    const float4 _e90 = output(_e89);
-    return _e90;
+    const float _e42 = unit_share(_e41);
+    const float4 _e50 = blend_alpha(_e29, float4(0.16, 0.36, 0.85, 1.0), _e42, 1.0, true);
+    const float _e51 = angle_radians(_e5);
+    float _e54 = look.fall_off;
+    const float _e55 = subtract(_e51, _e54);
+    const float _e58 = threshold(_e55, -0.012, 0.0);
+    const float _e61 = threshold(_e55, 0.012, 0.0);
+    const float _e62 = subtract(_e58, _e61);
+    const float _e63 = unit_share(_e62);
+    const float4 _e71 = blend_alpha(_e50, float4(0.16, 0.36, 0.85, 1.0), _e63, 1.0, true);
+    const float _e72 = angle_radians(_e5);
+    float _e75 = look.cut_off;
+    const float _e76 = subtract(_e72, _e75);
+    const float _e79 = threshold(_e76, -0.012, 0.0);
+    const float _e82 = threshold(_e76, 0.012, 0.0);
+    const float _e83 = subtract(_e79, _e82);
+    const float _e84 = unit_share(_e83);
+    const float4 _e92 = blend_alpha(_e71, float4(0.16, 0.36, 0.85, 1.0), _e84, 1.0, true);
+    const float4 _e93 = output(_e92);
+    return _e93;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)

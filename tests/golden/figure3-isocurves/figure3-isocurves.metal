@@ -302,6 +302,12 @@ float step_filtered(
     return metal::clamp(0.5 + _e13, 0.0, 1.0);
 }
 
+float unit_share(
+    float share
+) {
+    return metal::clamp(share, 0.0, 1.0);
+}
+
 Color straight(
     Composite composite
 ) {
@@ -512,23 +518,26 @@ metal::float4 shade(
     float _e37 = threshold(_e34, -0.012, 0.0);
     float _e40 = threshold(_e34, 0.012, 0.0);
     float _e41 = subtract(_e37, _e40);
-    Composite _e49 = blend_alpha(_e29, metal::float4(0.16, 0.36, 0.85, 1.0), _e41, 1.0, true);
-    float _e50 = angle_radians(_e5);
-    float _e53 = look.fall_off;
-    float _e54 = subtract(_e50, _e53);
-    float _e57 = threshold(_e54, -0.012, 0.0);
-    float _e60 = threshold(_e54, 0.012, 0.0);
-    float _e61 = subtract(_e57, _e60);
-    Composite _e69 = blend_alpha(_e49, metal::float4(0.16, 0.36, 0.85, 1.0), _e61, 1.0, true);
-    float _e70 = angle_radians(_e5);
-    float _e73 = look.cut_off;
-    float _e74 = subtract(_e70, _e73);
-    float _e77 = threshold(_e74, -0.012, 0.0);
-    float _e80 = threshold(_e74, 0.012, 0.0);
-    float _e81 = subtract(_e77, _e80);
-    Composite _e89 = blend_alpha(_e69, metal::float4(0.16, 0.36, 0.85, 1.0), _e81, 1.0, true);
-    Color _e90 = output(_e89);
-    return _e90;
+    float _e42 = unit_share(_e41);
+    Composite _e50 = blend_alpha(_e29, metal::float4(0.16, 0.36, 0.85, 1.0), _e42, 1.0, true);
+    float _e51 = angle_radians(_e5);
+    float _e54 = look.fall_off;
+    float _e55 = subtract(_e51, _e54);
+    float _e58 = threshold(_e55, -0.012, 0.0);
+    float _e61 = threshold(_e55, 0.012, 0.0);
+    float _e62 = subtract(_e58, _e61);
+    float _e63 = unit_share(_e62);
+    Composite _e71 = blend_alpha(_e50, metal::float4(0.16, 0.36, 0.85, 1.0), _e63, 1.0, true);
+    float _e72 = angle_radians(_e5);
+    float _e75 = look.cut_off;
+    float _e76 = subtract(_e72, _e75);
+    float _e79 = threshold(_e76, -0.012, 0.0);
+    float _e82 = threshold(_e76, 0.012, 0.0);
+    float _e83 = subtract(_e79, _e82);
+    float _e84 = unit_share(_e83);
+    Composite _e92 = blend_alpha(_e71, metal::float4(0.16, 0.36, 0.85, 1.0), _e84, 1.0, true);
+    Color _e93 = output(_e92);
+    return _e93;
 }
 
 struct vs_mainInput {

@@ -237,6 +237,11 @@ fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
     return clamp(0.5 + bounded(d / w), 0.0, 1.0);
 }
 
+/// A share within 0 and 1: an opacity, a mask. Beyond them a mix would go on past what is mixed.
+fn unit_share(share: f32) -> f32 {
+    return clamp(share, 0.0, 1.0);
+}
+
 /// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
 /// transparency is not lost.
 fn straight(composite: Composite) -> Color {
@@ -415,17 +420,20 @@ fn shade(surface: Surface) -> vec4f {
     let offset_isocurve_from = threshold(offset_apart, -0.012, 0.0);
     let offset_isocurve_to = threshold(offset_apart, 0.012, 0.0);
     let offset_isocurve_line = subtract(offset_isocurve_from, offset_isocurve_to);
-    let offset_isocurve = blend_alpha(profile_blend, vec4f(0.16, 0.36, 0.85, 1.0), offset_isocurve_line, 1.0, true);
+    let offset_isocurve_tone = unit_share(offset_isocurve_line);
+    let offset_isocurve = blend_alpha(profile_blend, vec4f(0.16, 0.36, 0.85, 1.0), offset_isocurve_tone, 1.0, true);
     let falloff_apart = subtract(angle_radians(profile_angle), look.fall_off);
     let falloff_isocurve_from = threshold(falloff_apart, -0.012, 0.0);
     let falloff_isocurve_to = threshold(falloff_apart, 0.012, 0.0);
     let falloff_isocurve_line = subtract(falloff_isocurve_from, falloff_isocurve_to);
-    let falloff_isocurve = blend_alpha(offset_isocurve, vec4f(0.16, 0.36, 0.85, 1.0), falloff_isocurve_line, 1.0, true);
+    let falloff_isocurve_tone = unit_share(falloff_isocurve_line);
+    let falloff_isocurve = blend_alpha(offset_isocurve, vec4f(0.16, 0.36, 0.85, 1.0), falloff_isocurve_tone, 1.0, true);
     let cutoff_apart = subtract(angle_radians(profile_angle), look.cut_off);
     let cutoff_isocurve_from = threshold(cutoff_apart, -0.012, 0.0);
     let cutoff_isocurve_to = threshold(cutoff_apart, 0.012, 0.0);
     let cutoff_isocurve_line = subtract(cutoff_isocurve_from, cutoff_isocurve_to);
-    let cutoff_isocurve = blend_alpha(falloff_isocurve, vec4f(0.16, 0.36, 0.85, 1.0), cutoff_isocurve_line, 1.0, true);
+    let cutoff_isocurve_tone = unit_share(cutoff_isocurve_line);
+    let cutoff_isocurve = blend_alpha(falloff_isocurve, vec4f(0.16, 0.36, 0.85, 1.0), cutoff_isocurve_tone, 1.0, true);
     let output_2 = output(cutoff_isocurve);
     return output_2;
 }

@@ -217,6 +217,15 @@ float angle_footprint(Angle u_3) {
     return min(_e13, 0.5);
 }
 
+float unit_share(float share) {
+    return clamp(share, 0.0, 1.0);
+}
+
+vec4 with_unit_alpha(vec4 color) {
+    float _e3 = unit_share(color.w);
+    return vec4(color.xyz, _e3);
+}
+
 vec4 straight(vec4 composite) {
     if ((composite.w <= 0.0)) {
         return composite;
@@ -264,13 +273,13 @@ vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool cla
     return (clamped ? clamp(mixed, vec4(0.0), vec4(1.0)) : mixed);
 }
 
-vec4 blend_add(vec4 below_1, vec4 color, float tone, float opacity_1, bool clamped_1) {
-    vec4 _e12 = blend_finish(below_1, (below_1.xyz + (tone * color.xyz)), below_1.w, (opacity_1 * color.w), clamped_1);
+vec4 blend_add(vec4 below_1, vec4 color_1, float tone, float opacity_1, bool clamped_1) {
+    vec4 _e12 = blend_finish(below_1, (below_1.xyz + (tone * color_1.xyz)), below_1.w, (opacity_1 * color_1.w), clamped_1);
     return _e12;
 }
 
-vec4 output_(vec4 color_1) {
-    vec4 _e1 = straight(color_1);
+vec4 output_(vec4 color_2) {
+    vec4 _e1 = straight(color_2);
     vec4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -279,9 +288,9 @@ vec2 light_split(float intensity) {
     return vec2(min(intensity, 1.0), max(intensity, 1.0));
 }
 
-LitLayer light_apply(Light light, vec4 color_2, float tone_1) {
+LitLayer light_apply(Light light, vec4 color_3, float tone_1) {
     vec2 _e4 = light_split(light.intensity);
-    return LitLayer(vec4(((color_2.xyz * light.color) * _e4.y), color_2.w), (tone_1 * _e4.x));
+    return LitLayer(vec4(((color_3.xyz * light.color) * _e4.y), color_3.w), (tone_1 * _e4.x));
 }
 
 Angle parametrization_diffuse(Light light_1, vec3 normal) {
@@ -403,20 +412,22 @@ vec4 shade(Surface surface_1) {
     float _e80 = profile(_e72, _e76, _e79);
     Light _e83 = u_look.back;
     LitLayer _e84 = light_apply(_e83, _e67, _e80);
-    vec4 _e89 = blend_add(_e60, _e84.color, _e84.tone, 1.0, true);
-    float _e92 = transition(surface_1.kappa, 0.2);
-    vec4 _e95 = u_look.highlight_color_convex;
-    vec4 _e98 = u_look.highlight_color_concave;
-    vec4 _e99 = curvature_color(_e92, _e95, _e98);
-    Light _e102 = u_look.key;
-    Angle _e105 = parametrization_specular(_e102, surface_1.normal, surface_1.view);
-    float _e107 = warp(_e92, 0.05);
-    float _e109 = profile(_e105, _e107, highlight_tone_shape);
-    Light _e112 = u_look.key;
-    LitLayer _e113 = light_apply(_e112, _e99, _e109);
-    vec4 _e118 = blend_add(_e89, _e113.color, _e113.tone, 1.0, true);
-    vec4 _e119 = output_(_e118);
-    return _e119;
+    vec4 _e86 = with_unit_alpha(_e84.color);
+    vec4 _e90 = blend_add(_e60, _e86, _e84.tone, 1.0, true);
+    float _e93 = transition(surface_1.kappa, 0.2);
+    vec4 _e96 = u_look.highlight_color_convex;
+    vec4 _e99 = u_look.highlight_color_concave;
+    vec4 _e100 = curvature_color(_e93, _e96, _e99);
+    Light _e103 = u_look.key;
+    Angle _e106 = parametrization_specular(_e103, surface_1.normal, surface_1.view);
+    float _e108 = warp(_e93, 0.05);
+    float _e110 = profile(_e106, _e108, highlight_tone_shape);
+    Light _e113 = u_look.key;
+    LitLayer _e114 = light_apply(_e113, _e100, _e110);
+    vec4 _e116 = with_unit_alpha(_e114.color);
+    vec4 _e120 = blend_add(_e90, _e116, _e114.tone, 1.0, true);
+    vec4 _e121 = output_(_e120);
+    return _e121;
 }
 
 void main() {

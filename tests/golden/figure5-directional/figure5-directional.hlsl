@@ -302,6 +302,17 @@ float angle_footprint(Angle u_3)
     return min(_e13, 0.5);
 }
 
+float unit_share(float share)
+{
+    return clamp(share, 0.0, 1.0);
+}
+
+float4 with_unit_alpha(float4 color)
+{
+    const float _e3 = unit_share(color.w);
+    return float4(color.xyz, _e3);
+}
+
 float4 straight(float4 composite)
 {
     if ((composite.w <= 0.0)) {
@@ -356,15 +367,15 @@ float4 blend_finish(float4 below, float3 blended, float alpha, float opacity, bo
     return (clamped ? clamp(mixed, (0.0).xxxx, (1.0).xxxx) : mixed);
 }
 
-float4 blend_add(float4 below_1, float4 color, float tone, float opacity_1, bool clamped_1)
+float4 blend_add(float4 below_1, float4 color_1, float tone, float opacity_1, bool clamped_1)
 {
-    const float4 _e12 = blend_finish(below_1, (below_1.xyz + (tone * color.xyz)), below_1.w, (opacity_1 * color.w), clamped_1);
+    const float4 _e12 = blend_finish(below_1, (below_1.xyz + (tone * color_1.xyz)), below_1.w, (opacity_1 * color_1.w), clamped_1);
     return _e12;
 }
 
-float4 output(float4 color_1)
+float4 output(float4 color_2)
 {
-    const float4 _e1 = straight(color_1);
+    const float4 _e1 = straight(color_2);
     const float4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -381,10 +392,10 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color_2, float tone_1)
+LitLayer light_apply(Light light, float4 color_3, float tone_1)
 {
     const float2 _e4 = light_split(light.intensity);
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_2.xyz * light.color) * _e4.y), color_2.w), (tone_1 * _e4.x));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color_3.xyz * light.color) * _e4.y), color_3.w), (tone_1 * _e4.x));
     return litlayer;
 }
 
@@ -519,20 +530,22 @@ float4 shade(Surface surface_1)
     const float _e80 = profile(_e72, _e76, _e79);
     Light _e83 = look.back;
     const LitLayer _e84 = light_apply(_e83, _e67, _e80);
-    const float4 _e89 = blend_add(_e60, _e84.color, _e84.tone, 1.0, true);
-    const float _e92 = transition(surface_1.kappa, 0.2);
-    float4 _e95 = look.highlight_color_convex;
-    float4 _e98 = look.highlight_color_concave;
-    const float4 _e99 = curvature_color(_e92, _e95, _e98);
-    Light _e102 = look.key;
-    const Angle _e105 = parametrization_specular(_e102, surface_1.normal, surface_1.view);
-    const float _e107 = warp(_e92, 0.05);
-    const float _e109 = profile(_e105, _e107, highlight_tone_shape);
-    Light _e112 = look.key;
-    const LitLayer _e113 = light_apply(_e112, _e99, _e109);
-    const float4 _e118 = blend_add(_e89, _e113.color, _e113.tone, 1.0, true);
-    const float4 _e119 = output(_e118);
-    return _e119;
+    const float4 _e86 = with_unit_alpha(_e84.color);
+    const float4 _e90 = blend_add(_e60, _e86, _e84.tone, 1.0, true);
+    const float _e93 = transition(surface_1.kappa, 0.2);
+    float4 _e96 = look.highlight_color_convex;
+    float4 _e99 = look.highlight_color_concave;
+    const float4 _e100 = curvature_color(_e93, _e96, _e99);
+    Light _e103 = look.key;
+    const Angle _e106 = parametrization_specular(_e103, surface_1.normal, surface_1.view);
+    const float _e108 = warp(_e93, 0.05);
+    const float _e110 = profile(_e106, _e108, highlight_tone_shape);
+    Light _e113 = look.key;
+    const LitLayer _e114 = light_apply(_e113, _e100, _e110);
+    const float4 _e116 = with_unit_alpha(_e114.color);
+    const float4 _e120 = blend_add(_e90, _e116, _e114.tone, 1.0, true);
+    const float4 _e121 = output(_e120);
+    return _e121;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)

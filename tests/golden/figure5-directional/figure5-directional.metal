@@ -270,6 +270,19 @@ float angle_footprint(
     return metal::min(_e13, 0.5);
 }
 
+float unit_share(
+    float share
+) {
+    return metal::clamp(share, 0.0, 1.0);
+}
+
+Color with_unit_alpha(
+    Color color
+) {
+    float _e3 = unit_share(color.w);
+    return metal::float4(color.xyz, _e3);
+}
+
 Color straight(
     Composite composite
 ) {
@@ -342,19 +355,19 @@ Composite blend_finish(
 
 Composite blend_add(
     Composite below_1,
-    Color color,
+    Color color_1,
     float tone,
     float opacity_1,
     bool clamped_1
 ) {
-    Composite _e12 = blend_finish(below_1, below_1.xyz + (tone * color.xyz), below_1.w, opacity_1 * color.w, clamped_1);
+    Composite _e12 = blend_finish(below_1, below_1.xyz + (tone * color_1.xyz), below_1.w, opacity_1 * color_1.w, clamped_1);
     return _e12;
 }
 
 Color output(
-    Composite color_1
+    Composite color_2
 ) {
-    Color _e1 = straight(color_1);
+    Color _e1 = straight(color_2);
     metal::float4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -367,11 +380,11 @@ metal::float2 light_split(
 
 LitLayer light_apply(
     Light light,
-    Color color_2,
+    Color color_3,
     float tone_1
 ) {
     metal::float2 _e4 = light_split(light.intensity);
-    return LitLayer {metal::float4((color_2.xyz * light.color) * _e4.y, color_2.w), tone_1 * _e4.x};
+    return LitLayer {metal::float4((color_3.xyz * light.color) * _e4.y, color_3.w), tone_1 * _e4.x};
 }
 
 Angle parametrization_diffuse(
@@ -517,20 +530,22 @@ metal::float4 shade(
     float _e80 = profile(_e72, _e76, _e79);
     Light _e83 = look.back;
     LitLayer _e84 = light_apply(_e83, _e67, _e80);
-    Composite _e89 = blend_add(_e60, _e84.color, _e84.tone, 1.0, true);
-    float _e92 = transition(surface_1.kappa, 0.2);
-    metal::float4 _e95 = look.highlight_color_convex;
-    metal::float4 _e98 = look.highlight_color_concave;
-    Color _e99 = curvature_color(_e92, _e95, _e98);
-    Light _e102 = look.key;
-    Angle _e105 = parametrization_specular(_e102, surface_1.normal, surface_1.view);
-    float _e107 = warp(_e92, 0.05);
-    float _e109 = profile(_e105, _e107, highlight_tone_shape);
-    Light _e112 = look.key;
-    LitLayer _e113 = light_apply(_e112, _e99, _e109);
-    Composite _e118 = blend_add(_e89, _e113.color, _e113.tone, 1.0, true);
-    Color _e119 = output(_e118);
-    return _e119;
+    Color _e86 = with_unit_alpha(_e84.color);
+    Composite _e90 = blend_add(_e60, _e86, _e84.tone, 1.0, true);
+    float _e93 = transition(surface_1.kappa, 0.2);
+    metal::float4 _e96 = look.highlight_color_convex;
+    metal::float4 _e99 = look.highlight_color_concave;
+    Color _e100 = curvature_color(_e93, _e96, _e99);
+    Light _e103 = look.key;
+    Angle _e106 = parametrization_specular(_e103, surface_1.normal, surface_1.view);
+    float _e108 = warp(_e93, 0.05);
+    float _e110 = profile(_e106, _e108, highlight_tone_shape);
+    Light _e113 = look.key;
+    LitLayer _e114 = light_apply(_e113, _e100, _e110);
+    Color _e116 = with_unit_alpha(_e114.color);
+    Composite _e120 = blend_add(_e90, _e116, _e114.tone, 1.0, true);
+    Color _e121 = output(_e120);
+    return _e121;
 }
 
 struct vs_mainInput {

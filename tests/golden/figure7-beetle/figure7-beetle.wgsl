@@ -215,6 +215,16 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
     return Angle(turned.x, turned.y);
 }
 
+/// A share within 0 and 1: an opacity, a mask. Beyond them a mix would go on past what is mixed.
+fn unit_share(share: f32) -> f32 {
+    return clamp(share, 0.0, 1.0);
+}
+
+/// A color whose alpha is a share.
+fn with_unit_alpha(color: Color) -> Color {
+    return vec4f(color.xyz, unit_share(color.w));
+}
+
 /// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
 /// transparency is not lost.
 fn straight(composite: Composite) -> Color {
@@ -433,7 +443,8 @@ fn shade(surface: Surface) -> vec4f {
     let wing_case_warp = warp(glint_convexity, 0.2);
     let wing_case_tone = profile(hollows_angle, wing_case_warp, look.wing_case_tone_shape);
     let wing_case_lit = light_apply(look.key, wing_case_color, wing_case_tone);
-    let wing_case_blend = blend_add(vec4f(0.0157, 0.0627, 0.0392, 1.0), wing_case_lit.color, wing_case_lit.tone, 1.0, true);
+    let wing_case_blend_color = with_unit_alpha(wing_case_lit.color);
+    let wing_case_blend = blend_add(vec4f(0.0157, 0.0627, 0.0392, 1.0), wing_case_blend_color, wing_case_lit.tone, 1.0, true);
     let violet_color = curvature_color(glint_convexity, vec4f(0.3529, 0.1647, 0.4314, 1.0), vec4f(0.1098, 0.0627, 0.251, 1.0));
     let violet_angle = parametrization_specular(look.side, surface.normal, surface.view);
     let gold_warp = warp(glint_convexity, 0.15);
@@ -444,12 +455,14 @@ fn shade(surface: Surface) -> vec4f {
     let glint_angle = parametrization_specular(look.key, surface.normal, surface.view);
     let gold_tone = profile(glint_angle, gold_warp, gold_tone_shape);
     let gold_lit = light_apply(look.key, gold_color, gold_tone);
-    let gold_blend = blend_add(violet_blend, gold_lit.color, gold_lit.tone, 1.0, true);
+    let gold_blend_color = with_unit_alpha(gold_lit.color);
+    let gold_blend = blend_add(violet_blend, gold_blend_color, gold_lit.tone, 1.0, true);
     let green_sheen_color = curvature_color(glint_convexity, look.green_sheen_color_convex, vec4f(0.1647, 0.5412, 0.3529, 1.0));
     let green_sheen_warp = warp(glint_convexity, 0.1);
     let green_sheen_tone = profile(glint_angle, green_sheen_warp, green_sheen_tone_shape);
     let green_sheen_lit = light_apply(look.key, green_sheen_color, green_sheen_tone);
-    let green_sheen_blend = blend_add(gold_blend, green_sheen_lit.color, green_sheen_lit.tone, 1.0, true);
+    let green_sheen_blend_color = with_unit_alpha(green_sheen_lit.color);
+    let green_sheen_blend = blend_add(gold_blend, green_sheen_blend_color, green_sheen_lit.tone, 1.0, true);
     let glint_color = curvature_color(glint_convexity, vec4f(1.0), vec4f(0.8471, 1.0, 0.8784, 1.0));
     let glint_warp = warp(glint_convexity, 0.05);
     let glint_tone = profile(glint_angle, glint_warp, glint_tone_shape);
@@ -458,7 +471,8 @@ fn shade(surface: Surface) -> vec4f {
     let hollows_convexity = transition(surface.kappa, 0.3);
     let hollows_color = curvature_color(hollows_convexity, vec4f(1.0), look.hollows_color_concave);
     let hollows_lit = light_apply(look.key, hollows_color, 1.0);
-    let hollows_blend = blend_multiply(glint_blend, hollows_lit.color, hollows_lit.tone, 1.0, true);
+    let hollows_blend_color = with_unit_alpha(hollows_lit.color);
+    let hollows_blend = blend_multiply(glint_blend, hollows_blend_color, hollows_lit.tone, 1.0, true);
     let output_2 = output(hollows_blend);
     return output_2;
 }

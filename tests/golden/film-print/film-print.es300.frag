@@ -376,6 +376,10 @@ vec4 color_curves(vec4 color, Curve all_, Curve red, Curve green, Curve blue) {
     return vec4(_e23, _e25, _e27, _e5.w);
 }
 
+float unit_share(float share) {
+    return clamp(share, 0.0, 1.0);
+}
+
 vec4 premultiplied(vec4 color_1) {
     return vec4((color_1.xyz * color_1.w), color_1.w);
 }
@@ -527,24 +531,25 @@ vec4 shade(Surface surface_1) {
     Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
     float _e8 = profile(_e5, 0.0, tone_shape);
     float _e10 = curve_1(_e8, response_of_the_film);
-    vec4 _e23 = blend_alpha(vec4(0.1216, 0.1137, 0.1333, 1.0), vec4(0.7765, 0.7137, 0.6392, 1.0), _e10, 1.0, true);
-    Light _e26 = u_look.key;
-    Angle _e29 = parametrization_specular(_e26, surface_1.normal, surface_1.view);
-    float _e32 = profile(_e29, 0.0, sheen_tone_shape);
-    Light _e35 = u_look.key;
-    LitLayer _e41 = light_apply(_e35, vec4(0.3725, 0.3451, 0.298, 1.0), _e32);
-    vec4 _e46 = blend_add(_e23, _e41.color, _e41.tone, 1.0, true);
-    Light _e49 = u_look.back;
-    Angle _e51 = parametrization_diffuse(_e49, surface_1.normal);
-    float _e54 = profile(_e51, 0.0, back_light_tone_shape);
-    Light _e57 = u_look.back;
-    LitLayer _e63 = light_apply(_e57, vec4(0.498, 0.5255, 0.549, 1.0), _e54);
-    vec4 _e68 = blend_add(_e46, _e63.color, _e63.tone, 1.0, true);
-    vec4 _e69 = straight(_e68);
-    vec4 _e74 = color_curves(_e69, film_print, film_print_2_, film_print_3_, film_print_4_);
-    vec4 _e75 = premultiplied(_e74);
-    vec4 _e76 = output_(_e75);
-    return _e76;
+    float _e11 = unit_share(_e10);
+    vec4 _e24 = blend_alpha(vec4(0.1216, 0.1137, 0.1333, 1.0), vec4(0.7765, 0.7137, 0.6392, 1.0), _e11, 1.0, true);
+    Light _e27 = u_look.key;
+    Angle _e30 = parametrization_specular(_e27, surface_1.normal, surface_1.view);
+    float _e33 = profile(_e30, 0.0, sheen_tone_shape);
+    Light _e36 = u_look.key;
+    LitLayer _e42 = light_apply(_e36, vec4(0.3725, 0.3451, 0.298, 1.0), _e33);
+    vec4 _e47 = blend_add(_e24, _e42.color, _e42.tone, 1.0, true);
+    Light _e50 = u_look.back;
+    Angle _e52 = parametrization_diffuse(_e50, surface_1.normal);
+    float _e55 = profile(_e52, 0.0, back_light_tone_shape);
+    Light _e58 = u_look.back;
+    LitLayer _e64 = light_apply(_e58, vec4(0.498, 0.5255, 0.549, 1.0), _e55);
+    vec4 _e69 = blend_add(_e47, _e64.color, _e64.tone, 1.0, true);
+    vec4 _e70 = straight(_e69);
+    vec4 _e75 = color_curves(_e70, film_print, film_print_2_, film_print_3_, film_print_4_);
+    vec4 _e76 = premultiplied(_e75);
+    vec4 _e77 = output_(_e76);
+    return _e77;
 }
 
 void main() {

@@ -312,6 +312,11 @@ fn color_curves(color: Color, all: Curve, red: Curve, green: Curve, blue: Curve)
     return vec4f(curve_at(red, r, w.x), curve_at(green, g, w.y), curve_at(blue, b, w.z), c.w);
 }
 
+/// A share within 0 and 1: an opacity, a mask. Beyond them a mix would go on past what is mixed.
+fn unit_share(share: f32) -> f32 {
+    return clamp(share, 0.0, 1.0);
+}
+
 /// Straight to premultiplied.
 fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
@@ -498,7 +503,8 @@ fn shade(surface: Surface) -> vec4f {
     let turned_from_the_key = parametrization_diffuse(look.key, surface.normal);
     let tone = profile(turned_from_the_key, 0.0, tone_shape);
     let response_of_the_film_2 = curve(tone, response_of_the_film);
-    let body = blend_alpha(vec4f(0.1216, 0.1137, 0.1333, 1.0), vec4f(0.7765, 0.7137, 0.6392, 1.0), response_of_the_film_2, 1.0, true);
+    let body_tone = unit_share(response_of_the_film_2);
+    let body = blend_alpha(vec4f(0.1216, 0.1137, 0.1333, 1.0), vec4f(0.7765, 0.7137, 0.6392, 1.0), body_tone, 1.0, true);
     let sheen_angle = parametrization_specular(look.key, surface.normal, surface.view);
     let sheen_tone = profile(sheen_angle, 0.0, sheen_tone_shape);
     let sheen_lit = light_apply(look.key, vec4f(0.3725, 0.3451, 0.298, 1.0), sheen_tone);

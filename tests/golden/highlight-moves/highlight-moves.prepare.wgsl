@@ -20,6 +20,16 @@ struct Light {
     intensity: f32,
 }
 
+/// A share within 0 and 1: an opacity, a mask. Beyond them a mix would go on past what is mixed.
+fn unit_share(share: f32) -> f32 {
+    return clamp(share, 0.0, 1.0);
+}
+
+/// A color whose alpha is a share.
+fn with_unit_alpha(color: Color) -> Color {
+    return vec4f(color.xyz, unit_share(color.w));
+}
+
 /// Straight to premultiplied.
 fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);

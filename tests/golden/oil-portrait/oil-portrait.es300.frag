@@ -293,8 +293,17 @@ vec4 color_mixed(vec4 a_3, vec3 blended, float factor) {
     return vec4(_e8, _e10);
 }
 
-vec4 premultiplied(vec4 color) {
-    return vec4((color.xyz * color.w), color.w);
+float unit_share(float share) {
+    return clamp(share, 0.0, 1.0);
+}
+
+vec4 with_unit_alpha(vec4 color) {
+    float _e3 = unit_share(color.w);
+    return vec4(color.xyz, _e3);
+}
+
+vec4 premultiplied(vec4 color_1) {
+    return vec4((color_1.xyz * color_1.w), color_1.w);
 }
 
 vec4 straight(vec4 composite) {
@@ -338,8 +347,8 @@ mat3x3 axes_around(vec3 toward, vec3 up) {
     return mat3x3(_e38, cross(_e6, _e38), _e6);
 }
 
-vec4 output_(vec4 color_1) {
-    vec4 _e1 = straight(color_1);
+vec4 output_(vec4 color_2) {
+    vec4 _e1 = straight(color_2);
     vec4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -504,8 +513,8 @@ Brushstroke brush_stroke(vec2 p, ivec2 cell_3, int zoom, float drawn, Brush styl
     float inside = clamp((64.0 * min(from_edge.x, from_edge.y)), 0.0, 1.0);
     float far = (max(abs(offset.x), abs(offset.y)) / (1.0 - (0.5 * style_1.scatter)));
     float _e77 = eased(far, 0.85, 1.0);
-    float share = ((drawn * inside) * (1.0 - _e77));
-    return Brushstroke(uv_1, _e26, way, share);
+    float share_1 = ((drawn * inside) * (1.0 - _e77));
+    return Brushstroke(uv_1, _e26, way, share_1);
 }
 
 vec3 bristle(float row, uint seed_3) {
@@ -593,12 +602,12 @@ vec2 bristles_laid(Spaced at, float ink, Brush style_2) {
                     uint _e103 = tile[_e101];
                     float _e104 = blue_part(_e103, turning);
                     float late = (0.96875 * _e104);
-                    float share_1 = clamp(((amount - late) * 32.0), 0.0, 1.0);
-                    if ((share_1 <= 0.0)) {
+                    float share_2 = clamp(((amount - late) * 32.0), 0.0, 1.0);
+                    if ((share_2 <= 0.0)) {
                         continue;
                     }
                     int _e116 = octave;
-                    Brushstroke _e118 = brush_stroke(p_3, cell_4, (int(zoom_1) + _e116), share_1, style_2);
+                    Brushstroke _e118 = brush_stroke(p_3, cell_4, (int(zoom_1) + _e116), share_2, style_2);
                     if ((_e118.share > 0.0)) {
                         vec2 _e123 = brush_turned((dx * _e44), _e118, style_2);
                         vec2 _e125 = brush_turned((dy * _e44), _e118, style_2);
@@ -716,9 +725,10 @@ vec4 shade(Surface surface_1) {
     vec4 _e188 = u_look.accents_as_paint_b;
     vec4 _e190 = mix_colors_multiply(_e184.color, _e188, 1.0);
     vec4 _e192 = mix_colors_normal(_e164, _e190, _e184.ink);
-    vec4 _e193 = premultiplied(_e192);
-    vec4 _e194 = output_(_e193);
-    return _e194;
+    vec4 _e193 = with_unit_alpha(_e192);
+    vec4 _e194 = premultiplied(_e193);
+    vec4 _e195 = output_(_e194);
+    return _e195;
 }
 
 void main() {

@@ -375,9 +375,20 @@ float4 color_mixed(float4 a_3, float3 blended, float factor)
     return float4(_e8, _e10);
 }
 
-float4 premultiplied(float4 color)
+float unit_share(float share)
 {
-    return float4((color.xyz * color.w), color.w);
+    return clamp(share, 0.0, 1.0);
+}
+
+float4 with_unit_alpha(float4 color)
+{
+    const float _e3 = unit_share(color.w);
+    return float4(color.xyz, _e3);
+}
+
+float4 premultiplied(float4 color_1)
+{
+    return float4((color_1.xyz * color_1.w), color_1.w);
 }
 
 float4 straight(float4 composite)
@@ -427,9 +438,9 @@ float3x3 axes_around(float3 toward, float3 up)
     return float3x3(_e38, cross(_e6, _e38), _e6);
 }
 
-float4 output(float4 color_1)
+float4 output(float4 color_2)
 {
-    const float4 _e1 = straight(color_1);
+    const float4 _e1 = straight(color_2);
     const float4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -652,8 +663,8 @@ Brushstroke brush_stroke(float2 p, int2 cell_3, int zoom, float drawn, Brush sty
     float inside = clamp((64.0 * min(from_edge.x, from_edge.y)), 0.0, 1.0);
     float far = (max(abs(offset.x), abs(offset.y)) / (1.0 - (0.5 * style_1.scatter)));
     const float _e77 = eased(far, 0.85, 1.0);
-    float share = ((drawn * inside) * (1.0 - _e77));
-    const Brushstroke brushstroke = ConstructBrushstroke(uv_1, _e26, way, share);
+    float share_1 = ((drawn * inside) * (1.0 - _e77));
+    const Brushstroke brushstroke = ConstructBrushstroke(uv_1, _e26, way, share_1);
     return brushstroke;
 }
 
@@ -766,12 +777,12 @@ float2 bristles_laid(Spaced at, float ink, Brush style_2)
                     uint _e103 = tile[min(uint(_e101), 255u)];
                     const float _e104 = blue_part(_e103, turning);
                     float late = (0.96875 * _e104);
-                    float share_1 = clamp(((amount - late) * 32.0), 0.0, 1.0);
-                    if ((share_1 <= 0.0)) {
+                    float share_2 = clamp(((amount - late) * 32.0), 0.0, 1.0);
+                    if ((share_2 <= 0.0)) {
                         continue;
                     }
                     int _e116 = octave;
-                    const Brushstroke _e118 = brush_stroke(p_3, cell_4, asint(asuint(naga_f2i32(zoom_1)) + asuint(_e116)), share_1, style_2);
+                    const Brushstroke _e118 = brush_stroke(p_3, cell_4, asint(asuint(naga_f2i32(zoom_1)) + asuint(_e116)), share_2, style_2);
                     if ((_e118.share > 0.0)) {
                         const float2 _e123 = brush_turned((dx * _e44), _e118, style_2);
                         const float2 _e125 = brush_turned((dy * _e44), _e118, style_2);
@@ -915,9 +926,10 @@ float4 shade(Surface surface_1)
     float4 _e188 = look.accents_as_paint_b;
     const float4 _e190 = mix_colors_multiply(_e184.color, _e188, 1.0);
     const float4 _e192 = mix_colors_normal(_e164, _e190, _e184.ink);
-    const float4 _e193 = premultiplied(_e192);
-    const float4 _e194 = output(_e193);
-    return _e194;
+    const float4 _e193 = with_unit_alpha(_e192);
+    const float4 _e194 = premultiplied(_e193);
+    const float4 _e195 = output(_e194);
+    return _e195;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)

@@ -369,10 +369,23 @@ metal::float4 color_mixed(
     return metal::float4(_e8, _e10);
 }
 
-Composite premultiplied(
+float unit_share(
+    float share
+) {
+    return metal::clamp(share, 0.0, 1.0);
+}
+
+Color with_unit_alpha(
     Color color
 ) {
-    return metal::float4(color.xyz * color.w, color.w);
+    float _e3 = unit_share(color.w);
+    return metal::float4(color.xyz, _e3);
+}
+
+Composite premultiplied(
+    Color color_1
+) {
+    return metal::float4(color_1.xyz * color_1.w, color_1.w);
 }
 
 Color straight(
@@ -434,9 +447,9 @@ metal::float3x3 axes_around(
 }
 
 Color output(
-    Composite color_1
+    Composite color_2
 ) {
-    Color _e1 = straight(color_1);
+    Color _e1 = straight(color_2);
     metal::float4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -675,8 +688,8 @@ Brushstroke brush_stroke(
     float inside = metal::clamp(64.0 * metal::min(from_edge.x, from_edge.y), 0.0, 1.0);
     float far = metal::max(metal::abs(offset.x), metal::abs(offset.y)) / (1.0 - (0.5 * style_1.scatter));
     float _e77 = eased(far, 0.85, 1.0);
-    float share = (drawn * inside) * (1.0 - _e77);
-    return Brushstroke {uv_1, _e26, way, share};
+    float share_1 = (drawn * inside) * (1.0 - _e77);
+    return Brushstroke {uv_1, _e26, way, share_1};
 }
 
 metal::float3 bristle(
@@ -795,12 +808,12 @@ metal::float2 bristles_laid(
                     uint _e103 = tile.inner[_e101];
                     float _e104 = blue_part(_e103, turning);
                     float late = 0.96875 * _e104;
-                    float share_1 = metal::clamp((amount - late) * 32.0, 0.0, 1.0);
-                    if (share_1 <= 0.0) {
+                    float share_2 = metal::clamp((amount - late) * 32.0, 0.0, 1.0);
+                    if (share_2 <= 0.0) {
                         continue;
                     }
                     int _e116 = octave;
-                    Brushstroke _e118 = brush_stroke(p_3, cell_4, as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(_e116)), share_1, style_2);
+                    Brushstroke _e118 = brush_stroke(p_3, cell_4, as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(_e116)), share_2, style_2);
                     if (_e118.share > 0.0) {
                         metal::float2 _e123 = brush_turned(dx * _e44, _e118, style_2);
                         metal::float2 _e125 = brush_turned(dy * _e44, _e118, style_2);
@@ -964,9 +977,10 @@ metal::float4 shade(
     metal::float4 _e188 = look.accents_as_paint_b;
     Color _e190 = mix_colors_multiply(_e184.color, _e188, 1.0);
     Color _e192 = mix_colors_normal(_e164, _e190, _e184.ink);
-    Composite _e193 = premultiplied(_e192);
-    Color _e194 = output(_e193);
-    return _e194;
+    Color _e193 = with_unit_alpha(_e192);
+    Composite _e194 = premultiplied(_e193);
+    Color _e195 = output(_e194);
+    return _e195;
 }
 
 struct vs_mainInput {

@@ -240,6 +240,16 @@ fn color_mixed(a: vec4f, blended: vec3f, factor: f32) -> vec4f {
     return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(blended), factor_of(factor, true)), bounded(a.w));
 }
 
+/// A share within 0 and 1: an opacity, a mask. Beyond them a mix would go on past what is mixed.
+fn unit_share(share: f32) -> f32 {
+    return clamp(share, 0.0, 1.0);
+}
+
+/// A color whose alpha is a share.
+fn with_unit_alpha(color: Color) -> Color {
+    return vec4f(color.xyz, unit_share(color.w));
+}
+
 /// Straight to premultiplied.
 fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
@@ -732,7 +742,8 @@ fn shade(surface: Surface) -> vec4f {
     let accents = brush_strokes_bristles(where_accents_go, strokes_round_the_form.place, strokes_round_the_form.stretch, 44.0, 3.4, 1.5, 0.6, 0.4, 8i, look.viewport);
     let accents_as_paint = mix_colors_multiply(accents.color, look.accents_as_paint_b, 1.0);
     let accents_laid_on = mix_colors_normal(thick_lights_laid_on, accents_as_paint, accents.ink);
-    let output_2 = output(premultiplied(accents_laid_on));
+    let output_alpha = with_unit_alpha(accents_laid_on);
+    let output_2 = output(premultiplied(output_alpha));
     return output_2;
 }
 

@@ -459,8 +459,17 @@ vec4 ramp_at(Ramp ramp, float x_15, float w_4) {
     return _e200;
 }
 
-vec4 premultiplied(vec4 color_1) {
-    return vec4((color_1.xyz * color_1.w), color_1.w);
+float unit_share(float share) {
+    return clamp(share, 0.0, 1.0);
+}
+
+vec4 with_unit_alpha(vec4 color_1) {
+    float _e3 = unit_share(color_1.w);
+    return vec4(color_1.xyz, _e3);
+}
+
+vec4 premultiplied(vec4 color_2) {
+    return vec4((color_2.xyz * color_2.w), color_2.w);
 }
 
 vec4 straight(vec4 composite) {
@@ -470,8 +479,8 @@ vec4 straight(vec4 composite) {
     return vec4((composite.xyz / vec3(composite.w)), composite.w);
 }
 
-vec4 output_(vec4 color_2) {
-    vec4 _e1 = straight(color_2);
+vec4 output_(vec4 color_3) {
+    vec4 _e1 = straight(color_3);
     vec4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -730,9 +739,10 @@ vec4 shade(Surface surface_1) {
     vec2 _e47 = u_look.viewport;
     PaperGrain _e48 = paper_grain(_e38, _e13.place, _e13.stretch, 260.0, 0.2, 0.6, 0, _e47);
     vec4 _e51 = ramp_plain(_e48.tone, indigo_to_warm_paper);
-    vec4 _e52 = premultiplied(_e51);
-    vec4 _e53 = output_(_e52);
-    return _e53;
+    vec4 _e52 = with_unit_alpha(_e51);
+    vec4 _e53 = premultiplied(_e52);
+    vec4 _e54 = output_(_e53);
+    return _e54;
 }
 
 void main() {

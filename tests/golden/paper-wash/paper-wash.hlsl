@@ -573,9 +573,20 @@ float4 ramp_at(Ramp ramp, float x_15, float w_4)
     return _e200;
 }
 
-float4 premultiplied(float4 color_1)
+float unit_share(float share)
 {
-    return float4((color_1.xyz * color_1.w), color_1.w);
+    return clamp(share, 0.0, 1.0);
+}
+
+float4 with_unit_alpha(float4 color_1)
+{
+    const float _e3 = unit_share(color_1.w);
+    return float4(color_1.xyz, _e3);
+}
+
+float4 premultiplied(float4 color_2)
+{
+    return float4((color_2.xyz * color_2.w), color_2.w);
 }
 
 float4 straight(float4 composite)
@@ -586,9 +597,9 @@ float4 straight(float4 composite)
     return float4((composite.xyz / (composite.w).xxx), composite.w);
 }
 
-float4 output(float4 color_2)
+float4 output(float4 color_3)
 {
-    const float4 _e1 = straight(color_2);
+    const float4 _e1 = straight(color_3);
     const float4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -917,9 +928,10 @@ float4 shade(Surface surface_1)
     float2 _e47 = look.viewport;
     const PaperGrain _e48 = paper_grain(_e38, _e13.place, _e13.stretch, 260.0, 0.2, 0.6, int(0), _e47);
     const float4 _e51 = ramp_plain(_e48.tone, indigo_to_warm_paper);
-    const float4 _e52 = premultiplied(_e51);
-    const float4 _e53 = output(_e52);
-    return _e53;
+    const float4 _e52 = with_unit_alpha(_e51);
+    const float4 _e53 = premultiplied(_e52);
+    const float4 _e54 = output(_e53);
+    return _e54;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)

@@ -594,10 +594,23 @@ Color ramp_at(
     return _e200;
 }
 
-Composite premultiplied(
+float unit_share(
+    float share
+) {
+    return metal::clamp(share, 0.0, 1.0);
+}
+
+Color with_unit_alpha(
     Color color_1
 ) {
-    return metal::float4(color_1.xyz * color_1.w, color_1.w);
+    float _e3 = unit_share(color_1.w);
+    return metal::float4(color_1.xyz, _e3);
+}
+
+Composite premultiplied(
+    Color color_2
+) {
+    return metal::float4(color_2.xyz * color_2.w, color_2.w);
 }
 
 Color straight(
@@ -610,9 +623,9 @@ Color straight(
 }
 
 Color output(
-    Composite color_2
+    Composite color_3
 ) {
-    Color _e1 = straight(color_2);
+    Color _e1 = straight(color_3);
     metal::float4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -977,9 +990,10 @@ metal::float4 shade(
     metal::float2 _e47 = look.viewport;
     PaperGrain _e48 = paper_grain(_e38, _e13.place, _e13.stretch, 260.0, 0.2, 0.6, 0, _e47);
     Color _e51 = ramp_plain(_e48.tone, indigo_to_warm_paper);
-    Composite _e52 = premultiplied(_e51);
-    Color _e53 = output(_e52);
-    return _e53;
+    Color _e52 = with_unit_alpha(_e51);
+    Composite _e53 = premultiplied(_e52);
+    Color _e54 = output(_e53);
+    return _e54;
 }
 
 struct vs_mainInput {

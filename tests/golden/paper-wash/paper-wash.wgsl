@@ -346,6 +346,16 @@ fn harmonic_slope(before: f32, span_before: f32, after: f32, span_after: f32) ->
     return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
+/// A share within 0 and 1: an opacity, a mask. Beyond them a mix would go on past what is mixed.
+fn unit_share(share: f32) -> f32 {
+    return clamp(share, 0.0, 1.0);
+}
+
+/// A color whose alpha is a share.
+fn with_unit_alpha(color: Color) -> Color {
+    return vec4f(color.xyz, unit_share(color.w));
+}
+
 /// Straight to premultiplied.
 fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
@@ -620,7 +630,8 @@ fn shade(surface: Surface) -> vec4f {
     let pigment_in_them = mix_values(washes, wet, 0.35, true);
     let tooth_of_the_paper = paper_grain(pigment_in_them, paper_that_goes_along.place, paper_that_goes_along.stretch, 260.0, 0.2, 0.6, 0i, look.viewport);
     let indigo_to_warm_paper_2 = ramp_plain(tooth_of_the_paper.tone, indigo_to_warm_paper);
-    let output_2 = output(premultiplied(indigo_to_warm_paper_2));
+    let output_alpha = with_unit_alpha(indigo_to_warm_paper_2);
+    let output_2 = output(premultiplied(output_alpha));
     return output_2;
 }
 
