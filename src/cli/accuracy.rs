@@ -7,9 +7,7 @@ use super::target::{OutputPath, outputs};
 use crate::diag::Diagnostic;
 use crate::library::Library;
 use chiaro_laboratory::accuracy::Progress;
-use chiaro_laboratory::accuracy::Progress;
 use chiaro_laboratory::accuracy::sweep::{AccuracyReport, Effort, LookEffort, StabilityEffort, Survey, search, survey};
-use chiaro_laboratory::accuracy::sweep::{Effort, LookEffort, StabilityEffort, Survey, search, survey};
 
 const EXAMPLES: &str = "\
 Examples:

@@ -10,8 +10,6 @@ use crate::diag::Diagnostic;
 use crate::document::{OutputKind, Outputs};
 use crate::frame::{Assets, PlanOptions, open};
 use chiaro_laboratory::accuracy::error::VISIBLE;
-use chiaro_laboratory::accuracy::error::VISIBLE;
-use chiaro_laboratory::accuracy::{BenchOptions, Measure, MeasuredNodes, Progress, Report, Subject, bench, plot};
 use chiaro_laboratory::accuracy::{BenchOptions, Measure, MeasuredNodes, Progress, Report, Subject, bench, plot};
 use chiaro_render::{Gpu, Renderer, block_on};
 

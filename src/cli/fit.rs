@@ -14,7 +14,6 @@ use crate::diag::Diagnostic;
 use crate::document::{Document, Look, OutputKind, Outputs};
 use crate::frame::{Assets, DEFAULT_MESH, Setup, SetupLook, default_setup, image_bytes, open};
 use chiaro_laboratory::fit::{FitOptions, Fitted, Keep, Report, Target, fit_layers, fit_look, picture_of};
-use chiaro_laboratory::fit::{FitOptions, Fitted, Keep, Report, Target, fit_layers, fit_look, picture_of};
 use chiaro_scene::hcbtf::Progress;
 
 const EXAMPLES: &str = "\

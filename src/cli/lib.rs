@@ -44,7 +44,6 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory as _, Parser, Subcommand};
 
 use crate::diag::Diagnostic;
-use crate::milestones;
 use output::Output;
 
 pub use target::OutputPath;

@@ -13,7 +13,6 @@ use crate::output::Output;
 use crate::reference::{BakedLook, TILE_SAMPLES, bake_look_sampled};
 use crate::target::{OutputPath, outputs};
 use chiaro_scene::hcbtf::{Synthesis, synthesize};
-use chiaro_scene::hcbtf::{Synthesis, synthesize, write};
 
 /// What `chiaro hcbtf synthesize` is given.
 #[derive(Debug, clap::Args)]

@@ -1,7 +1,6 @@
 //! Reading files with a bound, and writing them so that nobody ever sees half of one.
 
-use std::fs::File;
-use std::io::{self, Read};
+use std::io;
 use std::path::Path;
 
 use super::json::MAX_BYTES;
@@ -94,6 +93,8 @@ mod tests {
     use std::time::Duration;
 
     use super::super::outputs::remove_abandoned;
+    use std::fs::File;
+
     use super::*;
 
     fn names(folder: &Path) -> Vec<String> {
