@@ -32,9 +32,12 @@ pub fn block_on<T>(future: impl Future<Output = T>) -> T {
 }
 
 /// Catches what goes wrong on the device while it lives.
+///
+/// Fields are dropped in their order, and of error scopes the last one pushed must be popped first:
+/// whoever gives up half way would end the program otherwise.
 pub(super) struct Guard {
-    memory: wgpu::ErrorScopeGuard,
     validation: wgpu::ErrorScopeGuard,
+    memory: wgpu::ErrorScopeGuard,
     problem: Arc<Mutex<Option<RenderError>>>,
 }
 

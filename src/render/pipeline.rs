@@ -6,7 +6,10 @@ use super::error::RenderError;
 use super::gpu::Gpu;
 use super::target::{DEPTH, NORMALS, NUMBER};
 use crate::compile::{Attribute, BindingKind, CompiledShader, Stage};
-use crate::frame::too_deep;
+use crate::frame::stack_of;
+
+/// Any thread has this much stack to spare; the least of ours have 2 MiB.
+const SMALL_STACK: usize = 1 << 20;
 
 /// As many pipelines are kept as an editing session comes back to.
 const MOST: usize = 64;
@@ -58,17 +61,28 @@ impl Pipelines {
             *used = self.clock;
             return Ok(pipeline.clone());
         }
-        if let Some(message) = too_deep(shader) {
-            return Err(RenderError::TooDeep { message });
-        }
+        let stack = stack_of(shader).map_err(|message| RenderError::TooDeep { message })?;
         if self.known.len() >= MOST {
             let oldest = self.known.iter().min_by_key(|(_, (_, used))| *used).map(|(key, _)| key.clone());
             oldest.and_then(|key| self.known.remove(&key));
         }
-        let made = make(gpu, shader, samples, sides);
+        let make = || make(gpu, shader, samples, sides);
+        let made = if stack <= SMALL_STACK { make() } else { with_stack(stack, make)? };
         self.known.insert(key, (made.clone(), self.clock));
         Ok(made)
     }
+}
+
+/// Does work on a thread of its own with so much stack, and waits for it.
+fn with_stack<T: Send>(stack: usize, work: impl FnOnce() -> T + Send) -> Result<T, RenderError> {
+    let no_thread =
+        |error: std::io::Error| RenderError::OutOfMemory { what: format!("the compiler of this look ({error})") };
+    #[expect(clippy::disallowed_methods, reason = "the stack of this thread is the caller's not to choose")]
+    std::thread::scope(|scope| {
+        let thread = std::thread::Builder::new().name("pipeline".to_owned()).stack_size(SMALL_STACK + stack);
+        let thread = thread.spawn_scoped(scope, work).map_err(no_thread)?;
+        thread.join().map_err(|panic| std::panic::resume_unwind(panic))
+    })
 }
 
 fn make(gpu: &Gpu, shader: &CompiledShader, samples: u32, sides: Sides) -> LookPipeline {

@@ -135,7 +135,11 @@ impl<'a> Refusals<'a> {
         }
     }
 
+    /// Types of values that are too large; where a variable is told of, its type is no news.
     fn types(&mut self) {
+        if !self.told.is_empty() {
+            return;
+        }
         for (handle, ty) in self.module().types.iter() {
             let bytes = self.size(handle);
             if bytes > MAX_TABLE_BYTES {
