@@ -29,13 +29,13 @@ struct ProfileShape {
     uint kind;
 };
 struct Look {
-    vec4 back_light_color_convex;
     Light back;
     ProfileShape back_light_tone_shape;
-    vec4 highlight_color_convex;
+    vec4 back_light_lit_color;
     Light key;
-    vec4 body_color_convex;
+    vec4 highlight_lit_color;
     ProfileShape body_tone_shape;
+    vec4 body_lit_color;
     vec4 shadow;
 };
 struct Surface {
@@ -212,15 +212,6 @@ float angle_footprint(Angle u_3) {
     return min(_e13, 0.5);
 }
 
-float unit_share(float share) {
-    return clamp(share, 0.0, 1.0);
-}
-
-vec4 with_unit_alpha(vec4 color) {
-    float _e3 = unit_share(color.w);
-    return vec4(color.xyz, _e3);
-}
-
 vec4 straight(vec4 composite) {
     if ((composite.w <= 0.0)) {
         return composite;
@@ -236,20 +227,20 @@ vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool cla
     return (clamped ? clamp(mixed, vec4(0.0), vec4(1.0)) : mixed);
 }
 
-vec4 blend_add(vec4 below_1, vec4 color_1, float tone, float opacity_1, bool clamped_1) {
-    vec4 _e12 = blend_finish(below_1, (below_1.xyz + (tone * color_1.xyz)), below_1.w, (opacity_1 * color_1.w), clamped_1);
+vec4 blend_add(vec4 below_1, vec4 color, float tone, float opacity_1, bool clamped_1) {
+    vec4 _e12 = blend_finish(below_1, (below_1.xyz + (tone * color.xyz)), below_1.w, (opacity_1 * color.w), clamped_1);
     return _e12;
 }
 
-vec4 blend_alpha(vec4 below_2, vec4 color_2, float tone_1, float opacity_2, bool clamped_2) {
-    float a_1 = (opacity_2 * color_2.w);
+vec4 blend_alpha(vec4 below_2, vec4 color_1, float tone_1, float opacity_2, bool clamped_2) {
+    float a_1 = (opacity_2 * color_1.w);
     float alpha_1 = (below_2.w + ((tone_1 * a_1) * (1.0 - below_2.w)));
-    vec4 _e20 = blend_finish(below_2, (below_2.xyz + (tone_1 * (color_2.xyz - below_2.xyz))), alpha_1, a_1, clamped_2);
+    vec4 _e20 = blend_finish(below_2, (below_2.xyz + (tone_1 * (color_1.xyz - below_2.xyz))), alpha_1, a_1, clamped_2);
     return _e20;
 }
 
-vec4 output_(vec4 color_3) {
-    vec4 _e1 = straight(color_3);
+vec4 output_(vec4 color_2) {
+    vec4 _e1 = straight(color_2);
     vec4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -258,9 +249,9 @@ vec2 light_split(float intensity) {
     return vec2(min(intensity, 1.0), max(intensity, 1.0));
 }
 
-LitLayer light_apply(Light light, vec4 color_4, float tone_2) {
+LitLayer light_apply(Light light, vec4 color_3, float tone_2) {
     vec2 _e4 = light_split(light.intensity);
-    return LitLayer(vec4(((color_4.xyz * light.color) * _e4.y), color_4.w), (tone_2 * _e4.x));
+    return LitLayer(vec4(((color_3.xyz * light.color) * _e4.y), color_3.w), (tone_2 * _e4.x));
 }
 
 Angle parametrization_diffuse(Light light_1, vec3 normal) {
@@ -362,30 +353,27 @@ vec4 shade(Surface surface_1) {
     ProfileShape _e9 = u_look.body_tone_shape;
     float _e10 = profile(_e5, 0.0, _e9);
     Light _e13 = u_look.key;
-    vec4 _e16 = u_look.body_color_convex;
+    vec4 _e16 = u_look.body_lit_color;
     LitLayer _e17 = light_apply(_e13, _e16, _e10);
-    vec4 _e19 = with_unit_alpha(_e17.color);
-    vec4 _e22 = u_look.shadow;
-    vec4 _e26 = blend_alpha(_e22, _e19, _e17.tone, 1.0, true);
-    Light _e29 = u_look.key;
-    Angle _e32 = parametrization_specular(_e29, surface_1.normal, surface_1.view);
-    float _e35 = profile(_e32, 0.0, highlight_tone_shape);
-    Light _e38 = u_look.key;
-    vec4 _e41 = u_look.highlight_color_convex;
-    LitLayer _e42 = light_apply(_e38, _e41, _e35);
-    vec4 _e44 = with_unit_alpha(_e42.color);
-    vec4 _e48 = blend_alpha(_e26, _e44, _e42.tone, 0.8, true);
-    Light _e51 = u_look.back;
-    Angle _e53 = parametrization_diffuse(_e51, surface_1.normal);
-    ProfileShape _e57 = u_look.back_light_tone_shape;
-    float _e58 = profile(_e53, 0.0, _e57);
-    Light _e61 = u_look.back;
-    vec4 _e64 = u_look.back_light_color_convex;
-    LitLayer _e65 = light_apply(_e61, _e64, _e58);
-    vec4 _e67 = with_unit_alpha(_e65.color);
-    vec4 _e71 = blend_add(_e48, _e67, _e65.tone, 1.0, true);
-    vec4 _e72 = output_(_e71);
-    return _e72;
+    vec4 _e20 = u_look.shadow;
+    vec4 _e25 = blend_alpha(_e20, _e17.color, _e17.tone, 1.0, true);
+    Light _e28 = u_look.key;
+    Angle _e31 = parametrization_specular(_e28, surface_1.normal, surface_1.view);
+    float _e34 = profile(_e31, 0.0, highlight_tone_shape);
+    Light _e37 = u_look.key;
+    vec4 _e40 = u_look.highlight_lit_color;
+    LitLayer _e41 = light_apply(_e37, _e40, _e34);
+    vec4 _e46 = blend_alpha(_e25, _e41.color, _e41.tone, 0.8, true);
+    Light _e49 = u_look.back;
+    Angle _e51 = parametrization_diffuse(_e49, surface_1.normal);
+    ProfileShape _e55 = u_look.back_light_tone_shape;
+    float _e56 = profile(_e51, 0.0, _e55);
+    Light _e59 = u_look.back;
+    vec4 _e62 = u_look.back_light_lit_color;
+    LitLayer _e63 = light_apply(_e59, _e62, _e56);
+    vec4 _e68 = blend_add(_e46, _e63.color, _e63.tone, 1.0, true);
+    vec4 _e69 = output_(_e68);
+    return _e69;
 }
 
 void main() {

@@ -39,14 +39,14 @@ struct ProfileShape {
     uint kind;
 };
 struct Look {
-    metal::float4 back_light_color_convex;
     Light back;
     ProfileShape back_light_tone_shape;
-    metal::float4 highlight_color_convex;
+    metal::float4 back_light_lit_color;
     Light key;
     ProfileShape highlight_tone_shape;
-    metal::float4 body_color_convex;
+    metal::float4 highlight_lit_color;
     ProfileShape body_tone_shape;
+    metal::float4 body_lit_color;
     metal::float4 shadow;
 };
 struct Surface {
@@ -267,19 +267,6 @@ float angle_footprint(
     return metal::min(_e13, 0.5);
 }
 
-float unit_share(
-    float share
-) {
-    return metal::clamp(share, 0.0, 1.0);
-}
-
-Color with_unit_alpha(
-    Color color
-) {
-    float _e3 = unit_share(color.w);
-    return metal::float4(color.xyz, _e3);
-}
-
 Color straight(
     Composite composite
 ) {
@@ -305,32 +292,32 @@ Composite blend_finish(
 
 Composite blend_add(
     Composite below_1,
-    Color color_1,
+    Color color,
     float tone,
     float opacity_1,
     bool clamped_1
 ) {
-    Composite _e12 = blend_finish(below_1, below_1.xyz + (tone * color_1.xyz), below_1.w, opacity_1 * color_1.w, clamped_1);
+    Composite _e12 = blend_finish(below_1, below_1.xyz + (tone * color.xyz), below_1.w, opacity_1 * color.w, clamped_1);
     return _e12;
 }
 
 Composite blend_alpha(
     Composite below_2,
-    Color color_2,
+    Color color_1,
     float tone_1,
     float opacity_2,
     bool clamped_2
 ) {
-    float a_1 = opacity_2 * color_2.w;
+    float a_1 = opacity_2 * color_1.w;
     float alpha_1 = below_2.w + ((tone_1 * a_1) * (1.0 - below_2.w));
-    Composite _e20 = blend_finish(below_2, below_2.xyz + (tone_1 * (color_2.xyz - below_2.xyz)), alpha_1, a_1, clamped_2);
+    Composite _e20 = blend_finish(below_2, below_2.xyz + (tone_1 * (color_1.xyz - below_2.xyz)), alpha_1, a_1, clamped_2);
     return _e20;
 }
 
 Color output(
-    Composite color_3
+    Composite color_2
 ) {
-    Color _e1 = straight(color_3);
+    Color _e1 = straight(color_2);
     metal::float4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -343,11 +330,11 @@ metal::float2 light_split(
 
 LitLayer light_apply(
     Light light,
-    Color color_4,
+    Color color_3,
     float tone_2
 ) {
     metal::float2 _e4 = light_split(light.intensity);
-    return LitLayer {metal::float4((color_4.xyz * light.color) * _e4.y, color_4.w), tone_2 * _e4.x};
+    return LitLayer {metal::float4((color_3.xyz * light.color) * _e4.y, color_3.w), tone_2 * _e4.x};
 }
 
 Angle parametrization_diffuse(
@@ -473,31 +460,28 @@ metal::float4 shade(
     ProfileShape _e9 = look.body_tone_shape;
     float _e10 = profile(_e5, 0.0, _e9);
     Light _e13 = look.key;
-    metal::float4 _e16 = look.body_color_convex;
+    metal::float4 _e16 = look.body_lit_color;
     LitLayer _e17 = light_apply(_e13, _e16, _e10);
-    Color _e19 = with_unit_alpha(_e17.color);
-    metal::float4 _e22 = look.shadow;
-    Composite _e26 = blend_alpha(_e22, _e19, _e17.tone, 1.0, true);
-    Light _e29 = look.key;
-    Angle _e32 = parametrization_specular(_e29, surface_1.normal, surface_1.view);
-    ProfileShape _e36 = look.highlight_tone_shape;
-    float _e37 = profile(_e32, 0.0, _e36);
-    Light _e40 = look.key;
-    metal::float4 _e43 = look.highlight_color_convex;
-    LitLayer _e44 = light_apply(_e40, _e43, _e37);
-    Color _e46 = with_unit_alpha(_e44.color);
-    Composite _e50 = blend_alpha(_e26, _e46, _e44.tone, 0.7, true);
-    Light _e53 = look.back;
-    Angle _e55 = parametrization_diffuse(_e53, surface_1.normal);
-    ProfileShape _e59 = look.back_light_tone_shape;
-    float _e60 = profile(_e55, 0.0, _e59);
-    Light _e63 = look.back;
-    metal::float4 _e66 = look.back_light_color_convex;
-    LitLayer _e67 = light_apply(_e63, _e66, _e60);
-    Color _e69 = with_unit_alpha(_e67.color);
-    Composite _e73 = blend_add(_e50, _e69, _e67.tone, 1.0, true);
-    Color _e74 = output(_e73);
-    return _e74;
+    metal::float4 _e20 = look.shadow;
+    Composite _e25 = blend_alpha(_e20, _e17.color, _e17.tone, 1.0, true);
+    Light _e28 = look.key;
+    Angle _e31 = parametrization_specular(_e28, surface_1.normal, surface_1.view);
+    ProfileShape _e35 = look.highlight_tone_shape;
+    float _e36 = profile(_e31, 0.0, _e35);
+    Light _e39 = look.key;
+    metal::float4 _e42 = look.highlight_lit_color;
+    LitLayer _e43 = light_apply(_e39, _e42, _e36);
+    Composite _e48 = blend_alpha(_e25, _e43.color, _e43.tone, 0.7, true);
+    Light _e51 = look.back;
+    Angle _e53 = parametrization_diffuse(_e51, surface_1.normal);
+    ProfileShape _e57 = look.back_light_tone_shape;
+    float _e58 = profile(_e53, 0.0, _e57);
+    Light _e61 = look.back;
+    metal::float4 _e64 = look.back_light_lit_color;
+    LitLayer _e65 = light_apply(_e61, _e64, _e58);
+    Composite _e70 = blend_add(_e48, _e65.color, _e65.tone, 1.0, true);
+    Color _e71 = output(_e70);
+    return _e71;
 }
 
 struct vs_mainInput {

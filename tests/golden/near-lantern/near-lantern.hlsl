@@ -41,12 +41,12 @@ struct ProfileShape {
 };
 
 struct Look {
-    float4 back_light_color_convex;
     Light back;
-    float4 highlight_color_convex;
+    float4 back_light_lit_color;
     Light key;
-    float4 body_color_convex;
+    float4 highlight_lit_color;
     ProfileShape body_tone_shape;
+    float4 body_lit_color;
     float4 shadow;
 };
 
@@ -297,17 +297,6 @@ float angle_footprint(Angle u_3)
     return min(_e13, 0.5);
 }
 
-float unit_share(float share)
-{
-    return clamp(share, 0.0, 1.0);
-}
-
-float4 with_unit_alpha(float4 color)
-{
-    const float _e3 = unit_share(color.w);
-    return float4(color.xyz, _e3);
-}
-
 float4 straight(float4 composite)
 {
     if ((composite.w <= 0.0)) {
@@ -325,23 +314,23 @@ float4 blend_finish(float4 below, float3 blended, float alpha, float opacity, bo
     return (clamped ? clamp(mixed, (0.0).xxxx, (1.0).xxxx) : mixed);
 }
 
-float4 blend_add(float4 below_1, float4 color_1, float tone, float opacity_1, bool clamped_1)
+float4 blend_add(float4 below_1, float4 color, float tone, float opacity_1, bool clamped_1)
 {
-    const float4 _e12 = blend_finish(below_1, (below_1.xyz + (tone * color_1.xyz)), below_1.w, (opacity_1 * color_1.w), clamped_1);
+    const float4 _e12 = blend_finish(below_1, (below_1.xyz + (tone * color.xyz)), below_1.w, (opacity_1 * color.w), clamped_1);
     return _e12;
 }
 
-float4 blend_alpha(float4 below_2, float4 color_2, float tone_1, float opacity_2, bool clamped_2)
+float4 blend_alpha(float4 below_2, float4 color_1, float tone_1, float opacity_2, bool clamped_2)
 {
-    float a_1 = (opacity_2 * color_2.w);
+    float a_1 = (opacity_2 * color_1.w);
     float alpha_1 = (below_2.w + ((tone_1 * a_1) * (1.0 - below_2.w)));
-    const float4 _e20 = blend_finish(below_2, (below_2.xyz + (tone_1 * (color_2.xyz - below_2.xyz))), alpha_1, a_1, clamped_2);
+    const float4 _e20 = blend_finish(below_2, (below_2.xyz + (tone_1 * (color_1.xyz - below_2.xyz))), alpha_1, a_1, clamped_2);
     return _e20;
 }
 
-float4 output(float4 color_3)
+float4 output(float4 color_2)
 {
-    const float4 _e1 = straight(color_3);
+    const float4 _e1 = straight(color_2);
     const float4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -358,10 +347,10 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color_4, float tone_2)
+LitLayer light_apply(Light light, float4 color_3, float tone_2)
 {
     const float2 _e4 = light_split(light.intensity);
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_4.xyz * light.color) * _e4.y), color_4.w), (tone_2 * _e4.x));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color_3.xyz * light.color) * _e4.y), color_3.w), (tone_2 * _e4.x));
     return litlayer;
 }
 
@@ -476,29 +465,26 @@ float4 shade(Surface surface_1)
     ProfileShape _e9 = look.body_tone_shape;
     const float _e10 = profile(_e5, 0.0, _e9);
     Light _e13 = look.key;
-    float4 _e16 = look.body_color_convex;
+    float4 _e16 = look.body_lit_color;
     const LitLayer _e17 = light_apply(_e13, _e16, _e10);
-    const float4 _e19 = with_unit_alpha(_e17.color);
-    float4 _e22 = look.shadow;
-    const float4 _e26 = blend_alpha(_e22, _e19, _e17.tone, 1.0, true);
-    Light _e29 = look.key;
-    const Angle _e32 = parametrization_specular(_e29, surface_1.normal, surface_1.view);
-    const float _e35 = profile(_e32, 0.0, highlight_tone_shape);
-    Light _e38 = look.key;
-    float4 _e41 = look.highlight_color_convex;
-    const LitLayer _e42 = light_apply(_e38, _e41, _e35);
-    const float4 _e44 = with_unit_alpha(_e42.color);
-    const float4 _e48 = blend_alpha(_e26, _e44, _e42.tone, 0.9, true);
-    Light _e51 = look.back;
-    const Angle _e53 = parametrization_diffuse(_e51, surface_1.normal);
-    const float _e56 = profile(_e53, 0.0, back_light_tone_shape);
-    Light _e59 = look.back;
-    float4 _e62 = look.back_light_color_convex;
-    const LitLayer _e63 = light_apply(_e59, _e62, _e56);
-    const float4 _e65 = with_unit_alpha(_e63.color);
-    const float4 _e69 = blend_add(_e48, _e65, _e63.tone, 1.0, true);
-    const float4 _e70 = output(_e69);
-    return _e70;
+    float4 _e20 = look.shadow;
+    const float4 _e25 = blend_alpha(_e20, _e17.color, _e17.tone, 1.0, true);
+    Light _e28 = look.key;
+    const Angle _e31 = parametrization_specular(_e28, surface_1.normal, surface_1.view);
+    const float _e34 = profile(_e31, 0.0, highlight_tone_shape);
+    Light _e37 = look.key;
+    float4 _e40 = look.highlight_lit_color;
+    const LitLayer _e41 = light_apply(_e37, _e40, _e34);
+    const float4 _e46 = blend_alpha(_e25, _e41.color, _e41.tone, 0.9, true);
+    Light _e49 = look.back;
+    const Angle _e51 = parametrization_diffuse(_e49, surface_1.normal);
+    const float _e54 = profile(_e51, 0.0, back_light_tone_shape);
+    Light _e57 = look.back;
+    float4 _e60 = look.back_light_lit_color;
+    const LitLayer _e61 = light_apply(_e57, _e60, _e54);
+    const float4 _e66 = blend_add(_e46, _e61.color, _e61.tone, 1.0, true);
+    const float4 _e67 = output(_e66);
+    return _e67;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)

@@ -39,12 +39,12 @@ struct ProfileShape {
     uint kind;
 };
 struct Look {
-    metal::float4 back_light_color_convex;
     Light back;
-    metal::float4 highlight_color_convex;
+    metal::float4 back_light_lit_color;
     Light key;
-    metal::float4 body_color_convex;
+    metal::float4 highlight_lit_color;
     ProfileShape body_tone_shape;
+    metal::float4 body_lit_color;
     metal::float4 shadow;
 };
 struct Surface {
@@ -267,19 +267,6 @@ float angle_footprint(
     return metal::min(_e13, 0.5);
 }
 
-float unit_share(
-    float share
-) {
-    return metal::clamp(share, 0.0, 1.0);
-}
-
-Color with_unit_alpha(
-    Color color
-) {
-    float _e3 = unit_share(color.w);
-    return metal::float4(color.xyz, _e3);
-}
-
 Color straight(
     Composite composite
 ) {
@@ -305,32 +292,32 @@ Composite blend_finish(
 
 Composite blend_add(
     Composite below_1,
-    Color color_1,
+    Color color,
     float tone,
     float opacity_1,
     bool clamped_1
 ) {
-    Composite _e12 = blend_finish(below_1, below_1.xyz + (tone * color_1.xyz), below_1.w, opacity_1 * color_1.w, clamped_1);
+    Composite _e12 = blend_finish(below_1, below_1.xyz + (tone * color.xyz), below_1.w, opacity_1 * color.w, clamped_1);
     return _e12;
 }
 
 Composite blend_alpha(
     Composite below_2,
-    Color color_2,
+    Color color_1,
     float tone_1,
     float opacity_2,
     bool clamped_2
 ) {
-    float a_1 = opacity_2 * color_2.w;
+    float a_1 = opacity_2 * color_1.w;
     float alpha_1 = below_2.w + ((tone_1 * a_1) * (1.0 - below_2.w));
-    Composite _e20 = blend_finish(below_2, below_2.xyz + (tone_1 * (color_2.xyz - below_2.xyz)), alpha_1, a_1, clamped_2);
+    Composite _e20 = blend_finish(below_2, below_2.xyz + (tone_1 * (color_1.xyz - below_2.xyz)), alpha_1, a_1, clamped_2);
     return _e20;
 }
 
 Color output(
-    Composite color_3
+    Composite color_2
 ) {
-    Color _e1 = straight(color_3);
+    Color _e1 = straight(color_2);
     metal::float4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -343,11 +330,11 @@ metal::float2 light_split(
 
 LitLayer light_apply(
     Light light,
-    Color color_4,
+    Color color_3,
     float tone_2
 ) {
     metal::float2 _e4 = light_split(light.intensity);
-    return LitLayer {metal::float4((color_4.xyz * light.color) * _e4.y, color_4.w), tone_2 * _e4.x};
+    return LitLayer {metal::float4((color_3.xyz * light.color) * _e4.y, color_3.w), tone_2 * _e4.x};
 }
 
 Angle parametrization_diffuse(
@@ -473,29 +460,26 @@ metal::float4 shade(
     ProfileShape _e9 = look.body_tone_shape;
     float _e10 = profile(_e5, 0.0, _e9);
     Light _e13 = look.key;
-    metal::float4 _e16 = look.body_color_convex;
+    metal::float4 _e16 = look.body_lit_color;
     LitLayer _e17 = light_apply(_e13, _e16, _e10);
-    Color _e19 = with_unit_alpha(_e17.color);
-    metal::float4 _e22 = look.shadow;
-    Composite _e26 = blend_alpha(_e22, _e19, _e17.tone, 1.0, true);
-    Light _e29 = look.key;
-    Angle _e32 = parametrization_specular(_e29, surface_1.normal, surface_1.view);
-    float _e35 = profile(_e32, 0.0, highlight_tone_shape);
-    Light _e38 = look.key;
-    metal::float4 _e41 = look.highlight_color_convex;
-    LitLayer _e42 = light_apply(_e38, _e41, _e35);
-    Color _e44 = with_unit_alpha(_e42.color);
-    Composite _e48 = blend_alpha(_e26, _e44, _e42.tone, 0.9, true);
-    Light _e51 = look.back;
-    Angle _e53 = parametrization_diffuse(_e51, surface_1.normal);
-    float _e56 = profile(_e53, 0.0, back_light_tone_shape);
-    Light _e59 = look.back;
-    metal::float4 _e62 = look.back_light_color_convex;
-    LitLayer _e63 = light_apply(_e59, _e62, _e56);
-    Color _e65 = with_unit_alpha(_e63.color);
-    Composite _e69 = blend_add(_e48, _e65, _e63.tone, 1.0, true);
-    Color _e70 = output(_e69);
-    return _e70;
+    metal::float4 _e20 = look.shadow;
+    Composite _e25 = blend_alpha(_e20, _e17.color, _e17.tone, 1.0, true);
+    Light _e28 = look.key;
+    Angle _e31 = parametrization_specular(_e28, surface_1.normal, surface_1.view);
+    float _e34 = profile(_e31, 0.0, highlight_tone_shape);
+    Light _e37 = look.key;
+    metal::float4 _e40 = look.highlight_lit_color;
+    LitLayer _e41 = light_apply(_e37, _e40, _e34);
+    Composite _e46 = blend_alpha(_e25, _e41.color, _e41.tone, 0.9, true);
+    Light _e49 = look.back;
+    Angle _e51 = parametrization_diffuse(_e49, surface_1.normal);
+    float _e54 = profile(_e51, 0.0, back_light_tone_shape);
+    Light _e57 = look.back;
+    metal::float4 _e60 = look.back_light_lit_color;
+    LitLayer _e61 = light_apply(_e57, _e60, _e54);
+    Composite _e66 = blend_add(_e46, _e61.color, _e61.tone, 1.0, true);
+    Color _e67 = output(_e66);
+    return _e67;
 }
 
 struct vs_mainInput {
