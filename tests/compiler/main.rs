@@ -7,6 +7,7 @@ mod document_random;
 mod document_read;
 mod floors;
 mod interp_lanes;
+mod math;
 #[path = "../support/mod.rs"]
 mod support;
 mod techniques;

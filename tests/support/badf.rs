@@ -1,5 +1,5 @@
-//! The BADF model in f64, from the paper's formulas and math.md's decisions, with inverse trigonometry and powers: none
-//! of it has the form that the shaders use.
+//! The BADF model in f64, from the paper's formulas and docs/math.md's decisions, with inverse trigonometry and
+//! powers: none of it has the form that the shaders use.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -57,7 +57,7 @@ pub(crate) fn alpha(u: f64, shift: f64, parameters: [f64; 3]) -> f64 {
     })
 }
 
-/// The limits of math.md 2.2 around a formula for 0 < f' < c'.
+/// The limits of docs/math.md 2.2 around a formula for 0 < f' < c'.
 fn limits(u: f64, shift: f64, parameters: [f64; 3], formula: impl Fn(f64, f64, f64) -> f64) -> f64 {
     let [tau, f, c] = sanitised(parameters);
     let x = (u - shift.clamp(-PI, PI)).clamp(0.0, PI) - tau;

@@ -101,7 +101,7 @@ pub(super) struct Layer {
 }
 
 impl Layer {
-    /// Offset, fall-off and cut-off as the profile has them: in order, from 0 to pi (math.md D2).
+    /// Offset, fall-off and cut-off as the profile has them: in order, from 0 to pi (docs/math.md D2).
     pub(super) fn angles(&self) -> [f64; 3] {
         self.in_order(|setting| setting.value)
     }

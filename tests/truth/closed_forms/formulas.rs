@@ -91,7 +91,7 @@ impl Layer {
         (u - shift).clamp(0.0, PI)
     }
 
-    /// alpha over a footprint (math.md 2.4): a ramp where the edge is narrower, three points where it is narrow.
+    /// alpha over a footprint (docs/math.md 2.4): a ramp where the edge is narrower, three points where it is narrow.
     fn filtered(&self, u: f64, width: f64) -> f64 {
         let alpha = |u: f64| badf::alpha(u.clamp(0.0, PI), 0.0, self.profile);
         let [mean, deviation] = self.edge;
@@ -173,8 +173,8 @@ impl Keyed {
     }
 }
 
-/// Weights of two keys (BADF eq. 9, math.md 5): with equations for both keys and weights of sum 1, the biharmonic form
-/// w = a + c (K(y1) - K(y2)) has a = 1/2 and c = 1 / (2 (K(0) - K(y12))).
+/// Weights of two keys (BADF eq. 9, docs/math.md 5): with equations for both keys and weights of sum 1, the biharmonic
+/// form w = a + c (K(y1) - K(y2)) has a = 1/2 and c = 1 / (2 (K(0) - K(y12))).
 fn weights(places: [DVec3; 2], direction: DVec3) -> [f64; 2] {
     let between = |a: DVec3, b: DVec3| kernel(0.25 * (a - b).length_squared());
     let slope = 0.5 / (kernel(0.0) - between(places[0], places[1]));

@@ -16,7 +16,7 @@ pub(super) struct Shape {
 }
 
 impl Shape {
-    /// In order, as the shader takes it (math.md D2): the offset within a half turn, the cut-off after it, the
+    /// In order, as the shader takes it (docs/math.md D2): the offset within a half turn, the cut-off after it, the
     /// fall-off between both.
     pub(super) fn sanitized(self) -> Self {
         let offset = self.offset.clamp(0.0, PI);
@@ -25,7 +25,7 @@ impl Shape {
     }
 }
 
-/// How a curve bends between its offset and its cut-off (math.md 2.2); angles in radians.
+/// How a curve bends between its offset and its cut-off (docs/math.md 2.2); angles in radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Bend {
     /// 1 everywhere.

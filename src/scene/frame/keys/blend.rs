@@ -82,7 +82,7 @@ pub(super) fn blend_keys(
 }
 
 /// The value of a target at a key, made fit for blending: offset, cut-off and fall-off of one node are brought into
-/// order first (math.md 5), so that every blend of them is in order too.
+/// order first (docs/math.md 5), so that every blend of them is in order too.
 fn sanitized(target: &Target, value: &dyn Fn(&Target) -> Option<Value>) -> Option<Value> {
     let own = value(target)?;
     let Target::Input { node, port } = target else { return Some(own) };
