@@ -15,7 +15,6 @@ pub const MAX_DEPTH: u64 = 80_000;
 /// Bytes of stack for each operation that follows from another, above the 150 that Mesa's software
 /// Vulkan takes (22.3, x86-64; 67,485 operations of a mixed chain took 3.3 MiB, 20,000 of a chain of
 /// nothing but differences and absolute values 3 MiB).
-#[cfg(feature = "gpu")]
 const STACK_PER_OPERATION: usize = 256;
 
 /// What to do about a shader that is too deep.
@@ -26,7 +25,6 @@ pub const SHORTEN: &str =
 ///
 /// # Errors
 /// Why it is not handed over at all.
-#[cfg(feature = "gpu")]
 pub fn stack_of(shader: &CompiledShader) -> Result<usize, String> {
     let depth = depth_within_bound(shader)?;
     Ok(usize::try_from(depth).unwrap_or_default() * STACK_PER_OPERATION)

@@ -30,8 +30,7 @@ pub use assets::{Assets, Change, Image, MAX_IMAGE_SIDE, Overlay, SHAPE_PREFIX, U
 pub use camera::{View, widened};
 pub use cost::{EffectCost, attribute_bytes};
 pub use effects::{Effect, EffectKind, EffectState, effects};
-#[cfg(feature = "gpu")]
-pub(crate) use handover::stack_of;
+pub use handover::stack_of;
 pub use handover::{MAX_DEPTH, SHORTEN, too_deep};
 pub use keys::{
     KeyedValues, Moment, ObjectValues, ParamTable, Rig, Wires, at_time, driver_value, is_direction, light_field,
