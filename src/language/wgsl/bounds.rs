@@ -138,7 +138,9 @@ impl Counter<'_> {
         let level = self.level();
         let had = level.operators;
         level.operators += by;
-        if had <= MAX_OPERATORS && had + by > MAX_OPERATORS {
+        // What was too deep in itself was told of where it became so.
+        let was_within = had.max(by) <= MAX_OPERATORS;
+        if was_within && had + by > MAX_OPERATORS {
             self.tell(
                 "operators, brackets and members in one expression",
                 MAX_OPERATORS,

@@ -428,14 +428,20 @@ mod tests {
 
     #[test]
     fn many_writers_of_one_folder_leave_each_other_alone() {
-        use rayon::prelude::*;
         let folder = tempfile::tempdir().unwrap();
-        (0..200u32).into_par_iter().for_each(|number| {
+        let write = |number: u32| {
             let mut set = FileSet::default();
             for part in ["a", "b"] {
                 set.add(&folder.path().join(format!("{part}{}", number % 20)), part.as_bytes()).unwrap();
             }
             set.commit().unwrap();
+        };
+        #[expect(clippy::disallowed_methods, reason = "the test is of writers side by side")]
+        std::thread::scope(|scope| {
+            for first in (0..200).step_by(25) {
+                let write = &write;
+                scope.spawn(move || (first..first + 25).for_each(write));
+            }
         });
         let left = names(folder.path());
         assert_eq!(left.len(), 40, "{left:?}");
