@@ -206,6 +206,9 @@ fn carry_out(command: &Command, output: &Output) -> Outcome {
 
 /// Tells what went wrong, a result that could not be printed included.
 fn finished(result: Result<(), Vec<Diagnostic>>, output: &Output) -> ExitCode {
+    if result.is_err() && interrupt::is_interrupted() {
+        return ExitCode::from(interrupt::INTERRUPTED);
+    }
     let mut code = match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(problems) => {

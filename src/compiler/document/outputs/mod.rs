@@ -23,25 +23,38 @@ const MAX_FILES: usize = 100_000;
 const MAX_KNOWN: u64 = 1 << 30;
 
 /// A file by what it is and not by what it is called: links and `..` lead to the same.
-#[derive(Clone, Debug, PartialEq, Eq)]
-enum Identity {
+#[derive(Clone, Debug)]
+struct Identity {
+    /// Its place, without links: another program may put another file there while the command works.
+    place: PathBuf,
+    /// The numbers of its device and of itself, which all of its names have in common.
     #[cfg(unix)]
-    Number { device: u64, file: u64 },
-    #[cfg(not(unix))]
-    Path(PathBuf),
+    numbers: (u64, u64),
 }
 
 impl Identity {
-    #[cfg(unix)]
+    /// `None` where there is no file.
     fn of(path: &Path) -> Option<Self> {
-        use std::os::unix::fs::MetadataExt as _;
-        let data = fs::metadata(path).ok()?;
-        Some(Self::Number { device: data.dev(), file: data.ino() })
+        let place = fs::canonicalize(path).ok()?;
+        #[cfg(unix)]
+        let numbers = {
+            use std::os::unix::fs::MetadataExt as _;
+            let data = fs::metadata(&place).ok()?;
+            (data.dev(), data.ino())
+        };
+        Some(Self {
+            place,
+            #[cfg(unix)]
+            numbers,
+        })
     }
 
-    #[cfg(not(unix))]
-    fn of(path: &Path) -> Option<Self> {
-        fs::canonicalize(path).ok().map(Self::Path)
+    fn is(&self, other: &Self) -> bool {
+        #[cfg(unix)]
+        let is_same_file = self.numbers == other.numbers;
+        #[cfg(not(unix))]
+        let is_same_file = false;
+        is_same_file || self.place == other.place
     }
 }
 
@@ -137,7 +150,7 @@ impl Outputs {
 
     fn check_bytes(&self, path: &Path, kind: OutputKind<'_>, new: Option<&[u8]>) -> Result<(), Diagnostic> {
         let Some(identity) = Identity::of(path) else { return Ok(()) };
-        let is_it = |(input, _): &&(Identity, PathBuf)| *input == identity;
+        let is_it = |(input, _): &&(Identity, PathBuf)| input.is(&identity);
         let changed = self.changed.iter().find(is_it);
         if changed.is_some() && kind.is_document() {
             return Ok(());
