@@ -8,9 +8,9 @@ mod groups;
 #[cfg(test)]
 mod tests;
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
+use std::collections::HashMap;
 use std::collections::hash_map::Entry;
-use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use self::groups::{GroupIndex, Groups};
@@ -164,10 +164,11 @@ struct Flattener<'a> {
     /// What is wrong with the files of kinds, by kind.
     broken_kinds: HashMap<&'a str, &'a Diagnostic>,
     problems: Vec<Diagnostic>,
-    suggestions: usize,
+    /// How many problems have suggestions.
+    suggestions: Cell<usize>,
     /// How many wires were followed.
     #[cfg(test)]
-    followed: std::cell::Cell<usize>,
+    followed: Cell<usize>,
 }
 
 /// An input by its scope, node and port.
@@ -235,9 +236,9 @@ impl<'a> Flattener<'a> {
             ends: HashMap::new(),
             broken_kinds: broken_kinds(library),
             problems: Vec::new(),
-            suggestions: 0,
+            suggestions: Cell::new(0),
             #[cfg(test)]
-            followed: std::cell::Cell::new(0),
+            followed: Cell::new(0),
         }
     }
 
@@ -258,9 +259,9 @@ impl<'a> Flattener<'a> {
     }
 
     /// Whether one more problem may have suggestions.
-    fn may_suggest(&mut self) -> bool {
-        self.suggestions += 1;
-        self.suggestions <= MAX_SUGGESTIONS
+    fn may_suggest(&self) -> bool {
+        self.suggestions.set(self.suggestions.get() + 1);
+        self.suggestions.get() <= MAX_SUGGESTIONS
     }
 
     #[expect(clippy::too_many_arguments, reason = "a scope is all of these")]
@@ -336,9 +337,9 @@ impl<'a> Flattener<'a> {
         let region = self.scopes[scope].region.clone().or(frame).unwrap_or_else(|| own.as_str().into());
         let tier = node.tier.unwrap_or(self.scopes[scope].tier);
         let inputs = &self.groups[group].inputs;
-        if node.values.keys().any(|port| !inputs.contains_key(port.as_str())) {
-            self.unknown_values(node, &path, &port_names(&definition.inputs));
-        }
+        let is_known = |port: &str| inputs.contains_key(port);
+        let unknown = self.unknown_values(node, &path, is_known, || port_names(&definition.inputs));
+        self.problems.extend(unknown);
         Slot::Group(self.push_scope(
             &definition.graph,
             Some(group),
@@ -365,7 +366,7 @@ impl<'a> Flattener<'a> {
         None
     }
 
-    fn unknown_kind(&mut self, kind: &str) -> Diagnostic {
+    fn unknown_kind(&self, kind: &str) -> Diagnostic {
         let problem = Diagnostic::error("unknown-kind", format!("there is no node of kind `{kind}`"));
         if !self.may_suggest() {
             return problem;
@@ -407,6 +408,7 @@ impl<'a> Flattener<'a> {
         let own = if node.name.is_empty() { readable(id, &def.label) } else { node.name.clone() };
         let name = join_names(&self.scopes[scope].name, &own);
         let code = (node.kind == CUSTOM_KIND).then_some(CUSTOM_CODE);
+<<<<<<< HEAD:src/compiler/compile/flatten.rs
         let known: Vec<&str> = def.visible_inputs().map(|input| input.name.as_str()).chain(code).collect();
         self.unknown_values(node, &path, &known);
         let is_custom = code.is_some();
@@ -414,6 +416,12 @@ impl<'a> Flattener<'a> {
             // The code of a custom node has no file; that of others is told of once, however many nodes there are.
             if is_custom { note.node(path.clone()).port(CUSTOM_CODE.into()) } else { note }
         }));
+=======
+        let known = || def.visible_inputs().map(|input| input.name.as_str()).chain(code);
+        let is_known = |port: &str| known().any(|name| name == port);
+        let unknown = self.unknown_values(node, &path, is_known, || known().collect());
+        self.problems.extend(unknown);
+>>>>>>> fix-hostile:src/compile/flatten.rs
         let index = self.flat.nodes.len();
         self.flat.by_path.insert(path.clone(), index);
         let tier = node.tier.unwrap_or(self.scopes[scope].tier);
@@ -422,22 +430,33 @@ impl<'a> Flattener<'a> {
         index
     }
 
-    fn unknown_values(&mut self, node: &Node, path: &NodePath, known: &[&str]) {
-        // A look with very many values has them on few nodes, which know few ports, or on groups, which know many.
-        let is_known: HashSet<&str> = known.iter().copied().collect();
-        for port in node.values.keys().filter(|port| !is_known.contains(port.as_str())) {
-            let problem = self.unknown_input(&node.kind, path, port, known);
-            self.problems.push(problem);
-        }
+    /// Values of inputs that there are not. The names of those that there are, which may be very many, are asked for only
+    /// where they are told.
+    fn unknown_values<'n>(
+        &self,
+        node: &Node,
+        path: &NodePath,
+        is_known: impl Fn(&str) -> bool,
+        known: impl Fn() -> Vec<&'n str>,
+    ) -> Vec<Diagnostic> {
+        let unknown = node.values.keys().filter(|port| !is_known(port.as_str()));
+        unknown.map(|port| self.unknown_input(&node.kind, path, port, &known)).collect()
     }
 
-    fn unknown_input(&mut self, kind: &str, path: &NodePath, port: &PortName, known: &[&str]) -> Diagnostic {
+    fn unknown_input<'n>(
+        &self,
+        kind: &str,
+        path: &NodePath,
+        port: &PortName,
+        known: impl FnOnce() -> Vec<&'n str>,
+    ) -> Diagnostic {
         let message = format!("a node of kind `{kind}` has no input `{port}`");
         let problem = Diagnostic::error("unknown-port", message).node(path.clone()).port(port.clone());
         if !self.may_suggest() {
             return problem;
         }
-        problem.suggest(port.as_str(), known.iter().copied()).hint(list_of("its inputs are", known))
+        let known = known();
+        problem.suggest(port.as_str(), known.iter().copied()).hint(list_of("its inputs are", &known))
     }
 
     /// Wires to and from ports that there are not.
@@ -451,73 +470,73 @@ impl<'a> Flattener<'a> {
         }
     }
 
-    fn bad_target(&mut self, scope: usize, wire: &Wire) -> Option<Diagnostic> {
+    fn bad_target(&self, scope: usize, wire: &Wire) -> Option<Diagnostic> {
         let (id, port) = (&wire.to.node, &wire.to.port);
         let here = &self.scopes[scope];
-        let kind = here.graph.nodes.get(id).map_or("", |node| node.kind.as_str());
-        let (kind, known) = match (here.group, here.slots.get(id.as_str())) {
-            (Some(group), _) if id.as_str() == GROUP_OUTPUTS => {
-                let group = &self.groups[group];
-                if group.outputs.contains_key(port.as_str()) {
-                    return None;
-                }
-                (group.kind, port_names(&group.definition.outputs))
-            }
-            (_, Some(Slot::Flat(index))) => {
-                let inputs = || self.flat.nodes[*index].def.visible_inputs();
-                if inputs().any(|input| input.name == *port) {
-                    return None;
-                }
-                (kind, inputs().map(|input| input.name.as_str()).collect())
-            }
-            (_, Some(Slot::Group(child))) => {
-                let group = &self.groups[self.scopes[*child].group?];
-                if group.inputs.contains_key(port.as_str()) {
-                    return None;
-                }
-                (kind, port_names(&group.definition.inputs))
-            }
-            (_, Some(Slot::Missing) | None) => return None,
+        let told = |kind: &str, is_known: bool, known: &dyn Fn() -> Vec<&'a str>| {
+            (!is_known).then(|| self.unknown_input(kind, &self.path_of(scope, id), port, known))
         };
-        let (kind, path) = (kind.to_owned(), self.path_of(scope, id));
-        let known: Vec<String> = known.into_iter().map(str::to_owned).collect();
-        let known: Vec<&str> = known.iter().map(String::as_str).collect();
-        Some(self.unknown_input(&kind, &path, port, &known))
+        if let (GROUP_OUTPUTS, Some(group)) = (id.as_str(), here.group) {
+            let group = &self.groups[group];
+            let is_known = group.outputs.contains_key(port.as_str());
+            return told(group.kind, is_known, &|| port_names(&group.definition.outputs));
+        }
+        let kind = here.graph.nodes.get(id).map_or("", |node| node.kind.as_str());
+        match here.slots.get(id.as_str())? {
+            Slot::Flat(index) => {
+                let inputs = || self.flat.nodes[*index].def.visible_inputs();
+                let is_known = inputs().any(|input| input.name == *port);
+                (!is_known).then(|| {
+                    let known = || inputs().map(|input| input.name.as_str()).collect();
+                    self.unknown_input(kind, &self.path_of(scope, id), port, known)
+                })
+            }
+            Slot::Group(child) => {
+                let group = &self.groups[self.scopes[*child].group?];
+                let is_known = group.inputs.contains_key(port.as_str());
+                told(kind, is_known, &|| port_names(&group.definition.inputs))
+            }
+            Slot::Missing => None,
+        }
     }
 
-    fn bad_source(&mut self, scope: usize, wire: &Wire) -> Option<Diagnostic> {
+    fn bad_source(&self, scope: usize, wire: &Wire) -> Option<Diagnostic> {
         let (id, port) = (&wire.from.node, &wire.from.port);
         let here = &self.scopes[scope];
-        let of_group = |ports: &'a [InterfacePort], by_name: &HashMap<&'a str, &'a InterfacePort>| {
-            let is_known = by_name.contains_key(port.as_str()) || port.as_str().is_empty() && !ports.is_empty();
-            (!is_known).then(|| port_names(ports).into_iter().map(str::to_owned).collect())
-        };
-        let known: Vec<String> = match (here.group, here.slots.get(id.as_str())) {
-            (Some(group), _) if id.as_str() == GROUP_INPUTS => {
-                let group = &self.groups[group];
-                of_group(&group.definition.inputs, &group.inputs)?
-            }
-            (_, Some(Slot::Flat(index))) => {
+        // Without a name the first is meant.
+        let is_first = |count: usize| port.as_str().is_empty() && count > 0;
+        if let (GROUP_INPUTS, Some(group)) = (id.as_str(), here.group) {
+            let group = &self.groups[group];
+            let ports = &group.definition.inputs;
+            let is_known = group.inputs.contains_key(port.as_str()) || is_first(ports.len());
+            return (!is_known).then(|| self.unknown_output(scope, wire, || port_names(ports)));
+        }
+        match here.slots.get(id.as_str())? {
+            Slot::Flat(index) => {
                 let outputs = &self.flat.nodes[*index].def.outputs;
-                if outputs.iter().any(|output| output.name == *port) || port.as_str().is_empty() && !outputs.is_empty()
-                {
-                    return None;
-                }
-                outputs.iter().map(|output| output.name.to_string()).collect()
+                let is_known = outputs.iter().any(|output| output.name == *port) || is_first(outputs.len());
+                let known = || outputs.iter().map(|output| output.name.as_str()).collect();
+                (!is_known).then(|| self.unknown_output(scope, wire, known))
             }
-            (_, Some(Slot::Group(child))) => {
+            Slot::Group(child) => {
                 let group = &self.groups[self.scopes[*child].group?];
-                of_group(&group.definition.outputs, &group.outputs)?
+                let ports = &group.definition.outputs;
+                let is_known = group.outputs.contains_key(port.as_str()) || is_first(ports.len());
+                (!is_known).then(|| self.unknown_output(scope, wire, || port_names(ports)))
             }
-            (_, Some(Slot::Missing) | None) => return None,
-        };
+            Slot::Missing => None,
+        }
+    }
+
+    fn unknown_output<'n>(&self, scope: usize, wire: &Wire, known: impl FnOnce() -> Vec<&'n str>) -> Diagnostic {
+        let (id, port) = (&wire.from.node, &wire.from.port);
         let message = format!("the node `{id}` has no output `{port}`");
         let problem = Diagnostic::error("unknown-port", message).node(self.path_of(scope, id)).port(port.clone());
         if !self.may_suggest() {
-            return Some(problem);
+            return problem;
         }
-        let known: Vec<&str> = known.iter().map(String::as_str).collect();
-        Some(problem.suggest(port.as_str(), known.iter().copied()).hint(list_of("its outputs are", &known)))
+        let known = known();
+        problem.suggest(port.as_str(), known.iter().copied()).hint(list_of("its outputs are", &known))
     }
 
     fn bind_inputs(&mut self) {
