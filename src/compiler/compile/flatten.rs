@@ -408,20 +408,15 @@ impl<'a> Flattener<'a> {
         let own = if node.name.is_empty() { readable(id, &def.label) } else { node.name.clone() };
         let name = join_names(&self.scopes[scope].name, &own);
         let code = (node.kind == CUSTOM_KIND).then_some(CUSTOM_CODE);
-<<<<<<< HEAD:src/compiler/compile/flatten.rs
-        let known: Vec<&str> = def.visible_inputs().map(|input| input.name.as_str()).chain(code).collect();
-        self.unknown_values(node, &path, &known);
+        let known = || def.visible_inputs().map(|input| input.name.as_str()).chain(code);
+        let is_known = |port: &str| known().any(|name| name == port);
+        let unknown = self.unknown_values(node, &path, is_known, || known().collect());
+        self.problems.extend(unknown);
         let is_custom = code.is_some();
         self.problems.extend(def.notes.iter().cloned().map(|note| {
             // The code of a custom node has no file; that of others is told of once, however many nodes there are.
             if is_custom { note.node(path.clone()).port(CUSTOM_CODE.into()) } else { note }
         }));
-=======
-        let known = || def.visible_inputs().map(|input| input.name.as_str()).chain(code);
-        let is_known = |port: &str| known().any(|name| name == port);
-        let unknown = self.unknown_values(node, &path, is_known, || known().collect());
-        self.problems.extend(unknown);
->>>>>>> fix-hostile:src/compile/flatten.rs
         let index = self.flat.nodes.len();
         self.flat.by_path.insert(path.clone(), index);
         let tier = node.tier.unwrap_or(self.scopes[scope].tier);
