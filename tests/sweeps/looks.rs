@@ -29,7 +29,6 @@ fn flawless<T>(result: Result<T, Stopped>) -> T {
 /// What judges a look, besides what it is made of.
 const JUDGES: &[&str] = &[
     "src/language/interp",
-    "src/language/wgsl",
     "src/scene/frame",
     "src/scene/directions",
     "src/reference",

@@ -60,7 +60,6 @@ fn hold(all: &[Measured]) {
 /// What judges a node, besides what it is made of.
 pub(crate) const JUDGES: &[&str] = &[
     "src/language/interp",
-    "src/language/wgsl",
     "src/scene/frame",
     "src/reference",
     "src/render",
