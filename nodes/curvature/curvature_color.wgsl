@@ -9,6 +9,9 @@ import chiaro::types;
 /// @param concave "Concave" same=convex : Straight RGBA, where the surface is hollow; while unset, the convex colour, so that there is one colour everywhere.
 /// @return color "Color" : Between the two, component by component (D7).
 /// @bound convexity
+/// @bound convex
+/// @bound concave
+/// @unit alpha
 /// @bypass convex when convex = concave : both colours are the same
 /// @source BADF eq. 7
 fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {

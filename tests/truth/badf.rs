@@ -669,6 +669,18 @@ fn bounds_that_change_nothing_are_left_out() {
     assert_eq!(wired.matches("= with_unit_alpha(color").count(), 1, "{wired}");
     // The host bounds what is a uniform.
     assert!(!text(&look_of_shares(Mode::Alpha, false)).contains("unit_"), "exposed");
+    // Colors that are set from outside are bounded there, and stay so where curvature mixes them.
+    let exposed = look(&json!({
+        "exposed": [{"name": "convex", "target": "layer.convex"}, {"name": "concave", "target": "layer.concave"}],
+        "lights": {"key": {"direction": [0, 0, 1]}},
+        "nodes": [
+            {"id": "base", "kind": "base"},
+            {"id": "layer", "kind": "light_layer", "values": {"light": "key", "blend": "alpha", "slope": 0.1}},
+            {"id": "output", "kind": "output"}
+        ],
+        "wires": [{"from": "base", "to": "layer.below"}, {"from": "layer", "to": "output.color"}]
+    }));
+    assert!(!text(&exposed).contains("unit_"), "{}", text(&exposed));
     for mode in Mode::ALL {
         for (tier, kind) in
             [("exact", "directional"), ("balanced", "directional"), ("fast", "directional"), ("exact", "point")]

@@ -220,6 +220,9 @@ impl<'a> Builder<'a> {
         if self.is_unit(node, &inputs) {
             self.mark_unit(result);
         }
+        if node.def.has_unit_alpha {
+            self.mark_unit_alpha(result);
+        }
         self.mark_dark(node, result);
         self.outputs[index] = if variant.result_is_struct {
             node.def

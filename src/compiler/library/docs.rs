@@ -24,7 +24,7 @@
 //! with `black` (first three numbers 0), `unit` (all numbers known to lie in [0, 1]) or `unit_alpha` (the fourth
 //! number, if there is one). Beside `=` there are `<=` and `>=`, against a number or another input: they hold where
 //! constants or ranges show that they hold at every fragment. `@unit` says when the result is known to lie in [0, 1],
-//! but for what a card's division may be off.
+//! but for what a card's rounding may be off, and `@unit alpha` that the alpha of a color does.
 //! A test holds that a bypassed node equals one that is not. An `@error` says how far a cheaper tier may be from the exact
 //! one; a test holds that too.
 //!

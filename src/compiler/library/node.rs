@@ -38,6 +38,8 @@ pub struct NodeDef {
     pub bounds: Vec<Bound>,
     /// When all numbers of the result lie in [0, 1]; `None` for never.
     pub unit_when: Option<Vec<Condition>>,
+    /// Whether the result is a color whose alpha lies in [0, 1].
+    pub has_unit_alpha: bool,
     /// How far its cheaper tiers may be from the exact one.
     pub errors: Vec<TierError>,
     /// Named settings.

@@ -187,6 +187,7 @@ impl Reader<'_> {
             bypasses: Vec::new(),
             bounds: Vec::new(),
             unit_when: None,
+            has_unit_alpha: false,
             errors: Vec::new(),
             presets: Vec::new(),
             notes: Vec::new(),
@@ -470,10 +471,11 @@ impl Reader<'_> {
                         self.problem(head, format!("a `@bound` is not of the form {form}"));
                     }
                 },
+                "unit" if words(tag) == ["alpha"] => node.has_unit_alpha = true,
                 "unit" => {
                     node.unit_when = unit_conditions(node, tag);
                     if node.unit_when.is_none() {
-                        self.problem(head, "a `@unit` is not of the form `when input = value`".to_owned());
+                        self.problem(head, "a `@unit` is not of the form `when input = value` or `alpha`".to_owned());
                     }
                 }
                 "error" => match tier_error(tag).filter(|error| node.tiers().contains(&error.tier)) {

@@ -23,6 +23,14 @@ impl Builder<'_> {
         }
     }
 
+    /// A color whose alpha is known to lie in [0, 1] by what a node promises.
+    pub(super) fn mark_unit_alpha(&mut self, color: ValueId) {
+        let alpha = self.values[color].ranges.as_ref().and_then(|ranges| ranges.get(3)).copied();
+        if let (Some(alpha), Some(ranges)) = (alpha, &mut self.values[color].ranges) {
+            *ranges = ranges[..3].iter().copied().chain([alpha.within_unit()]).collect();
+        }
+    }
+
     /// A share within 0 and 1, or a color with such an alpha; a value of another type as it is.
     pub(super) fn bounded(&mut self, index: usize, part: &str, value: ValueId) -> ValueId {
         let ty = self.values[value].ty.clone();
