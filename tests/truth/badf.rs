@@ -311,7 +311,6 @@ fn in_f32(u: f64, [offset, falloff, cutoff]: [f64; 3]) -> f64 {
 }
 
 #[test]
-#[expect(clippy::approx_constant, reason = "what people write for pi is the case")]
 fn alpha_of_parameters_wired_near_0_and_near_pi() {
     let issue = [0.0, f32_of(PI - 2.653_59e-6), f32_of(PI)];
     assert!((badf::alpha(2.5, 0.0, issue) - 0.315_322_4).abs() < 1e-7, "cos(1.25)");
