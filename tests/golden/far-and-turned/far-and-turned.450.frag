@@ -25,13 +25,13 @@ struct ProfileShape {
     uint kind;
 };
 struct Look {
+    vec4 back_light_color_convex;
     Light back;
     ProfileShape back_light_tone_shape;
-    vec4 back_light_lit_color;
+    vec4 highlight_color_convex;
     Light key;
-    vec4 highlight_lit_color;
+    vec4 body_color_convex;
     ProfileShape body_tone_shape;
-    vec4 body_lit_color;
     vec4 shadow;
 };
 struct Surface {
@@ -349,7 +349,7 @@ vec4 shade(Surface surface_1) {
     ProfileShape _e9 = u_look.body_tone_shape;
     float _e10 = profile(_e5, 0.0, _e9);
     Light _e13 = u_look.key;
-    vec4 _e16 = u_look.body_lit_color;
+    vec4 _e16 = u_look.body_color_convex;
     LitLayer _e17 = light_apply(_e13, _e16, _e10);
     vec4 _e20 = u_look.shadow;
     vec4 _e25 = blend_alpha(_e20, _e17.color, _e17.tone, 1.0, true);
@@ -357,7 +357,7 @@ vec4 shade(Surface surface_1) {
     Angle _e31 = parametrization_specular(_e28, surface_1.normal, surface_1.view);
     float _e34 = profile(_e31, 0.0, highlight_tone_shape);
     Light _e37 = u_look.key;
-    vec4 _e40 = u_look.highlight_lit_color;
+    vec4 _e40 = u_look.highlight_color_convex;
     LitLayer _e41 = light_apply(_e37, _e40, _e34);
     vec4 _e46 = blend_alpha(_e25, _e41.color, _e41.tone, 0.8, true);
     Light _e49 = u_look.back;
@@ -365,7 +365,7 @@ vec4 shade(Surface surface_1) {
     ProfileShape _e55 = u_look.back_light_tone_shape;
     float _e56 = profile(_e51, 0.0, _e55);
     Light _e59 = u_look.back;
-    vec4 _e62 = u_look.back_light_lit_color;
+    vec4 _e62 = u_look.back_light_color_convex;
     LitLayer _e63 = light_apply(_e59, _e62, _e56);
     vec4 _e68 = blend_add(_e46, _e63.color, _e63.tone, 1.0, true);
     vec4 _e69 = output_(_e68);

@@ -41,13 +41,13 @@ struct ProfileShape {
 };
 
 struct Look {
+    float4 back_light_color_convex;
     Light back;
     ProfileShape back_light_tone_shape;
-    float4 back_light_lit_color;
+    float4 highlight_color_convex;
     Light key;
-    float4 highlight_lit_color;
+    float4 body_color_convex;
     ProfileShape body_tone_shape;
-    float4 body_lit_color;
     float4 shadow;
 };
 
@@ -465,7 +465,7 @@ float4 shade(Surface surface_1)
     ProfileShape _e9 = look.body_tone_shape;
     const float _e10 = profile(_e5, 0.0, _e9);
     Light _e13 = look.key;
-    float4 _e16 = look.body_lit_color;
+    float4 _e16 = look.body_color_convex;
     const LitLayer _e17 = light_apply(_e13, _e16, _e10);
     float4 _e20 = look.shadow;
     const float4 _e25 = blend_alpha(_e20, _e17.color, _e17.tone, 1.0, true);
@@ -473,7 +473,7 @@ float4 shade(Surface surface_1)
     const Angle _e31 = parametrization_specular(_e28, surface_1.normal, surface_1.view);
     const float _e34 = profile(_e31, 0.0, highlight_tone_shape);
     Light _e37 = look.key;
-    float4 _e40 = look.highlight_lit_color;
+    float4 _e40 = look.highlight_color_convex;
     const LitLayer _e41 = light_apply(_e37, _e40, _e34);
     const float4 _e46 = blend_alpha(_e25, _e41.color, _e41.tone, 0.8, true);
     Light _e49 = look.back;
@@ -481,7 +481,7 @@ float4 shade(Surface surface_1)
     ProfileShape _e55 = look.back_light_tone_shape;
     const float _e56 = profile(_e51, 0.0, _e55);
     Light _e59 = look.back;
-    float4 _e62 = look.back_light_lit_color;
+    float4 _e62 = look.back_light_color_convex;
     const LitLayer _e63 = light_apply(_e59, _e62, _e56);
     const float4 _e68 = blend_add(_e46, _e63.color, _e63.tone, 1.0, true);
     const float4 _e69 = output(_e68);

@@ -39,13 +39,13 @@ struct ProfileShape {
     uint kind;
 };
 struct Look {
+    metal::float4 back_light_color_convex;
     Light back;
     ProfileShape back_light_tone_shape;
-    metal::float4 back_light_lit_color;
+    metal::float4 highlight_color_convex;
     Light key;
-    metal::float4 highlight_lit_color;
+    metal::float4 body_color_convex;
     ProfileShape body_tone_shape;
-    metal::float4 body_lit_color;
     metal::float4 shadow;
 };
 struct Surface {
@@ -460,7 +460,7 @@ metal::float4 shade(
     ProfileShape _e9 = look.body_tone_shape;
     float _e10 = profile(_e5, 0.0, _e9);
     Light _e13 = look.key;
-    metal::float4 _e16 = look.body_lit_color;
+    metal::float4 _e16 = look.body_color_convex;
     LitLayer _e17 = light_apply(_e13, _e16, _e10);
     metal::float4 _e20 = look.shadow;
     Composite _e25 = blend_alpha(_e20, _e17.color, _e17.tone, 1.0, true);
@@ -468,7 +468,7 @@ metal::float4 shade(
     Angle _e31 = parametrization_specular(_e28, surface_1.normal, surface_1.view);
     float _e34 = profile(_e31, 0.0, highlight_tone_shape);
     Light _e37 = look.key;
-    metal::float4 _e40 = look.highlight_lit_color;
+    metal::float4 _e40 = look.highlight_color_convex;
     LitLayer _e41 = light_apply(_e37, _e40, _e34);
     Composite _e46 = blend_alpha(_e25, _e41.color, _e41.tone, 0.8, true);
     Light _e49 = look.back;
@@ -476,7 +476,7 @@ metal::float4 shade(
     ProfileShape _e55 = look.back_light_tone_shape;
     float _e56 = profile(_e51, 0.0, _e55);
     Light _e59 = look.back;
-    metal::float4 _e62 = look.back_light_lit_color;
+    metal::float4 _e62 = look.back_light_color_convex;
     LitLayer _e63 = light_apply(_e59, _e62, _e56);
     Composite _e68 = blend_add(_e46, _e63.color, _e63.tone, 1.0, true);
     Color _e69 = output(_e68);

@@ -213,15 +213,6 @@ float angle_footprint(Angle u_3) {
     return min(_e13, 0.5);
 }
 
-float unit_share(float share) {
-    return clamp(share, 0.0, 1.0);
-}
-
-vec4 with_unit_alpha(vec4 color) {
-    float _e3 = unit_share(color.w);
-    return vec4(color.xyz, _e3);
-}
-
 vec4 straight(vec4 composite) {
     if ((composite.w <= 0.0)) {
         return composite;
@@ -269,13 +260,13 @@ vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool cla
     return (clamped ? clamp(mixed, vec4(0.0), vec4(1.0)) : mixed);
 }
 
-vec4 blend_add(vec4 below_1, vec4 color_1, float tone, float opacity_1, bool clamped_1) {
-    vec4 _e12 = blend_finish(below_1, (below_1.xyz + (tone * color_1.xyz)), below_1.w, (opacity_1 * color_1.w), clamped_1);
+vec4 blend_add(vec4 below_1, vec4 color, float tone, float opacity_1, bool clamped_1) {
+    vec4 _e12 = blend_finish(below_1, (below_1.xyz + (tone * color.xyz)), below_1.w, (opacity_1 * color.w), clamped_1);
     return _e12;
 }
 
-vec4 output_(vec4 color_2) {
-    vec4 _e1 = straight(color_2);
+vec4 output_(vec4 color_1) {
+    vec4 _e1 = straight(color_1);
     vec4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -284,9 +275,9 @@ vec2 light_split(float intensity) {
     return vec2(min(intensity, 1.0), max(intensity, 1.0));
 }
 
-LitLayer light_apply(Light light, vec4 color_3, float tone_1) {
+LitLayer light_apply(Light light, vec4 color_2, float tone_1) {
     vec2 _e4 = light_split(light.intensity);
-    return LitLayer(vec4(((color_3.xyz * light.color) * _e4.y), color_3.w), (tone_1 * _e4.x));
+    return LitLayer(vec4(((color_2.xyz * light.color) * _e4.y), color_2.w), (tone_1 * _e4.x));
 }
 
 Angle parametrization_diffuse(Light light_1, vec3 normal) {
@@ -400,30 +391,28 @@ vec4 shade(Surface surface_1) {
     vec4 _e63 = u_look.back_light_color_convex;
     vec4 _e66 = u_look.back_light_color_concave;
     vec4 _e67 = curvature_color(_e3, _e63, _e66);
-    vec4 _e68 = with_unit_alpha(_e67);
-    Light _e71 = u_look.back;
-    Angle _e73 = parametrization_diffuse(_e71, surface_1.normal);
-    float _e76 = u_look.back_light_warp_amount;
-    float _e77 = warp(_e3, _e76);
-    ProfileShape _e80 = u_look.back_light_tone_shape;
-    float _e81 = profile(_e73, _e77, _e80);
-    Light _e84 = u_look.back;
-    LitLayer _e85 = light_apply(_e84, _e68, _e81);
-    vec4 _e90 = blend_add(_e60, _e85.color, _e85.tone, 1.0, true);
-    float _e93 = transition(surface_1.kappa, 0.2);
-    vec4 _e96 = u_look.highlight_color_convex;
-    vec4 _e99 = u_look.highlight_color_concave;
-    vec4 _e100 = curvature_color(_e93, _e96, _e99);
-    vec4 _e101 = with_unit_alpha(_e100);
-    Light _e104 = u_look.key;
-    Angle _e107 = parametrization_specular(_e104, surface_1.normal, surface_1.view);
-    float _e109 = warp(_e93, 0.05);
-    float _e111 = profile(_e107, _e109, highlight_tone_shape);
-    Light _e114 = u_look.key;
-    LitLayer _e115 = light_apply(_e114, _e101, _e111);
-    vec4 _e120 = blend_add(_e90, _e115.color, _e115.tone, 1.0, true);
-    vec4 _e121 = output_(_e120);
-    return _e121;
+    Light _e70 = u_look.back;
+    Angle _e72 = parametrization_diffuse(_e70, surface_1.normal);
+    float _e75 = u_look.back_light_warp_amount;
+    float _e76 = warp(_e3, _e75);
+    ProfileShape _e79 = u_look.back_light_tone_shape;
+    float _e80 = profile(_e72, _e76, _e79);
+    Light _e83 = u_look.back;
+    LitLayer _e84 = light_apply(_e83, _e67, _e80);
+    vec4 _e89 = blend_add(_e60, _e84.color, _e84.tone, 1.0, true);
+    float _e92 = transition(surface_1.kappa, 0.2);
+    vec4 _e95 = u_look.highlight_color_convex;
+    vec4 _e98 = u_look.highlight_color_concave;
+    vec4 _e99 = curvature_color(_e92, _e95, _e98);
+    Light _e102 = u_look.key;
+    Angle _e105 = parametrization_specular(_e102, surface_1.normal, surface_1.view);
+    float _e107 = warp(_e92, 0.05);
+    float _e109 = profile(_e105, _e107, highlight_tone_shape);
+    Light _e112 = u_look.key;
+    LitLayer _e113 = light_apply(_e112, _e99, _e109);
+    vec4 _e118 = blend_add(_e89, _e113.color, _e113.tone, 1.0, true);
+    vec4 _e119 = output_(_e118);
+    return _e119;
 }
 
 void main() {

@@ -270,19 +270,6 @@ float angle_footprint(
     return metal::min(_e13, 0.5);
 }
 
-float unit_share(
-    float share
-) {
-    return metal::clamp(share, 0.0, 1.0);
-}
-
-Color with_unit_alpha(
-    Color color
-) {
-    float _e3 = unit_share(color.w);
-    return metal::float4(color.xyz, _e3);
-}
-
 Color straight(
     Composite composite
 ) {
@@ -355,19 +342,19 @@ Composite blend_finish(
 
 Composite blend_add(
     Composite below_1,
-    Color color_1,
+    Color color,
     float tone,
     float opacity_1,
     bool clamped_1
 ) {
-    Composite _e12 = blend_finish(below_1, below_1.xyz + (tone * color_1.xyz), below_1.w, opacity_1 * color_1.w, clamped_1);
+    Composite _e12 = blend_finish(below_1, below_1.xyz + (tone * color.xyz), below_1.w, opacity_1 * color.w, clamped_1);
     return _e12;
 }
 
 Color output(
-    Composite color_2
+    Composite color_1
 ) {
-    Color _e1 = straight(color_2);
+    Color _e1 = straight(color_1);
     metal::float4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -380,11 +367,11 @@ metal::float2 light_split(
 
 LitLayer light_apply(
     Light light,
-    Color color_3,
+    Color color_2,
     float tone_1
 ) {
     metal::float2 _e4 = light_split(light.intensity);
-    return LitLayer {metal::float4((color_3.xyz * light.color) * _e4.y, color_3.w), tone_1 * _e4.x};
+    return LitLayer {metal::float4((color_2.xyz * light.color) * _e4.y, color_2.w), tone_1 * _e4.x};
 }
 
 Angle parametrization_diffuse(
@@ -522,30 +509,28 @@ metal::float4 shade(
     metal::float4 _e63 = look.back_light_color_convex;
     metal::float4 _e66 = look.back_light_color_concave;
     Color _e67 = curvature_color(_e3, _e63, _e66);
-    Color _e68 = with_unit_alpha(_e67);
-    Light _e71 = look.back;
-    Angle _e73 = parametrization_diffuse(_e71, surface_1.normal);
-    float _e76 = look.back_light_warp_amount;
-    float _e77 = warp(_e3, _e76);
-    ProfileShape _e80 = look.back_light_tone_shape;
-    float _e81 = profile(_e73, _e77, _e80);
-    Light _e84 = look.back;
-    LitLayer _e85 = light_apply(_e84, _e68, _e81);
-    Composite _e90 = blend_add(_e60, _e85.color, _e85.tone, 1.0, true);
-    float _e93 = transition(surface_1.kappa, 0.2);
-    metal::float4 _e96 = look.highlight_color_convex;
-    metal::float4 _e99 = look.highlight_color_concave;
-    Color _e100 = curvature_color(_e93, _e96, _e99);
-    Color _e101 = with_unit_alpha(_e100);
-    Light _e104 = look.key;
-    Angle _e107 = parametrization_specular(_e104, surface_1.normal, surface_1.view);
-    float _e109 = warp(_e93, 0.05);
-    float _e111 = profile(_e107, _e109, highlight_tone_shape);
-    Light _e114 = look.key;
-    LitLayer _e115 = light_apply(_e114, _e101, _e111);
-    Composite _e120 = blend_add(_e90, _e115.color, _e115.tone, 1.0, true);
-    Color _e121 = output(_e120);
-    return _e121;
+    Light _e70 = look.back;
+    Angle _e72 = parametrization_diffuse(_e70, surface_1.normal);
+    float _e75 = look.back_light_warp_amount;
+    float _e76 = warp(_e3, _e75);
+    ProfileShape _e79 = look.back_light_tone_shape;
+    float _e80 = profile(_e72, _e76, _e79);
+    Light _e83 = look.back;
+    LitLayer _e84 = light_apply(_e83, _e67, _e80);
+    Composite _e89 = blend_add(_e60, _e84.color, _e84.tone, 1.0, true);
+    float _e92 = transition(surface_1.kappa, 0.2);
+    metal::float4 _e95 = look.highlight_color_convex;
+    metal::float4 _e98 = look.highlight_color_concave;
+    Color _e99 = curvature_color(_e92, _e95, _e98);
+    Light _e102 = look.key;
+    Angle _e105 = parametrization_specular(_e102, surface_1.normal, surface_1.view);
+    float _e107 = warp(_e92, 0.05);
+    float _e109 = profile(_e105, _e107, highlight_tone_shape);
+    Light _e112 = look.key;
+    LitLayer _e113 = light_apply(_e112, _e99, _e109);
+    Composite _e118 = blend_add(_e89, _e113.color, _e113.tone, 1.0, true);
+    Color _e119 = output(_e118);
+    return _e119;
 }
 
 struct vs_mainInput {

@@ -2,6 +2,9 @@
 // What turns parameters and lights into the `Look` uniform of the module `draw`,
 // called before drawing by the steps of `host` in the JSON file. Run it or port it.
 
+/// Straight RGBA.
+alias Color = vec4f;
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -80,6 +83,16 @@ fn left_to_pi(x: f32) -> f32 {
     // from making one constant of both.
     let coarse = max(3.1415927410125732421875 - x, 0.0);
     return max(coarse - 8.742278012618954e-8, 0.0);
+}
+
+/// A share within 0 and 1: an opacity, a mask. Beyond them a mix would go on past what is mixed.
+fn unit_share(share: f32) -> f32 {
+    return clamp(share, 0.0, 1.0);
+}
+
+/// A color whose alpha is a share.
+fn with_unit_alpha(color: Color) -> Color {
+    return vec4f(color.xyz, unit_share(color.w));
 }
 
 /// Light

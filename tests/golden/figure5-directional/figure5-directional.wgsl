@@ -216,16 +216,6 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
     return Angle(turned.x, turned.y);
 }
 
-/// A share within 0 and 1: an opacity, a mask. Beyond them a mix would go on past what is mixed.
-fn unit_share(share: f32) -> f32 {
-    return clamp(share, 0.0, 1.0);
-}
-
-/// A color whose alpha is a share.
-fn with_unit_alpha(color: Color) -> Color {
-    return vec4f(color.xyz, unit_share(color.w));
-}
-
 /// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
 /// transparency is not lost.
 fn straight(composite: Composite) -> Color {
@@ -436,19 +426,17 @@ fn shade(surface: Surface) -> vec4f {
     let diffuse_lit = light_apply(look.key, diffuse_color, diffuse_tone);
     let diffuse_blend = blend_add(fill_blend, diffuse_lit.color, diffuse_lit.tone, 1.0, true);
     let back_light_color = curvature_color(back_light_convexity, look.back_light_color_convex, look.back_light_color_concave);
-    let back_light_lit_color = with_unit_alpha(back_light_color);
     let back_light_angle = parametrization_diffuse(look.back, surface.normal);
     let back_light_warp = warp(back_light_convexity, look.back_light_warp_amount);
     let back_light_tone = profile(back_light_angle, back_light_warp, look.back_light_tone_shape);
-    let back_light_lit = light_apply(look.back, back_light_lit_color, back_light_tone);
+    let back_light_lit = light_apply(look.back, back_light_color, back_light_tone);
     let back_light_blend = blend_add(diffuse_blend, back_light_lit.color, back_light_lit.tone, 1.0, true);
     let highlight_convexity = transition(surface.kappa, 0.2);
     let highlight_color = curvature_color(highlight_convexity, look.highlight_color_convex, look.highlight_color_concave);
-    let highlight_lit_color = with_unit_alpha(highlight_color);
     let highlight_angle = parametrization_specular(look.key, surface.normal, surface.view);
     let highlight_warp = warp(highlight_convexity, 0.05);
     let highlight_tone = profile(highlight_angle, highlight_warp, highlight_tone_shape);
-    let highlight_lit = light_apply(look.key, highlight_lit_color, highlight_tone);
+    let highlight_lit = light_apply(look.key, highlight_color, highlight_tone);
     let highlight_blend = blend_add(back_light_blend, highlight_lit.color, highlight_lit.tone, 1.0, true);
     let output_2 = output(highlight_blend);
     return output_2;

@@ -219,15 +219,6 @@ float angle_footprint(Angle u_3) {
     return min(_e13, 0.5);
 }
 
-float unit_share(float share) {
-    return clamp(share, 0.0, 1.0);
-}
-
-vec4 with_unit_alpha(vec4 color) {
-    float _e3 = unit_share(color.w);
-    return vec4(color.xyz, _e3);
-}
-
 vec4 straight(vec4 composite) {
     if ((composite.w <= 0.0)) {
         return composite;
@@ -275,25 +266,25 @@ vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool cla
     return (clamped ? clamp(mixed, vec4(0.0), vec4(1.0)) : mixed);
 }
 
-vec4 blend_add(vec4 below_1, vec4 color_1, float tone, float opacity_1, bool clamped_1) {
-    vec4 _e12 = blend_finish(below_1, (below_1.xyz + (tone * color_1.xyz)), below_1.w, (opacity_1 * color_1.w), clamped_1);
+vec4 blend_add(vec4 below_1, vec4 color, float tone, float opacity_1, bool clamped_1) {
+    vec4 _e12 = blend_finish(below_1, (below_1.xyz + (tone * color.xyz)), below_1.w, (opacity_1 * color.w), clamped_1);
     return _e12;
 }
 
-vec4 blend_multiply(vec4 below_2, vec4 color_2, float tone_1, float opacity_2, bool clamped_2) {
-    vec4 _e12 = blend_finish(below_2, (below_2.xyz * (tone_1 * color_2.xyz)), below_2.w, (opacity_2 * color_2.w), clamped_2);
+vec4 blend_multiply(vec4 below_2, vec4 color_1, float tone_1, float opacity_2, bool clamped_2) {
+    vec4 _e12 = blend_finish(below_2, (below_2.xyz * (tone_1 * color_1.xyz)), below_2.w, (opacity_2 * color_1.w), clamped_2);
     return _e12;
 }
 
-vec4 blend_alpha(vec4 below_3, vec4 color_3, float tone_2, float opacity_3, bool clamped_3) {
-    float a_2 = (opacity_3 * color_3.w);
+vec4 blend_alpha(vec4 below_3, vec4 color_2, float tone_2, float opacity_3, bool clamped_3) {
+    float a_2 = (opacity_3 * color_2.w);
     float alpha_1 = (below_3.w + ((tone_2 * a_2) * (1.0 - below_3.w)));
-    vec4 _e20 = blend_finish(below_3, (below_3.xyz + (tone_2 * (color_3.xyz - below_3.xyz))), alpha_1, a_2, clamped_3);
+    vec4 _e20 = blend_finish(below_3, (below_3.xyz + (tone_2 * (color_2.xyz - below_3.xyz))), alpha_1, a_2, clamped_3);
     return _e20;
 }
 
-vec4 output_(vec4 color_4) {
-    vec4 _e1 = straight(color_4);
+vec4 output_(vec4 color_3) {
+    vec4 _e1 = straight(color_3);
     vec4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -302,9 +293,9 @@ vec2 light_split(float intensity) {
     return vec2(min(intensity, 1.0), max(intensity, 1.0));
 }
 
-LitLayer light_apply(Light light, vec4 color_5, float tone_3) {
+LitLayer light_apply(Light light, vec4 color_4, float tone_3) {
     vec2 _e4 = light_split(light.intensity);
-    return LitLayer(vec4(((color_5.xyz * light.color) * _e4.y), color_5.w), (tone_3 * _e4.x));
+    return LitLayer(vec4(((color_4.xyz * light.color) * _e4.y), color_4.w), (tone_3 * _e4.x));
 }
 
 Angle parametrization_diffuse(Light light_1, vec3 normal) {
@@ -405,55 +396,51 @@ vec4 shade(Surface surface_1) {
     vec4 _e6 = u_look.wing_case_color_convex;
     vec4 _e9 = u_look.wing_case_color_concave;
     vec4 _e10 = curvature_color(_e3, _e6, _e9);
-    vec4 _e11 = with_unit_alpha(_e10);
-    Light _e14 = u_look.key;
-    Angle _e16 = parametrization_diffuse(_e14, surface_1.normal);
-    float _e18 = warp(_e3, 0.2);
-    ProfileShape _e21 = u_look.wing_case_tone_shape;
-    float _e22 = profile(_e16, _e18, _e21);
-    Light _e25 = u_look.key;
-    LitLayer _e26 = light_apply(_e25, _e11, _e22);
-    vec4 _e36 = blend_add(vec4(0.0157, 0.0627, 0.0392, 1.0), _e26.color, _e26.tone, 1.0, true);
-    vec4 _e47 = curvature_color(_e3, vec4(0.3529, 0.1647, 0.4314, 1.0), vec4(0.1098, 0.0627, 0.251, 1.0));
-    Light _e50 = u_look.side;
-    Angle _e53 = parametrization_specular(_e50, surface_1.normal, surface_1.view);
-    float _e55 = warp(_e3, 0.15);
-    float _e57 = profile(_e53, _e55, violet_tone_shape);
-    Light _e60 = u_look.side;
-    LitLayer _e61 = light_apply(_e60, _e47, _e57);
-    vec4 _e66 = blend_add(_e36, _e61.color, _e61.tone, 1.0, true);
-    vec4 _e69 = u_look.gold_color_convex;
-    vec4 _e75 = curvature_color(_e3, _e69, vec4(0.2902, 0.3529, 0.0627, 1.0));
-    vec4 _e76 = with_unit_alpha(_e75);
-    Light _e79 = u_look.key;
-    Angle _e82 = parametrization_specular(_e79, surface_1.normal, surface_1.view);
-    float _e84 = profile(_e82, _e55, gold_tone_shape);
-    Light _e87 = u_look.key;
-    LitLayer _e88 = light_apply(_e87, _e76, _e84);
-    vec4 _e93 = blend_add(_e66, _e88.color, _e88.tone, 1.0, true);
-    vec4 _e96 = u_look.green_sheen_color_convex;
-    vec4 _e102 = curvature_color(_e3, _e96, vec4(0.1647, 0.5412, 0.3529, 1.0));
-    vec4 _e103 = with_unit_alpha(_e102);
-    float _e105 = warp(_e3, 0.1);
-    float _e107 = profile(_e82, _e105, green_sheen_tone_shape);
-    Light _e110 = u_look.key;
-    LitLayer _e111 = light_apply(_e110, _e103, _e107);
-    vec4 _e116 = blend_add(_e93, _e111.color, _e111.tone, 1.0, true);
-    vec4 _e124 = curvature_color(_e3, vec4(1.0), vec4(0.8471, 1.0, 0.8784, 1.0));
-    float _e126 = warp(_e3, 0.05);
-    float _e128 = profile(_e82, _e126, glint_tone_shape);
-    Light _e131 = u_look.key;
-    LitLayer _e132 = light_apply(_e131, _e124, _e128);
-    vec4 _e137 = blend_alpha(_e116, _e132.color, _e132.tone, 1.0, true);
-    float _e140 = transition(surface_1.kappa, 0.3);
-    vec4 _e145 = u_look.hollows_color_concave;
-    vec4 _e146 = curvature_color(_e140, vec4(1.0), _e145);
-    vec4 _e147 = with_unit_alpha(_e146);
-    Light _e150 = u_look.key;
-    LitLayer _e152 = light_apply(_e150, _e147, 1.0);
-    vec4 _e157 = blend_multiply(_e137, _e152.color, _e152.tone, 1.0, true);
-    vec4 _e158 = output_(_e157);
-    return _e158;
+    Light _e13 = u_look.key;
+    Angle _e15 = parametrization_diffuse(_e13, surface_1.normal);
+    float _e17 = warp(_e3, 0.2);
+    ProfileShape _e20 = u_look.wing_case_tone_shape;
+    float _e21 = profile(_e15, _e17, _e20);
+    Light _e24 = u_look.key;
+    LitLayer _e25 = light_apply(_e24, _e10, _e21);
+    vec4 _e35 = blend_add(vec4(0.0157, 0.0627, 0.0392, 1.0), _e25.color, _e25.tone, 1.0, true);
+    vec4 _e46 = curvature_color(_e3, vec4(0.3529, 0.1647, 0.4314, 1.0), vec4(0.1098, 0.0627, 0.251, 1.0));
+    Light _e49 = u_look.side;
+    Angle _e52 = parametrization_specular(_e49, surface_1.normal, surface_1.view);
+    float _e54 = warp(_e3, 0.15);
+    float _e56 = profile(_e52, _e54, violet_tone_shape);
+    Light _e59 = u_look.side;
+    LitLayer _e60 = light_apply(_e59, _e46, _e56);
+    vec4 _e65 = blend_add(_e35, _e60.color, _e60.tone, 1.0, true);
+    vec4 _e68 = u_look.gold_color_convex;
+    vec4 _e74 = curvature_color(_e3, _e68, vec4(0.2902, 0.3529, 0.0627, 1.0));
+    Light _e77 = u_look.key;
+    Angle _e80 = parametrization_specular(_e77, surface_1.normal, surface_1.view);
+    float _e82 = profile(_e80, _e54, gold_tone_shape);
+    Light _e85 = u_look.key;
+    LitLayer _e86 = light_apply(_e85, _e74, _e82);
+    vec4 _e91 = blend_add(_e65, _e86.color, _e86.tone, 1.0, true);
+    vec4 _e94 = u_look.green_sheen_color_convex;
+    vec4 _e100 = curvature_color(_e3, _e94, vec4(0.1647, 0.5412, 0.3529, 1.0));
+    float _e102 = warp(_e3, 0.1);
+    float _e104 = profile(_e80, _e102, green_sheen_tone_shape);
+    Light _e107 = u_look.key;
+    LitLayer _e108 = light_apply(_e107, _e100, _e104);
+    vec4 _e113 = blend_add(_e91, _e108.color, _e108.tone, 1.0, true);
+    vec4 _e121 = curvature_color(_e3, vec4(1.0), vec4(0.8471, 1.0, 0.8784, 1.0));
+    float _e123 = warp(_e3, 0.05);
+    float _e125 = profile(_e80, _e123, glint_tone_shape);
+    Light _e128 = u_look.key;
+    LitLayer _e129 = light_apply(_e128, _e121, _e125);
+    vec4 _e134 = blend_alpha(_e113, _e129.color, _e129.tone, 1.0, true);
+    float _e137 = transition(surface_1.kappa, 0.3);
+    vec4 _e142 = u_look.hollows_color_concave;
+    vec4 _e143 = curvature_color(_e137, vec4(1.0), _e142);
+    Light _e146 = u_look.key;
+    LitLayer _e148 = light_apply(_e146, _e143, 1.0);
+    vec4 _e153 = blend_multiply(_e134, _e148.color, _e148.tone, 1.0, true);
+    vec4 _e154 = output_(_e153);
+    return _e154;
 }
 
 void main() {

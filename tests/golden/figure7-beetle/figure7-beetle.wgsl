@@ -215,16 +215,6 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
     return Angle(turned.x, turned.y);
 }
 
-/// A share within 0 and 1: an opacity, a mask. Beyond them a mix would go on past what is mixed.
-fn unit_share(share: f32) -> f32 {
-    return clamp(share, 0.0, 1.0);
-}
-
-/// A color whose alpha is a share.
-fn with_unit_alpha(color: Color) -> Color {
-    return vec4f(color.xyz, unit_share(color.w));
-}
-
 /// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
 /// transparency is not lost.
 fn straight(composite: Composite) -> Color {
@@ -439,11 +429,10 @@ const glint_tone_shape = ProfileShape(0.99955004, 0.029995501, 25.006668, 2.4986
 fn shade(surface: Surface) -> vec4f {
     let glint_convexity = transition(surface.kappa, 0.2);
     let wing_case_color = curvature_color(glint_convexity, look.wing_case_color_convex, look.wing_case_color_concave);
-    let wing_case_lit_color = with_unit_alpha(wing_case_color);
     let hollows_angle = parametrization_diffuse(look.key, surface.normal);
     let wing_case_warp = warp(glint_convexity, 0.2);
     let wing_case_tone = profile(hollows_angle, wing_case_warp, look.wing_case_tone_shape);
-    let wing_case_lit = light_apply(look.key, wing_case_lit_color, wing_case_tone);
+    let wing_case_lit = light_apply(look.key, wing_case_color, wing_case_tone);
     let wing_case_blend = blend_add(vec4f(0.0157, 0.0627, 0.0392, 1.0), wing_case_lit.color, wing_case_lit.tone, 1.0, true);
     let violet_color = curvature_color(glint_convexity, vec4f(0.3529, 0.1647, 0.4314, 1.0), vec4f(0.1098, 0.0627, 0.251, 1.0));
     let violet_angle = parametrization_specular(look.side, surface.normal, surface.view);
@@ -452,16 +441,14 @@ fn shade(surface: Surface) -> vec4f {
     let violet_lit = light_apply(look.side, violet_color, violet_tone);
     let violet_blend = blend_add(wing_case_blend, violet_lit.color, violet_lit.tone, 1.0, true);
     let gold_color = curvature_color(glint_convexity, look.gold_color_convex, vec4f(0.2902, 0.3529, 0.0627, 1.0));
-    let gold_lit_color = with_unit_alpha(gold_color);
     let glint_angle = parametrization_specular(look.key, surface.normal, surface.view);
     let gold_tone = profile(glint_angle, gold_warp, gold_tone_shape);
-    let gold_lit = light_apply(look.key, gold_lit_color, gold_tone);
+    let gold_lit = light_apply(look.key, gold_color, gold_tone);
     let gold_blend = blend_add(violet_blend, gold_lit.color, gold_lit.tone, 1.0, true);
     let green_sheen_color = curvature_color(glint_convexity, look.green_sheen_color_convex, vec4f(0.1647, 0.5412, 0.3529, 1.0));
-    let green_sheen_lit_color = with_unit_alpha(green_sheen_color);
     let green_sheen_warp = warp(glint_convexity, 0.1);
     let green_sheen_tone = profile(glint_angle, green_sheen_warp, green_sheen_tone_shape);
-    let green_sheen_lit = light_apply(look.key, green_sheen_lit_color, green_sheen_tone);
+    let green_sheen_lit = light_apply(look.key, green_sheen_color, green_sheen_tone);
     let green_sheen_blend = blend_add(gold_blend, green_sheen_lit.color, green_sheen_lit.tone, 1.0, true);
     let glint_color = curvature_color(glint_convexity, vec4f(1.0), vec4f(0.8471, 1.0, 0.8784, 1.0));
     let glint_warp = warp(glint_convexity, 0.05);
@@ -470,8 +457,7 @@ fn shade(surface: Surface) -> vec4f {
     let glint_blend = blend_alpha(green_sheen_blend, glint_lit.color, glint_lit.tone, 1.0, true);
     let hollows_convexity = transition(surface.kappa, 0.3);
     let hollows_color = curvature_color(hollows_convexity, vec4f(1.0), look.hollows_color_concave);
-    let hollows_lit_color = with_unit_alpha(hollows_color);
-    let hollows_lit = light_apply(look.key, hollows_lit_color, 1.0);
+    let hollows_lit = light_apply(look.key, hollows_color, 1.0);
     let hollows_blend = blend_multiply(glint_blend, hollows_lit.color, hollows_lit.tone, 1.0, true);
     let output_2 = output(hollows_blend);
     return output_2;

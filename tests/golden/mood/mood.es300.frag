@@ -29,14 +29,14 @@ struct ProfileShape {
     uint kind;
 };
 struct Look {
+    vec4 back_light_color_convex;
     Light back;
     ProfileShape back_light_tone_shape;
-    vec4 back_light_lit_color;
+    vec4 highlight_color_convex;
     Light key;
     ProfileShape highlight_tone_shape;
-    vec4 highlight_lit_color;
+    vec4 body_color_convex;
     ProfileShape body_tone_shape;
-    vec4 body_lit_color;
     vec4 shadow;
 };
 struct Surface {
@@ -353,7 +353,7 @@ vec4 shade(Surface surface_1) {
     ProfileShape _e9 = u_look.body_tone_shape;
     float _e10 = profile(_e5, 0.0, _e9);
     Light _e13 = u_look.key;
-    vec4 _e16 = u_look.body_lit_color;
+    vec4 _e16 = u_look.body_color_convex;
     LitLayer _e17 = light_apply(_e13, _e16, _e10);
     vec4 _e20 = u_look.shadow;
     vec4 _e25 = blend_alpha(_e20, _e17.color, _e17.tone, 1.0, true);
@@ -362,7 +362,7 @@ vec4 shade(Surface surface_1) {
     ProfileShape _e35 = u_look.highlight_tone_shape;
     float _e36 = profile(_e31, 0.0, _e35);
     Light _e39 = u_look.key;
-    vec4 _e42 = u_look.highlight_lit_color;
+    vec4 _e42 = u_look.highlight_color_convex;
     LitLayer _e43 = light_apply(_e39, _e42, _e36);
     vec4 _e48 = blend_alpha(_e25, _e43.color, _e43.tone, 0.7, true);
     Light _e51 = u_look.back;
@@ -370,7 +370,7 @@ vec4 shade(Surface surface_1) {
     ProfileShape _e57 = u_look.back_light_tone_shape;
     float _e58 = profile(_e53, 0.0, _e57);
     Light _e61 = u_look.back;
-    vec4 _e64 = u_look.back_light_lit_color;
+    vec4 _e64 = u_look.back_light_color_convex;
     LitLayer _e65 = light_apply(_e61, _e64, _e58);
     vec4 _e70 = blend_add(_e48, _e65.color, _e65.tone, 1.0, true);
     vec4 _e71 = output_(_e70);

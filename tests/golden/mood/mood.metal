@@ -39,14 +39,14 @@ struct ProfileShape {
     uint kind;
 };
 struct Look {
+    metal::float4 back_light_color_convex;
     Light back;
     ProfileShape back_light_tone_shape;
-    metal::float4 back_light_lit_color;
+    metal::float4 highlight_color_convex;
     Light key;
     ProfileShape highlight_tone_shape;
-    metal::float4 highlight_lit_color;
+    metal::float4 body_color_convex;
     ProfileShape body_tone_shape;
-    metal::float4 body_lit_color;
     metal::float4 shadow;
 };
 struct Surface {
@@ -460,7 +460,7 @@ metal::float4 shade(
     ProfileShape _e9 = look.body_tone_shape;
     float _e10 = profile(_e5, 0.0, _e9);
     Light _e13 = look.key;
-    metal::float4 _e16 = look.body_lit_color;
+    metal::float4 _e16 = look.body_color_convex;
     LitLayer _e17 = light_apply(_e13, _e16, _e10);
     metal::float4 _e20 = look.shadow;
     Composite _e25 = blend_alpha(_e20, _e17.color, _e17.tone, 1.0, true);
@@ -469,7 +469,7 @@ metal::float4 shade(
     ProfileShape _e35 = look.highlight_tone_shape;
     float _e36 = profile(_e31, 0.0, _e35);
     Light _e39 = look.key;
-    metal::float4 _e42 = look.highlight_lit_color;
+    metal::float4 _e42 = look.highlight_color_convex;
     LitLayer _e43 = light_apply(_e39, _e42, _e36);
     Composite _e48 = blend_alpha(_e25, _e43.color, _e43.tone, 0.7, true);
     Light _e51 = look.back;
@@ -477,7 +477,7 @@ metal::float4 shade(
     ProfileShape _e57 = look.back_light_tone_shape;
     float _e58 = profile(_e53, 0.0, _e57);
     Light _e61 = look.back;
-    metal::float4 _e64 = look.back_light_lit_color;
+    metal::float4 _e64 = look.back_light_color_convex;
     LitLayer _e65 = light_apply(_e61, _e64, _e58);
     Composite _e70 = blend_add(_e48, _e65.color, _e65.tone, 1.0, true);
     Color _e71 = output(_e70);

@@ -25,12 +25,12 @@ struct ProfileShape {
     uint kind;
 };
 struct Look {
+    vec4 back_light_color_convex;
     Light back;
-    vec4 back_light_lit_color;
+    vec4 highlight_color_convex;
     Light key;
-    vec4 highlight_lit_color;
+    vec4 body_color_convex;
     ProfileShape body_tone_shape;
-    vec4 body_lit_color;
     vec4 shadow;
 };
 struct Surface {
@@ -349,7 +349,7 @@ vec4 shade(Surface surface_1) {
     ProfileShape _e9 = u_look.body_tone_shape;
     float _e10 = profile(_e5, 0.0, _e9);
     Light _e13 = u_look.key;
-    vec4 _e16 = u_look.body_lit_color;
+    vec4 _e16 = u_look.body_color_convex;
     LitLayer _e17 = light_apply(_e13, _e16, _e10);
     vec4 _e20 = u_look.shadow;
     vec4 _e25 = blend_alpha(_e20, _e17.color, _e17.tone, 1.0, true);
@@ -357,14 +357,14 @@ vec4 shade(Surface surface_1) {
     Angle _e31 = parametrization_specular(_e28, surface_1.normal, surface_1.view);
     float _e34 = profile(_e31, 0.0, highlight_tone_shape);
     Light _e37 = u_look.key;
-    vec4 _e40 = u_look.highlight_lit_color;
+    vec4 _e40 = u_look.highlight_color_convex;
     LitLayer _e41 = light_apply(_e37, _e40, _e34);
     vec4 _e46 = blend_alpha(_e25, _e41.color, _e41.tone, 0.9, true);
     Light _e49 = u_look.back;
     Angle _e51 = parametrization_diffuse(_e49, surface_1.normal);
     float _e54 = profile(_e51, 0.0, back_light_tone_shape);
     Light _e57 = u_look.back;
-    vec4 _e60 = u_look.back_light_lit_color;
+    vec4 _e60 = u_look.back_light_color_convex;
     LitLayer _e61 = light_apply(_e57, _e60, _e54);
     vec4 _e66 = blend_add(_e46, _e61.color, _e61.tone, 1.0, true);
     vec4 _e67 = output_(_e66);

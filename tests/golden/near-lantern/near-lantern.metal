@@ -39,12 +39,12 @@ struct ProfileShape {
     uint kind;
 };
 struct Look {
+    metal::float4 back_light_color_convex;
     Light back;
-    metal::float4 back_light_lit_color;
+    metal::float4 highlight_color_convex;
     Light key;
-    metal::float4 highlight_lit_color;
+    metal::float4 body_color_convex;
     ProfileShape body_tone_shape;
-    metal::float4 body_lit_color;
     metal::float4 shadow;
 };
 struct Surface {
@@ -460,7 +460,7 @@ metal::float4 shade(
     ProfileShape _e9 = look.body_tone_shape;
     float _e10 = profile(_e5, 0.0, _e9);
     Light _e13 = look.key;
-    metal::float4 _e16 = look.body_lit_color;
+    metal::float4 _e16 = look.body_color_convex;
     LitLayer _e17 = light_apply(_e13, _e16, _e10);
     metal::float4 _e20 = look.shadow;
     Composite _e25 = blend_alpha(_e20, _e17.color, _e17.tone, 1.0, true);
@@ -468,14 +468,14 @@ metal::float4 shade(
     Angle _e31 = parametrization_specular(_e28, surface_1.normal, surface_1.view);
     float _e34 = profile(_e31, 0.0, highlight_tone_shape);
     Light _e37 = look.key;
-    metal::float4 _e40 = look.highlight_lit_color;
+    metal::float4 _e40 = look.highlight_color_convex;
     LitLayer _e41 = light_apply(_e37, _e40, _e34);
     Composite _e46 = blend_alpha(_e25, _e41.color, _e41.tone, 0.9, true);
     Light _e49 = look.back;
     Angle _e51 = parametrization_diffuse(_e49, surface_1.normal);
     float _e54 = profile(_e51, 0.0, back_light_tone_shape);
     Light _e57 = look.back;
-    metal::float4 _e60 = look.back_light_lit_color;
+    metal::float4 _e60 = look.back_light_color_convex;
     LitLayer _e61 = light_apply(_e57, _e60, _e54);
     Composite _e66 = blend_add(_e46, _e61.color, _e61.tone, 1.0, true);
     Color _e67 = output(_e66);

@@ -21,13 +21,13 @@ struct Object {
 
 /// What is known before the fragment.
 struct Look {
+    back_light_color_convex: vec4f,
     @align(16) back: Light,
-    @align(16) back_light_lit_color: vec4f,
+    @align(16) highlight_color_convex: vec4f,
     @align(16) key: Light,
-    @align(16) highlight_lit_color: vec4f,
+    @align(16) body_color_convex: vec4f,
     @align(16) body_tone_shape: ProfileShape,
-    @align(16) body_lit_color: vec4f,
-    shadow: vec4f,
+    @align(16) shadow: vec4f,
 }
 
 /// The surface under the fragment, in world space.
@@ -377,15 +377,15 @@ const back_light_tone_shape = ProfileShape(0.9553365, 0.29552022, 5.743557, 2.01
 fn shade(surface: Surface) -> vec4f {
     let body_angle = parametrization_diffuse(look.key, surface.normal);
     let body_tone = profile(body_angle, 0.0, look.body_tone_shape);
-    let body_lit = light_apply(look.key, look.body_lit_color, body_tone);
+    let body_lit = light_apply(look.key, look.body_color_convex, body_tone);
     let body_blend = blend_alpha(look.shadow, body_lit.color, body_lit.tone, 1.0, true);
     let highlight_angle = parametrization_specular(look.key, surface.normal, surface.view);
     let highlight_tone = profile(highlight_angle, 0.0, highlight_tone_shape);
-    let highlight_lit = light_apply(look.key, look.highlight_lit_color, highlight_tone);
+    let highlight_lit = light_apply(look.key, look.highlight_color_convex, highlight_tone);
     let highlight_blend = blend_alpha(body_blend, highlight_lit.color, highlight_lit.tone, 0.9, true);
     let back_light_angle = parametrization_diffuse(look.back, surface.normal);
     let back_light_tone = profile(back_light_angle, 0.0, back_light_tone_shape);
-    let back_light_lit = light_apply(look.back, look.back_light_lit_color, back_light_tone);
+    let back_light_lit = light_apply(look.back, look.back_light_color_convex, back_light_tone);
     let back_light_blend = blend_add(highlight_blend, back_light_lit.color, back_light_lit.tone, 1.0, true);
     let output_2 = output(back_light_blend);
     return output_2;

@@ -93,9 +93,9 @@ static const float LN_2_ = 0.6931472;
 static const float LOG2_E = 1.442695;
 static const uint PROFILE_STEP = 1u;
 static const uint PROFILE_AMBIENT = 2u;
-static const ProfileShape body_tone_shape = ConstructProfileShape(0.99649334, 0.08367206, 2.6028495, 1.0, 0.16754, 0.52017534, 0.18670145, 0u);
-static const ProfileShape light_tone_shape = ConstructProfileShape(0.6656215, 0.7462895, 0.0, 1.0, 1.68494, 0.0, 0.0, 1u);
-static const ProfileShape behind_tone_shape = ConstructProfileShape(0.5434498, 0.83944166, 1.8401, 1.0, 1.99251, 0.74832225, 0.2733681, 0u);
+static const ProfileShape body_tone_shape = ConstructProfileShape(0.60240144, 0.7981933, 21.601328, 1.0, 1.84858, 0.06173407, 0.021818977, 0u);
+static const ProfileShape light_tone_shape = ConstructProfileShape(0.9976349, 0.06873576, 2.5909312, 1.0, 0.13758, 0.5226457, 0.18761672, 0u);
+static const ProfileShape behind_tone_shape = ConstructProfileShape(0.9921977, 0.12467473, 2.425296, 1.7791567, 0.25, 0.46467006, 0.1911372, 0u);
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -438,19 +438,19 @@ float4 shade(Surface surface_1)
     const Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
     const float _e8 = profile(_e5, 0.0, body_tone_shape);
     Light _e11 = look.window;
-    const LitLayer _e17 = light_apply(_e11, float4(0.81098, 0.66636, 0.30508, 1.0), _e8);
-    const float4 _e27 = blend_add(float4(0.09379, 0.05837, 0.14467, 1.0), _e17.color, _e17.tone, 1.0, true);
+    const LitLayer _e17 = light_apply(_e11, float4(0.18708, 0.62392, 0.48886, 1.0), _e8);
+    const float4 _e27 = blend_add(float4(0.14678, 0.1201, 0.28662, 1.0), _e17.color, _e17.tone, 1.0, true);
     Light _e30 = look.lamp;
     const Angle _e32 = parametrization_diffuse(_e30, surface_1.normal);
     const float _e35 = profile(_e32, 0.0, light_tone_shape);
     Light _e38 = look.lamp;
-    const LitLayer _e44 = light_apply(_e38, float4(0.18074, 0.61994, 0.48594, 1.0), _e35);
+    const LitLayer _e44 = light_apply(_e38, float4(0.81701, 0.67278, 0.30725, 1.0), _e35);
     const float4 _e49 = blend_add(_e27, _e44.color, _e44.tone, 1.0, true);
     Light _e52 = look.back;
     const Angle _e54 = parametrization_diffuse(_e52, surface_1.normal);
     const float _e57 = profile(_e54, 0.0, behind_tone_shape);
     Light _e60 = look.back;
-    const LitLayer _e66 = light_apply(_e60, float4(0.05258, 0.06483, 0.14449, 1.0), _e57);
+    const LitLayer _e66 = light_apply(_e60, float4(0.08, 0.09, 0.1, 1.0), _e57);
     const float4 _e71 = blend_add(_e49, _e66.color, _e66.tone, 1.0, true);
     const float4 _e72 = output(_e71);
     return _e72;

@@ -71,9 +71,9 @@ constant float LN_2_ = 0.6931472;
 constant float LOG2_E = 1.442695;
 constant uint PROFILE_STEP = 1u;
 constant uint PROFILE_AMBIENT = 2u;
-constant ProfileShape body_tone_shape = ProfileShape {0.99649334, 0.08367206, 2.6028495, 1.0, 0.16754, 0.52017534, 0.18670145, 0u};
-constant ProfileShape light_tone_shape = ProfileShape {0.6656215, 0.7462895, 0.0, 1.0, 1.68494, 0.0, 0.0, 1u};
-constant ProfileShape behind_tone_shape = ProfileShape {0.5434498, 0.83944166, 1.8401, 1.0, 1.99251, 0.74832225, 0.2733681, 0u};
+constant ProfileShape body_tone_shape = ProfileShape {0.60240144, 0.7981933, 21.601328, 1.0, 1.84858, 0.06173407, 0.021818977, 0u};
+constant ProfileShape light_tone_shape = ProfileShape {0.9976349, 0.06873576, 2.5909312, 1.0, 0.13758, 0.5226457, 0.18761672, 0u};
+constant ProfileShape behind_tone_shape = ProfileShape {0.9921977, 0.12467473, 2.425296, 1.7791567, 0.25, 0.46467006, 0.1911372, 0u};
 
 bool is_finite(
     float x
@@ -429,19 +429,19 @@ metal::float4 shade(
     Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
     float _e8 = profile(_e5, 0.0, body_tone_shape);
     Light _e11 = look.window;
-    LitLayer _e17 = light_apply(_e11, metal::float4(0.81098, 0.66636, 0.30508, 1.0), _e8);
-    Composite _e27 = blend_add(metal::float4(0.09379, 0.05837, 0.14467, 1.0), _e17.color, _e17.tone, 1.0, true);
+    LitLayer _e17 = light_apply(_e11, metal::float4(0.18708, 0.62392, 0.48886, 1.0), _e8);
+    Composite _e27 = blend_add(metal::float4(0.14678, 0.1201, 0.28662, 1.0), _e17.color, _e17.tone, 1.0, true);
     Light _e30 = look.lamp;
     Angle _e32 = parametrization_diffuse(_e30, surface_1.normal);
     float _e35 = profile(_e32, 0.0, light_tone_shape);
     Light _e38 = look.lamp;
-    LitLayer _e44 = light_apply(_e38, metal::float4(0.18074, 0.61994, 0.48594, 1.0), _e35);
+    LitLayer _e44 = light_apply(_e38, metal::float4(0.81701, 0.67278, 0.30725, 1.0), _e35);
     Composite _e49 = blend_add(_e27, _e44.color, _e44.tone, 1.0, true);
     Light _e52 = look.back;
     Angle _e54 = parametrization_diffuse(_e52, surface_1.normal);
     float _e57 = profile(_e54, 0.0, behind_tone_shape);
     Light _e60 = look.back;
-    LitLayer _e66 = light_apply(_e60, metal::float4(0.05258, 0.06483, 0.14449, 1.0), _e57);
+    LitLayer _e66 = light_apply(_e60, metal::float4(0.08, 0.09, 0.1, 1.0), _e57);
     Composite _e71 = blend_add(_e49, _e66.color, _e66.tone, 1.0, true);
     Color _e72 = output(_e71);
     return _e72;

@@ -353,23 +353,23 @@ fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered(warped, angle_footprint(warped), shape);
 }
 
-const body_tone_shape = ProfileShape(0.99649334, 0.08367206, 2.6028495, 1.0, 0.16754, 0.52017534, 0.18670145, 0u);
-const light_tone_shape = ProfileShape(0.6656215, 0.7462895, 0.0, 1.0, 1.68494, 0.0, 0.0, 1u);
-const behind_tone_shape = ProfileShape(0.5434498, 0.83944166, 1.8401, 1.0, 1.99251, 0.74832225, 0.2733681, 0u);
+const body_tone_shape = ProfileShape(0.60240144, 0.7981933, 21.601328, 1.0, 1.84858, 0.06173407, 0.021818977, 0u);
+const light_tone_shape = ProfileShape(0.9976349, 0.06873576, 2.5909312, 1.0, 0.13758, 0.5226457, 0.18761672, 0u);
+const behind_tone_shape = ProfileShape(0.9921977, 0.12467473, 2.425296, 1.7791567, 0.25, 0.46467006, 0.1911372, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
     let body_angle = parametrization_diffuse(look.window, surface.normal);
     let body_tone = profile(body_angle, 0.0, body_tone_shape);
-    let body_lit = light_apply(look.window, vec4f(0.81098, 0.66636, 0.30508, 1.0), body_tone);
-    let body_blend = blend_add(vec4f(0.09379, 0.05837, 0.14467, 1.0), body_lit.color, body_lit.tone, 1.0, true);
+    let body_lit = light_apply(look.window, vec4f(0.18708, 0.62392, 0.48886, 1.0), body_tone);
+    let body_blend = blend_add(vec4f(0.14678, 0.1201, 0.28662, 1.0), body_lit.color, body_lit.tone, 1.0, true);
     let light_angle = parametrization_diffuse(look.lamp, surface.normal);
     let light_tone = profile(light_angle, 0.0, light_tone_shape);
-    let light_lit = light_apply(look.lamp, vec4f(0.18074, 0.61994, 0.48594, 1.0), light_tone);
+    let light_lit = light_apply(look.lamp, vec4f(0.81701, 0.67278, 0.30725, 1.0), light_tone);
     let light_blend = blend_add(body_blend, light_lit.color, light_lit.tone, 1.0, true);
     let behind_angle = parametrization_diffuse(look.back, surface.normal);
     let behind_tone = profile(behind_angle, 0.0, behind_tone_shape);
-    let behind_lit = light_apply(look.back, vec4f(0.05258, 0.06483, 0.14449, 1.0), behind_tone);
+    let behind_lit = light_apply(look.back, vec4f(0.08, 0.09, 0.1, 1.0), behind_tone);
     let behind_blend = blend_add(light_blend, behind_lit.color, behind_lit.tone, 1.0, true);
     let output_2 = output(behind_blend);
     return output_2;
