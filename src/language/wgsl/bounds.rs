@@ -61,6 +61,8 @@ struct Counter<'a> {
     declarations: usize,
     statements: usize,
     branches: usize,
+    /// Whether the expression under way was told of.
+    is_told: bool,
     /// Whether the tokens are those of a `case`, up to its `{` or `:`.
     is_case: bool,
     beyond: Vec<WgslError>,
@@ -136,11 +138,8 @@ impl Counter<'_> {
 
     fn deepen(&mut self, by: usize, span: &Range<usize>) {
         let level = self.level();
-        let had = level.operators;
         level.operators += by;
-        // What was too deep in itself was told of where it became so.
-        let was_within = had.max(by) <= MAX_OPERATORS;
-        if was_within && had + by > MAX_OPERATORS {
+        if level.operators > MAX_OPERATORS && !std::mem::replace(&mut self.is_told, true) {
             self.tell(
                 "operators, brackets and members in one expression",
                 MAX_OPERATORS,
@@ -187,6 +186,9 @@ impl Counter<'_> {
     fn end_expression(&mut self) {
         let level = self.level();
         *level = Level { is_block: level.is_block, ..Level::default() };
+        // What ends within brackets, as the parts of a `for` do, is a part of the same statement.
+        let is_statement = level.is_block || self.levels.len() == 1;
+        self.is_told &= !is_statement;
     }
 
     fn statement(&mut self, span: &Range<usize>) {
