@@ -9,7 +9,7 @@ pub struct OutputKind<'a> {
     pub name: &'a str,
     /// Whether bytes are those of an earlier output of this kind, as Chiaro wrote it. Such a file is replaced unasked.
     pub is_own: &'a dyn Fn(&[u8]) -> bool,
-    /// Whether files of this kind are PNGs that are written with a [seal](sealed).
+    /// Whether files of this kind are PNGs that are written with a seal.
     pub has_seal: bool,
 }
 
