@@ -1,4 +1,4 @@
-// Made by tests/blue_noise.rs: the turns of 32 by 32 cells, by void and cluster (Ulichney 1993). Whatever share of them has
+// Made by tests/surfaces/blue_noise.rs: the turns of 32 by 32 cells, by void and cluster (Ulichney 1993). Whatever share of them has
 // had its turn lies evenly, without a pattern and without clumps. Four turns of 0 to 255 to a number, the first lowest.
 const BLUE_TILE = array<u32, 256>(
     0x27c8a652u, 0x0d3ddf58u, 0xd68cb1fdu, 0xcab465a4u, 0x74e18943u, 0xbbd9a53fu, 0xe039f68bu, 0xb3d313a9u,

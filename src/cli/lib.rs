@@ -251,7 +251,9 @@ mod tests {
         assert!(read(&[]).unwrap().file.is_none());
         assert!(matches!(read(&["check", "a.json"]).unwrap().command, Some(Command::Check(_))));
         assert!(read(&["a.json", "check"]).is_err());
-        for (word, is_mistyped_one) in [("rendr", true), ("rim.json", false), ("looks/rim", false), ("templates", false)] {
+        for (word, is_mistyped_one) in
+            [("rendr", true), ("rim.json", false), ("looks/rim", false), ("templates", false)]
+        {
             assert_eq!(is_mistyped(Path::new(word)), is_mistyped_one, "{word}");
         }
         let told = unknown_subcommand(Path::new("rendr")).to_string();

@@ -1,11 +1,17 @@
 //! What accuracy costs in time, looks fitted to what was painted, and galleries of both.
 
-use chiaro_compiler::{catalog, compile, document, examples, files, library};
-use chiaro_language::{diag, figures, ids, interp};
+#[cfg(feature = "gpu")]
+use chiaro_compiler::{catalog, examples, files};
+use chiaro_compiler::{compile, document, library};
+#[cfg(feature = "gpu")]
+use chiaro_language::interp;
+use chiaro_language::{diag, figures, ids};
 use chiaro_reference as reference;
 #[cfg(feature = "gpu")]
 use chiaro_render as render;
-use chiaro_scene::{drawing, export, frame, hcbtf};
+#[cfg(feature = "gpu")]
+use chiaro_scene::{drawing, export};
+use chiaro_scene::{frame, hcbtf};
 
 /// What a node is shown with in docs and gallery, by kind: values, sources, shape.
 pub const NODE_SAMPLES: &str = include_str!("gallery/samples.json");
