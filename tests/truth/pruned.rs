@@ -15,7 +15,7 @@ use crate::support::report::Errors;
 use crate::support::{files, stacks};
 use chiaro::compile::{Live, Options, compile};
 use chiaro::diag::Diagnostic;
-use chiaro::document::{Look, Value};
+use chiaro::document::{Look, Node, Value};
 use chiaro::frame::{Assets, EvalSample, SetupLook, eval_batches};
 use chiaro::interp::Precision;
 use chiaro::library::Library;
@@ -140,12 +140,35 @@ fn what_is_folded_in_an_example_differs_by_no_more_than_one_rounding() {
     errors.finish();
 }
 
+/// How many times as large as a look's narrowest ramp its angles are.
+fn narrowness(look: &SetupLook) -> f64 {
+    let angle = |node: &Node, port: &str| match node.values.get(port) {
+        Some(Value::Number(angle)) => Some(*angle),
+        _ => None,
+    };
+    let of = |node: &Node| {
+        let (offset, cutoff) = (angle(node, "offset")?, angle(node, "cutoff")?);
+        (cutoff > offset).then(|| cutoff / (cutoff - offset))
+    };
+    look.look.graph.nodes.values().filter_map(of).fold(1.0, f64::max)
+}
+
 /// What is computed once in f64 is closer to the truth than what is rounded at each step.
 #[test]
 fn rounding_once_is_within_a_few_steps_of_rounding_at_each_step() {
+    let ways = [&specialized(Live::Keyed), &unspecialized(Live::All)];
     let mut errors = Errors::new("f32: baked against as written", 1e-6);
     for look in examples().into_iter().chain(stacks(40)) {
-        compare(&mut errors, &look, [&specialized(Live::Keyed), &unspecialized(Live::All)], Precision::F32);
+        // As it is written, the look's angles are rounded before they are subtracted: a few steps of theirs are more steps
+        // of a ramp that is far narrower than its angles are large.
+        let step = f64::from(f32::EPSILON) * narrowness(&look);
+        if step > 2e-6 {
+            let mut narrow = Errors::new("f32: the same with a narrow ramp", 2.0 * step);
+            compare(&mut narrow, &look, ways, Precision::F32);
+            narrow.finish();
+        } else {
+            compare(&mut errors, &look, ways, Precision::F32);
+        }
     }
     errors.finish();
 }
