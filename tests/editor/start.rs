@@ -711,7 +711,7 @@ fn a_window_that_is_killed_while_it_compiles_is_remembered_by_the_next_one() {
     let path = home.file("chain.json");
     fs::write(&path, chain(4000)).unwrap();
     let mut child = std::process::Command::new(std::env::current_exe().unwrap())
-        .args(["--exact", "killed_window", "--test-threads=1"])
+        .args(["--exact", "start::killed_window", "--test-threads=1"])
         .env(KILLED, home.0.path())
         .stdout(std::process::Stdio::null())
         .spawn()
