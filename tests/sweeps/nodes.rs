@@ -88,7 +88,8 @@ fn every_node_keeps_its_bound() {
         let key = key(&mut lab, &case, &effort);
         ledger.prove(&name, &key, || {
             let measured = lab.measure(&case, &effort).map_err(|stopped| told(&Vec::<Diagnostic>::from(stopped)))?;
-            if measured.holds() { Ok(measured.max) } else { Err(line(&measured)) }
+            // Of what is documented alone: elsewhere it depends on the thread whether denormals count as 0.
+            if measured.holds() { Ok(measured.p999) } else { Err(line(&measured)) }
         });
     }
     ledger.close();

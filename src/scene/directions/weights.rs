@@ -13,8 +13,8 @@ use crate::document::KeyScheme;
 /// The weights of keys as a function of direction. Made once for a set of keys, asked for every object and frame.
 ///
 /// ```
-/// use chiaro::directions::KeyWeights;
-/// use chiaro::document::KeyScheme;
+/// use chiaro_compiler::document::KeyScheme;
+/// use chiaro_scene::directions::KeyWeights;
 /// use glam::DVec3;
 ///
 /// let (keys, problems) = KeyWeights::new(&[DVec3::Z, DVec3::NEG_Z], KeyScheme::Biharmonic);

@@ -31,12 +31,12 @@ const MAX_SLOTS: usize = 1 << 20;
 /// Memory in which a program runs for [`LANES`] lanes at once, one batch after the other.
 ///
 /// ```
-/// use chiaro::interp::{Bindings, LANES, Options, Precision, Program};
+/// use chiaro_language::interp::{Bindings, LANES, Options, Precision, Program};
 ///
 /// let source = "
 ///     @group(0) @binding(0) var<uniform> tint: vec4f;
 ///     @fragment fn shade(@location(0) x: f32) -> @location(0) vec4f { return tint * dpdx(x * x); }";
-/// let module = chiaro::wgsl::parse(source).expect("valid WGSL").module;
+/// let module = chiaro_language::wgsl::parse(source).expect("valid WGSL").module;
 /// let program = Program::compile(&module, "shade", Options::stage(source))?;
 /// let mut bindings = Bindings::new();
 /// bindings.buffer(0, 0, [0.5, 0.25, 1.0, 1.0].into());
@@ -50,7 +50,7 @@ const MAX_SLOTS: usize = 1 << 20;
 /// let mut red = [0.0; LANES];
 /// lanes.read(&program.outputs()[0], 0, &mut red);
 /// assert_eq!((red, batch.discarded), ([3.5; LANES], 0));
-/// # Ok::<(), chiaro::diag::Diagnostic>(())
+/// # Ok::<(), chiaro_language::diag::Diagnostic>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Lanes<'b> {
